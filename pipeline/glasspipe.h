@@ -1,0 +1,61 @@
+/* glasspipe: a software GPU of the 2005 class that gives the same bits everywhere.
+ *
+ *     GpDevice *device;
+ *     gp_device_create(&(GpDeviceDesc){ 0 }, &device, &error);
+ *     gp_device_run(device, &list, &error);
+ *     gp_device_destroy(&device);
+ *
+ * Include this header alone; shader files include pipeline/shader.h.
+ */
+#ifndef GLASSPIPE_H
+#define GLASSPIPE_H
+
+#include "pipeline/list.h"
+#include "pipeline/needs.h"
+#include "pipeline/trace.h"
+
+#define GP_VERSION "0.1.0"
+
+typedef enum GpExecutor {
+    GP_EXECUTOR_REFERENCE = 0, /* one unit after the other, one thread, can be traced */
+    GP_EXECUTORS
+} GpExecutor;
+
+typedef struct GpDeviceDesc {
+    GpExecutor executor;
+    int threads;     /* 0: one a processor; never changes a bit */
+    const char *isa; /* NULL or "auto": $GP_ISA, else the widest that every program of a list was
+                        compiled for; "sse2" "avx2" "avx512" "neon" force one. Never changes a bit */
+    GpTrace trace;   /* reference executor only */
+} GpDeviceDesc;
+
+typedef struct GpDevice GpDevice;
+
+/* Work done since the device was created. */
+typedef struct GpCounters {
+    uint64_t passes, draws;
+    uint64_t vertices;           /* vertices shaded */
+    uint64_t primitives;         /* assembled */
+    uint64_t primitives_clipped; /* cut by a plane */
+    uint64_t primitives_drawn;   /* that covered at least one pixel */
+    uint64_t fragments;          /* pixels covered */
+    uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart */
+    uint64_t pixels_written;     /* fragments that passed every test */
+} GpCounters;
+
+/* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace on another
+ * executor than the reference), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
+ * GP_ERROR_MEMORY. Several devices may run at once, each from its own thread. */
+GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *error);
+void gp_device_destroy(GpDevice **device); /* NULL-safe, sets NULL */
+
+/* Checks the list (gp_list_check), then runs it to the end. On an error no texel has changed.
+ * The floating-point control word is set for the duration and restored (R29). */
+GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error);
+
+/* The isa that the last run used ("sse2", ...), or the forced one before any. */
+const char *gp_device_isa(const GpDevice *device);
+
+const GpCounters *gp_device_counters(const GpDevice *device);
+
+#endif
