@@ -8,35 +8,8 @@
 #ifndef GP_LIST_H
 #define GP_LIST_H
 
+#include "pipeline/geometry.h"
 #include "pipeline/program.h"
-
-typedef enum GpPrimitive {
-    GP_TRIANGLES = 0, /* three indices (or vertices) a triangle */
-    GP_POINTS,        /* one a point sprite: a screen-aligned square, never culled (R12) */
-    GP_PRIMITIVES
-} GpPrimitive;
-
-typedef enum GpComponentType {
-    GP_FLOAT32 = 0,
-    GP_UNORM8, /* bytes / 255 */
-} GpComponentType;
-
-/* One attribute of the vertices. Components that the program wants and the stream lacks read as
- * (0, 0, 0, 1). */
-typedef struct GpStream {
-    const void *data; /* NULL: not there */
-    uint32_t stride;  /* bytes from one vertex to the next; 0: packed */
-    uint8_t components;
-    GpComponentType type;
-} GpStream;
-
-typedef struct GpGeometry {
-    GpPrimitive primitive;
-    uint32_t vertex_count;
-    const uint32_t *indices; /* NULL: vertices in order */
-    uint32_t index_count;
-    GpStream streams[GP_SEMANTICS];
-} GpGeometry;
 
 typedef struct GpDraw {
     const char *name; /* for messages; may be NULL */
@@ -76,9 +49,6 @@ typedef struct GpList {
 
 /* Size that all targets of a pass share, after gp_list_check. */
 void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
-
-/* Number of triangles or points of a geometry. */
-uint32_t gp_geometry_primitives(const GpGeometry *geometry);
 
 /* Checks everything that can be checked before the first pixel: targets (formats, equal sizes, no
  * surface twice, none that is also a texture of the pass), programs (gp_program_check, targets

@@ -1,0 +1,17 @@
+/* Texture reads of a packet: levels of detail from quads, then one sample a lane. */
+#ifndef GP_TEXTURE_READ_H
+#define GP_TEXTURE_READ_H
+
+#include "pipeline/program.h"
+#include "pipeline/texture.h"
+
+/* Reads one packet from a texture.
+ * in   read: as the shader gave it; distinct: lanes that differ (the rest repeat lane 0..distinct-1,
+ *      as a quad does on wider lanes), a multiple of 4 or at most read->lanes
+ * out  read->texel; reports[distinct] where not NULL
+ * note differences are the quad's: right minus left within a row, lower minus upper within a
+ *      column, the same as dsx and dsy give */
+void gp_texture_read(const GpTexture *texture, const GpTextureRead *read, int distinct,
+                     GpSampleReport *reports);
+
+#endif

@@ -1,0 +1,54 @@
+#include "pipeline/viewport.h"
+
+#include <math.h>
+
+GpViewport gp_viewport_resolve(const GpViewport *viewport, uint32_t width, uint32_t height)
+{
+    GpViewport v = *viewport;
+    if (v.width == 0 && v.height == 0) {
+        v.width = (float)width;
+        v.height = (float)height;
+    }
+    if (v.min_depth == 0 && v.max_depth == 0)
+        v.max_depth = 1;
+    if (v.d3d9_centers) {
+        v.x += 0.5f;
+        v.y += 0.5f;
+    }
+    return v;
+}
+
+static int32_t floor_within(float value, uint32_t limit)
+{
+    float low = floorf(value);
+    return low < 0 ? 0 : low > (float)limit ? (int32_t)limit : (int32_t)low;
+}
+
+GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t height)
+{
+    GpViewport v = *viewport;
+    v.d3d9_centers = false; /* a shift of the samples, not of the window */
+    v = gp_viewport_resolve(&v, width, height);
+    return (GpRect){ floor_within(v.x, width), floor_within(v.y, height),
+                     floor_within(v.x + v.width, width), floor_within(v.y + v.height, height) };
+}
+
+int32_t gp_snap(float value)
+{
+    return (int32_t)nearbyintf(value * (float)GP_SUBPIXELS); /* the product is exact */
+}
+
+bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen)
+{
+    float rw = 1.0f / clip[3];
+    float x = (clip[0] * rw + 1.0f) * viewport->width * 0.5f + viewport->x;
+    float y = (1.0f - clip[1] * rw) * viewport->height * 0.5f + viewport->y;
+    float range = viewport->max_depth - viewport->min_depth;
+    screen->z = viewport->min_depth + clip[2] * rw * range;
+    screen->rw = rw;
+    if (!(fabsf(x) < 32768.0f && fabsf(y) < 32768.0f))
+        return false;
+    screen->x = gp_snap(x);
+    screen->y = gp_snap(y);
+    return true;
+}
