@@ -25,6 +25,10 @@ typedef enum GpTraceKind {
 
 extern const char *const gp_trace_kind_names[GP_TRACE_KINDS];
 
+typedef struct GpTraceClear {
+    const GpPass *pass; /* its targets say what was cleared, and to which values */
+} GpTraceClear;
+
 typedef struct GpTraceVertex {
     uint32_t vertex;
     int input_components, varying_components;
@@ -77,13 +81,15 @@ typedef struct GpTracePixel {
 typedef struct GpTraceTest {
     const char *unit; /* "scissor", "clip plane", "alpha test", "stencil", "depth" */
     GpCompare compare;
-    double incoming, stored; /* the two operands, as compared */
+    double incoming, stored; /* the two operands */
+    uint32_t incoming_code, stored_code; /* depth only: the codes that are compared (R21) */
     bool passed;
     int32_t stencil_before, stencil_after; /* -1 without stencil */
 } GpTraceTest;
 
 typedef struct GpTraceOutput {
     int target;
+    const GpSurface *surface;
     GpBlend blend;
     float source[4], destination[4];  /* as blended */
     float result[4];                  /* as read back after the store */
@@ -95,6 +101,7 @@ typedef struct GpTraceEvent {
     const char *pass_name, *draw_name, *program_name;
     int32_t x, y; /* the pixel; -1 where the event is not about one */
     union {
+        GpTraceClear clear;
         GpTraceVertex vertex;
         GpTraceClip clip;
         GpTraceSetup setup;

@@ -1,0 +1,109 @@
+#include "pipeline/glasspipe.h"
+
+#include "pipeline/fpcontrol.h"
+#include "pipeline/isa.h"
+#include "pipeline/reference.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_THREADS = 1024 };
+
+struct GpDevice {
+    GpDeviceDesc desc;
+    char isa[16];     /* as asked for; desc.isa may have been freed by the caller */
+    int forced_lanes; /* 0: chosen for each list */
+    const char *used_isa;
+    GpCounters counters;
+};
+
+static GpResult check_isa(const char *name, GpError *error)
+{
+    int lanes = gp_isa_lanes(name);
+    if (lanes < 0)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "isa '%s': expected auto, sse2, avx2, avx512 or neon", name);
+    bool by_width = name && strncmp(name, "lanes", 5) == 0;
+    if (lanes > 0 && !by_width && !gp_isa_runs(name))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "isa '%s': this processor does not have it",
+                       name);
+    return GP_OK;
+}
+
+GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *error)
+{
+    if ((unsigned)desc->executor >= GP_EXECUTORS)
+        return gp_fail(error, GP_ERROR_INVALID, "executor: unknown");
+    if (desc->threads < 0 || desc->threads > MAX_THREADS)
+        return gp_fail(error, GP_ERROR_INVALID, "threads: %d, expected 0 to %d", desc->threads,
+                       MAX_THREADS);
+    const char *isa = desc->isa;
+    if (gp_isa_lanes(isa) == 0 && getenv("GP_ISA"))
+        isa = getenv("GP_ISA");
+    GpResult result = check_isa(isa, error);
+    if (result)
+        return result;
+    GpDevice *d = gp_alloc(1, sizeof *d);
+    if (!d)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for a device");
+    d->desc = *desc;
+    d->forced_lanes = gp_isa_lanes(isa);
+    if (d->forced_lanes)
+        strncpy(d->isa, isa, sizeof d->isa - 1);
+    d->used_isa = d->forced_lanes ? d->isa : "auto";
+    *device = d;
+    return GP_OK;
+}
+
+void gp_device_destroy(GpDevice **device)
+{
+    gp_free(*device);
+    *device = NULL;
+}
+
+/* The width to run a list at. The reference executor works on single quads, so it gains nothing from
+ * wider code and takes the narrowest unless one is forced. */
+static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, GpError *error)
+{
+    *lanes = device->forced_lanes ? device->forced_lanes : 4;
+    const GpProgram *missing;
+    if (!gp_isa_serves(list, *lanes, &missing))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED,
+                       "program %s was not compiled for %d lanes that this processor runs",
+                       missing->name, *lanes);
+    for (uint32_t p = 0; p < list->pass_count; p++)
+        if (list->passes[p].draw_count)
+            device->used_isa = gp_program_code(list->passes[p].draws[0].program, *lanes)->isa;
+    return GP_OK;
+}
+
+GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
+{
+    int lanes;
+    GpResult result = gp_list_check(list, error);
+    if (result)
+        return result;
+    result = choose_lanes(device, list, &lanes, error);
+    if (result)
+        return result;
+
+    GpReference reference = {
+        .lanes = lanes,
+        .trace = device->desc.trace.event ? &device->desc.trace : NULL,
+        .counters = &device->counters,
+    };
+    GpFpControl control = gp_fp_enter();
+    result = gp_reference_run(&reference, list, error);
+    gp_fp_leave(control);
+    return result;
+}
+
+const char *gp_device_isa(const GpDevice *device)
+{
+    return device->used_isa;
+}
+
+const GpCounters *gp_device_counters(const GpDevice *device)
+{
+    return &device->counters;
+}

@@ -1,0 +1,18 @@
+/* The reference executor: the units one after the other, a quad at a time, in submission order. */
+#ifndef GP_REFERENCE_H
+#define GP_REFERENCE_H
+
+#include "pipeline/glasspipe.h"
+
+typedef struct GpReference {
+    int lanes;             /* width of the shader code to run: 4, 8 or 16 */
+    const GpTrace *trace;  /* NULL: nobody watches */
+    GpCounters *counters;
+} GpReference;
+
+/* Runs a checked list.
+ * order passes, draws, primitives, then rows of quads from the top
+ * errors GP_ERROR_MEMORY before anything is drawn */
+GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpError *error);
+
+#endif
