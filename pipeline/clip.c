@@ -54,6 +54,22 @@ static void cut_edge(const GpVertex *inside, float inside_distance, const GpVert
     corner->point_size = inside->point_size;
 }
 
+static float between(float value, float low, float high)
+{
+    return value < low ? low : value > high ? high : value;
+}
+
+/* Moves a corner back onto the volume where the rounding of a cut left it outside, which is far when
+ * the edge went from a very large to a very small w. A function of the corner alone, so that
+ * neighbours still agree. */
+static void settle_corner(const GpGuardBand *band, float clip[4])
+{
+    float w = clip[3];
+    clip[0] = between(clip[0], band->left * w, band->right * w);
+    clip[1] = between(clip[1], band->bottom * w, band->top * w);
+    clip[2] = between(clip[2], 0, w);
+}
+
 static void cut_polygon(const GpGuardBand *band, int plane, const GpClipPolygon *before,
                         int components, uint64_t flat, GpClipPolygon *after)
 {
@@ -113,6 +129,8 @@ void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3]
             polygon->corners = 0;
             return;
         }
+    for (int i = 0; polygon->cut && i < polygon->corners; i++)
+        settle_corner(band, polygon->corner[i].clip);
 }
 
 bool gp_clip_point(const GpVertex *vertex)
