@@ -1,0 +1,467 @@
+/* Whole frames through the device: what must hold between units. */
+#include "pipeline/glasspipe.h"
+#include "tests/shaders/exercise.h"
+#include "tests/support/random_list.h"
+#include "tests/support/unit.h"
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+enum { SIZE = 64 };
+
+typedef struct Corner {
+    float position[4], color[4], uv[2];
+} Corner;
+
+typedef struct Frame {
+    GpSurface *color, *depth;
+    ExerciseUniforms uniforms;
+    GpDraw draw[8];
+    GpPass pass;
+    GpList list;
+    GpError error;
+} Frame;
+
+static Frame new_frame(GpFormat color)
+{
+    Frame f = { 0 };
+    assert_int_equal(
+        gp_surface_create(
+            &(GpSurfaceDesc){ .format = color, .width = SIZE, .height = SIZE, .name = "picture" },
+            &f.color, &f.error),
+        GP_OK);
+    assert_int_equal(
+        gp_surface_create(
+            &(GpSurfaceDesc){ .format = GP_D24S8, .width = SIZE, .height = SIZE, .name = "depth" },
+            &f.depth, &f.error),
+        GP_OK);
+    for (int i = 0; i < 4; i++)
+        f.uniforms.matrix[i][i] = 1;
+    return f;
+}
+
+/* Links the frame's own parts; after this it must not move. */
+static void link_frame(Frame *f, uint32_t draws, const GpProgram *program, const Corner *corners,
+                       uint32_t count)
+{
+    f->pass = (GpPass){ .name = "main",
+                        .color[0] = { .surface = f->color, .clear = true },
+                        .depth = { .surface = f->depth,
+                                   .clear_depth = true,
+                                   .clear_stencil = true,
+                                   .depth_value = 1 },
+                        .draws = f->draw,
+                        .draw_count = draws };
+    f->list = (GpList){ &f->pass, 1 };
+    for (uint32_t i = 0; i < draws; i++) {
+        f->draw[i].name = "triangles";
+        f->draw[i].program = program;
+        f->draw[i].uniforms = &f->uniforms;
+        f->draw[i].geometry = (GpGeometry){
+            .vertex_count = count,
+            .streams = { [GP_POSITION] = { corners->position, sizeof *corners, 4, GP_FLOAT32 },
+                         [GP_COLOR] = { corners->color, sizeof *corners, 4, GP_FLOAT32 },
+                         [GP_TEXCOORD0] = { corners->uv, sizeof *corners, 2, GP_FLOAT32 } },
+        };
+    }
+}
+
+static void free_frame(Frame *f)
+{
+    gp_surface_destroy(&f->color);
+    gp_surface_destroy(&f->depth);
+}
+
+static GpResult run(const GpList *list, const GpDeviceDesc *desc, GpError *error)
+{
+    GpDevice *device = NULL;
+    GpResult result = gp_device_create(desc, &device, error);
+    if (result == GP_OK)
+        result = gp_device_run(device, list, error);
+    gp_device_destroy(&device);
+    return result;
+}
+
+static void run_frame(Frame *f)
+{
+    if (run(&f->list, &(GpDeviceDesc){ 0 }, &f->error))
+        fail_msg("%s", f->error.text);
+}
+
+static int pixels_not_zero(const GpSurface *surface)
+{
+    int count = 0;
+    for (uint32_t i = 0; i < surface->width * surface->height; i++) {
+        uint32_t texel;
+        memcpy(&texel, surface->level[0].texels + 4 * i, 4);
+        count += texel != 0;
+    }
+    return count;
+}
+
+static const Corner full_screen[6] = {
+    { { -1, 1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 0, 0 } },
+    { { 1, 1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 1, 0 } },
+    { { 1, -1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 1, 1 } },
+    { { -1, 1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 0, 0 } },
+    { { 1, -1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 1, 1 } },
+    { { -1, -1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 0, 1 } },
+};
+
+/* --- rules -------------------------------------------------------------------------------------
+ */
+
+static void r01_d3d9_centres_draw_the_picture_of_a_moved_viewport(void **state)
+{
+    (void)state;
+    static const Corner triangle[3] = { { { -0.9f, 0.7f, 0, 1 }, { 1, 0, 0, 1 }, { 0, 0 } },
+                                        { { 0.8f, 0.3f, 0, 1 }, { 0, 1, 0, 1 }, { 0, 0 } },
+                                        { { -0.1f, -0.8f, 0, 1 }, { 0, 0, 1, 1 }, { 0, 0 } } };
+    uint64_t hash[2];
+    for (int i = 0; i < 2; i++) {
+        Frame f = new_frame(GP_A8R8G8B8);
+        link_frame(&f, 1, &exercise_color, triangle, 3);
+        float shift = i ? 0 : 0.5f;
+        f.draw[0].viewport = (GpViewport){ shift, shift, SIZE, SIZE, 0, 1, i == 1 };
+        run_frame(&f);
+        hash[i] = gp_surface_hash(f.color);
+        free_frame(&f);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
+static void r04_sliver_that_snaps_to_zero_area_draws_nothing(void **state)
+{
+    (void)state;
+    const float y = 0.5f / SIZE, tiny = 1e-5f; /* under half a sub-pixel step high */
+    const Corner sliver[3] = { { { -1, y, 0, 1 }, { 1, 1, 1, 1 }, { 0, 0 } },
+                               { { 1, y, 0, 1 }, { 1, 1, 1, 1 }, { 0, 0 } },
+                               { { 0, y + tiny, 0, 1 }, { 1, 1, 1, 1 }, { 0, 0 } } };
+    Frame f = new_frame(GP_A8R8G8B8);
+    link_frame(&f, 1, &exercise_color, sliver, 3);
+    run_frame(&f);
+    assert_int_equal(pixels_not_zero(f.color), 0);
+    free_frame(&f);
+}
+
+static void r15_batching_changes_no_bit(void **state)
+{
+    (void)state;
+    RandomList *all = gp_alloc(1, sizeof *all), *split = gp_alloc(1, sizeof *split);
+    for (uint64_t seed = 100; seed < 130; seed++) {
+        assert_true(random_list_create(seed, SIZE, all));
+        assert_true(random_list_create(seed, SIZE, split));
+        GpError error;
+        assert_int_equal(run(&all->list, &(GpDeviceDesc){ 0 }, &error), GP_OK);
+        /* the same passes, run as lists of their own */
+        for (uint32_t p = 0; p < split->list.pass_count; p++)
+            assert_int_equal(run(&(GpList){ &split->passes[p], 1 }, &(GpDeviceDesc){ 0 }, &error),
+                             GP_OK);
+        assert_true(random_list_hash(all) == random_list_hash(split));
+        random_list_destroy(all);
+        random_list_destroy(split);
+    }
+    gp_free(all);
+    gp_free(split);
+}
+
+static void r54_lane_width_changes_no_bit(void **state)
+{
+    (void)state;
+    static const char *const widths[] = { "lanes4", "lanes8", "lanes16" };
+    RandomList *random = gp_alloc(1, sizeof *random);
+    int compared = 0;
+    for (uint64_t seed = 200; seed < 260; seed++) {
+        uint64_t first = 0;
+        for (int w = 0; w < 3; w++) {
+            GpError error;
+            assert_true(random_list_create(seed, SIZE, random));
+            GpResult result = run(&random->list, &(GpDeviceDesc){ .isa = widths[w] }, &error);
+            if (w == 0)
+                first = random_list_hash(random);
+            else if (result == GP_OK) {
+                assert_true(random_list_hash(random) == first);
+                compared++;
+            } else
+                assert_int_equal(result, GP_ERROR_UNSUPPORTED);
+            random_list_destroy(random);
+        }
+    }
+    gp_free(random);
+    if (!compared)
+        skip(); /* a processor, or a build, with one width only */
+}
+
+#if defined(__SSE__)
+static void r29_control_word_is_set_and_restored(void **state)
+{
+    (void)state;
+    /* texture coordinates and colours that are denormal: flushed to zero they would vanish */
+    static const Corner faint[3] = {
+        { { -1, 3, 0, 1 }, { 1e-40f, 1e-40f, 1e-40f, 1 }, { 0, 0 } },
+        { { 3, -1, 0, 1 }, { 1e-40f, 1e-40f, 1e-40f, 1 }, { 0, 0 } },
+        { { -1, -1, 0, 1 }, { 1e-40f, 1e-40f, 1e-40f, 1 }, { 0, 0 } }
+    };
+    const unsigned wild = 0x1f80 | 0x8000 | 0x0040 | 0x6000; /* flush, denormals zero, truncate */
+    uint64_t hash[2];
+    unsigned before = _mm_getcsr();
+    for (int i = 0; i < 2; i++) {
+        Frame f = new_frame(GP_A32B32G32R32F);
+        link_frame(&f, 1, &exercise_targets4, faint, 3);
+        f.draw[0].program = &exercise_color;
+        f.uniforms.color[0] = 1e-40f;
+        _mm_setcsr(i ? wild : before);
+        GpResult result = run(&f.list, &(GpDeviceDesc){ 0 }, &f.error);
+        unsigned after = _mm_getcsr();
+        _mm_setcsr(before);
+        assert_int_equal(result, GP_OK);
+        assert_int_equal(after & 0xffc0u, (i ? wild : before) & 0xffc0u);
+        hash[i] = gp_surface_hash(f.color);
+        float red;
+        memcpy(&red, f.color->level[0].texels, sizeof red);
+        assert_true(red > 0 && red < 1.2e-38f); /* a denormal came through */
+        free_frame(&f);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+#endif
+
+static void r35_fragments_arrive_in_primitive_order(void **state)
+{
+    (void)state;
+    /* Twenty layers over the screen with a blend that does not commute: d = s*0.5 + d*0.5. */
+    Corner layers[60];
+    float expected = 0;
+    for (int i = 0; i < 20; i++) {
+        float shade = (float)((i * 7) % 11) / 10;
+        expected = shade * 0.5f + expected * 0.5f;
+        for (int k = 0; k < 3; k++)
+            layers[3 * i + k] = (Corner){ { k == 1 ? 3.0f : -1.0f, k == 0 ? 3.0f : -1.0f, 0.5f, 1 },
+                                          { shade, shade, shade, 0.5f },
+                                          { 0, 0 } };
+    }
+    Frame f = new_frame(GP_A32B32G32R32F);
+    link_frame(&f, 1, &exercise_discard, layers, 60);
+    f.draw[0].state.blend[0] =
+        (GpBlend){ .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
+    run_frame(&f);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        float red;
+        memcpy(&red, f.color->level[0].texels + 16 * i, sizeof red);
+        assert_true(red == expected);
+    }
+    free_frame(&f);
+}
+
+static void r37_kept_channels_keep_their_bits(void **state)
+{
+    (void)state;
+    Frame f = new_frame(GP_A8R8G8B8);
+    link_frame(&f, 1, &exercise_discard, full_screen, 6);
+    f.pass.color[0].clear_color[1] = 1;
+    f.draw[0].state.blend[0].keep = 1 << 1 | 1 << 3; /* green and alpha */
+    run_frame(&f);
+    const uint8_t *texel = f.color->level[0].texels; /* B G R A */
+    assert_int_equal(texel[0], 0);
+    assert_int_equal(texel[1], 255);
+    assert_int_equal(texel[2], 255);
+    assert_int_equal(texel[3], 0);
+    free_frame(&f);
+}
+
+static void stencil_scissor_and_alpha_test_stop_fragments(void **state)
+{
+    (void)state;
+    for (int test = 0; test < 4; test++) {
+        Frame f = new_frame(GP_A8R8G8B8);
+        link_frame(&f, 1, &exercise_depth, full_screen, 6);
+        GpState *s = &f.draw[0].state;
+        int expected = SIZE * SIZE;
+        if (test == 1) {
+            s->raster.scissor = true;
+            s->raster.scissor_x0 = 3, s->raster.scissor_x1 = 10;
+            s->raster.scissor_y0 = 5, s->raster.scissor_y1 = 6;
+            expected = 7;
+        } else if (test == 2) {
+            s->alpha_test = (GpAlphaTest){ GP_GREATER, 128 }; /* alpha is 0.5 < 128/255 */
+            expected = 0;
+        } else if (test == 3) {
+            s->stencil = (GpStencilState){
+                .enable = true, .reference = 1, .front.test = GP_EQUAL, .back.test = GP_EQUAL
+            };
+            expected = 0;
+        }
+        run_frame(&f);
+        assert_int_equal(pixels_not_zero(f.color), expected);
+        free_frame(&f);
+    }
+}
+
+/* --- errors --------------------------------------------------------------------------------------
+ */
+
+static void an_invalid_draw_is_named_and_changes_nothing(void **state)
+{
+    (void)state;
+    Frame f = new_frame(GP_A8R8G8B8);
+    link_frame(&f, 2, &exercise_texture, full_screen, 6); /* no textures bound */
+    f.draw[0].program = &exercise_color;
+    memset(f.color->level[0].texels, 0x5a, SIZE * SIZE * 4);
+    uint64_t before = gp_surface_hash(f.color);
+    assert_int_equal(run(&f.list, &(GpDeviceDesc){ 0 }, &f.error), GP_ERROR_INVALID);
+    assert_string_equal(f.error.text,
+                        "pass 0 'main', draw 1 'triangles': textures[0].surface: not bound, but "
+                        "exercise_texture reads slot 0");
+    assert_true(gp_surface_hash(f.color) == before);
+    free_frame(&f);
+}
+
+static void devices_refuse_what_they_cannot_be(void **state)
+{
+    (void)state;
+    GpDevice *device = NULL;
+    GpError error;
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = -1 }, &device, &error),
+                     GP_ERROR_INVALID);
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .isa = "mmx" }, &device, &error),
+                     GP_ERROR_INVALID);
+    assert_non_null(strstr(error.text, "'mmx'"));
+    assert_int_equal(
+        gp_device_create(&(GpDeviceDesc){ .executor = (GpExecutor)9 }, &device, &error),
+        GP_ERROR_INVALID);
+    assert_null(device);
+}
+
+static void an_empty_list_is_a_valid_one(void **state)
+{
+    (void)state;
+    GpError error;
+    assert_int_equal(run(&(GpList){ 0 }, &(GpDeviceDesc){ 0 }, &error), GP_OK);
+}
+
+/* --- traces
+ * ---------------------------------------------------------------------------------------- */
+
+typedef struct Seen {
+    int count[GP_TRACE_KINDS];
+    int last_kind;
+    bool in_order;
+} Seen;
+
+static void note_event(void *user, const GpTraceEvent *event)
+{
+    Seen *seen = user;
+    seen->count[event->kind]++;
+    if (event->kind == GP_TRACE_VERTEX || event->kind == GP_TRACE_CLEAR)
+        seen->last_kind = 0; /* a new primitive begins */
+    seen->in_order = seen->in_order && (int)event->kind >= seen->last_kind;
+    seen->last_kind = (int)event->kind;
+    if (event->kind >= GP_TRACE_RASTER)
+        assert_true(event->x == 20 && event->y == 30);
+}
+
+static void a_watched_pixel_reports_every_unit_in_order(void **state)
+{
+    (void)state;
+    Seen seen = { .in_order = true };
+    Frame f = new_frame(GP_A8R8G8B8);
+    link_frame(&f, 3, &exercise_discard, full_screen, 6);
+    for (int i = 0; i < 3; i++)
+        f.draw[i].state.depth = (GpDepthState){ GP_LESS, true };
+    GpDeviceDesc desc = {
+        .trace = { .event = note_event, .user = &seen, .one_pixel = true, .x = 20, .y = 30 }
+    };
+    assert_int_equal(run(&f.list, &desc, &f.error), GP_OK);
+    assert_true(seen.in_order);
+    assert_int_equal(seen.count[GP_TRACE_CLEAR], 1);
+    assert_int_equal(seen.count[GP_TRACE_VERTEX], 9); /* one triangle of each draw covers it */
+    assert_int_equal(seen.count[GP_TRACE_CLIP], 3);
+    assert_int_equal(seen.count[GP_TRACE_SETUP], 3);
+    assert_int_equal(seen.count[GP_TRACE_RASTER], 3);
+    assert_int_equal(seen.count[GP_TRACE_INTERPOLATE], 3);
+    assert_int_equal(seen.count[GP_TRACE_PIXEL], 3);
+    assert_int_equal(seen.count[GP_TRACE_TEST], 3);
+    assert_int_equal(seen.count[GP_TRACE_OUTPUT], 1); /* the first one wins, the others tie */
+    free_frame(&f);
+}
+
+static void ignore_event(void *user, const GpTraceEvent *event)
+{
+    (void)event;
+    ++*(long *)user;
+}
+
+static void watching_changes_no_bit(void **state)
+{
+    (void)state;
+    RandomList *random = gp_alloc(1, sizeof *random);
+    long events = 0;
+    for (uint64_t seed = 300; seed < 330; seed++) {
+        uint64_t hash[2];
+        for (int watched = 0; watched < 2; watched++) {
+            GpError error;
+            GpDeviceDesc desc = { 0 };
+            if (watched)
+                desc.trace = (GpTrace){ .event = ignore_event, .user = &events };
+            assert_true(random_list_create(seed, 24, random));
+            assert_int_equal(run(&random->list, &desc, &error), GP_OK);
+            hash[watched] = random_list_hash(random);
+            random_list_destroy(random);
+        }
+        assert_true(hash[0] == hash[1]);
+    }
+    assert_true(events > 10000);
+    gp_free(random);
+}
+
+/* --- groups
+ * ------------------------------------------------------------------------------------------ */
+
+static void passes_that_read_in_place_form_a_group(void **state)
+{
+    (void)state;
+    GpSurface *s[4];
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(
+            gp_surface_create(
+                &(GpSurfaceDesc){ .format = GP_A8R8G8B8, .width = i == 3 ? 32 : 64, .height = 64 },
+                &s[i], NULL),
+            GP_OK);
+    GpDraw in_place = { .program = &exercise_local, .textures[3].surface = s[0] };
+    GpDraw anywhere = { .program = &exercise_texture, .textures[0].surface = s[1] };
+    GpPass passes[4] = {
+        { .color[0].surface = s[0] },
+        { .color[0].surface = s[1], .draws = &in_place, .draw_count = 1 },
+        { .color[0].surface = s[2], .draws = &anywhere, .draw_count = 1 },
+        { .color[0].surface = s[3] },
+    };
+    uint32_t group[4];
+    assert_int_equal(gp_list_groups(&(GpList){ passes, 4 }, group), 3);
+    assert_true(group[0] == 0 && group[1] == 0 && group[2] == 1 && group[3] == 2);
+    for (int i = 0; i < 4; i++)
+        gp_surface_destroy(&s[i]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(r01_d3d9_centres_draw_the_picture_of_a_moved_viewport),
+        cmocka_unit_test(r04_sliver_that_snaps_to_zero_area_draws_nothing),
+        cmocka_unit_test(r15_batching_changes_no_bit),
+        cmocka_unit_test(r54_lane_width_changes_no_bit),
+#if defined(__SSE__)
+        cmocka_unit_test(r29_control_word_is_set_and_restored),
+#endif
+        cmocka_unit_test(r35_fragments_arrive_in_primitive_order),
+        cmocka_unit_test(r37_kept_channels_keep_their_bits),
+        cmocka_unit_test(stencil_scissor_and_alpha_test_stop_fragments),
+        cmocka_unit_test(an_invalid_draw_is_named_and_changes_nothing),
+        cmocka_unit_test(devices_refuse_what_they_cannot_be),
+        cmocka_unit_test(an_empty_list_is_a_valid_one),
+        cmocka_unit_test(a_watched_pixel_reports_every_unit_in_order),
+        cmocka_unit_test(watching_changes_no_bit),
+        cmocka_unit_test(passes_that_read_in_place_form_a_group),
+    };
+    return cmocka_run_group_tests_name("device", tests, NULL, NULL);
+}
