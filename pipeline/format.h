@@ -28,6 +28,7 @@ typedef struct GpFormatInfo {
     const char *name;    /* as in scene files and hashes: "A8R8G8B8" */
     uint8_t bytes;       /* per texel */
     uint8_t channels;    /* colour channels stored, 0 for depth formats */
+    bool is_unorm8;      /* linear 8-bit channels: filtered as exact integers */
     bool is_float;       /* 16- or 32-bit float channels */
     bool is_depth;       /* usable as depth target and for depth-compare sampling */
     bool has_stencil;    /* 8 stencil bits */
@@ -53,10 +54,15 @@ float gp_float_from_unorm(uint32_t code, int bits);
 /* Float to half: to nearest even, overflow to infinity, denormals kept, any NaN to 0x7e00 (R27,
  * R28, R31). */
 uint16_t gp_half_from_float(float value);
+
+/* Half to float, exact; any NaN to 0x7fc00000. */
 float gp_float_from_half(uint16_t half);
 
-/* sRGB-encoded byte to linear float, 0 and 1 exact (R26). */
+/* sRGB-encoded byte to linear float, correctly rounded, 0 and 1 exact (R26); in format_srgb.c. */
 float gp_linear_from_srgb8(uint8_t code);
+
+/* Linear float to sRGB-encoded byte: NaN to 0, clamp, the exact curve, rounded as R24 rounds. */
+uint8_t gp_srgb8_from_linear(float value);
 
 /* The value with any NaN replaced by the quiet NaN 0x7fc00000: done on every float store, since
  * hardware disagrees about the bits of a computed NaN. */
@@ -74,8 +80,12 @@ static inline float gp_canonical(float value)
 void gp_texel_load(GpFormat format, const void *texel, float rgba[4]);
 
 /* Writes one colour texel; channels that the format lacks are dropped, floats are canonicalised.
+ * Colour of sRGB formats is encoded: mip levels and clears need it, though no pass draws there.
  * keep: bit c set leaves channel c (0 red .. 3 alpha) with the bits it has (R37). */
 void gp_texel_store(GpFormat format, void *texel, const float rgba[4], unsigned keep);
+
+/* The bytes of a texel of an is_unorm8 format as r, g, b, a; 255 where there is no channel. */
+void gp_texel_codes(GpFormat format, const void *texel, uint8_t code[4]);
 
 /* --- depth ------------------------------------------------------------------------------------ */
 

@@ -12,7 +12,8 @@ enum {
 typedef struct GpSurfaceDesc {
     GpFormat format;
     uint32_t width, height; /* texels of level 0, 1..GP_MAX_SIZE */
-    uint32_t levels;        /* mip levels; 0 means 1; GP_MAX_LEVELS or more means down to 1x1 */
+    uint32_t levels;        /* mip levels; 0 means 1; GP_MAX_LEVELS or more means down to 1x1;
+                               any other number that goes beyond 1x1 is an error */
     const char *name;       /* for messages and dumps; copied, at most 31 characters kept */
 } GpSurfaceDesc;
 
@@ -31,7 +32,8 @@ typedef struct GpSurface {
     GpLevel level[GP_MAX_LEVELS];
 } GpSurface;
 
-/* Creates a zeroed surface. Errors: GP_ERROR_INVALID (format, size), GP_ERROR_MEMORY.
+/* Creates a zeroed surface. Errors: GP_ERROR_INVALID (format, size, levels), GP_ERROR_MEMORY.
+ * A level is half the size of the one before, rounded down, and at least 1.
  * Owns: the caller, until gp_surface_destroy. */
 GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpError *error);
 
@@ -45,13 +47,16 @@ static inline uint8_t *gp_surface_texel(const GpLevel *level, size_t texel_bytes
     return level->texels + (size_t)y * level->pitch + (size_t)x * texel_bytes;
 }
 
-/* Fills level 0 with a colour (colour formats) or a depth and stencil. */
+/* Fills level 0 with a colour (colour formats) or a depth, clamped to [0,1], and stencil (depth
+ * formats); what is not cleared keeps its bits. */
 void gp_surface_clear_color(GpSurface *surface, const float rgba[4]);
 void gp_surface_clear_depth(GpSurface *surface, float depth, uint8_t stencil, bool clear_depth,
                             bool clear_stencil);
 
-/* Computes levels 1.. from level 0 by a 2x2 box in float (sRGB formats: in linear light); an odd
- * edge repeats its last texel. */
+/* Computes each level from the stored one before by a 2x2 box (sRGB formats: in linear light):
+ * the mean ((a + b) + (c + d)) / 4 of two neighbours above and two below, in binary64, where it
+ * cannot overflow. A side of one texel counts it twice; the last row or column of any other odd
+ * side is dropped. Colour formats only. */
 void gp_surface_build_mips(GpSurface *surface);
 
 /* XXH3-64 of level 0's raw bytes, row 0 at the top: what `hash` lines print. */

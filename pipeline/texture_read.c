@@ -54,3 +54,25 @@ void gp_texture_read(const GpTexture *texture, const GpTextureRead *read, int di
                 lane < distinct ? rgba[c] : read->texel[c * lanes + source];
     }
 }
+
+void gp_read_texture_plain(const GpShaderCall *call, const GpTextureRead *read)
+{
+    gp_texture_read(&call->textures[read->slot], read, read->lanes, NULL);
+}
+
+void gp_read_local_plain(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
+{
+    const GpSurface *surface = call->textures[slot].surface;
+    const float *x = call->pixel + packet * 2 * lanes, *y = x + lanes;
+    for (int lane = 0; lane < lanes; lane++) {
+        float rgba[4] = { 0, 0, 0, 0 };
+        uint32_t column = (uint32_t)x[lane], row = (uint32_t)y[lane];
+        if (column < surface->width && row < surface->height)
+            gp_texel_load(surface->format,
+                          gp_surface_texel(&surface->level[0],
+                                           gp_format_info(surface->format)->bytes, column, row),
+                          rgba);
+        for (int c = 0; c < 4; c++)
+            texel[c * lanes + lane] = rgba[c];
+    }
+}

@@ -14,4 +14,9 @@
 void gp_texture_read(const GpTexture *texture, const GpTextureRead *read, int distinct,
                      GpSampleReport *reports);
 
+/* The two functions that a shader call wants, without a report: texld and its kin, all lanes
+ * distinct; and gp_load_local, a plain read of the surface (lanes outside it read 0). */
+void gp_read_texture_plain(const GpShaderCall *call, const GpTextureRead *read);
+void gp_read_local_plain(const GpShaderCall *call, int slot, int packet, int lanes, float *texel);
+
 #endif
