@@ -33,7 +33,7 @@ GpResult gp_fail(GpError *error, GpResult result, const char *format, ...)
 /* Name of a result, e.g. "invalid". Never NULL. */
 const char *gp_result_name(GpResult result);
 
-_Noreturn void gp_assert_failed(const char *condition, const char *file, int line);
+__attribute__((noreturn)) void gp_assert_failed(const char *condition, const char *file, int line);
 
 #define GP_ASSERT(condition)                                                                       \
     ((condition) ? (void)0 : gp_assert_failed(#condition, __FILE__, __LINE__))

@@ -9,6 +9,13 @@
 #ifndef GP_PROGRAM_H
 #define GP_PROGRAM_H
 
+#ifdef __cplusplus /* the counting build (pipeline/counting.hpp) */
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+extern "C" {
+#endif
+
 #include "pipeline/state.h"
 
 /* What a vertex stream or a program's input means. */
@@ -94,24 +101,24 @@ typedef void (*GpLocalFn)(const struct GpShaderCall *call, int slot, int packet,
 typedef struct GpShaderCall {
     const void *uniforms;
     int packets;
-    const float *in;            /* vertex inputs or varyings */
-    const GpTexture *textures;  /* GP_MAX_SAMPLERS slots */
+    const float *in;           /* vertex inputs or varyings */
+    const GpTexture *textures; /* GP_MAX_SAMPLERS slots */
     GpTextureFn read_texture;
-    GpLocalFn read_local;       /* pixel shaders only */
-    void *executor;             /* for the two functions above */
+    GpLocalFn read_local; /* pixel shaders only */
+    void *executor;       /* for the two functions above */
 
     /* vertex shader: out */
-    float *position;            /* [packet][4][lanes], clip space */
+    float *position; /* [packet][4][lanes], clip space */
     float *varying;
-    float *point_size;          /* [packet][lanes], pixels; NULL unless the program writes it */
+    float *point_size; /* [packet][lanes], pixels; NULL unless the program writes it */
 
     /* pixel shader: in */
-    const float *pixel;         /* [packet][2][lanes], x y of the pixel (vPos); NULL unless used */
-    const float *face;          /* [packet][lanes], +1 clockwise (front), -1; NULL unless used */
+    const float *pixel; /* [packet][2][lanes], x y of the pixel (vPos); NULL unless used */
+    const float *face;  /* [packet][lanes], +1 clockwise (front), -1; NULL unless used */
     /* pixel shader: out */
-    float *color;               /* [packet][target][4][lanes] */
-    float *depth;               /* [packet][lanes]; NULL unless the program writes depth */
-    int32_t *killed;            /* [packet][lanes], -1 killed; NULL unless the program may discard */
+    float *color;    /* [packet][target][4][lanes] */
+    float *depth;    /* [packet][lanes]; NULL unless the program writes depth */
+    int32_t *killed; /* [packet][lanes], -1 killed; NULL unless the program may discard */
 } GpShaderCall;
 
 typedef void (*GpShaderFn)(const GpShaderCall *call);
@@ -124,18 +131,26 @@ typedef struct GpProgramCode {
 
 /* What the counting build of a shader reports, costs as in pipeline facts A3. */
 typedef struct GpShaderCounts {
-    int slots;            /* instruction slots: arithmetic + texture */
+    int slots; /* instruction slots: arithmetic + texture */
     int arithmetic_slots;
     int texture_slots;
-    int temporaries;      /* four-component registers live at once (estimate, see counting.h) */
+    int temporaries;      /* four-component registers live at once: an estimate, described with all
+                             other figures in pipeline/counting_graph.hpp */
     int constants;        /* float4 constants: uniforms read plus literals */
-    int inputs;           /* four-component inputs or interpolants read */
+    int inputs;           /* declared inputs or interpolants read */
     int outputs;          /* interpolants (vertex) or colour targets (pixel) written */
     int samplers;         /* distinct texture slots read */
     int dependent_reads;  /* longest chain of texture reads, 0 = no read depends on another or on
                              computed coordinates */
     uint64_t inputs_read; /* bit i: component i of the input struct is used */
-    bool gradients;       /* dsx, dsy or texldd appear */
+    uint64_t outputs_written; /* bit i: component i of the varyings or of the targets is written */
+    uint16_t sampler_slots;   /* bit i: slot i is read by texld and its kin */
+    uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
+    bool gradients;           /* dsx, dsy or texldd appear */
+    bool needs_quads;         /* dsx, dsy, or an implicit-LOD read whose u or v is computed */
+    bool implicit_lod;        /* texld, texldp or texldb appear */
+    bool explicit_lod;        /* texldl appears */
+    bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
 } GpShaderCounts;
 
 /* Runs the counting build once; pixel may be NULL. */
@@ -146,19 +161,19 @@ enum { GP_CODE_WIDTHS = 3 }; /* lanes 4, 8, 16 */
 typedef struct GpProgram {
     const char *name;
     GpProfile vertex_profile, pixel_profile;
-    GpInputDecl inputs[16];      /* in the order of the vertex struct; components 0 ends */
-    GpVaryingDecl varyings[10];  /* in the order of the varying struct; components 0 ends */
-    uint8_t targets;             /* colour targets written; 0: none (depth only, or 1 by default
+    GpInputDecl inputs[16];     /* in the order of the vertex struct; components 0 ends */
+    GpVaryingDecl varyings[10]; /* in the order of the varying struct; components 0 ends */
+    uint8_t targets;            /* colour targets written; 0: none (depth only, or 1 by default
                                     where there is a pixel shader) */
-    uint16_t samplers;           /* bit i: slot i is read by texld and its kin */
-    uint16_t vertex_samplers;    /* bit i: slot i is read by the vertex shader */
-    uint16_t local_reads;        /* bit i: slot i is read by load_local only */
-    bool may_discard;            /* texkill or discard appears */
-    bool writes_depth;           /* oDepth is written */
-    bool writes_point_size;      /* oPts is written */
-    bool uses_pixel;             /* vPos is read */
-    bool uses_face;              /* vFace is read */
-    bool uses_derivatives;       /* dsx, dsy, or an implicit-LOD read of computed coordinates: the
+    uint16_t samplers;          /* bit i: slot i is read by texld and its kin */
+    uint16_t vertex_samplers;   /* bit i: slot i is read by the vertex shader */
+    uint16_t local_reads;       /* bit i: slot i is read by load_local only */
+    bool may_discard;           /* texkill or discard appears */
+    bool writes_depth;          /* oDepth is written */
+    bool writes_point_size;     /* oPts is written */
+    bool uses_pixel;            /* vPos is read */
+    bool uses_face;             /* vFace is read */
+    bool uses_derivatives;      /* dsx, dsy, or an implicit-LOD read of computed coordinates: the
                                     shader needs whole 2x2 quads */
 
     /* filled in by the program() macro */
@@ -180,12 +195,20 @@ static inline const GpProgramCode *gp_program_code(const GpProgram *program, int
     return program->code[lanes == 4 ? 0 : lanes == 8 ? 1 : 2];
 }
 
-/* Checks a program against its own declarations and its counted shaders against their profiles
- * (A1, A2): names, component sums, slots, temporaries, constants, samplers, dependent reads.
- * Errors: GP_ERROR_INVALID with a line such as "program lava, ps_2_0: 101 slots, at most 96". */
+/* Checks a program against itself and, where it was counted, its shaders against what it declares
+ * and against their profiles (A1, A2): names, component sums, undeclared texture slots, discards
+ * and the like, varyings read but never written; slots, temporaries, constants, samplers, dependent
+ * reads, features. A profile that is not declared sets no limits.
+ * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no such
+ *        limit" */
 GpResult gp_program_check(const GpProgram *program, GpError *error);
 
 /* Name of a profile as Direct3D writes it ("ps_2_0"). */
 const char *gp_profile_name(GpProfile profile);
+
+#ifdef __cplusplus
+}
+
+#endif
 
 #endif
