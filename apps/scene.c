@@ -1,0 +1,236 @@
+/* Loading: what belongs to the scene as a whole, and what is freed with it. */
+#include "apps/scene_store.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* --- memory ---------------------------------------------------------------------------------- */
+
+typedef struct SceneBlock {
+    struct SceneBlock *next;
+    void *memory;
+} SceneBlock;
+
+bool scene_own_memory(Loader *loader, void *memory)
+{
+    SceneBlock *block = memory ? gp_alloc(1, sizeof *block) : NULL;
+    if (!block) {
+        gp_free(memory);
+        Node root = node_root(&loader->reader);
+        node_fail(&root, GP_ERROR_MEMORY, "no memory");
+        return false;
+    }
+    *block = (SceneBlock){ loader->store->blocks, memory };
+    loader->store->blocks = block;
+    return true;
+}
+
+void *scene_alloc(Loader *loader, size_t count, size_t size)
+{
+    void *memory = gp_alloc(count, size);
+    return scene_own_memory(loader, memory) ? memory : NULL;
+}
+
+void scene_own(Loader *loader, GpSurface *surface)
+{
+    SceneStore *store = loader->store;
+    if (store->surface_count < SCENE_MAX_SURFACES) {
+        store->surfaces[store->surface_count++] = surface;
+        return;
+    }
+    gp_surface_destroy(&surface);
+    Node root = node_root(&loader->reader);
+    node_fail(&root, GP_ERROR_FORMAT, "more than %d surfaces", SCENE_MAX_SURFACES);
+}
+
+void scene_free(Scene *scene)
+{
+    SceneStore *store = scene->store;
+    if (store) {
+        while (store->blocks) {
+            SceneBlock *block = store->blocks;
+            store->blocks = block->next;
+            gp_free(block->memory);
+            gp_free(block);
+        }
+        for (uint32_t i = 0; i < store->surface_count; i++)
+            gp_surface_destroy(&store->surfaces[i]);
+        gp_free(store);
+    }
+    *scene = (Scene){ 0 };
+}
+
+void scene_fail(const Node *node, GpResult result, const GpError *reason)
+{
+    node_fail(node, result == GP_ERROR_MEMORY ? result : GP_ERROR_FORMAT, "%s",
+              reason->text[0] ? reason->text : gp_result_name(result));
+}
+
+/* --- names of targets ------------------------------------------------------------------------ */
+
+static const GpPass *find_pass(const Scene *scene, const char *name, size_t length)
+{
+    for (uint32_t i = 0; i < scene->list.pass_count; i++) {
+        const GpPass *pass = &scene->list.passes[i];
+        if (strlen(pass->name) == length && memcmp(pass->name, name, length) == 0)
+            return pass;
+    }
+    return NULL;
+}
+
+GpSurface *scene_find_pass(const Scene *scene, const char *name)
+{
+    const GpPass *pass = find_pass(scene, name, strlen(name));
+    for (uint32_t i = 0; i < scene->list.pass_count && !pass; i++) {
+        char number[12];
+        snprintf(number, sizeof number, "%u", i);
+        if (strcmp(number, name) == 0)
+            pass = &scene->list.passes[i];
+    }
+    if (!pass)
+        return NULL;
+    return pass->color[0].surface ? pass->color[0].surface : pass->depth.surface;
+}
+
+GpSurface *scene_target(Loader *loader, const Node *node, const char *name)
+{
+    const char *pass_name = strncmp(name, "pass:", 5) == 0 ? name + 5 : name;
+    const char *dot = strchr(pass_name, '.');
+    size_t length = dot ? (size_t)(dot - pass_name) : strlen(pass_name);
+    const GpPass *pass = find_pass(loader->scene, pass_name, length);
+    GpSurface *surface = NULL;
+    if (pass && dot && strcmp(dot, ".depth") == 0)
+        surface = pass->depth.surface;
+    else if (pass && dot && dot[1] >= '0' && dot[1] < '0' + GP_MAX_TARGETS && !dot[2])
+        surface = pass->color[dot[1] - '0'].surface;
+    else if (pass && !dot)
+        surface = pass->color[0].surface;
+    if (!surface)
+        node_fail(node, GP_ERROR_FORMAT, "no earlier pass has a target '%.60s'", name);
+    return surface;
+}
+
+/* --- the scene as a whole -------------------------------------------------------------------- */
+
+static void read_light(Node node, SceneLight *light)
+{
+    Node position = node_member(&node, "position"), direction = node_member(&node, "direction");
+    Node color = node_member(&node, "color"), range = node_member(&node, "range");
+    *light = (SceneLight){ .color = { 1, 1, 1 }, .directional = node_exists(&direction) };
+    if (node_exists(&position) == node_exists(&direction))
+        node_fail(&node, GP_ERROR_FORMAT, "expected a position or a direction");
+    node_doubles(light->directional ? &direction : &position, light->position, 3, -1e6, 1e6);
+    if (light->directional && vector_dot(light->position, light->position) == 0.0)
+        node_fail(&direction, GP_ERROR_FORMAT, "a direction has some length");
+    if (light->directional)
+        vector_normalize(light->position);
+    node_numbers(&color, light->color, 3, 0, 100);
+    light->range = node_number(&range, 0, 0, 1e6f);
+    node_close(&node);
+}
+
+static void read_lights(Loader *loader, Node node)
+{
+    loader->lights[0] =
+        (SceneLight){ .position = { 0.4, 0.8, 0.45 }, .directional = true, .color = { 1, 1, 1 } };
+    vector_normalize(loader->lights[0].position);
+    loader->view.lights = loader->lights;
+    loader->view.light_count = 1;
+    if (!node_exists(&node))
+        return;
+    loader->view.light_count = (uint32_t)node_length(&node, SCENE_MAX_LIGHTS);
+    for (uint32_t i = 0; i < loader->view.light_count; i++)
+        read_light(node_element(&node, i), &loader->lights[i]);
+}
+
+static void read_view(Loader *loader, Node *root, const SceneOptions *options)
+{
+    SceneView *view = &loader->view;
+    Node size_node = node_member(root, "size"), background = node_member(root, "background");
+    Node ambient = node_member(root, "ambient");
+    view->width = view->height = 512;
+    scene_read_size(&size_node, view);
+    if (options && options->width)
+        view->width = options->width;
+    if (options && options->height)
+        view->height = options->height;
+    view->camera =
+        (Camera){ .eye = { 0, 1, 4 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.1, .far = 100 };
+    scene_read_camera(node_member(root, "camera"), &view->camera);
+    view->ambient[0] = view->ambient[1] = view->ambient[2] = 0.2f;
+    node_numbers(&ambient, view->ambient, 3, 0, 100);
+    view->background[3] = 1;
+    node_numbers(&background, view->background, 4, 0, 1);
+    read_lights(loader, node_member(root, "lights"));
+}
+
+static void read_passes(Loader *loader, Node *root)
+{
+    Node passes = node_member(root, "passes");
+    GpList *list = &loader->scene->list;
+    list->passes = loader->store->passes;
+    if (!node_exists(&passes)) {
+        scene_read_pass_body(loader, root, &loader->view, &loader->store->passes[0]);
+        list->pass_count = 1;
+        return;
+    }
+    size_t count = node_length(&passes, SCENE_MAX_PASSES);
+    if (count == 0)
+        node_fail(&passes, GP_ERROR_FORMAT, "no pass");
+    for (size_t i = 0; i < count && !loader->reader.result; i++) {
+        scene_read_pass(loader, node_element(&passes, i), &loader->store->passes[i]);
+        list->pass_count++;
+    }
+}
+
+/* The picture is the last pass's, or the named one's. */
+static void choose_picture(Loader *loader, Node node)
+{
+    Scene *scene = loader->scene;
+    const GpPass *pass = &scene->list.passes[scene->list.pass_count - 1];
+    const char *name = node_string(&node, NULL);
+    if (name) {
+        pass = find_pass(scene, name, strlen(name));
+        if (!pass)
+            node_fail(&node, GP_ERROR_FORMAT, "no pass has this name");
+    }
+    if (pass && !pass->color[0].surface)
+        node_fail(&node, GP_ERROR_FORMAT, "the picture's pass has no colour target");
+    scene->picture = pass ? pass->color[0].surface : NULL;
+    scene->depth = pass ? pass->depth.surface : NULL;
+}
+
+static void read_scene(Loader *loader, const SceneOptions *options)
+{
+    Node root = node_root(&loader->reader);
+    Node about = node_member(&root, "about"); /* for people */
+    node_string(&about, "");
+    read_view(loader, &root, options);
+    read_passes(loader, &root);
+    Node picture = node_member(&root, "picture");
+    if (!loader->reader.result)
+        choose_picture(loader, picture);
+    node_close(&root);
+}
+
+GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene, GpError *error)
+{
+    GpError unused;
+    Scene made = { 0 };
+    Loader loader = { .scene = &made, .error = error ? error : &unused };
+    GpResult result = reader_open(&loader.reader, path, loader.error);
+    if (result)
+        return result;
+    made.store = loader.store = gp_alloc(1, sizeof *made.store);
+    if (made.store)
+        read_scene(&loader, options);
+    else
+        loader.reader.result = gp_fail(error, GP_ERROR_MEMORY, "%.200s: no memory", path);
+    result = loader.reader.result;
+    reader_close(&loader.reader);
+    if (result)
+        scene_free(&made);
+    else
+        *scene = made;
+    return result;
+}
