@@ -39,24 +39,6 @@ static void unpack(const GpPixelStage *stage, const Packet *packet, GpQuad *quad
     }
 }
 
-/* The surface's own texel under each pixel: a plain read. Helpers outside the surface read 0. */
-static void read_local(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
-{
-    const GpSurface *surface = call->textures[slot].surface;
-    const float *x = call->pixel + packet * 2 * lanes, *y = x + lanes;
-    for (int lane = 0; lane < lanes; lane++) {
-        float rgba[4] = { 0, 0, 0, 0 };
-        uint32_t column = (uint32_t)x[lane], row = (uint32_t)y[lane];
-        if (column < surface->width && row < surface->height)
-            gp_texel_load(surface->format,
-                          gp_surface_texel(&surface->level[0],
-                                           gp_format_info(surface->format)->bytes, column, row),
-                          rgba);
-        for (int c = 0; c < 4; c++)
-            texel[c * lanes + lane] = rgba[c];
-    }
-}
-
 void gp_shade_quad(const GpPixelStage *stage, GpQuad *quad)
 {
     Packet packet;
@@ -67,7 +49,7 @@ void gp_shade_quad(const GpPixelStage *stage, GpQuad *quad)
         .in = packet.in,
         .textures = stage->textures,
         .read_texture = stage->read_texture,
-        .read_local = read_local,
+        .read_local = stage->read_local,
         .executor = stage->executor,
         .pixel = packet.pixel,
         .face = packet.face,

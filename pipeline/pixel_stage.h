@@ -11,7 +11,8 @@ typedef struct GpPixelStage {
     const void *uniforms;
     const GpTexture *textures;
     GpTextureFn read_texture;
-    void *executor; /* for read_texture */
+    GpLocalFn read_local;
+    void *executor; /* for these two */
 } GpPixelStage;
 
 /* Shades all four pixels of a quad, helpers too.

@@ -235,7 +235,8 @@ static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pa
                                     .code = code,
                                     .uniforms = draw->uniforms,
                                     .textures = draw->textures,
-                                    .read_texture = read_texture };
+                                    .read_texture = read_texture,
+                                    .read_local = gp_read_local_plain };
     d.depth_stencil = (GpDepthStencil){ .surface = pass->depth.surface,
                                         .depth = draw->state.depth,
                                         .stencil = draw->state.stencil,

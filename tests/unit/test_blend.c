@@ -89,8 +89,7 @@ static void alpha_blends_by_itself_where_asked(void **state)
     (void)state;
     const float s[4] = { 0.5f, 0.5f, 0.5f, 0.5f }, d[4] = { 0.25f, 0.25f, 0.25f, 0.25f };
     float result[4];
-    GpBlend blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE,
-                      .alpha_op = GP_BLEND_MIN };
+    GpBlend blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE, .alpha_op = GP_BLEND_MIN };
     gp_blend(&blend, no_constant, GP_A8R8G8B8, s, d, result);
     assert_true(result[0] == 0.75f && result[1] == 0.75f && result[2] == 0.75f);
     assert_true(result[3] == 0.25f);
@@ -164,8 +163,9 @@ static void logic_works_on_the_stored_bits(void **state)
                 }
                 gp_blend(&(GpBlend){ .op = (GpBlendOp)op }, no_constant, GP_R8, source, target,
                          result);
-                uint32_t exact = op == GP_BLEND_LOGIC_AND ? (s & d)
-                                 : op == GP_BLEND_LOGIC_OR ? (s | d) : (s ^ d);
+                uint32_t exact = op == GP_BLEND_LOGIC_AND  ? (s & d)
+                                 : op == GP_BLEND_LOGIC_OR ? (s | d)
+                                                           : (s ^ d);
                 assert_int_equal(gp_unorm_from_float(result[0], 8), exact);
                 assert_int_equal(gp_unorm_from_float(result[3], 8), exact);
             }

@@ -47,8 +47,9 @@ static void r03_nothing_that_is_left_leaves_the_fixed_point_range(void **state)
         GpVertex v[3];
         for (int k = 0; k < 3; k++) {
             float reach = powf(10, random_float(&random, -1, 7));
-            v[k] = vertex_at(random_float(&random, -reach, reach), random_float(&random, -reach, reach),
-                             random_float(&random, -2, 3), random_float(&random, -2, 3));
+            v[k] = vertex_at(random_float(&random, -reach, reach),
+                             random_float(&random, -reach, reach), random_float(&random, -2, 3),
+                             random_float(&random, -2, 3));
         }
         GpClipPolygon polygon = clip(&band, v, 0);
         for (int k = 0; k < polygon.corners; k++) {

@@ -6,7 +6,8 @@ static GpSurface *one_texel(GpFormat format, float depth, uint8_t stencil)
 {
     GpSurface *surface = NULL;
     assert_int_equal(
-        gp_surface_create(&(GpSurfaceDesc){ .format = format, .width = 1, .height = 1 }, &surface, NULL),
+        gp_surface_create(&(GpSurfaceDesc){ .format = format, .width = 1, .height = 1 }, &surface,
+                          NULL),
         GP_OK);
     gp_surface_clear_depth(surface, depth, stencil, true, true);
     return surface;
@@ -64,8 +65,8 @@ static void every_depth_compare_in_every_format(void **state)
                 uint32_t code;
                 uint8_t stencil;
                 gp_depth_load(formats[f], surface->level[0].texels, &code, &stencil);
-                assert_int_equal(code, gp_depth_code(formats[f],
-                                                     passes ? incoming[order + 1] : 0.5f));
+                assert_int_equal(code,
+                                 gp_depth_code(formats[f], passes ? incoming[order + 1] : 0.5f));
                 gp_surface_destroy(&surface);
             }
 }
@@ -165,9 +166,9 @@ static void each_outcome_has_its_own_operation(void **state)
 {
     (void)state;
     bool passed;
-    GpStencilState s = { .reference = 9,
-                         .front = { GP_EQUAL, GP_STENCIL_ZERO, GP_STENCIL_INVERT,
-                                    GP_STENCIL_INCR } };
+    GpStencilState s = {
+        .reference = 9, .front = { GP_EQUAL, GP_STENCIL_ZERO, GP_STENCIL_INVERT, GP_STENCIL_INCR }
+    };
     assert_int_equal(run_stencil(&s, 5, true, true, &passed), 0); /* stencil fails */
     assert_false(passed);
     assert_int_equal(run_stencil(&s, 9, true, false, &passed), 246); /* depth fails */
@@ -193,7 +194,9 @@ static void ignored_bits_are_not_compared_and_kept_bits_not_written(void **state
 {
     (void)state;
     bool passed;
-    GpStencilState s = { .reference = 0x35, .ignore = 0xf0, .keep = 0x0f,
+    GpStencilState s = { .reference = 0x35,
+                         .ignore = 0xf0,
+                         .keep = 0x0f,
                          .front = { .test = GP_EQUAL, .pass = GP_STENCIL_REPLACE } };
     assert_int_equal(run_stencil(&s, 0xa5, true, true, &passed), 0x35);
     assert_true(passed);
@@ -218,9 +221,9 @@ static void r38_depth_off_counts_as_passed_for_the_stencil(void **state)
     (void)state;
     GpSurface *surface = one_texel(GP_D24S8, 0.0f, 3);
     GpDepthStencil unit = unit_on(surface);
-    unit.stencil = (GpStencilState){ .enable = true,
-                                     .front = { .depth_fail = GP_STENCIL_ZERO,
-                                                .pass = GP_STENCIL_INCR } };
+    unit.stencil =
+        (GpStencilState){ .enable = true,
+                          .front = { .depth_fail = GP_STENCIL_ZERO, .pass = GP_STENCIL_INCR } };
     GpQuad quad = one_pixel(1, true); /* behind, if anybody asked */
     gp_depth_stencil(&unit, &quad);
     assert_int_equal(quad.stencil_after[0], 4);

@@ -248,7 +248,9 @@ static void sprite_coordinates_run_from_0_to_1(void **state)
     (void)state;
     const GpRect rect = { 0, 0, 64, 64 };
     float varying[3] = { 9, 9, 42 };
-    GpScreenVertex center = { .x = 32 * 256, .y = 32 * 256, .z = 0.5f, .rw = 1, .varying = varying };
+    GpScreenVertex center = {
+        .x = 32 * 256, .y = 32 * 256, .z = 0.5f, .rw = 1, .varying = varying
+    };
     GpPointSprite sprite;
     GpVaryingModes modes = { .components = 3, .sprite = 0 };
     assert_int_equal(gp_setup_point(&center, 16, &rect, &sprite), GP_SETUP_DRAWN);

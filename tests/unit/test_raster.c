@@ -93,7 +93,8 @@ static void r07_shifted_rectangles_cover_the_same_eight_pixels(void **state)
     assert_memory_equal(&half, &whole, sizeof half);
 }
 
-/* --- random fans and meshes -------------------------------------------------------------------- */
+/* --- random fans and meshes --------------------------------------------------------------------
+ */
 
 static int64_t cross(Point o, Point a, Point b)
 {
@@ -228,7 +229,8 @@ static void r09_jittered_mesh_covers_its_rectangle_once(void **state)
     }
 }
 
-/* --- facing and degenerate triangles ----------------------------------------------------------- */
+/* --- facing and degenerate triangles -----------------------------------------------------------
+ */
 
 static void r08_zero_area_draws_nothing(void **state)
 {
@@ -278,7 +280,8 @@ static void edge_functions_sum_to_the_area_everywhere(void **state)
     }
 }
 
-/* --- points ------------------------------------------------------------------------------------- */
+/* --- points -------------------------------------------------------------------------------------
+ */
 
 static int fill_point(Coverage *coverage, int32_t x, int32_t y, float size)
 {

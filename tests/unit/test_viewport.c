@@ -16,8 +16,8 @@ static void r01_d3d9_centres_are_the_viewport_moved_by_half_a_pixel(void **state
 {
     (void)state;
     GpViewport native = gp_viewport_resolve(&(GpViewport){ .width = 64, .height = 48 }, 64, 48);
-    GpViewport d3d9 =
-        gp_viewport_resolve(&(GpViewport){ .width = 64, .height = 48, .d3d9_centers = true }, 64, 48);
+    GpViewport d3d9 = gp_viewport_resolve(
+        &(GpViewport){ .width = 64, .height = 48, .d3d9_centers = true }, 64, 48);
     Random random = { 1 };
     for (int i = 0; i < 1000; i++) {
         float x = random_float(&random, -1, 1), y = random_float(&random, -1, 1);
@@ -46,8 +46,9 @@ static void r02_snaps_to_256ths_ties_to_even(void **state)
 static void r17_maps_the_corners_of_clip_space_to_those_of_the_viewport(void **state)
 {
     (void)state;
-    GpViewport v = { .x = 10, .y = 20, .width = 300, .height = 200, .min_depth = 0.25f,
-                     .max_depth = 0.75f };
+    GpViewport v = {
+        .x = 10, .y = 20, .width = 300, .height = 200, .min_depth = 0.25f, .max_depth = 0.75f
+    };
     GpScreenVertex left_top = transform(&v, -1, 1, 0, 1), right_bottom = transform(&v, 2, -2, 2, 2);
     assert_int_equal(left_top.x, 10 * 256);
     assert_int_equal(left_top.y, 20 * 256);
@@ -66,7 +67,8 @@ static void r17_within_half_a_step_of_the_exact_position(void **state)
         float w = random_float(&random, 0.01f, 100);
         float x = random_float(&random, -w, w), y = random_float(&random, -w, w);
         GpScreenVertex s = transform(&v, x, y, 0, w);
-        double exact_x = ((double)x / (double)w + 1) * 512, exact_y = (1 - (double)y / (double)w) * 384;
+        double exact_x = ((double)x / (double)w + 1) * 512,
+               exact_y = (1 - (double)y / (double)w) * 384;
         /* half a step of snapping, and the binary32 roundings: under 2^-12 pixel at 1024 */
         assert_true(fabs(s.x / 256.0 - exact_x) <= 1.0 / 512 + 0x1p-12);
         assert_true(fabs(s.y / 256.0 - exact_y) <= 1.0 / 512 + 0x1p-12);
