@@ -138,8 +138,8 @@ static void close_stdout(void)
     }
 }
 
-/* Where a caller closed descriptor 0, 1 or 2, the next file opened would take its number and receive
- * our messages. They are filled here with ones that refuse the operation. */
+/* Where a caller closed descriptor 0, 1 or 2, the next file opened would take its number and
+ * receive our messages. They are filled here with ones that refuse the operation. */
 static void reserve_standard_files(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
@@ -150,7 +150,8 @@ static void reserve_standard_files(void)
 int main(int argc, char **argv)
 {
     reserve_standard_files();
-    signal(SIGPIPE, SIG_IGN); /* a write error like any other, seen by close_stdout */
+    signal(SIGPIPE, SIG_IGN); /* write errors like any other, for close_stdout and the writers */
+    signal(SIGXFSZ, SIG_IGN);
     atexit(close_stdout);
     if (argc < 2) {
         print_help(stderr);

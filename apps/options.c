@@ -47,7 +47,8 @@ static const struct argp_option frame_options[] = {
 };
 /* clang-format on */
 
-/* --- the two shared parsers --------------------------------------------------------------------- */
+/* --- the two shared parsers ---------------------------------------------------------------------
+ */
 
 static error_t parse_common(int key, char *text, struct argp_state *state)
 {
@@ -133,8 +134,8 @@ static const struct argp_child frame_children[] = {
     { NULL, 0, NULL, 0 },
 };
 
-const struct argp options_frame = { frame_options, parse_frame, NULL, NULL, frame_children,
-                                    NULL,          NULL };
+const struct argp options_frame = { frame_options,  parse_frame, NULL, NULL,
+                                    frame_children, NULL,        NULL };
 
 void options_parse(const struct argp *parser, int argc, char **argv, void *args)
 {
@@ -144,13 +145,20 @@ void options_parse(const struct argp *parser, int argc, char **argv, void *args)
         exit(report(EXIT_INTERNAL, "out of memory"));
 }
 
+char *options_help(int key, const char *text, void *args)
+{
+    (void)args;
+    return key == ARGP_KEY_HELP_DUP_ARGS_NOTE ? NULL : (char *)text;
+}
+
 error_t options_start(struct argp_state *state)
 {
     state->child_inputs[0] = state->input;
     return 0;
 }
 
-/* --- arguments ---------------------------------------------------------------------------------- */
+/* --- arguments ----------------------------------------------------------------------------------
+ */
 
 long options_number(struct argp_state *state, const char *what, const char *text, long low,
                     long high)
@@ -185,7 +193,8 @@ error_t options_positional(struct argp_state *state, const char **slots, int cou
     return EINVAL;
 }
 
-/* --- device and messages ------------------------------------------------------------------------ */
+/* --- device and messages ------------------------------------------------------------------------
+ */
 
 int options_device(const Options *options, const GpTrace *trace, GpDevice **device)
 {
@@ -232,6 +241,11 @@ int exit_of_input(GpResult result)
     if (!result)
         return EXIT_DONE;
     return result == GP_ERROR_MEMORY ? EXIT_INTERNAL : EXIT_INPUT;
+}
+
+int exit_of_run(GpResult result)
+{
+    return result == GP_ERROR_UNSUPPORTED ? EXIT_USAGE : exit_of_input(result);
 }
 
 bool stdout_wants_color(void)

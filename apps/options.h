@@ -27,6 +27,9 @@ extern const struct argp options_frame;
  * usage error (exit 2), --help, --usage or --version (exit 0). */
 void options_parse(const struct argp *parser, int argc, char **argv, void *args);
 
+/* Help filter of every command's parser: drops argp's note about arguments of short options. */
+char *options_help(int key, const char *text, void *args);
+
 /* To be called by a command's parser on ARGP_KEY_INIT: hands args to its one child. */
 error_t options_start(struct argp_state *state);
 
@@ -52,8 +55,11 @@ int report(int code, const char *format, ...) __attribute__((format(printf, 2, 3
 /* The same for news that is not an error; nothing with --quiet. */
 void notice(const Options *options, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Exit code of a failure while reading or running what the user gave. */
+/* Exit code of a failure to read what the user gave. */
 int exit_of_input(GpResult result);
+
+/* The same for a failure to run it: GP_ERROR_UNSUPPORTED is then an --isa that lacks a program. */
+int exit_of_run(GpResult result);
 
 /* Whether stdout should be coloured: a terminal that can, and no NO_COLOR. */
 bool stdout_wants_color(void);

@@ -1,0 +1,184 @@
+/* glasspipe render: a scene by its passes, to a picture. */
+#include "apps/commands.h"
+#include "apps/frame.h"
+#include "apps/json.h"
+#include "apps/options.h"
+#include "apps/passes.h"
+#include "apps/picture.h"
+#include "apps/scene.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+typedef struct Render {
+    Options options; /* first: see options.h */
+    const char *scene, *output, *dump;
+    bool list_passes;
+} Render;
+
+enum { KEY_DUMP = 0x200, KEY_LIST_PASSES };
+
+/* clang-format off */
+static const struct argp_option own_options[] = {
+    { "output", 'o', "FILE", 0, "Write the picture to FILE: .png, .exr, .pfm or .ppm "
+      "(default: out/NAME.png where out/ exists, else NAME.png)", 0 },
+    { "dump", KEY_DUMP, "PASS", 0, "Write what pass PASS (name or number) left in its first "
+      "target; PASS.1, PASS.2, PASS.3 for the others, PASS.depth for its depth", 0 },
+    { "list-passes", KEY_LIST_PASSES, NULL, 0, "Print the passes instead of rendering", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+static error_t parse_render(int key, char *text, struct argp_state *state)
+{
+    Render *render = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case 'o':
+        render->output = text;
+        return 0;
+    case KEY_DUMP:
+        render->dump = text;
+        return 0;
+    case KEY_LIST_PASSES:
+        render->list_passes = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        return options_positional(state, &render->scene, 1, text);
+    case ARGP_KEY_END:
+        if (!render->scene)
+            argp_error(state, "expected a scene file");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_frame, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    own_options,
+    parse_render,
+    "SCENE.json",
+    "Examples:\n"
+    "  glasspipe render scenes/bunny.json\n"
+    "  glasspipe render scenes/bunny.json -o bunny.exr --size 1920x1080\n"
+    "  glasspipe render scenes/bunny.json --list-passes\n"
+    "  glasspipe render scenes/bunny.json --dump main.depth -o depth.pfm\n"
+    "\n"
+    "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
+    "With --json the frame is rendered a second time, which is the one that is timed.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* --- rendering
+ * -------------------------------------------------------------------------------------- */
+
+/* Path of the picture that was not named: the scene's name with .png, in out/ where that exists. */
+static void default_output(const char *scene, char *path, size_t size)
+{
+    struct stat status;
+    bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
+    const char *slash = strrchr(scene, '/'), *name = slash ? slash + 1 : scene;
+    const char *dot = strrchr(name, '.');
+    int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    snprintf(path, size, "%s%.*s.png", out ? "out/" : "", length, name);
+}
+
+/* Renders, writes and reports. The picture is written and hashed before the second, timed frame. */
+static int render_frame(const Render *render, const char *output, GpDevice *device,
+                        const GpList *list, const GpSurface *surface)
+{
+    const Options *options = &render->options;
+    GpError error = { "" };
+    Frame frame;
+    GpResult result = frame_first(device, list, &frame, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
+    uint64_t hash = gp_surface_hash(surface);
+    if (picture_write_surface(output, surface, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(options, "wrote %s", output);
+    if (options->verbose)
+        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s", frame.first_ms,
+               (unsigned long long)frame.counters.primitives,
+               (unsigned long long)frame.counters.fragments_shaded, frame.isa);
+    if (!options->json) {
+        picture_print_hash(surface, hash);
+        return EXIT_DONE;
+    }
+    result = frame_again(device, list, &frame, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
+    json_t *object = frame_json(&frame, hash, surface);
+    json_object_set_new(object, "file", json_string(output));
+    json_print(object);
+    return EXIT_DONE;
+}
+
+static int render_scene(const Render *render, const char *output, GpDevice *device,
+                        const Scene *scene)
+{
+    GpError error = { "" };
+    GpList list = scene->list;
+    GpSurface *surface = scene->picture;
+    if (render->dump) {
+        uint32_t pass;
+        if (passes_find_target(&list, render->dump, &surface, &pass, &error))
+            return report(EXIT_USAGE, "--dump %s", error.text);
+        list.pass_count = pass + 1;
+    }
+    return render_frame(render, output, device, &list, surface);
+}
+
+static int list_passes(const Render *render, const GpList *list)
+{
+    json_t *passes = passes_json(list);
+    if (!passes)
+        return report(EXIT_INTERNAL, "out of memory");
+    if (render->options.json) {
+        json_print(json_pack("{s:o}", "passes", passes));
+        return EXIT_DONE;
+    }
+    passes_print(passes);
+    json_decref(passes);
+    return EXIT_DONE;
+}
+
+int cmd_render(int argc, char **argv)
+{
+    Render render = { .scene = NULL };
+    options_parse(&parser, argc, argv, &render);
+
+    /* Everything that can be refused without reading the scene is refused first. */
+    GpError error = { "" };
+    char path[4096];
+    default_output(render.scene, path, sizeof path);
+    const char *output = render.output ? render.output : path;
+    if (picture_check_path(output, &error))
+        return report(EXIT_USAGE, "-o %s", error.text);
+    GpDevice *device = NULL;
+    int code = options_device(&render.options, NULL, &device);
+    if (code)
+        return code;
+
+    Scene scene = { .picture = NULL };
+    SceneOptions size = { render.options.width, render.options.height };
+    GpResult result = scene_load(render.scene, &size, &scene, &error);
+    if (result)
+        code = report(exit_of_input(result), "%s", error.text);
+    else if (render.list_passes)
+        code = list_passes(&render, &scene.list);
+    else
+        code = render_scene(&render, output, device, &scene);
+    scene_free(&scene);
+    gp_device_destroy(&device);
+    return code;
+}

@@ -1,0 +1,33 @@
+# Bash completion of glasspipe. Options come from the commands' own --help, so that they cannot
+# disagree with it.
+
+_glasspipe()
+{
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} program=${COMP_WORDS[0]}
+    local command=${COMP_WORDS[1]}
+    COMPREPLY=()
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel help --help --version' \
+            -- "$word")
+        return
+    fi
+    case $before in
+        --isa) mapfile -t COMPREPLY < <(compgen -W 'auto sse2 avx2 avx512 neon' -- "$word") ;;
+        --executor) mapfile -t COMPREPLY < <(compgen -W 'reference fast' -- "$word") ;;
+        help) mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel' -- "$word") ;;
+        --size | --threads | --dump | --pass | --scale | --fail | --failpercent | --hardfail | \
+            --warn | --warnpercent | --hardwarn) ;;
+        *)
+            if [ "${word:0:1}" = - ]; then
+                local options
+                options=$("$program" "$command" --help 2>/dev/null | grep -oE -- '--[a-z-]+')
+                mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+            else
+                compopt -o filenames
+                mapfile -t COMPREPLY < <(compgen -f -- "$word")
+            fi
+            ;;
+    esac
+}
+
+complete -F _glasspipe glasspipe

@@ -1,0 +1,68 @@
+#include "apps/frame.h"
+
+#include "apps/json.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <time.h>
+
+static double milliseconds(clockid_t clock)
+{
+    struct timespec time;
+    clock_gettime(clock, &time);
+    return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
+}
+
+GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError *error)
+{
+    double start = milliseconds(CLOCK_MONOTONIC);
+    GpResult result = gp_device_run(device, list, error);
+    if (result)
+        return result;
+    *frame = (Frame){ .first_ms = milliseconds(CLOCK_MONOTONIC) - start,
+                      .counters = *gp_device_counters(device),
+                      .isa = gp_device_isa(device),
+                      .threads = 1 /* the reference executor's */ };
+    return GP_OK;
+}
+
+GpResult frame_again(GpDevice *device, const GpList *list, Frame *frame, GpError *error)
+{
+    double start = milliseconds(CLOCK_MONOTONIC), cpu = milliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    GpResult result = gp_device_run(device, list, error);
+    if (result)
+        return result;
+    frame->ms = milliseconds(CLOCK_MONOTONIC) - start;
+    frame->cpu_ms = milliseconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    return GP_OK;
+}
+
+json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface)
+{
+    const GpCounters *counters = &frame->counters;
+    const struct {
+        const char *name;
+        uint64_t value;
+    } counted[] = {
+        { "passes", counters->passes },
+        { "draws", counters->draws },
+        { "vertices", counters->vertices },
+        { "primitives", counters->primitives },
+        { "primitives_clipped", counters->primitives_clipped },
+        { "primitives_drawn", counters->primitives_drawn },
+        { "fragments", counters->fragments },
+        { "fragments_shaded", counters->fragments_shaded },
+        { "pixels_written", counters->pixels_written },
+    };
+    char digits[17];
+    snprintf(digits, sizeof digits, "%016" PRIx64, hash);
+    json_t *object =
+        json_pack("{s:s, s:s, s:I, s:I, s:o, s:o, s:o, s:i, s:s}", "hash", digits, "format",
+                  gp_format_info(surface->format)->name, "width", (json_int_t)surface->width,
+                  "height", (json_int_t)surface->height, "ms", json_number(frame->ms), "first_ms",
+                  json_number(frame->first_ms), "cpu_ms", json_number(frame->cpu_ms), "threads",
+                  frame->threads, "isa", frame->isa);
+    for (size_t i = 0; i < GP_COUNT(counted); i++)
+        json_object_set_new(object, counted[i].name, json_integer((json_int_t)counted[i].value));
+    return object;
+}

@@ -1,0 +1,698 @@
+/* The program as its user meets it: the built binary is run in an empty directory, and judged by
+ * its exit code, its two outputs and the files that it leaves.
+ *
+ * GLASSPIPE_BIN names the binary (default out/bin/glasspipe), GLASSPIPE_MAN the directory of the
+ * man pages (default apps/man). */
+#include "pipeline/base.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <jansson.h>
+#include <limits.h>
+#include <regex.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static char binary[PATH_MAX], man_pages[PATH_MAX];
+static char out[1 << 20], err[1 << 16]; /* what the last run printed */
+
+static const char *const commands[] = { "render", "compare", "explain", "pixel" };
+
+static const char scene[] =
+    "{ \"size\": [64, 48], \"background\": [0.25, 0.5, 0.75, 1],\n"
+    "  \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"up\": [0, 1, 0], \"fovy\": 40,\n"
+    "              \"near\": 0.1, \"far\": 20 },\n"
+    "  \"objects\": [ { \"mesh\": \"builtin:cube\", \"fit\": [0, -0.5, 0, 1],\n"
+    "                 \"material\": { \"program\": \"phong\" } } ] }\n";
+
+/* --- running
+ * --------------------------------------------------------------------------------------- */
+
+static void write_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static size_t read_file(const char *path, char *text, size_t size)
+{
+    FILE *file = fopen(path, "r");
+    if (!file)
+        fail_msg("%s: cannot be read", path);
+    size_t length = fread(text, 1, size - 1, file);
+    fclose(file);
+    text[length] = '\0';
+    return length;
+}
+
+/* Runs a shell line in which `glasspipe` is the binary; fills out and err; returns the exit code.
+ */
+static int shell(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+static int shell(const char *format, ...)
+{
+    char line[4096];
+    va_list args;
+    va_start(args, format);
+    int used = snprintf(line, sizeof line, "glasspipe() { '%s' \"$@\"; }\n{ ", binary);
+    used += vsnprintf(line + used, sizeof line - (size_t)used, format, args);
+    snprintf(line + used, sizeof line - (size_t)used, "\n} >.out 2>.err");
+    va_end(args);
+    int status = system(line);
+    read_file(".out", out, sizeof out);
+    read_file(".err", err, sizeof err);
+    unlink(".out");
+    unlink(".err");
+    if (!WIFEXITED(status))
+        fail_msg("killed: %s", line);
+    return WEXITSTATUS(status);
+}
+
+static void expect_contains(const char *text, const char *part)
+{
+    if (!strstr(text, part))
+        fail_msg("'%s' is not in:\n%s", part, text);
+}
+
+/* A refusal: this code, nothing on stdout, and this in the message. */
+static void expect_refused(int code, const char *arguments, const char *part)
+{
+    int got = shell("glasspipe %s", arguments);
+    if (got != code)
+        fail_msg("glasspipe %s: exit code %d instead of %d\n%s", arguments, got, code, err);
+    assert_string_equal(out, "");
+    expect_contains(err, "glasspipe");
+    expect_contains(err, part);
+}
+
+static void expect_files(const char *expected)
+{
+    char names[4096] = "";
+    struct dirent **entries;
+    int count = scandir(".", &entries, NULL, alphasort);
+    for (int i = 0; i < count; i++) {
+        if (strcmp(entries[i]->d_name, ".") != 0 && strcmp(entries[i]->d_name, "..") != 0) {
+            strcat(names, names[0] ? " " : "");
+            strcat(names, entries[i]->d_name);
+        }
+        free(entries[i]);
+    }
+    free(entries);
+    assert_string_equal(names, expected);
+}
+
+static void expect_matches(const char *text, const char *pattern)
+{
+    regex_t regex;
+    assert_int_equal(regcomp(&regex, pattern, REG_EXTENDED | REG_NOSUB), 0);
+    int result = regexec(&regex, text, 0, NULL, 0);
+    regfree(&regex);
+    if (result)
+        fail_msg("no match of %s in:\n%s", pattern, text);
+}
+
+static json_t *parse_output(void)
+{
+    json_error_t error;
+    json_t *object = json_loads(out, 0, &error);
+    if (!object)
+        fail_msg("no JSON: %s in:\n%s", error.text, out);
+    return object;
+}
+
+/* Every test starts in an empty directory of its own that holds the scene. */
+static int enter(void **state)
+{
+    static char directory[64];
+    snprintf(directory, sizeof directory, "/tmp/glasspipe-cli-XXXXXX");
+    *state = mkdtemp(directory);
+    if (!*state || chdir(directory))
+        return -1;
+    write_file("scene.json", scene);
+    return 0;
+}
+
+static int leave(void **state)
+{
+    char line[128];
+    snprintf(line, sizeof line, "rm -rf '%s'", (const char *)*state);
+    return chdir("/") || system(line);
+}
+
+/* --- help
+ * --------------------------------------------------------------------------------------------- */
+
+static void no_command_shows_the_help_on_stderr_and_is_a_usage_error(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe"), 2);
+    assert_string_equal(out, "");
+    expect_contains(err, "Commands:");
+}
+
+static void help_and_version_go_to_stdout(void **state)
+{
+    (void)state;
+    static const char *const lines[] = { "glasspipe -h", "glasspipe --help", "glasspipe help" };
+    for (size_t i = 0; i < GP_COUNT(lines); i++) {
+        assert_int_equal(shell("%s", lines[i]), 0);
+        assert_string_equal(err, "");
+        assert_true(strncmp(out, "Examples:", 9) == 0);
+        for (size_t c = 0; c < GP_COUNT(commands); c++)
+            expect_contains(out, commands[c]);
+    }
+    assert_int_equal(shell("glasspipe --version"), 0);
+    expect_matches(out, "^glasspipe [0-9]+\\.[0-9]+\\.[0-9]+\n$");
+}
+
+static void every_command_shows_examples_before_options(void **state)
+{
+    (void)state;
+    for (size_t c = 0; c < GP_COUNT(commands); c++) {
+        assert_int_equal(shell("glasspipe %s -h", commands[c]), 0);
+        const char *examples = strstr(out, "Examples:"), *options = strstr(out, "--json");
+        assert_true(examples && options && examples < options);
+        static char first[sizeof out];
+        strcpy(first, out);
+        assert_int_equal(shell("glasspipe help %s", commands[c]), 0);
+        assert_string_equal(out, first);
+        assert_int_equal(shell("glasspipe %s --usage", commands[c]), 0);
+        assert_int_equal(shell("glasspipe %s --version", commands[c]), 0);
+        expect_contains(out, "glasspipe ");
+    }
+}
+
+/* Copies the man page's text without the backslashes of its dashes. */
+static void read_man_page(const char *command, char *text, size_t size)
+{
+    char path[PATH_MAX + 64];
+    snprintf(path, sizeof path, "%s/glasspipe-%s.1", man_pages, command);
+    read_file(path, text, size);
+    char *to = text;
+    for (const char *from = text; *from; from++)
+        if (*from != '\\' || from[1] != '-')
+            *to++ = *from;
+    *to = '\0';
+}
+
+/* Whether an option stands in the text as a word of its own. */
+static bool mentions(const char *text, const char *option)
+{
+    size_t length = strlen(option);
+    for (const char *at = strstr(text, option); at; at = strstr(at + 1, option)) {
+        char next = at[length];
+        bool longer = next == '-' || (next >= 'a' && next <= 'z');
+        if (!longer && (at == text || at[-1] != '-'))
+            return true;
+    }
+    return false;
+}
+
+/* Calls check for each long option in a text; returns how many. */
+static int each_option(const char *text, void (*check)(const char *option, const char *other),
+                       const char *other)
+{
+    int count = 0;
+    for (const char *at = strstr(text, "--"); at; at = strstr(at + 2, "--")) {
+        size_t length = 2 + strspn(at + 2, "abcdefghijklmnopqrstuvwxyz-");
+        char option[64];
+        snprintf(option, sizeof option, "%.*s", (int)length, at);
+        if (length > 2 && ++count)
+            check(option, other);
+    }
+    return count;
+}
+
+static void expect_mentioned(const char *option, const char *text)
+{
+    if (!mentions(text, option))
+        fail_msg("%s is missing in:\n%s", option, text);
+}
+
+static void help_and_man_page_have_the_same_options(void **state)
+{
+    (void)state;
+    static char page[1 << 16];
+    for (size_t c = 0; c < GP_COUNT(commands); c++) {
+        assert_int_equal(shell("glasspipe %s --help", commands[c]), 0);
+        read_man_page(commands[c], page, sizeof page);
+        assert_true(each_option(out, expect_mentioned, page) >= 6);
+        assert_true(each_option(page, expect_mentioned, out) >= 6);
+    }
+}
+
+/* --- wrong arguments
+ * -------------------------------------------------------------------------------- */
+
+static void unknown_commands_are_usage_errors_with_a_suggestion(void **state)
+{
+    (void)state;
+    expect_refused(2, "rendr scene.json", "did you mean 'render'?");
+    expect_refused(2, "pixle", "did you mean 'pixel'?");
+    expect_refused(2, "help exlain", "did you mean 'explain'?");
+    expect_refused(2, "xyzzyplugh", "unknown command 'xyzzyplugh'");
+    assert_null(strstr(err, "did you mean"));
+    expect_refused(2, "--json render", "unknown option '--json' before the command");
+    expect_refused(2, "''", "unknown command ''");
+}
+
+static void wrong_option_values_are_usage_errors_that_name_the_option(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "--size 0x5", "--size" },
+        { "--size 5x0", "--size" },
+        { "--size axb", "--size" },
+        { "--size 64", "--size" },
+        { "--size 64x", "--size" },
+        { "--size 64x48x3", "--size" },
+        { "--size -1x5", "--size" },
+        { "--size 8193x5", "--size" },
+        { "--size ''", "--size" },
+        { "--size 99999999999x1", "--size" },
+        { "--size ' 5x5'", "--size" },
+        { "--threads -1", "--threads" },
+        { "--threads 0", "--threads" },
+        { "--threads 100000", "--threads" },
+        { "--threads two", "--threads" },
+        { "--threads 1.5", "--threads" },
+        { "--threads ''", "--threads" },
+        { "--threads 99999999999999999999", "--threads" },
+        { "--isa foo", "--isa" },
+        { "--isa ''", "--isa" },
+        { "--executor fast", "--executor fast: not in this version" },
+        { "--executor slow", "--executor" },
+        { "--dump", "dump" },
+        { "--frobnicate", "frobnicate" },
+        { "-x", "x" },
+        { "second.json", "second.json" },
+    };
+    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "render scene.json %s", wrong[i][0]);
+        expect_refused(2, arguments, wrong[i][1]);
+    }
+    expect_refused(2, "render", "expected a scene file");
+    expect_refused(2, "explain", "expected a scene file");
+    expect_refused(2, "compare a.png", "expected two pictures");
+    expect_refused(2, "compare a.png b.png --fail -1", "--fail");
+    expect_refused(2, "compare a.png b.png --hardfail nan", "--hardfail");
+    expect_refused(2, "compare a.png b.png --failpercent 1%", "--failpercent");
+    expect_files("scene.json");
+}
+
+static void an_unknown_isa_in_the_environment_is_a_usage_error(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("GP_ISA=foo; export GP_ISA; glasspipe render scene.json"), 2);
+    assert_string_equal(out, "");
+    expect_contains(err, "foo");
+    expect_files("scene.json");
+}
+
+static void bad_outputs_are_refused_before_rendering(void **state)
+{
+    (void)state;
+    expect_refused(2, "render scene.json -o picture.gif", "picture.gif");
+    expect_refused(2, "render scene.json -o picture", "picture");
+    expect_refused(2, "render scene.json -o ''", "-o");
+    assert_int_equal(mkdir("directory.png", 0777), 0);
+    expect_refused(2, "render scene.json -o directory.png", "directory");
+    assert_int_equal(rmdir("directory.png"), 0);
+    expect_refused(4, "render scene.json -o nowhere/picture.png", "nowhere/picture.png");
+    expect_files("scene.json");
+}
+
+/* --- wrong input
+ * -------------------------------------------------------------------------------------- */
+
+static void bad_scenes_are_input_errors_that_name_the_file(void **state)
+{
+    (void)state;
+    write_file("text.json", "this is no JSON\n");
+    write_file("empty.json", "");
+    write_file("cut.json", "{ \"size\": [64, 48], \"camera\": {");
+    write_file("array.json", "[1, 2]");
+    write_file("unknown.json", "{ \"size\": [64, 48],\n \"frobnicate\": 1 }");
+    static const char *const files[] = { "missing.json", "text.json",    "empty.json", "cut.json",
+                                         "array.json",   "unknown.json", "." };
+    for (size_t i = 0; i < GP_COUNT(files); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "render %s", files[i]);
+        expect_refused(3, arguments, files[i]);
+    }
+    expect_refused(3, "explain missing.json", "missing.json");
+    expect_refused(3, "pixel missing.json 1 1", "missing.json");
+    expect_refused(3, "render unknown.json", "frobnicate");
+}
+
+static void unreadable_pictures_are_input_errors(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe render scene.json -o a.png"), 0);
+    expect_refused(3, "compare a.png missing.png", "missing.png");
+    write_file("text.png", "this is no picture\n");
+    expect_refused(3, "compare text.png a.png", "text.png");
+    expect_refused(3, "compare a.png .", ".");
+    assert_int_equal(shell("head -c 100 a.png >cut.png; glasspipe compare a.png cut.png"), 3);
+    expect_contains(err, "cut.png");
+}
+
+/* --- render
+ * ------------------------------------------------------------------------------------------- */
+
+static void render_writes_the_picture_and_prints_its_hash(void **state)
+{
+    (void)state;
+    static const char *const names[] = { "p.png", "p.ppm", "p.exr", "p.pfm" };
+    char first[256] = "";
+    for (size_t i = 0; i < GP_COUNT(names); i++) {
+        assert_int_equal(shell("glasspipe render scene.json -o %s", names[i]), 0);
+        expect_matches(out, "^hash [A-Z0-9]+ 64x48 [0-9a-f]{16}\n$");
+        expect_contains(err, names[i]);
+        if (i == 0)
+            strcpy(first, out);
+        assert_string_equal(out, first);
+    }
+    expect_files("p.exr p.pfm p.png p.ppm scene.json");
+    char head[32];
+    read_file("p.png", head, sizeof head);
+    assert_memory_equal(head, "\x89PNG", 4);
+    read_file("p.ppm", head, sizeof head);
+    assert_memory_equal(head, "P6", 2);
+    read_file("p.pfm", head, sizeof head);
+    assert_memory_equal(head, "PF", 2);
+}
+
+static void render_names_its_picture_after_the_scene(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe render -q ./scene.json"), 0);
+    assert_string_equal(err, "");
+    expect_files("scene.json scene.png");
+    assert_int_equal(mkdir("out", 0777), 0);
+    assert_int_equal(shell("glasspipe render scene.json"), 0);
+    expect_contains(err, "out/scene.png");
+    assert_int_equal(access("out/scene.png", R_OK), 0);
+}
+
+static void threads_isa_and_executor_never_change_the_hash(void **state)
+{
+    (void)state;
+    char first[256];
+    assert_int_equal(shell("glasspipe render scene.json -o a.png"), 0);
+    strcpy(first, out);
+    static const char *const same[] = { "--threads 1", "--threads 7", "--isa auto",
+                                        "--executor reference" };
+    for (size_t i = 0; i < GP_COUNT(same); i++) {
+        assert_int_equal(shell("glasspipe render scene.json -o b.png %s", same[i]), 0);
+        assert_string_equal(out, first);
+    }
+    assert_int_equal(shell("glasspipe render scene.json -o b.png --size 65x48"), 0);
+    expect_contains(out, " 65x48 ");
+}
+
+static void render_json_has_the_hash_times_and_counters(void **state)
+{
+    (void)state;
+    char hash[256];
+    assert_int_equal(shell("glasspipe render scene.json -o a.png"), 0);
+    strcpy(hash, out);
+    assert_int_equal(shell("glasspipe render scene.json -o a.png --json"), 0);
+    json_t *object = parse_output();
+    static const char *const numbers[] = { "ms", "first_ms", "cpu_ms" };
+    for (size_t i = 0; i < GP_COUNT(numbers); i++)
+        assert_true(json_number_value(json_object_get(object, numbers[i])) > 0);
+    static const char *const integers[] = { "threads",    "passes",    "draws",
+                                            "primitives", "fragments", "pixels_written" };
+    for (size_t i = 0; i < GP_COUNT(integers); i++)
+        assert_true(json_integer_value(json_object_get(object, integers[i])) > 0);
+    assert_int_equal(json_integer_value(json_object_get(object, "width")), 64);
+    assert_int_equal(json_integer_value(json_object_get(object, "height")), 48);
+    assert_non_null(json_string_value(json_object_get(object, "isa")));
+    expect_contains(hash, json_string_value(json_object_get(object, "hash")));
+    json_decref(object);
+}
+
+static void passes_can_be_listed_and_dumped(void **state)
+{
+    (void)state;
+    char picture[256];
+    assert_int_equal(shell("glasspipe render scene.json -o a.png"), 0);
+    strcpy(picture, out);
+    assert_int_equal(shell("glasspipe render scene.json --list-passes"), 0);
+    expect_contains(out, "64x48");
+    assert_int_equal(shell("glasspipe render scene.json --list-passes --json"), 0);
+    json_t *object = parse_output(), *passes = json_object_get(object, "passes");
+    size_t last = json_array_size(passes) - 1;
+    const char *name = json_string_value(json_object_get(json_array_get(passes, last), "name"));
+    assert_int_equal(shell("glasspipe render scene.json -o b.png --dump %zu", last), 0);
+    assert_string_equal(out, picture);
+    assert_int_equal(shell("glasspipe render scene.json -o b.png --dump '%s'", name), 0);
+    assert_string_equal(out, picture);
+    assert_int_equal(shell("glasspipe render scene.json -o d.png --dump '%s.depth'", name), 0);
+    expect_matches(out, "^hash D[0-9SF]+ 64x48 ");
+    assert_int_equal(shell("glasspipe render scene.json -o d.pfm --dump '%s.depth'", name), 0);
+    json_decref(object);
+    expect_refused(2, "render scene.json --dump nothing", "--dump nothing");
+    expect_refused(2, "render scene.json --dump 0.3", "--dump 0.3");
+    expect_refused(2, "render scene.json --dump 99", "--dump 99");
+}
+
+static void a_failed_write_keeps_the_old_file_and_leaves_no_other(void **state)
+{
+    (void)state;
+    write_file("a.exr", "old");
+    assert_int_equal(shell("(ulimit -f 1; glasspipe render scene.json --size 512x512 -o a.exr)"),
+                     4);
+    assert_string_equal(out, "");
+    expect_contains(err, "a.exr");
+    char text[16];
+    read_file("a.exr", text, sizeof text);
+    assert_string_equal(text, "old");
+    expect_files("a.exr scene.json");
+}
+
+/* --- stdout
+ * ---------------------------------------------------------------------------------------------- */
+
+static void a_full_or_closed_stdout_is_an_internal_error_with_a_message(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe render scene.json -o a.png >/dev/full"), 4);
+    expect_contains(err, "standard output: No space left on device");
+    assert_int_equal(shell("glasspipe --help >/dev/full"), 4);
+    assert_int_equal(shell("glasspipe render --help >/dev/full"), 4);
+    expect_contains(err, "standard output");
+    assert_int_equal(shell("glasspipe render scene.json -o a.png >&-"), 4);
+    expect_contains(err, "standard output");
+    char magic[8]; /* the picture did not become descriptor 1 */
+    read_file("a.png", magic, sizeof magic);
+    assert_memory_equal(magic, "\x89PNG", 4);
+}
+
+static void a_reader_that_left_is_an_error_and_no_signal(void **state)
+{
+    (void)state;
+    int ends[2];
+    assert_int_equal(pipe(ends), 0);
+    close(ends[0]);
+    pid_t child = fork();
+    if (child == 0) {
+        dup2(ends[1], STDOUT_FILENO);
+        dup2(open("message", O_WRONLY | O_CREAT, 0666), STDERR_FILENO);
+        execl(binary, "glasspipe", "--help", (char *)NULL);
+        _exit(127);
+    }
+    close(ends[1]);
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), 4);
+    read_file("message", err, sizeof err);
+    expect_contains(err, "Broken pipe");
+}
+
+/* --- compare
+ * ------------------------------------------------------------------------------------------- */
+
+static void compare_tells_same_different_and_different_sizes(void **state)
+{
+    (void)state;
+    write_file("a.ppm", "P6 2 1 255\nabcabc");
+    write_file("b.ppm", "P6 2 1 255\nabcabf");
+    write_file("c.ppm", "P6 1 2 255\nabcabc");
+    assert_int_equal(shell("glasspipe compare a.ppm a.ppm"), 0);
+    expect_contains(out, "same bits");
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm"), 1);
+    expect_contains(out, "1 of 2 pixels");
+    expect_contains(out, "(1, 0)");
+    assert_int_equal(shell("glasspipe compare a.ppm c.ppm"), 1);
+    expect_contains(out, "different sizes: 2x1 and 1x2");
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --fail 0.02"), 0);
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --failpercent 50"), 0);
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --failpercent 50 --hardfail 0.01"), 1);
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --fail 1 --warn 0.01"), 0);
+    expect_contains(err, "warning");
+}
+
+static void compare_writes_the_scaled_difference(void **state)
+{
+    (void)state;
+    write_file("a.ppm", "P6 2 1 255\nabcabc");
+    write_file("b.ppm", "P6 2 1 255\nabcbbf");
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm -o d.ppm --scale 10"), 1);
+    char picture[64];
+    size_t length = read_file("d.ppm", picture, sizeof picture);
+    assert_memory_equal(picture + length - 6, "\0\0\0\x0a\0\x1e", 6);
+    expect_refused(2, "compare a.ppm b.ppm -o d.txt", "d.txt");
+}
+
+static void compare_json_holds_the_figures(void **state)
+{
+    (void)state;
+    write_file("a.ppm", "P6 2 1 255\nabcabc");
+    write_file("b.ppm", "P6 2 1 255\nabcabf");
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --json"), 1);
+    json_t *object = parse_output();
+    assert_true(json_is_false(json_object_get(object, "same")));
+    assert_true(json_is_true(json_object_get(object, "failed")));
+    assert_int_equal(json_integer_value(json_object_get(object, "differing")), 1);
+    double max = json_number_value(json_object_get(object, "max"));
+    assert_true(max > 3 / 255.0 - 1e-7 && max < 3 / 255.0 + 1e-7);
+    json_decref(object);
+    assert_int_equal(shell("glasspipe compare a.ppm a.ppm --json"), 0);
+    object = parse_output();
+    assert_true(json_is_true(json_object_get(object, "same")));
+    assert_string_equal(json_string_value(json_object_get(object, "psnr")), "inf");
+    json_decref(object);
+}
+
+/* --- explain and pixel
+ * ---------------------------------------------------------------------------------- */
+
+static void explain_tells_units_and_limits_of_every_draw(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe explain scene.json"), 0);
+    expect_contains(out, "Draw 0");
+    expect_contains(out, "depth test");
+    expect_contains(out, "skipped");
+    assert_int_equal(shell("glasspipe explain scene.json --json"), 0);
+    json_t *object = parse_output();
+    json_t *pass = json_array_get(json_object_get(object, "passes"), 0);
+    json_t *draw = json_array_get(json_object_get(pass, "draws"), 0);
+    assert_true(json_array_size(json_object_get(draw, "units")) >= 10);
+    assert_true(json_is_true(json_object_get(draw, "fits")));
+    json_decref(object);
+}
+
+static void a_pixel_outside_is_a_usage_error_with_the_valid_range(void **state)
+{
+    (void)state;
+    expect_refused(2, "pixel scene.json 64 0", "X is 0 to 63, Y is 0 to 47");
+    expect_refused(2, "pixel scene.json 0 48", "X is 0 to 63, Y is 0 to 47");
+    expect_refused(2, "pixel scene.json 100 0 --size 100x10", "X is 0 to 99, Y is 0 to 9");
+    expect_refused(2, "pixel scene.json -- -1 0", "X: '-1'");
+    expect_refused(2, "pixel scene.json a 0", "X: 'a'");
+    expect_refused(2, "pixel scene.json 0", "expected a scene file, X and Y");
+    expect_refused(2, "pixel scene.json 0 0 --pass nothing", "--pass nothing");
+}
+
+static void the_history_of_a_covered_pixel_names_every_stage(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe pixel scene.json 32 24"), 0);
+    static const char *const stages[] = { "cleared",     "vertex", "clip",  "setup",  "raster",
+                                          "interpolate", "shader", "depth", "output", "stored" };
+    for (size_t i = 0; i < GP_COUNT(stages); i++)
+        expect_contains(out, stages[i]);
+    assert_null(strchr(out, '\033')); /* no colour into a file */
+    assert_int_equal(shell("glasspipe pixel scene.json 0 0"), 0);
+    expect_contains(out, "0 fragments");
+}
+
+/* Bytes of the picture against the last value that the history says was stored. */
+static void expect_history_ends_in_picture(const unsigned char *pixels, int x, int y)
+{
+    assert_int_equal(shell("glasspipe pixel scene.json %d %d --json", x, y), 0);
+    json_t *object = parse_output(), *event, *last = NULL;
+    size_t i;
+    json_array_foreach(json_object_get(object, "events"), i, event)
+    {
+        if (strcmp(json_string_value(json_object_get(event, "kind")), "output") == 0)
+            last = json_object_get(event, "result");
+        else if (strcmp(json_string_value(json_object_get(event, "kind")), "clear") == 0)
+            last = json_object_get(json_array_get(json_object_get(event, "targets"), 0), "color");
+    }
+    assert_non_null(last);
+    for (size_t c = 0; c < 3; c++) {
+        double value = json_number_value(json_array_get(last, c));
+        assert_int_equal(pixels[((size_t)y * 64 + (size_t)x) * 3 + c], (int)(value * 255 + 0.5));
+    }
+    json_decref(object);
+}
+
+static void the_history_of_a_pixel_ends_in_its_value_in_the_picture(void **state)
+{
+    (void)state;
+    static char picture[16384];
+    assert_int_equal(shell("glasspipe render scene.json -o a.ppm"), 0);
+    size_t length = read_file("a.ppm", picture, sizeof picture), bytes = 64 * 48 * 3;
+    assert_true(length > bytes);
+    const unsigned char *pixels = (const unsigned char *)picture + length - bytes;
+    for (int y = 0; y < 48; y += 12)
+        for (int x = 0; x < 64; x += 25)
+            expect_history_ends_in_picture(pixels, x, y);
+}
+
+int main(void)
+{
+    const char *path = getenv("GLASSPIPE_BIN"), *man = getenv("GLASSPIPE_MAN");
+    if (!realpath(path ? path : "out/bin/glasspipe", binary) ||
+        !realpath(man ? man : "apps/man", man_pages)) {
+        fputs("test_cli: no glasspipe binary or man pages; see GLASSPIPE_BIN, GLASSPIPE_MAN\n",
+              stderr);
+        return 1;
+    }
+    unsetenv("GP_ISA");
+#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
+    const struct CMUnitTest tests[] = {
+        TEST(no_command_shows_the_help_on_stderr_and_is_a_usage_error),
+        TEST(help_and_version_go_to_stdout),
+        TEST(every_command_shows_examples_before_options),
+        TEST(help_and_man_page_have_the_same_options),
+        TEST(unknown_commands_are_usage_errors_with_a_suggestion),
+        TEST(wrong_option_values_are_usage_errors_that_name_the_option),
+        TEST(an_unknown_isa_in_the_environment_is_a_usage_error),
+        TEST(bad_outputs_are_refused_before_rendering),
+        TEST(bad_scenes_are_input_errors_that_name_the_file),
+        TEST(unreadable_pictures_are_input_errors),
+        TEST(render_writes_the_picture_and_prints_its_hash),
+        TEST(render_names_its_picture_after_the_scene),
+        TEST(threads_isa_and_executor_never_change_the_hash),
+        TEST(render_json_has_the_hash_times_and_counters),
+        TEST(passes_can_be_listed_and_dumped),
+        TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),
+        TEST(a_full_or_closed_stdout_is_an_internal_error_with_a_message),
+        TEST(a_reader_that_left_is_an_error_and_no_signal),
+        TEST(compare_tells_same_different_and_different_sizes),
+        TEST(compare_writes_the_scaled_difference),
+        TEST(compare_json_holds_the_figures),
+        TEST(explain_tells_units_and_limits_of_every_draw),
+        TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
+        TEST(the_history_of_a_covered_pixel_names_every_stage),
+        TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
