@@ -1,0 +1,326 @@
+# glasspipe: a software GPU of the 2005 class that gives the same bits everywhere.
+# `make help` says what there is to make. Everything made goes below out/.
+
+# --- what a user may set --------------------------------------------------------------------------
+
+BUILD    ?= out
+OPT      ?= -O2
+SANITIZE ?=
+WERROR   ?=
+PREFIX   ?= /usr/local
+DESTDIR  ?=
+ARCH     ?= $(shell uname -m)
+EMULATOR ?=
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin CXX),default)
+CXX := g++
+endif
+
+# All processors, unless a -j was given; inner makes share what the outer one has.
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(shell nproc)
+endif
+MAKEFLAGS += --no-builtin-rules
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+ifeq ($(V),)
+say = @printf '  %-5s %s\n' $(1) $(2);
+endif
+
+# --- flags
+
+# The bits depend on these: no contraction into fused multiply-adds, and sqrt as one instruction.
+MODEL    := -ffp-contract=off -fno-math-errno
+WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi \
+            $(if $(WERROR),-Werror)
+SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all \
+                              -fno-omit-frame-pointer)
+COMMON   := $(OPT) -g -fPIC -pthread -I. $(MODEL) $(WARNINGS) $(SANITIZER) -MMD -MP
+# The hash is compiled in from xxhash's header: no library to find at run time.
+COMMON   += -DXXH_INLINE_ALL
+ALL_C    := $(CC) -std=gnu11 $(COMMON) $(CPPFLAGS) $(CFLAGS)
+ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
+# Libraries' own headers are not ours to warn about.
+IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
+COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
+LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
+IO_LIBS  ?= -lOpenImageIO -lOpenImageIO_Util -lOpenMeshCore -lOpenMeshTools -ljansson
+LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
+
+# Each shader is compiled once for every instruction set: lanes:name:flags.
+ISAS_x86_64  := 4:sse2: 8:avx2:-mavx2,-mno-fma \
+                16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw,-mno-fma
+ISAS_aarch64 := 4:neon: 8:generic: 16:generic:
+ISAS ?= $(or $(ISAS_$(ARCH)),4:generic: 8:generic: 16:generic:)
+
+# --- what there is to build -----------------------------------------------------------------------
+
+VERSION := $(shell sed -n 's/^.define GP_VERSION "\(.*\)"/\1/p' pipeline/glasspipe.h)
+SONAME  := libglasspipe.so.$(firstword $(subst ., ,$(VERSION)))
+
+object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $(1)))
+
+CORE    := $(call object,$(wildcard pipeline/*.c pipeline/fast/*.c) \
+                         $(if $(CXX),$(wildcard pipeline/*.cpp)))
+IO      := $(call object,$(wildcard pipeline/io/*.c pipeline/io/*.cpp))
+SHADERS := $(call object,$(wildcard shaders_c/*.c))
+APPS    := $(call object,$(filter-out apps/main.c,$(wildcard apps/*.c)))
+SUPPORT := $(call object,$(wildcard tests/support/*.c))
+TEST_SHADERS := $(call object,$(wildcard tests/shaders/*.c))
+GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
+
+PROGRAM := $(BUILD)/bin/glasspipe
+CORE_A  := $(BUILD)/lib/libglasspipe.a
+CORE_SO := $(BUILD)/lib/libglasspipe.so
+IO_A    := $(BUILD)/lib/libglasspipe_io.a
+APPS_A  := $(BUILD)/obj/apps.a
+SHADERS_A := $(BUILD)/obj/shaders.a
+SUPPORT_A := $(BUILD)/obj/support.a
+
+# Test programs, by their source's name. The golden frames need nothing but the core and the
+# shaders, so that they can be drawn on a processor that has no libraries.
+TEST_SOURCES := $(wildcard tests/unit/test_*.c tests/cli/test_*.c tests/fuzz/fuzz_*.c)
+TESTS        := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(TEST_SOURCES)))
+GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
+KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
+
+.PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
+all: program $(CORE_SO) $(CORE_A)
+program: $(PROGRAM)
+
+# --- packages -------------------------------------------------------------------------------------
+
+PACKAGES = CC='$(CC)' CXX='$(CXX)' CPPFLAGS='$(CPPFLAGS)' sh tests/tools/packages.sh
+
+# Everything compiled waits for this: it installs what is missing where the goal is to do so, and
+# otherwise says what to install. Cheap when nothing is missing.
+.PHONY: packages
+packages:
+ifeq ($(MAKELEVEL),0)
+ifneq ($(filter run test check check-peer,$(MAKECMDGOALS)),)
+	@$(PACKAGES) install build $(if $(filter-out run,$(MAKECMDGOALS)),test) \
+	    $(if $(filter check,$(MAKECMDGOALS)),lint check)
+else
+	@$(PACKAGES) report build $(if $(filter bless,$(MAKECMDGOALS)),test)
+endif
+else
+	@:
+endif
+
+deps:
+	@$(PACKAGES) install build test lint
+
+# --- compiling ------------------------------------------------------------------------------------
+
+# Rebuilds everything when the compiler or its flags change.
+FLAGS_FILE := $(BUILD)/obj/flags
+FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS))
+.PHONY: always
+$(FLAGS_FILE): always | packages
+	@mkdir -p $(@D)
+	@echo '$(FLAGS_TEXT)' | cmp -s - $@ || echo '$(FLAGS_TEXT)' >$@
+
+$(BUILD)/obj/%.o: %.c $(FLAGS_FILE) | packages
+	@mkdir -p $(@D)
+	$(call say,CC,$<)$(ALL_C) -c $< -o $@
+
+$(BUILD)/obj/%.o: %.cpp $(FLAGS_FILE) | packages
+	@mkdir -p $(@D)
+	$(call say,CXX,$<)$(IO_CXX) -c $< -o $@
+
+$(BUILD)/obj/pipeline/counting%.o: pipeline/counting%.cpp $(FLAGS_FILE) | packages
+	@mkdir -p $(@D)
+	$(call say,CXX,$<)$(COUNT_CXX) -c $< -o $@
+
+# One object a shader: a variant for each width, the counting one, joined. The variants refer to
+# each other weakly, so any subset works.
+comma := ,
+isa_lanes = $(word 1,$(subst :, ,$(1)))
+isa_name  = $(word 2,$(subst :, ,$(1)))
+isa_flags = $(subst $(comma), ,$(word 3,$(subst :, ,$(1))))
+define shader_variant
+$$(BUILD)/obj/%.lanes$(call isa_lanes,$(1)).o: %.c $$(FLAGS_FILE) | packages
+	@mkdir -p $$(@D)
+	$$(call say,CC,"$$< ($(call isa_name,$(1)) $(call isa_lanes,$(1)))")$$(ALL_C) \
+	    -DGP_LANES=$(call isa_lanes,$(1)) '-DGP_ISA_NAME="$(call isa_name,$(1))"' \
+	    $(call isa_flags,$(1)) -c $$< -o $$@
+endef
+$(foreach isa,$(ISAS),$(eval $(call shader_variant,$(isa))))
+
+$(BUILD)/obj/%.count.o: %.c $(FLAGS_FILE) | packages
+	@mkdir -p $(@D)
+	$(call say,CXX,"$< (counting)")$(COUNT_CXX) -c $< -o $@
+
+VARIANTS := $(foreach isa,$(ISAS),lanes$(call isa_lanes,$(isa))) \
+            $(if $(and $(CXX),$(wildcard pipeline/counting.hpp)),count)
+$(SHADERS) $(TEST_SHADERS): %.o: $(foreach v,$(VARIANTS),%.$(v).o)
+	@$(CC) -r -nostdlib $^ -o $@
+
+# --- libraries and programs -----------------------------------------------------------------------
+
+define archive
+	@mkdir -p $(@D)
+	@rm -f $@
+	$(call say,AR,$@)$(AR) rcs $@ $^
+endef
+$(CORE_A): $(CORE)
+	$(archive)
+$(IO_A): $(IO)
+	$(archive)
+$(APPS_A): $(APPS)
+	$(archive)
+$(SHADERS_A): $(SHADERS)
+	$(archive)
+$(SUPPORT_A): $(SUPPORT) $(TEST_SHADERS)
+	$(archive)
+
+$(CORE_SO): $(CORE)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) -shared -Wl,-soname,$(SONAME) $^ -lm -o $@.$(VERSION)
+	@ln -sf $(notdir $@).$(VERSION) $(@D)/$(SONAME)
+	@ln -sf $(SONAME) $@
+
+$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
+
+# --- the first picture ----------------------------------------------------------------------------
+
+run: all
+	@$(PROGRAM) render scenes/default.json -o out/default.png
+	@$(PROGRAM) explain scenes/default.json >out/default.txt
+	@echo "picture: out/default.png"
+	@echo "report:  out/default.txt (what each draw needed, and what its shaders cost)"
+
+# --- tests
+
+define test_program
+$(BUILD)/test/$(basename $(notdir $(1))): $(call object,$(1)) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) \
+                                          $(IO_A) $(CORE_A)
+	@mkdir -p $$(@D)
+	$$(call say,LINK,$$@)$$(LINK) $$^ -lcmocka $$(LIBS) -o $$@
+endef
+$(foreach source,$(TEST_SOURCES),$(eval $(call test_program,$(source))))
+
+$(GOLDEN_TEST): $(GOLDEN) $(SUPPORT_A) $(SHADERS_A) $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ -lm -o $@
+
+$(KERNELS): $(BUILD)/test/%: $(BUILD)/obj/tests/kernel/%.o $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ -lm -o $@
+
+RUN_TEST = BUILD=$(BUILD) GLASSPIPE_BIN=$(PROGRAM) EMULATOR='$(EMULATOR)' sh tests/tools/run_test.sh
+# The lane widths that this processor, or the emulated one, can run.
+CPU    := $(if $(filter x86_64,$(ARCH)),\
+              $(shell grep -m 1 '^flags' /proc/cpuinfo 2>/dev/null),avx2 avx512dq)
+WIDTHS := lanes4 $(if $(filter avx2,$(CPU)),lanes8) $(if $(filter avx512dq,$(CPU)),lanes16)
+WIDTHS := $(filter $(VARIANTS),$(WIDTHS))
+GOLDEN_RESULTS = $(foreach width,$(WIDTHS),$(GOLDEN_TEST:%=%.$(width).tap))
+RESULTS  = $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
+
+$(BUILD)/test/test_cli.tap: $(PROGRAM)
+$(TESTS:%=%.tap): %.tap: % always
+	$(call say,TEST,$(*F))$(RUN_TEST) $@ $*
+$(GOLDEN_RESULTS): $(GOLDEN_TEST) always
+	$(call say,TEST,$(@F:.tap=))GP_ISA=$(patsubst golden.%.tap,%,$(@F)) $(RUN_TEST) $@ $<
+
+test: all $(RESULTS)
+	@awk -f tests/tools/summary.awk $(RESULTS)
+
+.PHONY: test-golden
+test-golden: $(GOLDEN_RESULTS)
+	@awk -f tests/tools/summary.awk $^
+
+# The hash of every scene at every width, for comparing builds.
+.PHONY: scene-hashes
+scene-hashes: $(foreach width,$(WIDTHS),$(BUILD)/test/$(width).scenes)
+$(BUILD)/test/%.scenes: $(PROGRAM) always
+	@mkdir -p $(@D)
+	$(call say,TEST,$(@F))GP_ISA=$* sh tests/tools/scene_hashes.sh $(PROGRAM) >$@
+
+bless: $(GOLDEN_TEST)
+	@test -n '$(CASE)' || { echo 'usage: make bless CASE=name' >&2; exit 2; }
+	@GP_ISA=lanes4 $(GOLDEN_TEST) --bless '$(CASE)'
+
+format:
+	clang-format -i $(foreach d,pipeline pipeline/* shaders_c apps tests/*,$(wildcard \
+	    $(d)/*.c $(d)/*.h $(d)/*.cpp $(d)/*.hpp))
+
+lint:
+	@sh tests/tools/lint.sh
+
+check: | packages
+	+@sh tests/tools/check.sh $(BUILD)
+
+# The peer is loaded when the program runs, which says "skipped" where there is none.
+PEER_TEST := $(BUILD)/test/check_peer
+PEER      := $(call object,$(wildcard tests/peer/*.c))
+$(PEER_TEST): $(PEER) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
+
+check-peer: $(PEER_TEST)
+	@$(PEER_TEST)
+
+# --- installing -----------------------------------------------------------------------------------
+
+INSTALLED := $(DESTDIR)$(PREFIX)
+MAN_PAGES := $(wildcard apps/man/*.1)
+COMPLETION := $(wildcard apps/completion/*)
+# The public header, the shader language, and what they include.
+public_headers = $(sort $(filter pipeline/%,$(shell \
+    $(CC) -I. -std=gnu11 -MM pipeline/glasspipe.h; $(CC) -I. -std=gnu11 -MM pipeline/shader.h; \
+    $(CXX) -I. -std=gnu++20 -x c++ -MM pipeline/shader.h)))
+
+install: all
+	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig $(INSTALLED)/include/glasspipe/pipeline
+	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
+	install -m 644 $(CORE_A) $(INSTALLED)/lib/
+	install -m 755 $(CORE_SO).$(VERSION) $(INSTALLED)/lib/
+	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
+	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
+	install -m 644 $(public_headers) $(INSTALLED)/include/glasspipe/pipeline/
+	sed -e 's,@PREFIX@,$(PREFIX),' -e 's,@VERSION@,$(VERSION),' pipeline/glasspipe.pc.in \
+	    >$(INSTALLED)/lib/pkgconfig/glasspipe.pc
+	install -d $(INSTALLED)/share/man/man1 $(INSTALLED)/share/bash-completion/completions
+	$(if $(MAN_PAGES),install -m 644 $(MAN_PAGES) $(INSTALLED)/share/man/man1/)
+	$(if $(COMPLETION),install -m 644 $(firstword $(COMPLETION)) \
+	    $(INSTALLED)/share/bash-completion/completions/glasspipe)
+
+uninstall:
+	rm -rf $(INSTALLED)/include/glasspipe
+	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
+	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \
+	    $(patsubst apps/man/%,$(INSTALLED)/share/man/man1/%,$(MAN_PAGES)) \
+	    $(INSTALLED)/share/bash-completion/completions/glasspipe
+
+# --- the rest -------------------------------------------------------------------------------------
+
+clean:
+	rm -rf $(addprefix $(BUILD)/,bin lib obj test check)
+
+help:
+	@echo 'make             build out/bin/glasspipe and out/lib/libglasspipe.{a,so}'
+	@echo 'make run         install what is missing, build, draw scenes/default.json'
+	@echo 'make test        install what is missing, build, run every test'
+	@echo 'make lint        layers, format and words of the sources'
+	@echo 'make format      clang-format on all of them'
+	@echo 'make check       all of that with both compilers, -O0 to -O3, every lane width,'
+	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'
+	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
+	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'
+	@echo 'make deps        install the Debian packages that building and testing need'
+	@echo 'make install     PREFIX=/usr/local DESTDIR= ; make uninstall takes it away again'
+	@echo 'make clean       remove what was built; pictures in out/ stay'
+	@echo
+	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
+	@echo "and ISAS, the shader variants: '$(ISAS)'"
+
+OBJECTS := $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+           $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
+           $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
+-include $(OBJECTS:.o=.d)

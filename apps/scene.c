@@ -78,20 +78,6 @@ static const GpPass *find_pass(const Scene *scene, const char *name, size_t leng
     return NULL;
 }
 
-GpSurface *scene_find_pass(const Scene *scene, const char *name)
-{
-    const GpPass *pass = find_pass(scene, name, strlen(name));
-    for (uint32_t i = 0; i < scene->list.pass_count && !pass; i++) {
-        char number[12];
-        snprintf(number, sizeof number, "%u", i);
-        if (strcmp(number, name) == 0)
-            pass = &scene->list.passes[i];
-    }
-    if (!pass)
-        return NULL;
-    return pass->color[0].surface ? pass->color[0].surface : pass->depth.surface;
-}
-
 GpSurface *scene_target(Loader *loader, const Node *node, const char *name)
 {
     const char *pass_name = strncmp(name, "pass:", 5) == 0 ? name + 5 : name;

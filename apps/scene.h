@@ -26,8 +26,4 @@ GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene,
 /* Frees everything and zeroes the struct; a zeroed scene is fine. */
 void scene_free(Scene *scene);
 
-/* The surface that a pass renders its colour target 0 to (or its depth), by the pass's name or its
- * number in decimal; NULL where there is none: for --dump. */
-GpSurface *scene_find_pass(const Scene *scene, const char *name);
-
 #endif

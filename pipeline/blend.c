@@ -80,8 +80,8 @@ bool gp_blend_reads_target(const GpBlend *blend)
     return blend->op != GP_BLEND_OFF;
 }
 
-void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format,
-              const float source[4], const float destination[4], float result[4])
+void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format, const float source[4],
+              const float destination[4], float result[4])
 {
     float s[4], k[4], blended[4];
     memcpy(s, source, sizeof s);

@@ -12,7 +12,7 @@ bool gp_blend_reads_target(const GpBlend *blend);
  *      source, destination, constant: r g b a, linear
  * out  result, not yet rounded to the format; may be source itself
  * note a factor of 0 is multiplied like any other, so NaN and infinity propagate (R34) */
-void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format,
-              const float source[4], const float destination[4], float result[4]);
+void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format, const float source[4],
+              const float destination[4], float result[4]);
 
 #endif

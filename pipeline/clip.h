@@ -22,8 +22,8 @@ typedef struct GpGuardBand {
 } GpGuardBand;
 
 typedef struct GpClipPolygon {
-    int corners; /* 0: nothing is left */
-    bool cut;    /* some plane cut it: corners are new vertices */
+    int corners;     /* 0: nothing is left */
+    bool cut;        /* some plane cut it: corners are new vertices */
     unsigned planes; /* bit i: some corner was outside plane i */
     GpVertex corner[GP_MAX_CLIPPED];
 } GpClipPolygon;

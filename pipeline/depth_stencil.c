@@ -28,33 +28,36 @@ static void test_pixel(const GpDepthStencil *unit, const GpStencilFace *face, Gp
                        int pixel)
 {
     const GpSurface *surface = unit->surface;
-    uint8_t *texel = gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
-                                      (uint32_t)(quad->x + pixel % 2),
-                                      (uint32_t)(quad->y + pixel / 2));
+    uint8_t *texel =
+        gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
+                         (uint32_t)(quad->x + pixel % 2), (uint32_t)(quad->y + pixel / 2));
     uint32_t stored_depth;
     uint8_t stored_stencil;
     gp_depth_load(surface->format, texel, &stored_depth, &stored_stencil);
 
     float depth = quad->depth[pixel];
-    depth = depth < unit->min_depth ? unit->min_depth
-            : depth > unit->max_depth ? unit->max_depth : depth;
+    depth = depth < unit->min_depth   ? unit->min_depth
+            : depth > unit->max_depth ? unit->max_depth
+                                      : depth;
     uint32_t incoming = gp_depth_code(surface->format, depth);
 
     uint8_t seen = (uint8_t)~unit->stencil.ignore;
-    bool stencil_passed =
-        !face || gp_compare_codes(face->test, unit->stencil.reference & seen, stored_stencil & seen);
+    bool stencil_passed = !face || gp_compare_codes(face->test, unit->stencil.reference & seen,
+                                                    stored_stencil & seen);
     bool depth_passed = gp_compare_codes(unit->depth.test, incoming, stored_depth);
 
     uint8_t stencil = stored_stencil;
     if (face) {
-        GpStencilOp op = !stencil_passed ? face->fail : !depth_passed ? face->depth_fail : face->pass;
+        GpStencilOp op = !stencil_passed ? face->fail
+                         : !depth_passed ? face->depth_fail
+                                         : face->pass;
         uint8_t result = gp_stencil_apply(op, stored_stencil, unit->stencil.reference);
         uint8_t keep = unit->stencil.keep;
         stencil = (uint8_t)((stored_stencil & keep) | (result & ~keep));
     }
     bool passed = stencil_passed && depth_passed;
-    gp_depth_store(surface->format, texel,
-                   passed && unit->depth.write ? incoming : stored_depth, stencil);
+    gp_depth_store(surface->format, texel, passed && unit->depth.write ? incoming : stored_depth,
+                   stencil);
 
     quad->depth_incoming[pixel] = incoming;
     quad->depth_stored[pixel] = stored_depth;
@@ -69,7 +72,7 @@ static void test_pixel(const GpDepthStencil *unit, const GpStencilFace *face, Gp
 void gp_depth_stencil(const GpDepthStencil *unit, GpQuad *quad)
 {
     const GpStencilState *stencil = &unit->stencil;
-    const GpStencilFace *face = !stencil->enable                        ? NULL
+    const GpStencilFace *face = !stencil->enable                     ? NULL
                                 : stencil->two_sided && !quad->front ? &stencil->back
                                                                      : &stencil->front;
     quad->stencil_passed = quad->depth_passed = 0;

@@ -52,10 +52,10 @@ void gp_interpolate_clip(const GpTriangle *t, unsigned planes, GpQuad *quad)
         if (!(planes >> i & 1))
             continue;
         for (int pixel = 0; pixel < 4; pixel++) {
-            float distance = blend_corners(
-                t->corner[0].clip_distance[i], t->corner[1].clip_distance[i],
-                t->corner[2].clip_distance[i], quad->barycentric[1][pixel],
-                quad->barycentric[2][pixel]);
+            float distance =
+                blend_corners(t->corner[0].clip_distance[i], t->corner[1].clip_distance[i],
+                              t->corner[2].clip_distance[i], quad->barycentric[1][pixel],
+                              quad->barycentric[2][pixel]);
             if (!(distance >= 0))
                 quad->mask &= ~(1u << pixel);
         }

@@ -8,8 +8,8 @@ int gp_isa_lanes(const char *name)
         const char *name;
         int lanes;
     } known[] = {
-        { "auto", 0 },   { "sse2", 4 },   { "neon", 4 },    { "lanes4", 4 },
-        { "avx2", 8 },   { "lanes8", 8 }, { "avx512", 16 }, { "lanes16", 16 },
+        { "auto", 0 }, { "sse2", 4 },   { "neon", 4 },    { "lanes4", 4 },
+        { "avx2", 8 }, { "lanes8", 8 }, { "avx512", 16 }, { "lanes16", 16 },
     };
     if (!name)
         return 0;

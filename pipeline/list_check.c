@@ -14,12 +14,12 @@ typedef struct Place {
 } Place;
 
 __attribute__((format(printf, 3, 4))) static GpResult refuse(const Place *place, const char *field,
-                                                              const char *format, ...)
+                                                             const char *format, ...)
 {
     char where[160], reason[300];
     const GpPass *pass = &place->list->passes[place->pass];
-    int used = snprintf(where, sizeof where, "pass %u '%s'", place->pass,
-                        pass->name ? pass->name : "");
+    int used =
+        snprintf(where, sizeof where, "pass %u '%s'", place->pass, pass->name ? pass->name : "");
     if (place->in_draw && used > 0 && (size_t)used < sizeof where) {
         const char *name = pass->draws[place->draw].name;
         snprintf(where + used, sizeof where - (size_t)used, ", draw %u '%s'", place->draw,
@@ -153,8 +153,8 @@ static GpResult check_geometry(const Place *place)
                       "%u is no multiple of 3", used);
     for (uint32_t i = 0; geometry->indices && i < geometry->index_count; i++)
         if (geometry->indices[i] >= geometry->vertex_count)
-            return refuse(place, "geometry.indices", "index %u is %u, but there are %u vertices",
-                          i, geometry->indices[i], geometry->vertex_count);
+            return refuse(place, "geometry.indices", "index %u is %u, but there are %u vertices", i,
+                          geometry->indices[i], geometry->vertex_count);
     return check_streams(place);
 }
 
@@ -184,8 +184,8 @@ static GpResult check_raster_state(const Place *place)
         return refuse(place, "state.raster.cull", "unknown");
     if (!isfinite(raster->depth_bias) || !isfinite(raster->slope_depth_bias))
         return refuse(place, "state.raster.depth_bias", "expected finite numbers");
-    if (raster->scissor && (raster->scissor_x1 < raster->scissor_x0 ||
-                            raster->scissor_y1 < raster->scissor_y0))
+    if (raster->scissor &&
+        (raster->scissor_x1 < raster->scissor_x0 || raster->scissor_y1 < raster->scissor_y0))
         return refuse(place, "state.raster.scissor", "ends before it begins");
     if (raster->clip_planes >> GP_MAX_CLIP_PLANES)
         return refuse(place, "state.raster.clip_planes", "only %d planes exist",

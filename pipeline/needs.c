@@ -9,8 +9,7 @@ static uint64_t all_components(int count)
     return count >= 64 ? ~(uint64_t)0 : ((uint64_t)1 << count) - 1;
 }
 
-/* Components that the pixel shader reads: counted where the counting build is there. */
-static uint64_t varyings_read(const GpProgram *program)
+uint64_t gp_varyings_read(const GpProgram *program)
 {
     uint64_t all = all_components(program->varying_components);
     if (!program->count || !program->code[0]->pixel)
@@ -34,7 +33,7 @@ static bool needs_mip_levels(const GpDraw *draw)
     return false;
 }
 
-GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw)
+GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read)
 {
     const GpProgram *program = draw->program;
     const GpState *state = &draw->state;
@@ -58,7 +57,7 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw)
     needs.pixel_shader = anything && program->code[0]->pixel &&
                          (needs.color || needs.discard || needs.shader_depth || needs.alpha_test);
     if (needs.pixel_shader) {
-        needs.varyings = varyings_read(program);
+        needs.varyings = varyings_read;
         needs.textures = program->samplers != 0;
         needs.local_reads = program->local_reads != 0;
         needs.quads = program->uses_derivatives || needs_mip_levels(draw);
@@ -68,8 +67,8 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw)
     needs.clip_planes = state->raster.clip_planes & (uint8_t)all_components(GP_MAX_CLIP_PLANES);
     needs.scissor = state->raster.scissor;
     needs.cull = state->raster.cull != GP_CULL_NONE;
-    needs.depth_bias = needs.depth && (state->raster.depth_bias != 0 ||
-                                       state->raster.slope_depth_bias != 0);
+    needs.depth_bias =
+        needs.depth && (state->raster.depth_bias != 0 || state->raster.slope_depth_bias != 0);
     needs.late_depth = (needs.depth_test || needs.depth_write || needs.stencil) &&
                        needs.pixel_shader &&
                        (needs.discard || needs.alpha_test || needs.shader_depth);
@@ -94,8 +93,7 @@ int gp_needs_explain(const GpNeeds *needs, char *text, size_t size)
           "nothing reads them" },
         { "pixel shader", needs->pixel_shader, "colour, discard or depth depends on it",
           "nothing that it computes is kept" },
-        { "whole quads", needs->quads, "derivatives or levels of detail",
-          "no derivative is used" },
+        { "whole quads", needs->quads, "derivatives or levels of detail", "no derivative is used" },
         { "textures", needs->textures, "the pixel shader reads them", "no texture read" },
         { "local reads", needs->local_reads, "earlier targets are read in place",
           "no earlier target is read in place" },
@@ -104,8 +102,7 @@ int gp_needs_explain(const GpNeeds *needs, char *text, size_t size)
         { "stencil", needs->stencil, "enabled", "off, or no stencil target" },
         { "depth test", needs->depth_test, "a function is set", "off, or no depth target" },
         { "depth write", needs->depth_write, "on", "off, or no depth target" },
-        { "blending", needs->blend, "a target is read before it is written",
-          "no target is read" },
+        { "blending", needs->blend, "a target is read before it is written", "no target is read" },
         { "colour write", needs->color, "a target keeps some channel written",
           "no target, or all channels kept" },
     };

@@ -5,23 +5,28 @@
 #include "pipeline/list.h"
 
 typedef struct GpNeeds {
-    bool pixel_shader;  /* a colour is written, or the shader may discard or write depth */
-    bool color;         /* some colour target keeps some channel written */
-    bool interpolate;   /* the pixel shader reads an interpolant */
-    uint64_t varyings;  /* bit i: component i of the varyings is read by the pixel shader; all of
+    bool pixel_shader; /* a colour is written, or the shader may discard or write depth */
+    bool color;        /* some colour target keeps some channel written */
+    bool interpolate;  /* the pixel shader reads an interpolant */
+    uint64_t varyings; /* bit i: component i of the varyings is read by the pixel shader; all of
                            them where the program was not counted */
-    bool quads;         /* whole 2x2 quads with helper pixels: derivatives or mip levels */
-    bool depth;         /* interpolated depth is needed at all */
+    bool quads;        /* whole 2x2 quads with helper pixels: derivatives or mip levels */
+    bool depth;        /* interpolated depth is needed at all */
     bool depth_test, depth_write, stencil, alpha_test, discard, shader_depth;
-    bool blend;         /* some target is read before it is written */
+    bool blend; /* some target is read before it is written */
     bool scissor, cull, depth_bias;
     uint8_t clip_planes; /* user planes in use */
     bool vertex_textures, textures, local_reads;
-    bool late_depth;    /* depth and stencil must wait for the pixel shader */
+    bool late_depth; /* depth and stencil must wait for the pixel shader */
 } GpNeeds;
 
-/* The needs of a draw in its pass; both already checked. */
-GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw);
+/* Components of the varyings that a program's pixel shader reads: counted where the counting build
+ * is there (which takes some microseconds: ask once for a program), else all. */
+uint64_t gp_varyings_read(const GpProgram *program);
+
+/* The needs of a draw in its pass; both already checked.
+ * in   varyings_read: of the draw's program */
+GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read);
 
 /* One line a unit: "blend        skipped: GP_BLEND_OFF on all targets". Writes at most size bytes,
  * always terminated; returns the length it would have had. */

@@ -10,6 +10,11 @@ enum {
     GP_MAX_POINT_SIZE = 4096,             /* pixels a side of a point sprite */
 };
 
+/* Pixels [x0, x1) x [y0, y1). */
+typedef struct GpRect {
+    int32_t x0, y0, x1, y1;
+} GpRect;
+
 /* A shaded vertex. */
 typedef struct GpVertex {
     float clip[4]; /* clip space, 0 <= z <= w inside */
@@ -34,14 +39,14 @@ typedef struct GpTriangle {
     GpScreenVertex corner[3];
     int64_t a[3], b[3], c[3];
     int64_t area2;
-    bool accepts_zero[3]; /* top or left edge: a centre exactly on it is inside (R5) */
-    bool front;           /* clockwise on the screen */
+    bool accepts_zero[3];   /* top or left edge: a centre exactly on it is inside (R5) */
+    bool front;             /* clockwise on the screen */
     int32_t x0, y0, x1, y1; /* pixels whose centres may be inside, ends included */
 
     /* depth = z_base + E_1 * z_step[0] + E_2 * z_step[1], in binary64 */
     double z_base, z_step[2];
-    float inverse_area;    /* 1 / area2 */
-    float rw_ratio[2];     /* rw of corners 1 and 2 over that of corner 0 */
+    float inverse_area; /* 1 / area2 */
+    float rw_ratio[2];  /* rw of corners 1 and 2 over that of corner 0 */
 } GpTriangle;
 
 /* A point sprite ready for the rasterizer: covers centres in [left, right) x [top, bottom). */
@@ -55,9 +60,9 @@ typedef struct GpPointSprite {
  * outside the mask are helpers: they have values, so that differences exist, but are not drawn. */
 typedef struct GpQuad {
     int32_t x, y;
-    unsigned mask;      /* bit i: pixel i is alive */
+    unsigned mask; /* bit i: pixel i is alive */
     bool front;
-    int64_t edge[3][4]; /* edge functions at the centres; triangles only */
+    int64_t edge[3][4];      /* edge functions at the centres; triangles only */
     float barycentric[3][4]; /* perspective-correct */
     float depth[4];
     float varying[GP_MAX_VARYINGS][4];

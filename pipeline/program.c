@@ -80,9 +80,6 @@ static GpResult check_pixel_side(const GpProgram *p, GpError *error)
     if (p->color_components % 4 || targets > GP_MAX_TARGETS)
         return REFUSE("program %s: %d colour components are not 0 to %d targets of 4", p->name,
                       p->color_components, GP_MAX_TARGETS);
-    if (p->targets && p->targets != targets)
-        return REFUSE("program %s: targets says %d, the pixel shader writes %d", p->name,
-                      p->targets, targets);
     if (pixel && p->pixel_input_components != p->varying_components)
         return REFUSE(
             "program %s: the vertex shader writes %d components, the pixel shader reads %d",

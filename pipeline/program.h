@@ -163,8 +163,6 @@ typedef struct GpProgram {
     GpProfile vertex_profile, pixel_profile;
     GpInputDecl inputs[16];     /* in the order of the vertex struct; components 0 ends */
     GpVaryingDecl varyings[10]; /* in the order of the varying struct; components 0 ends */
-    uint8_t targets;            /* colour targets written; 0: none (depth only, or 1 by default
-                                    where there is a pixel shader) */
     uint16_t samplers;          /* bit i: slot i is read by texld and its kin */
     uint16_t vertex_samplers;   /* bit i: slot i is read by the vertex shader */
     uint16_t local_reads;       /* bit i: slot i is read by load_local only */

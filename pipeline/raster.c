@@ -3,7 +3,12 @@
 static GpRasterWalk walk_box(int32_t x0, int32_t y0, int32_t x1, int32_t y1)
 {
     return (GpRasterWalk){
-        .x0 = x0, .y0 = y0, .x1 = x1, .y1 = y1, .x = x0 & ~1, .y = y0 & ~1,
+        .x0 = x0,
+        .y0 = y0,
+        .x1 = x1,
+        .y1 = y1,
+        .x = x0 & ~1,
+        .y = y0 & ~1,
     };
 }
 

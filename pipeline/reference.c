@@ -210,7 +210,7 @@ static void draw_point(GpReferenceDraw *d)
 /* --- draws, passes, lists ------------------------------------------------------------------------------ */
 
 static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pass,
-                                  const GpDraw *draw, GpVertex *vertices)
+                                  const GpDraw *draw, uint64_t varyings_read, GpVertex *vertices)
 {
     uint32_t width, height;
     gp_pass_size(pass, &width, &height);
@@ -219,7 +219,7 @@ static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pa
         .reference = reference,
         .pass = pass,
         .draw = draw,
-        .needs = gp_draw_needs(pass, draw),
+        .needs = gp_draw_needs(pass, draw, varyings_read),
         .modes = gp_varying_modes(draw->program),
         .viewport = gp_viewport_resolve(&draw->viewport, width, height),
         .rect = gp_viewport_rect(&draw->viewport, width, height),
@@ -292,12 +292,19 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
     GpVertex *vertices = gp_alloc(most, sizeof *vertices);
     if (!vertices)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u shaded vertices", most);
+    const GpProgram *program = NULL;
+    uint64_t varyings_read = 0;
     for (uint32_t p = 0; p < list->pass_count; p++) {
         const GpPass *pass = &list->passes[p];
         clear_targets(pass);
         gp_trace_clear(reference, pass, p);
         for (uint32_t i = 0; i < pass->draw_count; i++) {
-            GpReferenceDraw d = begin_draw(reference, pass, &pass->draws[i], vertices);
+            const GpDraw *draw = &pass->draws[i];
+            if (draw->program != program) { /* counting takes time: once for a run of draws */
+                program = draw->program;
+                varyings_read = gp_varyings_read(program);
+            }
+            GpReferenceDraw d = begin_draw(reference, pass, draw, varyings_read, vertices);
             d.pass_number = p;
             d.draw_number = i;
             run_draw(&d);

@@ -5,8 +5,8 @@
 #include "pipeline/glasspipe.h"
 
 typedef struct GpReference {
-    int lanes;             /* width of the shader code to run: 4, 8 or 16 */
-    const GpTrace *trace;  /* NULL: nobody watches */
+    int lanes;            /* width of the shader code to run: 4, 8 or 16 */
+    const GpTrace *trace; /* NULL: nobody watches */
     GpCounters *counters;
 } GpReference;
 

@@ -55,7 +55,6 @@ void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *uni
 void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before);
 
 /* After the store: reads back what is there now. source: [channel][pixel], before blending */
-void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target,
-                     float source[4][4]);
+void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, float source[4][4]);
 
 #endif

@@ -122,6 +122,5 @@ GpSetupResult gp_setup_point(const GpScreenVertex *center, float size, const GpR
     sprite->y0 = greater(first_center(sprite->top), rect->y0);
     sprite->x1 = lesser(first_center(sprite->right) - 1, rect->x1 - 1);
     sprite->y1 = lesser(first_center(sprite->bottom) - 1, rect->y1 - 1);
-    return sprite->x0 <= sprite->x1 && sprite->y0 <= sprite->y1 ? GP_SETUP_DRAWN
-                                                                : GP_SETUP_OUTSIDE;
+    return sprite->x0 <= sprite->x1 && sprite->y0 <= sprite->y1 ? GP_SETUP_DRAWN : GP_SETUP_OUTSIDE;
 }

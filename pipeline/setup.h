@@ -3,7 +3,6 @@
 #define GP_SETUP_H
 
 #include "pipeline/packet.h"
-#include "pipeline/viewport.h"
 
 typedef enum GpSetupResult {
     GP_SETUP_DRAWN,

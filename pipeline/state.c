@@ -15,19 +15,9 @@ const char *const gp_blend_op_names[GP_BLEND_OPS] = {
 };
 
 const char *const gp_blend_factor_names[GP_BLEND_FACTORS] = {
-    "zero",
-    "one",
-    "src-color",
-    "inv-src-color",
-    "src-alpha",
-    "inv-src-alpha",
-    "dest-alpha",
-    "inv-dest-alpha",
-    "dest-color",
-    "inv-dest-color",
-    "src-alpha-sat",
-    "constant",
-    "inv-constant",
+    "zero",          "one",        "src-color",      "inv-src-color", "src-alpha",
+    "inv-src-alpha", "dest-alpha", "inv-dest-alpha", "dest-color",    "inv-dest-color",
+    "src-alpha-sat", "constant",   "inv-constant",
 };
 
 const char *const gp_filter_names[GP_FILTERS] = { "point", "linear" };

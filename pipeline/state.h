@@ -140,7 +140,12 @@ typedef struct GpState {
 /* --- sampling --------------------------------------------------------------------------------- */
 
 typedef enum GpFilter { GP_POINT = 0, GP_LINEAR, GP_FILTERS } GpFilter;
-typedef enum GpMipFilter { GP_MIP_NONE = 0, GP_MIP_POINT, GP_MIP_LINEAR, GP_MIP_FILTERS } GpMipFilter;
+typedef enum GpMipFilter {
+    GP_MIP_NONE = 0,
+    GP_MIP_POINT,
+    GP_MIP_LINEAR,
+    GP_MIP_FILTERS
+} GpMipFilter;
 
 typedef enum GpAddress {
     GP_WRAP = 0,
@@ -155,11 +160,11 @@ typedef struct GpSampler {
     GpFilter min, mag;
     GpMipFilter mip;
     GpAddress address_u, address_v;
-    float border[4];   /* border[0] is the depth where a depth surface is compared */
+    float border[4]; /* border[0] is the depth where a depth surface is compared */
     float lod_bias;
-    float min_lod;     /* clamp of the level of detail; the finest level allowed */
-    float max_lod;     /* 0 means no upper clamp */
-    bool compare;      /* depth-compare sampling (R49): returns how much of r <= stored holds */
+    float min_lod; /* clamp of the level of detail; the finest level allowed */
+    float max_lod; /* 0 means no upper clamp */
+    bool compare;  /* depth-compare sampling (R49): returns how much of r <= stored holds */
 } GpSampler;
 
 /* One texture slot of a draw. Borrowed until the list has run. */

@@ -7,7 +7,8 @@
 #include <string.h>
 
 const char *const gp_trace_kind_names[GP_TRACE_KINDS] = {
-    "clear", "vertex", "clip", "setup", "raster", "interpolate", "texture", "pixel", "test", "output",
+    "clear",       "vertex",  "clip",  "setup", "raster",
+    "interpolate", "texture", "pixel", "test",  "output",
 };
 
 /* --- the filter ----------------------------------------------------------------------------------- */
@@ -51,8 +52,8 @@ static int next_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mas
 {
     if (!wants_draw(d))
         return 4;
-    while (pixel < 4 && !((mask >> pixel & 1) &&
-                          wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2)))
+    while (pixel < 4 &&
+           !((mask >> pixel & 1) && wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2)))
         pixel++;
     return pixel;
 }

@@ -40,20 +40,20 @@ typedef struct GpTraceClip {
     float clip[3][4];
     unsigned planes; /* bit i: some vertex is outside plane i: left right bottom top (guard band)
                         near far */
-    int corners;     /* of the polygon that is left; 0: nothing; 3: untouched or cut to a triangle */
+    int corners; /* of the polygon that is left; 0: nothing; 3: untouched or cut to a triangle */
 } GpTraceClip;
 
 typedef struct GpTraceSetup {
-    int32_t x[3], y[3];  /* 24.8 fixed point */
-    float z[3], rw[3];   /* depth, 1/w */
-    int64_t area2;       /* twice the signed area in 1/65536 pixels; > 0 is clockwise, y down */
+    int32_t x[3], y[3]; /* 24.8 fixed point */
+    float z[3], rw[3];  /* depth, 1/w */
+    int64_t area2;      /* twice the signed area in 1/65536 pixels; > 0 is clockwise, y down */
     bool culled;
-    const char *reason;  /* NULL, or why it draws nothing: "facing", "zero area", ... */
+    const char *reason; /* NULL, or why it draws nothing: "facing", "zero area", ... */
 } GpTraceSetup;
 
 typedef struct GpTraceRaster {
-    int64_t edge[3];     /* edge functions at the centre, in 1/65536 pixels; sum = |area2| */
-    bool front;          /* clockwise */
+    int64_t edge[3]; /* edge functions at the centre, in 1/65536 pixels; sum = |area2| */
+    bool front;      /* clockwise */
 } GpTraceRaster;
 
 typedef struct GpTraceInterpolate {
@@ -81,7 +81,7 @@ typedef struct GpTracePixel {
 typedef struct GpTraceTest {
     const char *unit; /* "scissor", "clip plane", "alpha test", "stencil", "depth" */
     GpCompare compare;
-    double incoming, stored; /* the two operands */
+    double incoming, stored;             /* the two operands */
     uint32_t incoming_code, stored_code; /* depth only: the codes that are compared (R21) */
     bool passed;
     int32_t stencil_before, stencil_after; /* -1 without stencil */
@@ -91,8 +91,8 @@ typedef struct GpTraceOutput {
     int target;
     const GpSurface *surface;
     GpBlend blend;
-    float source[4], destination[4];  /* as blended */
-    float result[4];                  /* as read back after the store */
+    float source[4], destination[4]; /* as blended */
+    float result[4];                 /* as read back after the store */
 } GpTraceOutput;
 
 typedef struct GpTraceEvent {

@@ -4,11 +4,6 @@
 
 #include "pipeline/packet.h"
 
-/* Pixels that a viewport allows: [x0, x1) x [y0, y1). */
-typedef struct GpRect {
-    int32_t x0, y0, x1, y1;
-} GpRect;
-
 /* The viewport with its defaults filled in and, in Direct3D 9's mode, moved by half a pixel.
  * in   width, height: of the render targets, which an all-zero viewport covers */
 GpViewport gp_viewport_resolve(const GpViewport *viewport, uint32_t width, uint32_t height);
@@ -21,8 +16,7 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
  * in   viewport: resolved; clip: w > 0
  * out  x, y, z, rw of screen
  * returns false where x or y is no number or outside the fixed-point range */
-bool gp_viewport_transform(const GpViewport *viewport, const float clip[4],
-                           GpScreenVertex *screen);
+bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen);
 
 /* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 32768. */
 int32_t gp_snap(float value);

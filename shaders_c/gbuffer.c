@@ -31,5 +31,4 @@ pixel_shader_targets(gbuffer_ps, GbufferUniforms, Varying, Targets)
 
 program(gbuffer_program, gbuffer_vs, gbuffer_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
-        .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } },
-        .targets = 3)
+        .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } })

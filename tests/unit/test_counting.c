@@ -352,9 +352,6 @@ static void declarations_must_agree_with_the_structs(void **state)
     p.varyings[1].name = "a";
     assert_refused(&p, "program count_lean: varying 'a' appears twice");
     p = count_lean;
-    p.targets = 2;
-    assert_refused(&p, "program count_lean: targets says 2, the pixel shader writes 1");
-    p = count_lean;
     p.color_components = 20;
     assert_refused(&p, "program count_lean: 20 colour components are not 0 to 4 targets of 4");
     p = count_lean;
@@ -378,7 +375,7 @@ static void programs_without_counting_are_checked_by_their_declarations(void **s
     GpProgram p = count_over_slots;
     p.count = NULL;
     assert_accepted(&p);
-    p.targets = 2;
+    p.color_components = 3;
     assert_int_equal(gp_program_check(&p, NULL), GP_ERROR_INVALID);
 }
 

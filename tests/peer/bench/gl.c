@@ -1,0 +1,97 @@
+/* Opening llvmpipe through surfaceless EGL 1.5. */
+#include "tests/peer/bench/gl.h"
+
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    EGL_SURFACE_TYPE = 0x3033,
+    EGL_PBUFFER_BIT = 1,
+    EGL_NONE = 0x3038,
+    EGL_RENDERABLE_TYPE = 0x3040,
+    EGL_OPENGL_ES3_BIT = 0x40,
+    EGL_CONTEXT_MAJOR_VERSION = 0x3098,
+    EGL_OPENGL_ES_API = 0x30a0,
+    EGL_PLATFORM_SURFACELESS_MESA = 0x31dd,
+};
+
+typedef void (*Function)(void);
+
+/* clang-format off */
+#define EGL_CALLS(X)                                                                               \
+    X(Function, GetProcAddress, (const char *))                                                    \
+    X(void *, GetPlatformDisplay, (unsigned, void *, const intptr_t *))                            \
+    X(unsigned, Initialize, (void *, int *, int *))                                                \
+    X(unsigned, BindAPI, (unsigned))                                                               \
+    X(unsigned, ChooseConfig, (void *, const int *, void **, int, int *))                          \
+    X(void *, CreateContext, (void *, void *, void *, const int *))                                \
+    X(unsigned, MakeCurrent, (void *, void *, void *, void *))
+/* clang-format on */
+
+typedef struct Egl {
+#define EGL_MEMBER(type, name, arguments) type(*name) arguments;
+    EGL_CALLS(EGL_MEMBER)
+#undef EGL_MEMBER
+} Egl;
+
+static bool load_egl(void *library, Egl *egl)
+{
+    bool complete = true;
+#define LOAD(type, name, arguments)                                                                \
+    egl->name = (type(*) arguments)dlsym(library, "egl" #name);                                    \
+    complete = complete && egl->name;
+    EGL_CALLS(LOAD)
+#undef LOAD
+    return complete;
+}
+
+static bool load_gl(const Egl *egl, Gl *gl)
+{
+    bool complete = true;
+#define LOAD(type, name, arguments)                                                                \
+    gl->name = (type(*) arguments)egl->GetProcAddress("gl" #name);                                 \
+    complete = complete && gl->name;
+    GL_CALLS(LOAD)
+#undef LOAD
+    return complete;
+}
+
+static bool make_context(const Egl *egl)
+{
+    static const int config_wish[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                       EGL_OPENGL_ES3_BIT, EGL_NONE };
+    static const int context_wish[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE };
+    void *display = egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL), *config;
+    int count = 0;
+    if (!display || !egl->Initialize(display, NULL, NULL) || !egl->BindAPI(EGL_OPENGL_ES_API) ||
+        !egl->ChooseConfig(display, config_wish, &config, 1, &count) || count < 1)
+        return false;
+    void *context = egl->CreateContext(display, config, NULL, context_wish);
+    return context && egl->MakeCurrent(display, NULL, NULL, context);
+}
+
+GpResult gl_open(int threads, Gl *gl, GpError *error)
+{
+    Egl egl;
+    char number[16];
+    snprintf(number, sizeof number, "%d", threads);
+    setenv("LP_NUM_THREADS", number, 1);
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1); /* so that the first frame shows compiling */
+    void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (!library || !load_egl(library, &egl))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "no EGL (libEGL.so.1 of EGL 1.5 not found)");
+    if (!make_context(&egl))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED,
+                       "no EGL context for OpenGL ES 3 without a window system");
+    if (!load_gl(&egl, gl))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "no EGL: functions of OpenGL ES are missing");
+    const char *renderer = (const char *)gl->GetString(GL_RENDERER);
+    if (!renderer || !strstr(renderer, "llvmpipe"))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "no EGL with llvmpipe: the driver is %s",
+                       renderer ? renderer : "without a name");
+    return GP_OK;
+}

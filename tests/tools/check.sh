@@ -1,0 +1,101 @@
+#!/bin/sh
+# Everything: `make check` runs this from the repository's root: check.sh BUILD
+#
+# Each step is a line; what it said is in BUILD/check/STEP.log, and its end is shown when it fails.
+# The last line counts the steps. Configurations are built side by side in BUILD/check/.
+out=$1/check
+mkdir -p "$out"
+passed=0 failed=0 skipped=0
+
+# step NAME COMMAND...: status 0 passed, 77 skipped, anything else failed
+step() {
+    name=$1
+    shift
+    printf '%-28s' "$name"
+    started=$(date +%s)
+    "$@" >"$out/$name.log" 2>&1
+    status=$?
+    seconds=$(($(date +%s) - started))
+    case $status in
+    0)
+        passed=$((passed + 1))
+        printf 'ok       %4d s  %s\n' "$seconds" "$(tail -n 1 "$out/$name.log")"
+        ;;
+    77)
+        skipped=$((skipped + 1))
+        printf 'skipped          %s\n' "$(tail -n 1 "$out/$name.log")"
+        ;;
+    *)
+        failed=$((failed + 1))
+        printf 'FAILED   %4d s  %s\n' "$seconds" "$out/$name.log"
+        tail -n 30 "$out/$name.log" | sed 's/^/    /'
+        ;;
+    esac
+}
+
+configuration() {
+    build=$1
+    shift
+    make BUILD="$out/$build" WERROR=1 "$@"
+}
+
+# One picture: all lists of scene hashes are the same.
+same_hashes() {
+    set -- "$out"/*/test/*.scenes
+    for list; do
+        diff "$1" "$list" || { echo "$list differs from $1" && return 1; }
+    done
+    echo "$(wc -l <"$1") scenes, the same in $# lists of builds and widths"
+    [ -s "$1" ]
+}
+
+# The golden frames on another processor. Of the libraries only xxhash's header is needed.
+aarch64() {
+    mkdir -p "$out/include" && ln -sf /usr/include/xxhash.h "$out/include/" || return 1
+    configuration aarch64 CC=aarch64-linux-gnu-gcc CXX= ARCH=aarch64 LDFLAGS=-static \
+        CPPFLAGS="-isystem $(cd "$out/include" && pwd)" EMULATOR=qemu-aarch64-static test-golden
+}
+
+# Every value of every one-argument function, every blend: minutes, not seconds.
+exhaustive() {
+    ran=0
+    for source in tests/kernel/check_*.c; do
+        program=$out/gcc-O2/test/$(basename "$source" .c)
+        configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 "$program" && "$program" || return 1
+        ran=$((ran + 1))
+    done
+    echo "$ran programs"
+    [ "$ran" -gt 0 ]
+}
+
+peer() {
+    configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 check-peer >"$out/peer.txt" || {
+        cat "$out/peer.txt"
+        return 1
+    }
+    cat "$out/peer.txt"
+    ! grep '^skipped:' "$out/peer.txt" || return 77
+}
+
+step lint sh tests/tools/lint.sh
+for compiler in gcc/g++ clang/clang++; do
+    for level in 0 2 3; do
+        name=${compiler%/*}-O$level
+        step "$name" configuration "$name" CC="${compiler%/*}" CXX="${compiler#*/}" \
+            OPT="-O$level" scene-hashes test
+    done
+done
+step one-picture same_hashes
+step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined test
+step aarch64 aarch64
+step exhaustive-mathematics exhaustive
+step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 TEST_SECONDS=3600 \
+    make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 test
+for name in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 aarch64; do
+    step "code-$name" sh tests/tools/check_code.sh "$out/$name"
+done
+step install sh tests/tools/check_install.sh "$out/gcc-O2"
+step peer peer
+
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" = 0 ]

@@ -1,0 +1,37 @@
+#!/bin/sh
+# Installs a build somewhere and uses it as a stranger would: check_install.sh BUILD
+#
+# The program says its version; the README's library example is compiled by pkg-config alone, both
+# shared and static, and runs; after `make uninstall` no file is left.
+set -eu
+build=$1
+prefix=$(cd "$build" && pwd)/installed
+use=$build/use
+rm -rf "$prefix" "$use"
+mkdir -p "$use"
+install="make BUILD=$build CC=gcc CXX=g++ OPT=-O2 WERROR=1 PREFIX=$prefix"
+
+$install install
+"$prefix/bin/glasspipe" --version
+for page in "$prefix"/share/man/man1/*.1; do
+    echo "manual: $(basename "$page")"
+done
+bash -n "$prefix/share/bash-completion/completions/glasspipe"
+
+sed -n '/^```c$/,/^```$/p' README.md | grep -v '^```' >"$use/example.c"
+[ -s "$use/example.c" ]
+export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+flags=$(pkg-config --cflags glasspipe)
+# shellcheck disable=SC2046,SC2086 # flags are several words
+gcc -std=gnu11 -O2 $flags "$use/example.c" $(pkg-config --libs glasspipe) -o "$use/shared"
+# shellcheck disable=SC2046,SC2086
+gcc -std=gnu11 -O2 $flags "$use/example.c" "$prefix/lib/libglasspipe.a" -lm -o "$use/static"
+objdump -p "$use/shared" | grep 'NEEDED.*libglasspipe.so.[0-9]'
+LD_LIBRARY_PATH="$prefix/lib" "$use/shared" >"$use/shared.out"
+"$use/static" >"$use/static.out"
+cmp "$use/shared.out" "$use/static.out"
+
+$install uninstall
+left=$(find "$prefix" -type f -o -type l)
+[ -z "$left" ] || { echo "left behind: $left" && exit 1; }
+echo "installed, used through pkg-config, uninstalled"

@@ -1,0 +1,14 @@
+#!/bin/sh
+# Runs one test program and keeps what it says: run_test.sh RESULT PROGRAM [ARGUMENT...]
+#
+# The program speaks TAP (cmocka's do when asked): a plan "1..N", then "ok" or "not ok" lines.
+# RESULT receives that and a last line with the exit status. Always succeeds: summary.awk is the
+# judge.
+# TEST_SECONDS limits each program (default 600); EMULATOR runs it (for another processor).
+result=$1
+shift
+export CMOCKA_MESSAGE_OUTPUT=TAP
+# shellcheck disable=SC2086 # EMULATOR may hold arguments
+timeout "${TEST_SECONDS:-600}" ${EMULATOR:-} "$@" >"$result.part" 2>&1
+echo "# exit status $?" >>"$result.part"
+mv "$result.part" "$result"
