@@ -4,11 +4,20 @@
 
 #include "pipeline/state.h"
 
+#include <math.h>
+
 enum {
     GP_SUBPIXEL_BITS = 8,
     GP_SUBPIXELS = 1 << GP_SUBPIXEL_BITS, /* steps a pixel (R2) */
     GP_MAX_POINT_SIZE = 4096,             /* pixels a side of a point sprite */
 };
+
+/* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 32768. The product is exact, and so
+ * is nearbyintf. */
+static inline int32_t gp_snap(float value)
+{
+    return (int32_t)nearbyintf(value * (float)GP_SUBPIXELS);
+}
 
 /* Pixels [x0, x1) x [y0, y1). */
 typedef struct GpRect {

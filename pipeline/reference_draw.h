@@ -9,6 +9,7 @@
 #include "pipeline/reference.h"
 #include "pipeline/setup.h"
 #include "pipeline/vertex_stage.h"
+#include "pipeline/viewport.h"
 
 typedef struct GpReferenceDraw {
     const GpReference *reference;

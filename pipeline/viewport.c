@@ -33,11 +33,6 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
                      floor_within(v.x + v.width, width), floor_within(v.y + v.height, height) };
 }
 
-int32_t gp_snap(float value)
-{
-    return (int32_t)nearbyintf(value * (float)GP_SUBPIXELS); /* the product is exact */
-}
-
 bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen)
 {
     float rw = 1.0f / clip[3];

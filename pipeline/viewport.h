@@ -18,7 +18,4 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
  * returns false where x or y is no number or outside the fixed-point range */
 bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen);
 
-/* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 32768. */
-int32_t gp_snap(float value);
-
 #endif
