@@ -82,7 +82,8 @@ SUPPORT_A := $(BUILD)/obj/support.a
 
 # Test programs, by their source's name. The golden frames need nothing but the core and the
 # shaders, so that they can be drawn on a processor that has no libraries.
-TEST_SOURCES := $(wildcard tests/unit/test_*.c tests/cli/test_*.c tests/fuzz/fuzz_*.c)
+# The slowest program first, so that it runs beside the others.
+TEST_SOURCES := $(wildcard tests/cli/test_*.c tests/unit/test_*.c tests/fuzz/fuzz_*.c)
 TESTS        := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(TEST_SOURCES)))
 GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))

@@ -102,7 +102,7 @@ GP_INLINE flt math_exp2(flt x)
     msk denormal = cut < -126.0f;
     utg exponent = ((utg)sum << 23) + (utg)(denormal & (149 << 23));
     flt scaled = (flt)((utg)power + exponent);
-    flt rounded = (flt)((itg)(scaled + 0x1p23f) - 0x4b000000); /* the bits of 2^23 */
+    flt rounded = (flt)((utg)(scaled + 0x1p23f) - 0x4b000000u); /* the bits of 2^23 */
     return flt_select(x == x, flt_select(denormal, rounded, scaled), x);
 }
 

@@ -32,7 +32,6 @@ pixel_shader(phong_ps, PhongUniforms, Varying)
     return rgba(mad(sp3(highlight), c->specular, color), 1);
 }
 
-program(phong_program, phong_vs, phong_ps,
-        .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+program(phong_program, phong_vs, phong_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
         .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
         .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } })

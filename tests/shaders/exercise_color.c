@@ -21,9 +21,20 @@ typedef struct FourTargets {
     float4 first, second, third, fourth;
 } FourTargets;
 
-#define INPUTS   { { GP_POSITION, 4 }, { GP_COLOR, 4 }, { GP_TEXCOORD0, 2 } }
+#define INPUTS                                                                                     \
+    {                                                                                              \
+        { GP_POSITION, 4 }, { GP_COLOR, 4 },                                                       \
+        {                                                                                          \
+            GP_TEXCOORD0, 2                                                                        \
+        }                                                                                          \
+    }
 #define VARYINGS                                                                                   \
-    { { "color", 4, GP_PERSPECTIVE }, { "linear", 2, GP_LINEAR_SCREEN }, { "flat", 1, GP_FLAT } }
+    {                                                                                              \
+        { "color", 4, GP_PERSPECTIVE }, { "linear", 2, GP_LINEAR_SCREEN },                         \
+        {                                                                                          \
+            "flat", 1, GP_FLAT                                                                     \
+        }                                                                                          \
+    }
 
 vertex_shader(color_vs, ExerciseUniforms, Vertex, Varying)
 {
@@ -59,14 +70,14 @@ pixel_shader(position_ps, ExerciseUniforms, Varying)
     return vec4(frc(at.x * 0.125f), frc(at.y * 0.0625f), max(vface(), 0), in->color.w);
 }
 
-program(exercise_color, color_vs, color_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
-program(exercise_targets2, color_vs, two_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
-program(exercise_targets4, color_vs, four_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
-program(exercise_position, color_vs, position_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-        .uses_pixel = true, .uses_face = true)
-depth_program(exercise_depth_only, color_vs, .vertex_profile = GP_VS_2_0, .inputs = INPUTS,
-              .varyings = VARYINGS)
+program(exercise_color, color_vs, color_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+        .inputs = INPUTS, .varyings = VARYINGS)
+    program(exercise_targets2, color_vs, two_ps, .vertex_profile = GP_VS_2_0,
+            .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
+        program(exercise_targets4, color_vs, four_ps, .vertex_profile = GP_VS_2_0,
+                .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
+            program(exercise_position, color_vs, position_ps, .vertex_profile = GP_VS_3_0,
+                    .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
+                    .uses_pixel = true, .uses_face = true)
+                depth_program(exercise_depth_only, color_vs, .vertex_profile = GP_VS_2_0,
+                              .inputs = INPUTS, .varyings = VARYINGS)

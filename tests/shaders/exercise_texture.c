@@ -13,8 +13,20 @@ typedef struct Varying {
     float2 uv;
 } Varying;
 
-#define INPUTS   { { GP_POSITION, 4 }, { GP_COLOR, 4 }, { GP_TEXCOORD0, 2 } }
-#define VARYINGS { { "color", 4, GP_PERSPECTIVE }, { "uv", 2, GP_PERSPECTIVE } }
+#define INPUTS                                                                                     \
+    {                                                                                              \
+        { GP_POSITION, 4 }, { GP_COLOR, 4 },                                                       \
+        {                                                                                          \
+            GP_TEXCOORD0, 2                                                                        \
+        }                                                                                          \
+    }
+#define VARYINGS                                                                                   \
+    {                                                                                              \
+        { "color", 4, GP_PERSPECTIVE },                                                            \
+        {                                                                                          \
+            "uv", 2, GP_PERSPECTIVE                                                                \
+        }                                                                                          \
+    }
 
 vertex_shader(texture_vs, ExerciseUniforms, Vertex, Varying)
 {
@@ -55,12 +67,13 @@ pixel_shader(local_ps, ExerciseUniforms, Varying)
 program(exercise_texture, texture_vs, texture_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
         .samplers = 1 << 0 | 1 << 1, .uses_derivatives = true)
-program(exercise_dependent, texture_vs, dependent_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-        .samplers = 1 << 0 | 1 << 1 | 1 << 2)
-program(exercise_local, texture_vs, local_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
-        .local_reads = 1 << 3)
-program(exercise_vertex_texture, displaced_vs, texture_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-        .samplers = 1 << 0 | 1 << 1, .vertex_samplers = 1 << 0, .uses_derivatives = true)
+    program(exercise_dependent, texture_vs, dependent_ps, .vertex_profile = GP_VS_3_0,
+            .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
+            .samplers = 1 << 0 | 1 << 1 | 1 << 2)
+        program(exercise_local, texture_vs, local_ps, .vertex_profile = GP_VS_2_0,
+                .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
+                .local_reads = 1 << 3)
+            program(exercise_vertex_texture, displaced_vs, texture_ps, .vertex_profile = GP_VS_3_0,
+                    .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
+                    .samplers = 1 << 0 | 1 << 1, .vertex_samplers = 1 << 0,
+                    .uses_derivatives = true)

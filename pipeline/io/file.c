@@ -1,0 +1,181 @@
+#include "pipeline/io/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+static GpResult read_open_file(int handle, const char *path, GpFile *file, GpError *error)
+{
+    struct stat info;
+    if (fstat(handle, &info) != 0)
+        return gp_fail(error, GP_ERROR_IO, "%s: %s", path, strerror(errno));
+    if (S_ISDIR(info.st_mode))
+        return gp_fail(error, GP_ERROR_IO, "%s: is a folder, not a file", path);
+    if (!S_ISREG(info.st_mode))
+        return gp_fail(error, GP_ERROR_IO, "%s: not a regular file", path);
+
+    size_t size = (size_t)info.st_size;
+    char *data = gp_alloc(size + 1, 1);
+    if (!data)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for %zu bytes", path, size);
+    size_t have = 0;
+    while (have < size) {
+        ssize_t got = read(handle, data + have, size - have);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0) {
+            gp_free(data);
+            return gp_fail(error, GP_ERROR_IO, "%s: %s", path,
+                           got < 0 ? strerror(errno) : "became shorter while it was read");
+        }
+        have += (size_t)got;
+    }
+    file->data = data;
+    file->size = size;
+    return GP_OK;
+}
+
+GpResult gp_file_read(const char *path, GpFile *file, GpError *error)
+{
+    GP_ASSERT(path && file);
+    /* Without O_NONBLOCK, opening a pipe that nobody writes to would wait for ever. */
+    int handle = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (handle < 0)
+        return gp_fail(error, GP_ERROR_IO, "%s: %s", path, strerror(errno));
+    GpResult result = read_open_file(handle, path, file, error);
+    close(handle);
+    return result;
+}
+
+void gp_file_free(GpFile *file)
+{
+    if (!file)
+        return;
+    gp_free(file->data);
+    *file = (GpFile){ .data = NULL, .size = 0 };
+}
+
+/* --- writing ---------------------------------------------------------------------------------- */
+
+/* Writes everything and closes the handle; 0 or the errno of the first failure. A full disk may be
+ * told only by close. */
+static int write_and_close(int handle, const char *data, size_t size)
+{
+    int problem = 0;
+    while (size > 0 && problem == 0) {
+        ssize_t put = write(handle, data, size);
+        if (put > 0) {
+            data += put;
+            size -= (size_t)put;
+        } else if (put == 0) {
+            problem = ENOSPC;
+        } else if (errno != EINTR) {
+            problem = errno;
+        }
+    }
+    if (close(handle) != 0 && problem == 0)
+        problem = errno;
+    return problem;
+}
+
+/* Creates a new file in the folder of path. The name is short and does not depend on the target's,
+ * so it fits wherever the target fits; the process number keeps two programs apart, O_EXCL two
+ * threads. */
+static int create_beside(const char *path, char temporary[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    int folder = slash ? (int)(slash - path) + 1 : 0;
+    for (int attempt = 0; attempt < 1000; attempt++) {
+        int length = snprintf(temporary, PATH_MAX, "%.*s.glasspipe-%ld-%d.tmp", folder, path,
+                              (long)getpid(), attempt);
+        if (length >= PATH_MAX) {
+            errno = ENAMETOOLONG;
+            return -1;
+        }
+        int handle = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (handle >= 0 || errno != EEXIST)
+            return handle;
+    }
+    return -1;
+}
+
+static int replace_file(const char *path, const void *data, size_t size)
+{
+    char temporary[PATH_MAX];
+    int handle = create_beside(path, temporary);
+    if (handle < 0)
+        return errno;
+    int problem = write_and_close(handle, data, size);
+    if (problem == 0 && rename(temporary, path) != 0)
+        problem = errno;
+    if (problem != 0)
+        unlink(temporary);
+    return problem;
+}
+
+GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error)
+{
+    GP_ASSERT(path && (data || size == 0));
+    struct stat info;
+    int problem;
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) {
+        int handle = open(path, O_WRONLY | O_CLOEXEC);
+        problem = handle < 0 ? errno : write_and_close(handle, data, size);
+    } else {
+        char resolved[PATH_MAX];
+        problem = replace_file(realpath(path, resolved) ? resolved : path, data, size);
+    }
+    if (problem != 0)
+        return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));
+    return GP_OK;
+}
+
+/* --- names ------------------------------------------------------------------------------------ */
+
+GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error)
+{
+    GP_ASSERT(name && path);
+    const char *variable = getenv("GLASSPIPE_DATA");
+    const char *folders[] = { "", variable ? variable : "", "../shared/data",
+                              "/usr/share/glasspipe" };
+    size_t places = name[0] == '/' ? 1 : GP_COUNT(folders);
+    for (size_t i = 0; i < places; i++) {
+        if (i > 0 && folders[i][0] == '\0')
+            continue;
+        char candidate[PATH_MAX];
+        int length =
+            snprintf(candidate, sizeof candidate, "%s%s%s", folders[i], i > 0 ? "/" : "", name);
+        if (length < 0 || (size_t)length >= sizeof candidate || access(candidate, F_OK) != 0)
+            continue;
+        if ((size_t)length >= size)
+            return gp_fail(error, GP_ERROR_IO, "%s: the path is longer than %zu bytes", name, size);
+        memcpy(path, candidate, (size_t)length + 1);
+        return GP_OK;
+    }
+    if (places == 1)
+        return gp_fail(error, GP_ERROR_IO, "%s: no such file", name);
+    return gp_fail(error, GP_ERROR_IO,
+                   "%s: no such file, neither here nor in $GLASSPIPE_DATA (%s), ../shared/data, "
+                   "/usr/share/glasspipe",
+                   name, variable ? variable : "not set");
+}
+
+void gp_file_extension(const char *path, char extension[8])
+{
+    const char *dot = strrchr(path, '.');
+    size_t length = dot ? strlen(dot + 1) : 0;
+    if (length > 7 || (dot && strchr(dot, '/')))
+        length = 0;
+    for (size_t i = 0; i < length; i++) {
+        char c = dot[1 + i];
+        extension[i] = (char)(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    }
+    extension[length] = '\0';
+}

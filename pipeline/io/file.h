@@ -1,0 +1,43 @@
+/* Files as whole blocks of bytes: read at once, replaced at once, and where the data lies.
+ *
+ * Readers of formats work on bytes in memory, so that what was checked is what is read; writers
+ * make their bytes in memory, so that a full disk never leaves half a file.
+ */
+#ifndef GP_IO_FILE_H
+#define GP_IO_FILE_H
+
+#include "pipeline/base.h"
+
+/* Content of a file. A zero byte follows data[size - 1] and does not count. */
+typedef struct GpFile {
+    char *data;
+    size_t size;
+} GpFile;
+
+/* Reads a whole regular file.
+ * out    file; free with gp_file_free
+ * errors GP_ERROR_IO (missing, a folder, a device, unreadable), GP_ERROR_MEMORY
+ * owns   the caller owns file->data */
+GpResult gp_file_read(const char *path, GpFile *file, GpError *error);
+
+/* Frees the bytes and empties *file; NULL and empty files are fine. */
+void gp_file_free(GpFile *file);
+
+/* Writes a file beside its place under a temporary name and renames it, so that path has either its
+ * old or its new content and never a part. A symbolic link is followed; a device or a pipe (there
+ * is nothing to replace) is written straight.
+ * in     data: size bytes, NULL allowed where size is 0
+ * errors GP_ERROR_IO (no such folder, not writable, disk full); nothing is left behind */
+GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error);
+
+/* Finds a data file: the path as given, then in $GLASSPIPE_DATA, then in ../shared/data, then in
+ * /usr/share/glasspipe. An absolute path is only looked for as it is.
+ * out    path: the first of these that exists, size bytes with the terminator
+ * errors GP_ERROR_IO where there is none or it does not fit; path is untouched then */
+GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error);
+
+/* The part of a path after its last dot, lower case, at most 7 characters; "" where there is none.
+ */
+void gp_file_extension(const char *path, char extension[8]);
+
+#endif
