@@ -64,13 +64,16 @@ SONAME  := libglasspipe.so.$(firstword $(subst ., ,$(VERSION)))
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $(1)))
 
 CORE    := $(call object,$(wildcard pipeline/*.c pipeline/fast/*.c) \
-                         $(if $(CXX),$(wildcard pipeline/*.cpp)))
+                         $(if $(CXX),$(wildcard pipeline/*.cpp))) \
+           $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/obj/%.lanes$(firstword $(subst :, ,$(isa))).o, \
+                                            $(wildcard pipeline/fast/lanes/*.c)))
 IO      := $(call object,$(wildcard pipeline/io/*.c pipeline/io/*.cpp))
 SHADERS := $(call object,$(wildcard shaders_c/*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(wildcard apps/*.c)))
 SUPPORT := $(call object,$(wildcard tests/support/*.c))
 TEST_SHADERS := $(call object,$(wildcard tests/shaders/*.c))
 GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
+DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
 
 PROGRAM := $(BUILD)/bin/glasspipe
 CORE_A  := $(BUILD)/lib/libglasspipe.a
@@ -86,6 +89,7 @@ SUPPORT_A := $(BUILD)/obj/support.a
 TEST_SOURCES := $(wildcard tests/cli/test_*.c tests/unit/test_*.c tests/fuzz/fuzz_*.c)
 TESTS        := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(TEST_SOURCES)))
 GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
+DIFFERENTIAL_TEST := $(BUILD)/test/differential
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
 
 .PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
@@ -101,7 +105,7 @@ PACKAGES = CC='$(CC)' CXX='$(CXX)' CPPFLAGS='$(CPPFLAGS)' sh tests/tools/package
 .PHONY: packages
 packages:
 ifeq ($(MAKELEVEL),0)
-ifneq ($(filter run test check check-peer,$(MAKECMDGOALS)),)
+ifneq ($(filter run test check check-peer bench-peers differential,$(MAKECMDGOALS)),)
 	@$(PACKAGES) install build $(if $(filter-out run,$(MAKECMDGOALS)),test) \
 	    $(if $(filter check,$(MAKECMDGOALS)),lint check)
 else
@@ -206,6 +210,10 @@ $(BUILD)/test/$(basename $(notdir $(1))): $(call object,$(1)) $(SUPPORT_A) $(APP
 endef
 $(foreach source,$(TEST_SOURCES),$(eval $(call test_program,$(source))))
 
+$(DIFFERENTIAL_TEST): $(DIFFERENTIAL) $(SUPPORT_A) $(SHADERS_A) $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ -lm -o $@
+
 $(GOLDEN_TEST): $(GOLDEN) $(SUPPORT_A) $(SHADERS_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ -lm -o $@
@@ -221,7 +229,7 @@ CPU    := $(if $(filter x86_64,$(ARCH)),\
 WIDTHS := lanes4 $(if $(filter avx2,$(CPU)),lanes8) $(if $(filter avx512dq,$(CPU)),lanes16)
 WIDTHS := $(filter $(VARIANTS),$(WIDTHS))
 GOLDEN_RESULTS = $(foreach width,$(WIDTHS),$(GOLDEN_TEST:%=%.$(width).tap))
-RESULTS  = $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(BUILD)/test/test_cli.tap: $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
@@ -233,6 +241,15 @@ test: all $(RESULTS)
 	@awk -f tests/tools/summary.awk $(RESULTS)
 
 .PHONY: test-golden
+# Seeds of random scenes that both executors must draw with the same bits.
+SEEDS ?= 0..1999
+$(DIFFERENTIAL_TEST).tap: $(DIFFERENTIAL_TEST) always
+	$(call say,TEST,differential)$(RUN_TEST) $@ $< $(SEEDS)
+
+.PHONY: differential
+differential: $(DIFFERENTIAL_TEST)
+	@$(EMULATOR) $< $(SEEDS)
+
 test-golden: $(GOLDEN_RESULTS)
 	@awk -f tests/tools/summary.awk $^
 
@@ -266,6 +283,17 @@ $(PEER_TEST): $(PEER) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 
 check-peer: $(PEER_TEST)
 	@$(PEER_TEST)
+
+# The same work on llvmpipe and here, in turn, case by case: out/bench/peers.json and .svg.
+PEER_BENCH         := $(BUILD)/test/peer_bench
+PEER_BENCH_OBJECTS := $(call object,$(wildcard tests/peer/bench/*.c))
+$(PEER_BENCH): $(PEER_BENCH_OBJECTS) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
+
+.PHONY: bench-peers
+bench-peers: $(PEER_BENCH) $(PROGRAM)
+	@sh tests/tools/bench_peers.sh $(PROGRAM) $(PEER_BENCH) out/bench $(CASES)
 
 # --- installing -----------------------------------------------------------------------------------
 
@@ -313,6 +341,8 @@ help:
 	@echo 'make check       all of that with both compilers, -O0 to -O3, every lane width,'
 	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
+	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
+	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'
 	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'
 	@echo 'make deps        install the Debian packages that building and testing need'
 	@echo 'make install     PREFIX=/usr/local DESTDIR= ; make uninstall takes it away again'
@@ -321,7 +351,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+OBJECTS := $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d)

@@ -18,5 +18,6 @@ CommandFn cmd_render;
 CommandFn cmd_compare;
 CommandFn cmd_explain;
 CommandFn cmd_pixel;
+CommandFn cmd_bench;
 
 #endif

@@ -12,6 +12,7 @@ typedef struct Frame {
     double ms, cpu_ms; /* a later one: wall clock, and processor time of all threads; 0: not run */
     GpCounters counters;
     const char *isa;
+    GpExecutor executor;
     int threads;
 } Frame;
 

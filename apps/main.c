@@ -21,6 +21,7 @@ static const Command commands[] = {
     { "compare", cmd_compare, "A B", "compare two pictures" },
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
+    { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
 };
 
 static void print_help(FILE *file)

@@ -160,6 +160,12 @@ template <class V, class B> V sel(msk m, V a, B b)
     return emit<V>(EACH_1, widen<V>(m.value), a, widen<V>(b));
 }
 
+/* A loop that may be left early is counted in full. */
+inline bool any(msk)
+{
+    return true;
+}
+
 template <class V> V neg(V a)
 {
     Operand parts(a);

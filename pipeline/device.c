@@ -1,11 +1,13 @@
 #include "pipeline/glasspipe.h"
 
+#include "pipeline/fast/fast.h"
 #include "pipeline/fpcontrol.h"
 #include "pipeline/isa.h"
 #include "pipeline/reference.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { MAX_THREADS = 1024 };
 
@@ -14,6 +16,7 @@ struct GpDevice {
     char isa[16];     /* as asked for; desc.isa may have been freed by the caller */
     int forced_lanes; /* 0: chosen for each list */
     const char *used_isa;
+    GpFast *fast; /* NULL: the reference executor */
     GpCounters counters;
 };
 
@@ -30,6 +33,12 @@ static GpResult check_isa(const char *name, GpError *error)
     return GP_OK;
 }
 
+static int processors(void)
+{
+    long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return online < 1 ? 1 : online > MAX_THREADS ? MAX_THREADS : (int)online;
+}
+
 GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *error)
 {
     if ((unsigned)desc->executor >= GP_EXECUTORS)
@@ -37,6 +46,8 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
     if (desc->threads < 0 || desc->threads > MAX_THREADS)
         return gp_fail(error, GP_ERROR_INVALID, "threads: %d, expected 0 to %d", desc->threads,
                        MAX_THREADS);
+    if (desc->trace.event && desc->executor != GP_EXECUTOR_REFERENCE)
+        return gp_fail(error, GP_ERROR_INVALID, "trace: only the reference executor has one");
     const char *isa = desc->isa;
     if (gp_isa_lanes(isa) == 0 && getenv("GP_ISA"))
         isa = getenv("GP_ISA");
@@ -47,6 +58,13 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
     if (!d)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for a device");
     d->desc = *desc;
+    if (desc->executor == GP_EXECUTOR_FAST) {
+        result = gp_fast_create(desc->threads ? desc->threads : processors(), &d->fast, error);
+        if (result) {
+            gp_free(d);
+            return result;
+        }
+    }
     d->forced_lanes = gp_isa_lanes(isa);
     if (d->forced_lanes)
         strncpy(d->isa, isa, sizeof d->isa - 1);
@@ -57,20 +75,25 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
 
 void gp_device_destroy(GpDevice **device)
 {
+    if (*device)
+        gp_fast_destroy(&(*device)->fast);
     gp_free(*device);
     *device = NULL;
 }
 
-/* The width to run a list at. The reference executor works on single quads, so it gains nothing from
- * wider code and takes the narrowest unless one is forced. */
+/* The width to run a list at: the one that was forced, else the widest that every program has. The
+ * reference executor works on single quads, gains nothing from wider code, and takes the narrowest. */
 static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, GpError *error)
 {
-    *lanes = device->forced_lanes ? device->forced_lanes : 4;
     const GpProgram *missing;
-    if (!gp_isa_serves(list, *lanes, &missing))
-        return gp_fail(error, GP_ERROR_UNSUPPORTED,
-                       "program %s was not compiled for %d lanes that this processor runs",
-                       missing->name, *lanes);
+    *lanes = device->forced_lanes ? device->forced_lanes : device->fast ? 16 : 4;
+    while (!gp_isa_serves(list, *lanes, &missing)) {
+        if (device->forced_lanes || *lanes == 4)
+            return gp_fail(error, GP_ERROR_UNSUPPORTED,
+                           "program %s was not compiled for %d lanes that this processor runs",
+                           missing->name, *lanes);
+        *lanes /= 2;
+    }
     for (uint32_t p = 0; p < list->pass_count; p++)
         if (list->passes[p].draw_count)
             device->used_isa = gp_program_code(list->passes[p].draws[0].program, *lanes)->isa;
@@ -93,7 +116,8 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
         .counters = &device->counters,
     };
     GpFpControl control = gp_fp_enter();
-    result = gp_reference_run(&reference, list, error);
+    result = device->fast ? gp_fast_run(device->fast, list, lanes, &device->counters, error)
+                          : gp_reference_run(&reference, list, error);
     gp_fp_leave(control);
     return result;
 }
@@ -101,6 +125,16 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
 const char *gp_device_isa(const GpDevice *device)
 {
     return device->used_isa;
+}
+
+GpExecutor gp_device_executor(const GpDevice *device)
+{
+    return device->desc.executor;
+}
+
+int gp_device_threads(const GpDevice *device)
+{
+    return device->fast ? gp_fast_threads(device->fast) : 1;
 }
 
 const GpCounters *gp_device_counters(const GpDevice *device)

@@ -17,7 +17,8 @@
 #define GP_VERSION "0.1.0"
 
 typedef enum GpExecutor {
-    GP_EXECUTOR_REFERENCE = 0, /* one unit after the other, one thread, can be traced */
+    GP_EXECUTOR_FAST = 0,  /* tiles, lanes and threads */
+    GP_EXECUTOR_REFERENCE, /* one unit after the other, one thread, can be traced */
     GP_EXECUTORS
 } GpExecutor;
 
@@ -41,6 +42,7 @@ typedef struct GpCounters {
     uint64_t fragments;          /* pixels covered */
     uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart */
     uint64_t pixels_written;     /* fragments that passed every test */
+    /* primitives_drawn and what follows are counted by the reference executor only */
 } GpCounters;
 
 /* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace on another
@@ -55,6 +57,11 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error);
 
 /* The isa that the last run used ("sse2", ...), or the forced one before any. */
 const char *gp_device_isa(const GpDevice *device);
+
+GpExecutor gp_device_executor(const GpDevice *device);
+
+/* Threads that it runs on; the reference executor has one. */
+int gp_device_threads(const GpDevice *device);
 
 const GpCounters *gp_device_counters(const GpDevice *device);
 

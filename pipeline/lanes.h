@@ -23,6 +23,13 @@
 
 #define GP_INLINE static inline __attribute__((always_inline, unused))
 
+/* Before a loop over lanes: written out, so that its vectors stay in registers. */
+#if defined(__clang__)
+#define GP_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define GP_UNROLL _Pragma("GCC unroll 16")
+#endif
+
 typedef float flt __attribute__((vector_size(4 * GP_LANES)));
 typedef int32_t itg __attribute__((vector_size(4 * GP_LANES)));
 typedef uint32_t utg __attribute__((vector_size(4 * GP_LANES)));
@@ -85,6 +92,16 @@ GP_INLINE flt flt_greater(flt a, flt b)
 #endif
 }
 
+GP_INLINE itg itg_lesser(itg a, itg b)
+{
+    return itg_select(a < b, a, b);
+}
+
+GP_INLINE itg itg_greater(itg a, itg b)
+{
+    return itg_select(a > b, a, b);
+}
+
 GP_INLINE flt flt_abs(flt a)
 {
     return (flt)((itg)a & 0x7fffffff);
@@ -99,7 +116,7 @@ GP_INLINE flt flt_floor(flt a)
 #elif defined GP_X86_LANES && GP_LANES == 8 && defined __AVX__
     return (flt)_mm256_floor_ps((__m256)a);
 #elif defined GP_X86_LANES && GP_LANES == 16 && defined __AVX512F__
-    return (flt)_mm512_roundscale_ps((__m512)a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+    return (flt)_mm512_floor_ps((__m512)a);
 #else
     itg sign = (itg)a & INT32_MIN;
     flt size = (flt)((itg)a ^ sign);
@@ -155,6 +172,7 @@ GP_INLINE void lanes_load4(const void *const record[GP_LANES], itg word[4])
 {
     typedef int32_t four __attribute__((vector_size(16)));
     four row[GP_LANES];
+    GP_UNROLL
     for (int lane = 0; lane < GP_LANES; lane++)
         __builtin_memcpy(&row[lane], record[lane], sizeof row[lane]);
 #if GP_LANES == 4
@@ -240,7 +258,7 @@ GP_INLINE itg itg_gather(const uint8_t *base, itg offset)
     return word;
 }
 
-/* `words` neighbouring 32-bit words for each lane: 2 or 4. Loads of 64 and 128 bits and shuffles:
+/* Two, or four, neighbouring 32-bit words for each lane. Loads of 64 and 128 bits and shuffles:
  * processors spend more time on their own gather instructions. */
 #ifdef GP_X86_LANES
 

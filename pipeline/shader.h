@@ -15,7 +15,8 @@
  *   depth_program(name, vs, declarations...)         the same without a pixel shader
  *
  * Helpers that read textures take `GpInvocation *gp`. Shaders are pure: no statics, no libm, no
- * allocation, no branches on lane values (select instead). Loops have constant bounds.
+ * allocation, no branches on lane values (select instead). Loops have constant bounds, and may be left
+ * where no lane changes any more: while (.. && any(mask)).
  *
  * #define GP_SHADER_SW before the include for the software profiles, in which rcp(0) and rsq(0) are
  * infinite instead of the largest float.
@@ -118,25 +119,57 @@ GP_INLINE float4 gp_number4(float a)
 }
 
 #define gp_as(a, b)                                                                                \
-    _Generic((a),                                                                                  \
-        flt: _Generic((b), flt: gp_same1, default: bcast),                                         \
-        float2: _Generic((b), float2: gp_same2, flt: sp2, default: gp_number2),                    \
-        float3: _Generic((b), float3: gp_same3, flt: sp3, default: gp_number3),                    \
-        float4: _Generic((b), float4: gp_same4, flt: sp4, default: gp_number4))(b)
+    _Generic((a), flt                                                                              \
+             : _Generic((b), flt                                                                   \
+                        : gp_same1, default                                                        \
+                        : bcast),                                                                  \
+               float2                                                                              \
+             : _Generic((b), float2                                                                \
+                        : gp_same2, flt                                                            \
+                        : sp2, default                                                             \
+                        : gp_number2),                                                             \
+               float3                                                                              \
+             : _Generic((b), float3                                                                \
+                        : gp_same3, flt                                                            \
+                        : sp3, default                                                             \
+                        : gp_number3),                                                             \
+               float4                                                                              \
+             : _Generic((b), float4                                                                \
+                        : gp_same4, flt                                                            \
+                        : sp4, default                                                             \
+                        : gp_number4))(b)
 
 #define GP_BY_WIDTH(name, a)                                                                       \
-    _Generic((a), flt: name##1, float2: name##2, float3: name##3, float4: name##4)
+    _Generic((a), flt : name##1, float2 : name##2, float3 : name##3, float4 : name##4)
 
 /* Defines name1..name4 from a function of one, two or three flt, component by component. */
 #define GP_MAP1(name, f)                                                                           \
-    GP_INLINE flt name##1(flt a) { return f(a); }                                                  \
-    GP_INLINE float2 name##2(float2 a) { return (float2){ f(a.x), f(a.y) }; }                      \
-    GP_INLINE float3 name##3(float3 a) { return (float3){ f(a.x), f(a.y), f(a.z) }; }              \
-    GP_INLINE float4 name##4(float4 a) { return (float4){ f(a.x), f(a.y), f(a.z), f(a.w) }; }
+    GP_INLINE flt name##1(flt a)                                                                   \
+    {                                                                                              \
+        return f(a);                                                                               \
+    }                                                                                              \
+    GP_INLINE float2 name##2(float2 a)                                                             \
+    {                                                                                              \
+        return (float2){ f(a.x), f(a.y) };                                                         \
+    }                                                                                              \
+    GP_INLINE float3 name##3(float3 a)                                                             \
+    {                                                                                              \
+        return (float3){ f(a.x), f(a.y), f(a.z) };                                                 \
+    }                                                                                              \
+    GP_INLINE float4 name##4(float4 a)                                                             \
+    {                                                                                              \
+        return (float4){ f(a.x), f(a.y), f(a.z), f(a.w) };                                         \
+    }
 
 #define GP_MAP2(name, f)                                                                           \
-    GP_INLINE flt name##1(flt a, flt b) { return f(a, b); }                                        \
-    GP_INLINE float2 name##2(float2 a, float2 b) { return (float2){ f(a.x, b.x), f(a.y, b.y) }; }  \
+    GP_INLINE flt name##1(flt a, flt b)                                                            \
+    {                                                                                              \
+        return f(a, b);                                                                            \
+    }                                                                                              \
+    GP_INLINE float2 name##2(float2 a, float2 b)                                                   \
+    {                                                                                              \
+        return (float2){ f(a.x, b.x), f(a.y, b.y) };                                               \
+    }                                                                                              \
     GP_INLINE float3 name##3(float3 a, float3 b)                                                   \
     {                                                                                              \
         return (float3){ f(a.x, b.x), f(a.y, b.y), f(a.z, b.z) };                                  \
@@ -147,7 +180,10 @@ GP_INLINE float4 gp_number4(float a)
     }
 
 #define GP_MAP3(name, f)                                                                           \
-    GP_INLINE flt name##1(flt a, flt b, flt c) { return f(a, b, c); }                              \
+    GP_INLINE flt name##1(flt a, flt b, flt c)                                                     \
+    {                                                                                              \
+        return f(a, b, c);                                                                         \
+    }                                                                                              \
     GP_INLINE float2 name##2(float2 a, float2 b, float2 c)                                         \
     {                                                                                              \
         return (float2){ f(a.x, b.x, c.x), f(a.y, b.y, c.y) };                                     \
@@ -267,6 +303,19 @@ GP_INLINE float4 gp_sel4(msk m, float4 a, float4 b)
 }
 #define sel(m, a, b) GP_BY_WIDTH(gp_sel, a)(m, a, gp_as(a, b))
 
+/* any(mask): whether a lane is true. To leave a loop whose further turns would change nothing, and
+ * for nothing else: which pixels share a packet is the executor's business. */
+GP_INLINE int gp_any(msk m)
+{
+    typedef int64_t pair __attribute__((vector_size(4 * GP_LANES)));
+    pair lanes = (pair)m;
+    int64_t set = 0;
+    for (int i = 0; i < GP_LANES / 2; i++)
+        set |= lanes[i];
+    return set != 0;
+}
+#define any(m)       gp_any(m)
+
 /* Dot products: summed left to right. */
 GP_INLINE flt dp2(float2 a, float2 b)
 {
@@ -360,7 +409,7 @@ GP_INLINE float4 gp_nrm4(float4 v) /* by the length of xyz; w is scaled too */
 {
     return mul(v, rsq(v.x * v.x + v.y * v.y + v.z * v.z));
 }
-#define nrm(v) _Generic((v), float2: gp_nrm2, float3: gp_nrm3, float4: gp_nrm4)(v)
+#define nrm(v)             _Generic((v), float2 : gp_nrm2, float3 : gp_nrm3, float4 : gp_nrm4)(v)
 
 /* lit and dst, component by component as Direct3D's table A4 gives them. */
 GP_INLINE float4 lit(flt n_l, flt n_h, flt power)
@@ -393,7 +442,7 @@ GP_INLINE float4 gp_m4x4_4(float4 v, const float m[4][4])
     return (float4){ gp_row4(v, m[0]), gp_row4(v, m[1]), gp_row4(v, m[2]), gp_row4(v, m[3]) };
 }
 /* m4x4(v, m): a float3 is a point, w = 1 */
-#define m4x4(v, m) _Generic((v), float3: gp_m4x4_3, float4: gp_m4x4_4)(v, m)
+#define m4x4(v, m)         _Generic((v), float3 : gp_m4x4_3, float4 : gp_m4x4_4)(v, m)
 
 GP_INLINE float3 gp_m4x3_3(float3 v, const float m[4][4])
 {
@@ -404,7 +453,7 @@ GP_INLINE float3 gp_m4x3_4(float4 v, const float m[4][4])
     return (float3){ gp_row4(v, m[0]), gp_row4(v, m[1]), gp_row4(v, m[2]) };
 }
 /* m4x3(v, m): the upper three rows */
-#define m4x3(v, m) _Generic((v), float3: gp_m4x3_3, float4: gp_m4x3_4)(v, m)
+#define m4x3(v, m)         _Generic((v), float3 : gp_m4x3_3, float4 : gp_m4x3_4)(v, m)
 
 /* m3x3(v, m): the upper left 3x3, for directions */
 GP_INLINE float3 m3x3(float3 v, const float m[4][4])
@@ -424,7 +473,7 @@ GP_INLINE float3 xyz(float4 a)
 {
     return (float3){ a.x, a.y, a.z };
 }
-#define gp_lane(a) _Generic((a), flt: gp_same1, default: bcast)(a)
+#define gp_lane(a)         _Generic((a), flt : gp_same1, default : bcast)(a)
 /* rgba(color, alpha), and vec2..vec4 from flt or C numbers */
 #define rgba(color, alpha) gp_rgba(color, gp_lane(alpha))
 #define vec2(a, b)         ((float2){ gp_lane(a), gp_lane(b) })
@@ -439,8 +488,8 @@ GP_INLINE float4 gp_rgba(float3 color, flt alpha)
 
 GP_MAP1(gp_dsx, flt_quad_dx)
 GP_MAP1(gp_dsy, flt_quad_dy)
-#define dsx(a) GP_BY_WIDTH(gp_dsx, a)(a)
-#define dsy(a) GP_BY_WIDTH(gp_dsy, a)(a)
+#define dsx(a)             GP_BY_WIDTH(gp_dsx, a)(a)
+#define dsy(a)             GP_BY_WIDTH(gp_dsy, a)(a)
 
 /* --- textures --------------------------------------------------------------------------------------- */
 
@@ -466,7 +515,7 @@ GP_INLINE float4 gp_coord3(float3 a)
 {
     return (float4){ a.x, a.y, a.z, flt_set(0) };
 }
-#define gp_coord(a) _Generic((a), float2: gp_coord2, float3: gp_coord3, float4: gp_same4)(a)
+#define gp_coord(a)        _Generic((a), float2 : gp_coord2, float3 : gp_coord3, float4 : gp_same4)(a)
 
 GP_INLINE float4 gp_project(float4 a)
 {
@@ -478,10 +527,10 @@ GP_INLINE float4 gp_project(float4 a)
  * texldb(slot, uvrw)     level + w
  * texldl(slot, uvrw)     level w; the only read a vertex shader may do
  * texldd(slot, uv, dx, dy)   level from the float2 derivatives of u and v */
-#define texld(slot, a)  gp_read_texture(gp, slot, GP_LOD_IMPLICIT, gp_coord(a), sp4(bcast(0)))
-#define texldp(slot, a) gp_read_texture(gp, slot, GP_LOD_IMPLICIT, gp_project(a), sp4(bcast(0)))
-#define texldb(slot, a) gp_read_texture(gp, slot, GP_LOD_BIAS, a, sp4(bcast(0)))
-#define texldl(slot, a) gp_read_texture(gp, slot, GP_LOD_EXPLICIT, a, sp4(bcast(0)))
+#define texld(slot, a)     gp_read_texture(gp, slot, GP_LOD_IMPLICIT, gp_coord(a), sp4(bcast(0)))
+#define texldp(slot, a)    gp_read_texture(gp, slot, GP_LOD_IMPLICIT, gp_project(a), sp4(bcast(0)))
+#define texldb(slot, a)    gp_read_texture(gp, slot, GP_LOD_BIAS, a, sp4(bcast(0)))
+#define texldl(slot, a)    gp_read_texture(gp, slot, GP_LOD_EXPLICIT, a, sp4(bcast(0)))
 #define texldd(slot, a, dx, dy)                                                                    \
     gp_read_texture(gp, slot, GP_LOD_GRADIENT, gp_coord(a),                                        \
                     (float4){ (dx).x, (dx).y, (dy).x, (dy).y })
@@ -499,7 +548,7 @@ GP_INLINE float4 gp_read_local(GpInvocation *gp, int slot)
 /* --- pixels ----------------------------------------------------------------------------------------- */
 
 /* Kills the lanes of a mask; texkill: those in which any of x, y, z is below 0 (CHOOSE). */
-#define discard(mask) ((void)(gp->killed |= (msk)(mask)))
+#define discard(mask)       ((void)(gp->killed |= (msk)(mask)))
 GP_INLINE msk gp_kill1(flt a)
 {
     return a < 0.0f;
@@ -516,8 +565,8 @@ GP_INLINE msk gp_kill4(float4 a)
 {
     return gp_kill3(xyz(a));
 }
-#define texkill(a)    discard(GP_BY_WIDTH(gp_kill, a)(a))
-#define odepth(value) ((void)(gp->depth = (value)))
+#define texkill(a)          discard(GP_BY_WIDTH(gp_kill, a)(a))
+#define odepth(value)       ((void)(gp->depth = (value)))
 
 /* vpos: the pixel's x and y as integers (vPos); vface: +1 clockwise (front), -1 (vFace). */
 GP_INLINE float2 gp_vpos(const GpInvocation *gp)
@@ -528,16 +577,19 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
 {
     return ((const flt *)(const void *)gp->call->face)[gp->packet];
 }
-#define vpos()  gp_vpos(gp)
-#define vface() gp_vface(gp)
+#define vpos()              gp_vpos(gp)
+#define vface()             gp_vface(gp)
 
 /* --- shader functions and programs ----------------------------------------------------------------- */
 
 /* The loop over packets and the inlined body live together in the shader's object file: calling a
  * shader costs one indirect call a block. */
 #define vertex_shader(name, U, IN, OUT)                                                            \
-    enum { name##_in = sizeof(IN) / sizeof(flt), name##_out = sizeof(OUT) / sizeof(flt),           \
-           name##_uniforms = sizeof(U) };                                                          \
+    enum {                                                                                         \
+        name##_in = sizeof(IN) / sizeof(flt),                                                      \
+        name##_out = sizeof(OUT) / sizeof(flt),                                                    \
+        name##_uniforms = sizeof(U)                                                                \
+    };                                                                                             \
     GP_INLINE void name##_body(GpInvocation *gp, const U *c, const IN *in, float4 *position,       \
                                OUT *out, flt *point_size);                                         \
     static void name(const GpShaderCall *call)                                                     \
@@ -561,8 +613,11 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
                                __attribute__((unused)) flt *point_size)
 
 #define pixel_shader_targets(name, U, IN, OUT)                                                     \
-    enum { name##_in = sizeof(IN) / sizeof(flt), name##_out = sizeof(OUT) / sizeof(flt),           \
-           name##_uniforms = sizeof(U) };                                                          \
+    enum {                                                                                         \
+        name##_in = sizeof(IN) / sizeof(flt),                                                      \
+        name##_out = sizeof(OUT) / sizeof(flt),                                                    \
+        name##_uniforms = sizeof(U)                                                                \
+    };                                                                                             \
     GP_INLINE void name##_body(GpInvocation *gp, const U *c, const IN *in, OUT *out);              \
     static void name(const GpShaderCall *call)                                                     \
     {                                                                                              \
@@ -623,7 +678,8 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
 #endif
 
 #define program(id, vs, ps, ...)                                                                   \
-    _Static_assert((int)vs##_uniforms == (int)ps##_uniforms, "both shaders share one uniform struct"); \
+    _Static_assert((int)vs##_uniforms == (int)ps##_uniforms,                                       \
+                   "both shaders share one uniform struct");                                       \
     _Static_assert((int)vs##_out == (int)ps##_in, "both shaders share one varying struct");        \
     GP_CODE_OF(id, vs, ps)                                                                         \
     GP_PROGRAM_OF(id, vs, ps##_in, ps##_out, __VA_ARGS__)

@@ -20,52 +20,65 @@ vertex_shader(arithmetic_vs, ArithmeticUniforms, Vertex, Varying)
 
 /* --- chains of multiply-adds -------------------------------------------------------------------- */
 
+/* Two components at a time: with the constants they fit into sixteen registers, four do not. */
 typedef struct Chains {
-    float4 v[4];
+    float2 v0, v1, v2, v3;
 } Chains;
 
-GP_INLINE Chains chains_start(float2 uv)
+GP_INLINE Chains chains_start(float2 v)
 {
-    float4 v = vec4(uv.x, uv.y, 1.0f - uv.x, 1.0f - uv.y);
-    return (Chains){ { v, mul(v, 0.5f), add(v, 0.25f), mul(v, v) } };
+    return (Chains){ v, mul(v, 0.5f), add(v, 0.25f), mul(v, v) };
 }
 
-GP_INLINE Chains step(Chains chains, float4 a, float4 b)
+GP_INLINE Chains step(Chains chains, float2 a, float2 b)
 {
-    for (int i = 0; i < 4; i++)
-        chains.v[i] = mad(chains.v[i], a, b);
-    return chains;
+    return (Chains){ mad(chains.v0, a, b), mad(chains.v1, a, b), mad(chains.v2, a, b),
+                     mad(chains.v3, a, b) };
 }
 
-GP_INLINE float4 chains_end(Chains chains)
+GP_INLINE float2 chains_end(Chains chains)
 {
-    return mul(add(add(add(chains.v[0], chains.v[1]), chains.v[2]), chains.v[3]), 0.25f);
+    return mul(add(add(add(chains.v0, chains.v1), chains.v2), chains.v3), 0.25f);
 }
 
-pixel_shader(mad_loop_ps, ArithmeticUniforms, Varying)
+GP_INLINE float2 loop64(float2 start, float2 a, float2 b)
 {
-    float4 a = u4(c->factor), b = u4(c->addend);
-    Chains chains = chains_start(in->uv);
+    Chains chains = chains_start(start);
     for (int i = 0; i < 64; i++)
         chains = step(chains, a, b);
     return chains_end(chains);
 }
 
-GP_INLINE Chains step4(Chains chains, float4 a, float4 b)
+pixel_shader(mad_loop_ps, ArithmeticUniforms, Varying)
+{
+    float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
+    float2 rg = loop64(in->uv, u2(c->factor), u2(c->addend));
+    float2 ba = loop64(from_far, u2(c->factor + 2), u2(c->addend + 2));
+    return vec4(rg.x, rg.y, ba.x, ba.y);
+}
+
+GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
 {
     return step(step(step(step(chains, a, b), a, b), a, b), a, b);
 }
 
-GP_INLINE Chains step16(Chains chains, float4 a, float4 b)
+GP_INLINE Chains step16(Chains chains, float2 a, float2 b)
 {
     return step4(step4(step4(step4(chains, a, b), a, b), a, b), a, b);
 }
 
+GP_INLINE float2 flat64(float2 start, float2 a, float2 b)
+{
+    Chains chains = chains_start(start);
+    return chains_end(step16(step16(step16(step16(chains, a, b), a, b), a, b), a, b));
+}
+
 pixel_shader(mad_flat_ps, ArithmeticUniforms, Varying)
 {
-    float4 a = u4(c->factor), b = u4(c->addend);
-    Chains chains = chains_start(in->uv);
-    return chains_end(step16(step16(step16(step16(chains, a, b), a, b), a, b), a, b));
+    float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
+    float2 rg = flat64(in->uv, u2(c->factor), u2(c->addend));
+    float2 ba = flat64(from_far, u2(c->factor + 2), u2(c->addend + 2));
+    return vec4(rg.x, rg.y, ba.x, ba.y);
 }
 
 /* --- the Mandelbrot set ------------------------------------------------------------------------- */

@@ -7,14 +7,14 @@ _glasspipe()
     local command=${COMP_WORDS[1]}
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel help --help --version' \
+        mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel bench help --help --version' \
             -- "$word")
         return
     fi
     case $before in
         --isa) mapfile -t COMPREPLY < <(compgen -W 'auto sse2 avx2 avx512 neon' -- "$word") ;;
         --executor) mapfile -t COMPREPLY < <(compgen -W 'reference fast' -- "$word") ;;
-        help) mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel' -- "$word") ;;
+        help) mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel bench' -- "$word") ;;
         --size | --threads | --dump | --pass | --scale | --fail | --failpercent | --hardfail | \
             --warn | --warnpercent | --hardwarn) ;;
         *)

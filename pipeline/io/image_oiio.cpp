@@ -94,7 +94,12 @@ GpResult decode(const GpImageSource &source, ImageInput &input, GpImage *image, 
     result.data = gp_alloc(samples, gp_image_sample_size(result.type));
     if (!result.data)
         return GP_ERROR_MEMORY;
-    if (!input.read_image(0, 0, 0, spec.nchannels, spec.format, result.data)) {
+    /* read_image takes 64 MiB beside the picture to convert; most pictures need no conversion. */
+    bool is_native = spec.tile_width == 0 && spec.channelformats.empty();
+    bool is_read =
+        is_native ? input.read_native_scanlines(0, 0, spec.y, spec.y + spec.height, 0, result.data)
+                  : input.read_image(0, 0, 0, spec.nchannels, spec.format, result.data);
+    if (!is_read) {
         gp_free(result.data);
         return fail(source.path, input.geterror(), error);
     }

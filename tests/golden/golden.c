@@ -4,8 +4,8 @@
  *   golden --bless CASE    writes that case's lines anew
  *   golden --print         prints all lines
  *
- * A line is "case attachment WxH format hash". $GP_ISA chooses the shader code; nothing may change
- * with it. Frames come from seeds (tests/support/random_list.h), so that between them they use
+ * A line is "case attachment WxH format hash". Both executors draw every case; $GP_ISA chooses the
+ * shader code; nothing may change with either. Frames come from seeds (tests/support/random_list.h), so that between them they use
  * every state, format, primitive and program.
  */
 #include "pipeline/glasspipe.h"
@@ -52,13 +52,13 @@ static void append_surface(Text *text, const char *name, const char *attachment,
 }
 
 /* Draws the frame of a seed; stops the program where it cannot. */
-static RandomList *draw_frame(uint64_t seed)
+static RandomList *draw_frame(uint64_t seed, GpExecutor executor)
 {
     RandomList *random = gp_alloc(1, sizeof *random);
     GpDevice *device = NULL;
     GpError error = { "out of memory" };
     if (!random || !random_list_create(seed, LARGEST, random) ||
-        gp_device_create(&(GpDeviceDesc){ 0 }, &device, &error) ||
+        gp_device_create(&(GpDeviceDesc){ .executor = executor }, &device, &error) ||
         gp_device_run(device, &random->list, &error)) {
         printf("Bail out! seed %" PRIu64 ": %s\n", seed, error.text);
         exit(1);
@@ -73,9 +73,9 @@ static void free_frame(RandomList *random)
     gp_free(random);
 }
 
-static void case_single(Text *text, const char *name, uint64_t seed)
+static void case_single(Text *text, const char *name, uint64_t seed, GpExecutor executor)
 {
-    RandomList *random = draw_frame(seed);
+    RandomList *random = draw_frame(seed, executor);
     for (uint32_t p = 0; p < random->list.pass_count; p++) {
         const GpPass *pass = &random->passes[p];
         char attachment[32];
@@ -90,12 +90,12 @@ static void case_single(Text *text, const char *name, uint64_t seed)
     free_frame(random);
 }
 
-static void case_summed(Text *text, const char *name)
+static void case_summed(Text *text, const char *name, GpExecutor executor)
 {
     uint64_t hash = 0;
     char line[160];
     for (uint64_t seed = SINGLE_FRAMES; seed < SINGLE_FRAMES + SUMMED_FRAMES; seed++) {
-        RandomList *random = draw_frame(seed);
+        RandomList *random = draw_frame(seed, executor);
         hash = hash * 31 + random_list_hash(random);
         free_frame(random);
     }
@@ -104,7 +104,7 @@ static void case_summed(Text *text, const char *name)
     append(text, line);
 }
 
-static Text draw_case(int number, char name[32])
+static Text draw_case(int number, GpExecutor executor, char name[32])
 {
     Text text = { 0 };
     if (number < SINGLE_FRAMES)
@@ -112,9 +112,9 @@ static Text draw_case(int number, char name[32])
     else
         snprintf(name, 32, "random-many");
     if (number < SINGLE_FRAMES)
-        case_single(&text, name, (uint64_t)number);
+        case_single(&text, name, (uint64_t)number, executor);
     else
-        case_summed(&text, name);
+        case_summed(&text, name, executor);
     return text;
 }
 
@@ -148,21 +148,27 @@ static void print_as_comment(const char *title, const char *lines)
 
 static int compare_all(void)
 {
-    int failed = 0;
-    printf("1..%d\n", MOST_CASES);
-    for (int i = 0; i < MOST_CASES; i++) {
-        char name[32];
-        Text drawn = draw_case(i, name), golden = golden_lines(name, false);
-        bool same = golden.length > 0 && strcmp(drawn.text, golden.text) == 0;
-        printf("%sok %d - %s\n", same ? "" : "not ", i + 1, name);
-        if (!same) {
-            print_as_comment("drawn", drawn.text);
-            print_as_comment(golden.length ? "golden" : "golden: no such case", golden.text);
-            failed++;
+    static const struct {
+        GpExecutor executor;
+        const char *name;
+    } executors[] = { { GP_EXECUTOR_REFERENCE, "reference" }, { GP_EXECUTOR_FAST, "fast" } };
+    int failed = 0, number = 0;
+    printf("1..%d\n", MOST_CASES * (int)GP_COUNT(executors));
+    for (int i = 0; i < MOST_CASES; i++)
+        for (size_t e = 0; e < GP_COUNT(executors); e++) {
+            char name[32];
+            Text drawn = draw_case(i, executors[e].executor, name);
+            Text golden = golden_lines(name, false);
+            bool same = golden.length > 0 && strcmp(drawn.text, golden.text) == 0;
+            printf("%sok %d - %s %s\n", same ? "" : "not ", ++number, name, executors[e].name);
+            if (!same) {
+                print_as_comment("drawn", drawn.text);
+                print_as_comment(golden.length ? "golden" : "golden: no such case", golden.text);
+                failed++;
+            }
+            free(drawn.text);
+            free(golden.text);
         }
-        free(drawn.text);
-        free(golden.text);
-    }
     return failed ? 1 : 0;
 }
 
@@ -170,7 +176,7 @@ static int bless(const char *wanted)
 {
     for (int i = 0; i < MOST_CASES; i++) {
         char name[32];
-        Text drawn = draw_case(i, name);
+        Text drawn = draw_case(i, GP_EXECUTOR_REFERENCE, name);
         if (strcmp(name, wanted) == 0) {
             Text others = golden_lines(name, true);
             FILE *file = fopen(golden_file, "w");
@@ -194,7 +200,7 @@ int main(int count, char **arguments)
         return compare_all();
     for (int i = 0; i < MOST_CASES; i++) {
         char name[32];
-        Text drawn = draw_case(i, name);
+        Text drawn = draw_case(i, GP_EXECUTOR_REFERENCE, name);
         fputs(drawn.text, stdout);
         free(drawn.text);
     }

@@ -87,8 +87,10 @@ for compiler in gcc/g++ clang/clang++; do
 done
 step one-picture same_hashes
 step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined test
+step threads configuration threads OPT=-O1 SANITIZE=thread differential SEEDS=0..299
 step aarch64 aarch64
 step exhaustive-mathematics exhaustive
+step differential configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 differential SEEDS=0..199999
 step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 TEST_SECONDS=3600 \
     make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 test
 for name in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 aarch64; do

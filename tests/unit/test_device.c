@@ -83,10 +83,15 @@ static GpResult run(const GpList *list, const GpDeviceDesc *desc, GpError *error
     return result;
 }
 
+/* Runs the frame with both executors, which must agree; it clears what it draws to. */
 static void run_frame(Frame *f)
 {
-    if (run(&f->list, &(GpDeviceDesc){ 0 }, &f->error))
+    if (run(&f->list, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, &f->error))
         fail_msg("%s", f->error.text);
+    uint64_t color = gp_surface_hash(f->color), depth = gp_surface_hash(f->depth);
+    if (run(&f->list, &(GpDeviceDesc){ .executor = GP_EXECUTOR_FAST }, &f->error))
+        fail_msg("%s", f->error.text);
+    assert_true(gp_surface_hash(f->color) == color && gp_surface_hash(f->depth) == depth);
 }
 
 static int pixels_not_zero(const GpSurface *surface)
@@ -317,6 +322,13 @@ static void an_invalid_draw_is_named_and_changes_nothing(void **state)
     free_frame(&f);
 }
 
+/* Counts events. */
+static void ignore_event(void *user, const GpTraceEvent *event)
+{
+    (void)event;
+    ++*(long *)user;
+}
+
 static void devices_refuse_what_they_cannot_be(void **state)
 {
     (void)state;
@@ -330,6 +342,9 @@ static void devices_refuse_what_they_cannot_be(void **state)
     assert_int_equal(
         gp_device_create(&(GpDeviceDesc){ .executor = (GpExecutor)9 }, &device, &error),
         GP_ERROR_INVALID);
+    assert_int_equal(
+        gp_device_create(&(GpDeviceDesc){ .trace.event = ignore_event }, &device, &error),
+        GP_ERROR_INVALID); /* the fast executor cannot be watched */
     assert_null(device);
 }
 
@@ -370,6 +385,7 @@ static void a_watched_pixel_reports_every_unit_in_order(void **state)
     for (int i = 0; i < 3; i++)
         f.draw[i].state.depth = (GpDepthState){ GP_LESS, true };
     GpDeviceDesc desc = {
+        .executor = GP_EXECUTOR_REFERENCE,
         .trace = { .event = note_event, .user = &seen, .one_pixel = true, .x = 20, .y = 30 }
     };
     assert_int_equal(run(&f.list, &desc, &f.error), GP_OK);
@@ -386,12 +402,6 @@ static void a_watched_pixel_reports_every_unit_in_order(void **state)
     free_frame(&f);
 }
 
-static void ignore_event(void *user, const GpTraceEvent *event)
-{
-    (void)event;
-    ++*(long *)user;
-}
-
 static void watching_changes_no_bit(void **state)
 {
     (void)state;
@@ -401,7 +411,7 @@ static void watching_changes_no_bit(void **state)
         uint64_t hash[2];
         for (int watched = 0; watched < 2; watched++) {
             GpError error;
-            GpDeviceDesc desc = { 0 };
+            GpDeviceDesc desc = { .executor = GP_EXECUTOR_REFERENCE };
             if (watched)
                 desc.trace = (GpTrace){ .event = ignore_event, .user = &events };
             assert_true(random_list_create(seed, 24, random));

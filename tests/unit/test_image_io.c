@@ -2,82 +2,18 @@
  * bytes mean known pixels; damaged files, full disks and absurd sizes give errors and leave nothing
  * behind. */
 #define _GNU_SOURCE /* memmem */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-
 #include "pipeline/io/file.h"
 #include "pipeline/io/image.h"
+#include "tests/support/folder.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fenv.h>
 #include <limits.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-static char folder[64];
 static GpError error;
-
-static const char *in_folder(const char *name)
-{
-    static char paths[4][400];
-    static unsigned turn;
-    char *path = paths[turn++ % 4];
-    snprintf(path, sizeof paths[0], "%s/%s", folder, name);
-    return path;
-}
-
-/* Counts the files in the test's folder, and removes them on demand. */
-static int count_files(bool remove_them)
-{
-    int count = 0;
-    DIR *list = opendir(folder);
-    assert_non_null(list);
-    for (struct dirent *entry; (entry = readdir(list));) {
-        if (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0)
-            continue;
-        count++;
-        if (remove_them)
-            assert_int_equal(remove(in_folder(entry->d_name)), 0);
-    }
-    closedir(list);
-    return count;
-}
-
-static int set_up(void **state)
-{
-    (void)state;
-    strcpy(folder, "/tmp/glasspipe-image-XXXXXX");
-    error.text[0] = '\0';
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    count_files(true);
-    return rmdir(folder);
-}
-
-/* Puts bytes into a file by plain stdio: the code under test has no part in it. */
-static const char *put_file(const char *name, const void *bytes, size_t size)
-{
-    const char *path = in_folder(name);
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    assert_int_equal(fclose(file), 0);
-    return path;
-}
 
 static uint32_t next_random(uint64_t *seed)
 {
@@ -156,7 +92,7 @@ static void every_written_format_reads_back_bit_for_bit(void **state)
                 fail_msg("%s", error.text);
             assert_reads(path, &back);
             assert_same_image(&image, &back);
-            assert_int_equal(count_files(true), 1);
+            assert_int_equal(folder_count(true), 1);
             gp_image_free(&image);
             gp_image_free(&back);
             assert_null(back.data);
@@ -293,6 +229,7 @@ static void tga_origin_order_and_alpha_are_as_stored(void **state)
 }
 
 /* 1x2 r g b a with alpha 1 and 0: premultiplied, the colours would be gone. Deflate stored. */
+/* clang-format off */
 static const unsigned char tiny_png[] = {
     0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52,
     0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x02, 0x08, 0x06, 0x00, 0x00, 0x00, 0x99, 0x81, 0xb6,
@@ -300,6 +237,7 @@ static const unsigned char tiny_png[] = {
     0x00, 0xc8, 0x64, 0x32, 0x01, 0x00, 0x07, 0x08, 0x09, 0x00, 0x0b, 0xdc, 0x01, 0x78, 0x84, 0xb1,
     0xa0, 0xfd, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82,
 };
+/* clang-format on */
 
 static void png_alpha_is_not_multiplied_into_colours(void **state)
 {
@@ -420,18 +358,17 @@ static void exr_windows_are_checked(void **state)
     gp_image_free(&image);
 }
 
-/* One small valid file of each kind that can be written, and a TGA of both sorts. */
+/* Two small valid files of each kind. */
 static size_t make_samples(GpFile samples[24], const char *names[24])
 {
+    static const uint8_t chosen[] = { 0, 7, 9, 14, 15, 16, 17, 18, 19, 20 }; /* of writable */
     size_t count = 0;
-    for (size_t i = 0; i < GP_COUNT(writable); i++) {
-        if (i > 0 && strcasecmp(writable[i].name, writable[i - 1].name) == 0 && i != 7 && i != 14)
-            continue;
-        GpImage image = random_image(9, 6, writable[i].channels, writable[i].type, i);
-        assert_int_equal(gp_image_write(in_folder(writable[i].name), &image, &error), GP_OK);
-        names[count] = writable[i].name;
-        assert_int_equal(gp_file_read(in_folder(writable[i].name), &samples[count++], &error),
-                         GP_OK);
+    for (size_t i = 0; i < GP_COUNT(chosen); i++, count++) {
+        size_t kind = chosen[i];
+        GpImage image = random_image(9, 6, writable[kind].channels, writable[kind].type, i);
+        names[count] = writable[kind].name;
+        assert_int_equal(gp_image_write(in_folder(names[count]), &image, &error), GP_OK);
+        assert_int_equal(gp_file_read(in_folder(names[count]), &samples[count], &error), GP_OK);
         gp_image_free(&image);
     }
     for (unsigned char type = 2; type <= 10; type = (unsigned char)(type + 8)) {
@@ -488,7 +425,7 @@ static void damaged_bytes_give_a_picture_or_an_error(void **state)
         const char *path = put_file(names[i], file->data, file->size);
         FILE *open_file = fopen(path, "r+b");
         assert_non_null(open_file);
-        for (int round = 0; round < 2000; round++) {
+        for (int round = 0; round < 1000; round++) {
             uint32_t changes = 1 + next_random(&seed) % 3;
             size_t at[3];
             for (uint32_t c = 0; c < changes; c++) {
@@ -551,7 +488,7 @@ static void what_a_format_cannot_hold_is_not_written(void **state)
         assert_int_equal(gp_image_write(in_folder(cases[i].name), &image, &error), cases[i].result);
         assert_true(error.text[0] != '\0');
     }
-    assert_int_equal(count_files(false), 0);
+    assert_int_equal(folder_count(false), 0);
 }
 
 static void an_unwritable_place_is_an_error_and_stays_clean(void **state)
@@ -563,7 +500,7 @@ static void an_unwritable_place_is_an_error_and_stays_clean(void **state)
     assert_int_equal(gp_image_write(in_folder("none/a.png"), &image, &error), GP_ERROR_IO);
     assert_int_equal(mkdir(in_folder("folder.png"), 0777), 0);
     assert_int_equal(gp_image_write(in_folder("folder.png"), &image, &error), GP_ERROR_IO);
-    assert_int_equal(count_files(false), 2);
+    assert_int_equal(folder_count(false), 2);
     gp_image_free(&image);
 }
 
@@ -605,7 +542,7 @@ static void a_full_disk_leaves_the_old_file(void **state)
         assert_int_equal(gp_file_read(in_folder(names[i]), &file, &error), GP_OK);
         assert_string_equal(file.data, "old");
         gp_file_free(&file);
-        assert_int_equal(count_files(false), (int)i + 1);
+        assert_int_equal(folder_count(false), (int)i + 1);
     }
     gp_image_free(&image);
 }
@@ -632,7 +569,7 @@ static void a_file_is_replaced_at_once_and_links_are_followed(void **state)
     assert_int_equal(gp_file_read(in_folder("empty"), &file, &error), GP_OK);
     assert_int_equal(file.size, 0);
     gp_file_free(&file);
-    assert_int_equal(count_files(false), 3);
+    assert_int_equal(folder_count(false), 3);
 }
 
 static void new_files_obey_the_umask(void **state)
@@ -759,7 +696,7 @@ static void shared_pictures_hold_the_files_own_bytes(void **state)
     }
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+#define TEST(name) cmocka_unit_test_setup_teardown(name, folder_set_up, folder_tear_down)
 
 int main(void)
 {

@@ -24,9 +24,11 @@ typedef void (*Function)(void);
     X(Function, GetProcAddress, (const char *))                                                    \
     X(void *, GetPlatformDisplay, (unsigned, void *, const intptr_t *))                            \
     X(unsigned, Initialize, (void *, int *, int *))                                                \
+    X(unsigned, Terminate, (void *))                                                               \
     X(unsigned, BindAPI, (unsigned))                                                               \
     X(unsigned, ChooseConfig, (void *, const int *, void **, int, int *))                          \
     X(void *, CreateContext, (void *, void *, void *, const int *))                                \
+    X(unsigned, DestroyContext, (void *, void *))                                                  \
     X(unsigned, MakeCurrent, (void *, void *, void *, void *))
 /* clang-format on */
 
@@ -58,33 +60,36 @@ static bool load_gl(const Egl *egl, Gl *gl)
     return complete;
 }
 
-static bool make_context(const Egl *egl)
+static bool make_context(const Egl *egl, Gl *gl)
 {
     static const int config_wish[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                        EGL_OPENGL_ES3_BIT, EGL_NONE };
     static const int context_wish[] = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE };
-    void *display = egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL), *config;
+    void *config;
     int count = 0;
-    if (!display || !egl->Initialize(display, NULL, NULL) || !egl->BindAPI(EGL_OPENGL_ES_API) ||
-        !egl->ChooseConfig(display, config_wish, &config, 1, &count) || count < 1)
+    gl->display = egl->GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
+    if (!gl->display || !egl->Initialize(gl->display, NULL, NULL) ||
+        !egl->BindAPI(EGL_OPENGL_ES_API) ||
+        !egl->ChooseConfig(gl->display, config_wish, &config, 1, &count) || count < 1)
         return false;
-    void *context = egl->CreateContext(display, config, NULL, context_wish);
-    return context && egl->MakeCurrent(display, NULL, NULL, context);
+    gl->context = egl->CreateContext(gl->display, config, NULL, context_wish);
+    return gl->context && egl->MakeCurrent(gl->display, NULL, NULL, gl->context);
 }
 
 GpResult gl_open(int threads, Gl *gl, GpError *error)
 {
     Egl egl;
     char number[16];
+    *gl = (Gl){ .library = NULL };
     snprintf(number, sizeof number, "%d", threads);
     setenv("LP_NUM_THREADS", number, 1);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1); /* so that the first frame shows compiling */
-    void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!library || !load_egl(library, &egl))
+    gl->library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (!gl->library || !load_egl(gl->library, &egl))
         return gp_fail(error, GP_ERROR_UNSUPPORTED, "no EGL (libEGL.so.1 of EGL 1.5 not found)");
-    if (!make_context(&egl))
+    if (!make_context(&egl, gl))
         return gp_fail(error, GP_ERROR_UNSUPPORTED,
                        "no EGL context for OpenGL ES 3 without a window system");
     if (!load_gl(&egl, gl))
@@ -94,4 +99,16 @@ GpResult gl_open(int threads, Gl *gl, GpError *error)
         return gp_fail(error, GP_ERROR_UNSUPPORTED, "no EGL with llvmpipe: the driver is %s",
                        renderer ? renderer : "without a name");
     return GP_OK;
+}
+
+void gl_close(Gl *gl)
+{
+    Egl egl;
+    if (gl->context) {
+        load_egl(gl->library, &egl);
+        egl.MakeCurrent(gl->display, NULL, NULL, NULL);
+        egl.DestroyContext(gl->display, gl->context);
+        egl.Terminate(gl->display);
+    }
+    *gl = (Gl){ .library = NULL };
 }

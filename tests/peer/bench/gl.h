@@ -12,9 +12,16 @@ enum {
     GL_ONE = 1,
     GL_SRC_ALPHA = 0x0302,
     GL_ONE_MINUS_SRC_ALPHA = 0x0303,
+    GL_DST_ALPHA = 0x0304,
     GL_ONE_MINUS_DST_ALPHA = 0x0305,
+    GL_NEVER = 0x0200,
     GL_LESS = 0x0201,
+    GL_EQUAL = 0x0202,
     GL_LEQUAL = 0x0203,
+    GL_GREATER = 0x0204,
+    GL_NOTEQUAL = 0x0205,
+    GL_GEQUAL = 0x0206,
+    GL_ALWAYS = 0x0207,
     GL_CULL_FACE = 0x0b44,
     GL_DEPTH_TEST = 0x0b71,
     GL_DITHER = 0x0bd0,
@@ -29,7 +36,7 @@ enum {
     GL_RENDERER = 0x1f01,
     GL_NEAREST = 0x2600,
     GL_LINEAR = 0x2601,
-    GL_LINEAR_MIPMAP_LINEAR = 0x2703,
+    GL_NEAREST_MIPMAP_NEAREST = 0x2700,
     GL_TEXTURE_MAG_FILTER = 0x2800,
     GL_TEXTURE_MIN_FILTER = 0x2801,
     GL_TEXTURE_WRAP_S = 0x2802,
@@ -37,6 +44,7 @@ enum {
     GL_REPEAT = 0x2901,
     GL_RGBA8 = 0x8058,
     GL_CLAMP_TO_EDGE = 0x812f,
+    GL_MIRRORED_REPEAT = 0x8370,
     GL_TEXTURE0 = 0x84c0,
     GL_RGBA32F = 0x8814,
     GL_RGBA16F = 0x881a,
@@ -65,6 +73,7 @@ enum {
     X(void, Enable, (unsigned))                                                                    \
     X(void, Disable, (unsigned))                                                                   \
     X(void, DepthFunc, (unsigned))                                                                 \
+    X(void, DepthMask, (unsigned char))                                                            \
     X(void, BlendFunc, (unsigned, unsigned))                                                       \
     X(void, Viewport, (int, int, int, int))                                                        \
     X(unsigned, CreateShader, (unsigned))                                                          \
@@ -90,7 +99,6 @@ enum {
     X(void, TexStorage2D, (unsigned, int, unsigned, int, int))                                     \
     X(void, TexParameteri, (unsigned, unsigned, int))                                              \
     X(void, TexSubImage2D, (unsigned, int, int, int, int, int, unsigned, unsigned, const void *))  \
-    X(void, GenerateMipmap, (unsigned))                                                            \
     X(void, GenFramebuffers, (int, unsigned *))                                                    \
     X(void, BindFramebuffer, (unsigned, unsigned))                                                 \
     X(void, FramebufferTexture2D, (unsigned, unsigned, unsigned, unsigned, int))                   \
@@ -110,17 +118,22 @@ enum {
     X(void, DrawElements, (unsigned, int, unsigned, const void *))
 /* clang-format on */
 
-/* OpenGL's functions, without the "gl" of their names. */
+/* OpenGL's functions, without the "gl" of their names, and the context they work on. */
 typedef struct Gl {
 #define GL_MEMBER(type, name, arguments) type(*name) arguments;
     GL_CALLS(GL_MEMBER)
 #undef GL_MEMBER
+    void *library, *display, *context;
 } Gl;
 
-/* Opens llvmpipe and makes a context current in this thread; both stay until the program ends,
- * because Mesa's worker threads and exit handlers live in the library.
+/* Opens llvmpipe and makes a fresh context current in this thread.
  * in   threads: llvmpipe's rasterizer threads; its vertex stage runs in the caller's beside them
+ * out  *gl: to be closed, even after an error
  * errors GP_ERROR_UNSUPPORTED: no library, no such platform, or another driver; says which */
 GpResult gl_open(int threads, Gl *gl, GpError *error);
+
+/* Frees the context and all that was made in it. The library itself stays loaded: Mesa's worker
+ * threads and exit handlers live in it. */
+void gl_close(Gl *gl);
 
 #endif

@@ -1,0 +1,302 @@
+/* glasspipe bench: frames that other renderers can draw too, against the clock. */
+#include "apps/bench.h"
+#include "apps/commands.h"
+#include "apps/frame.h"
+#include "apps/json.h"
+#include "apps/options.h"
+#include "pipeline/io/image.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <malloc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { MAX_CASES = 64, MAX_FRAMES = 100000, MIN_FRAMES = 20, KEY_IMAGES = 0x200 };
+
+typedef struct Bench {
+    Options options; /* first: see options.h */
+    const BenchCase *cases[MAX_CASES];
+    size_t case_count;
+    const char *images; /* NULL: none written */
+    double seconds;     /* for each case, after the first frame */
+    bool list;
+} Bench;
+
+/* clang-format off */
+static const struct argp_option own_options[] = {
+    { "list", 'l', NULL, 0, "List the cases", 0 },
+    { "time", 't', "SECONDS", 0, "Draw each case for so long (default: 3)", 0 },
+    { "images", KEY_IMAGES, "DIR", 0, "Write each case's picture to DIR/CASE.png", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+static error_t add_case(struct argp_state *state, Bench *bench, const char *name)
+{
+    const BenchCase *found = bench_case_find(name);
+    if (!found)
+        argp_error(state, "no case '%s'; -l lists them", name);
+    if (bench->case_count == MAX_CASES)
+        argp_error(state, "more than %d cases", MAX_CASES);
+    bench->cases[bench->case_count++] = found;
+    return 0;
+}
+
+static error_t parse_bench(int key, char *text, struct argp_state *state)
+{
+    Bench *bench = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case 'l':
+        bench->list = true;
+        return 0;
+    case 't':
+        bench->seconds = options_real(state, "--time", text);
+        return 0;
+    case KEY_IMAGES:
+        bench->images = text;
+        return 0;
+    case ARGP_KEY_ARG:
+        return add_case(state, bench, text);
+    case ARGP_KEY_END:
+        if (bench->options.width)
+            argp_error(state, "--size: the cases have sizes of their own");
+        for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)
+            bench->cases[i] = &bench_cases[i];
+        if (bench->case_count == 0)
+            bench->case_count = bench_case_count;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_frame, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    own_options,
+    parse_bench,
+    "[CASE...]",
+    "Examples:\n"
+    "  glasspipe bench\n"
+    "  glasspipe bench -l\n"
+    "  glasspipe bench bunny_phong points -t 1 --threads 2\n"
+    "  glasspipe bench --images out/bench\n"
+    "\n"
+    "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
+    "median "
+    "and the least time of a frame, and what was drawn.\v"
+    "Cases that need a mesh which is not there are left out with a message.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* --- measuring ----------------------------------------------------------------------------------- */
+
+typedef struct Times {
+    double setup_ms, first_ms;
+    double ms, min_ms, cpu_ms; /* median and least wall time, mean processor time */
+    size_t frames;
+    double peak_mb; /* memory in use at most, less what was before the case: its data count */
+} Times;
+
+static double clock_ms(clockid_t clock)
+{
+    struct timespec time;
+    clock_gettime(clock, &time);
+    return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
+}
+
+/* Gives free memory back and forgets the peak so far, where the system can: else only growth beyond
+ * it shows. */
+static void reset_peak(void)
+{
+    malloc_trim(0);
+    int file = open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
+    if (file < 0)
+        return;
+    (void)!write(file, "5", 1);
+    close(file);
+}
+
+static double peak_mb(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return (double)usage.ru_maxrss / 1024;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+static double median(double *values, size_t count)
+{
+    qsort(values, count, sizeof *values, compare_doubles);
+    return (values[(count - 1) / 2] + values[count / 2]) / 2;
+}
+
+/* Draws the first frame, then others until both the time is over and there are enough, but at most
+ * twice the time. Where the first alone takes as long, it stands for all. */
+static GpResult measure(GpDevice *device, const GpList *list, double seconds, double *each,
+                        Frame *frame, Times *times, GpError *error)
+{
+    double limit = seconds * 1e3, cpu_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+    GpResult result = frame_first(device, list, frame, error);
+    cpu_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms;
+    times->first_ms = frame->first_ms;
+    double start = clock_ms(CLOCK_MONOTONIC);
+    size_t count = 0;
+    if (frame->first_ms >= limit) {
+        each[count++] = frame->first_ms;
+        start -= 2 * limit;
+    } else {
+        cpu_ms = 0;
+    }
+    while (!result && count < MAX_FRAMES) {
+        double spent = clock_ms(CLOCK_MONOTONIC) - start;
+        if (count > 0 && spent >= (count < MIN_FRAMES ? 2 * limit : limit))
+            break;
+        result = frame_again(device, list, frame, error);
+        each[count++] = frame->ms;
+        cpu_ms += frame->cpu_ms;
+    }
+    if (result)
+        return result;
+    times->ms = median(each, count);
+    times->min_ms = each[0];
+    times->cpu_ms = cpu_ms / (double)count;
+    times->frames = count;
+    return GP_OK;
+}
+
+/* --- results ------------------------------------------------------------------------------------- */
+
+static GpResult write_image(const char *directory, const char *name, const uint8_t *rgba,
+                            uint32_t width, uint32_t height, GpError *error)
+{
+    char path[4096];
+    if (mkdir(directory, 0777) != 0 && errno != EEXIST)
+        return gp_fail(error, GP_ERROR_IO, "%s: %s", directory, strerror(errno));
+    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path)
+        return gp_fail(error, GP_ERROR_IO, "%s: the path is too long", directory);
+    size_t pixels = (size_t)width * height;
+    uint8_t *rgb = gp_alloc(pixels, 3);
+    if (!rgb)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    for (size_t i = 0; i < pixels; i++)
+        memcpy(rgb + 3 * i, rgba + 4 * i, 3);
+    GpImage image = {
+        .width = width, .height = height, .channels = 3, .type = GP_IMAGE_U8, .data = rgb
+    };
+    GpResult result = gp_image_write(path, &image, error);
+    gp_free(rgb);
+    return result;
+}
+
+static void print_result(const Bench *bench, const BenchCase *drawn, const Times *times,
+                         const Frame *frame, uint32_t width, uint32_t height, uint32_t hash)
+{
+    char digits[9];
+    snprintf(digits, sizeof digits, "%08x", hash);
+    bool reference = bench->options.executor == GP_EXECUTOR_REFERENCE;
+    double megapixels = (double)width * height * 1e-6;
+    json_t *object =
+        json_pack("{s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:s, s:I, s:f}", "case",
+                  drawn->name, "renderer", "glasspipe", "threads", frame->threads, "width",
+                  (int)width, "height", (int)height, "ms", times->ms, "min_ms", times->min_ms,
+                  "cpu_ms", times->cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
+                  (json_int_t)times->frames, "setup_ms", times->setup_ms);
+    if (drawn->layers > 0)
+        json_object_set_new(object, "mpix", json_real(drawn->layers * megapixels));
+    if (drawn->primitives > 1000)
+        json_object_set_new(object, "mprim", json_real(drawn->primitives * 1e-6));
+    if (drawn->flop > 0)
+        json_object_set_new(object, "gflop", json_real(drawn->flop * megapixels * 1e-3));
+    json_object_set_new(object, "peak_mb", json_real(times->peak_mb));
+    json_object_set_new(object, "isa", json_string(frame->isa));
+    json_object_set_new(object, "executor", json_string(reference ? "reference" : "fast"));
+    json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
+    putchar('\n');
+    fflush(stdout);
+    json_decref(object);
+}
+
+static int show_picture(const Bench *bench, const BenchCase *drawn, const BenchWork *work,
+                        const Times *times, const Frame *frame)
+{
+    uint32_t width, height;
+    bench_picture_size(work, &width, &height);
+    uint8_t *rgba = gp_alloc((size_t)width * height, 4);
+    if (!rgba)
+        return report(EXIT_INTERNAL, "out of memory");
+    (drawn->picture ? drawn->picture : bench_show)(work, rgba);
+    GpError error = { "" };
+    GpResult result = bench->images
+                          ? write_image(bench->images, drawn->name, rgba, width, height, &error)
+                          : GP_OK;
+    if (!result)
+        print_result(bench, drawn, times, frame, width, height,
+                     bench_picture_hash(rgba, width, height));
+    gp_free(rgba);
+    return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
+}
+
+/* One device for each case, so that cases do not inherit memory from each other. */
+static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
+{
+    BenchWork work = { .color = NULL };
+    GpError error = { "" };
+    reset_peak();
+    double start = clock_ms(CLOCK_MONOTONIC), before_mb = peak_mb();
+    if (drawn->build(drawn, &work, &error)) {
+        notice(&bench->options, "%s: skipped: %s", drawn->name, error.text);
+        bench_free(&work);
+        return EXIT_DONE;
+    }
+    GpDevice *device = NULL;
+    Frame frame = { .isa = "" };
+    Times times = { .setup_ms = clock_ms(CLOCK_MONOTONIC) - start };
+    int code = options_device(&bench->options, NULL, &device);
+    if (!code) {
+        GpResult result = measure(device, &work.list, bench->seconds, each, &frame, &times, &error);
+        times.peak_mb = peak_mb() - before_mb;
+        code = result ? report(exit_of_run(result), "%s: %s", drawn->name, error.text)
+                      : show_picture(bench, drawn, &work, &times, &frame);
+    }
+    gp_device_destroy(&device);
+    bench_free(&work);
+    return code;
+}
+
+int cmd_bench(int argc, char **argv)
+{
+    Bench bench = { .seconds = 3 };
+    options_parse(&parser, argc, argv, &bench);
+    if (bench.list) {
+        for (size_t i = 0; i < bench_case_count; i++)
+            puts(bench_cases[i].name);
+        return EXIT_DONE;
+    }
+    double *each = gp_alloc(MAX_FRAMES, sizeof *each);
+    if (!each)
+        return report(EXIT_INTERNAL, "out of memory");
+    int code = EXIT_DONE;
+    for (size_t i = 0; !code && i < bench.case_count; i++)
+        code = run_case(&bench, bench.cases[i], each);
+    gp_free(each);
+    return code;
+}

@@ -1,0 +1,297 @@
+/* Binning: which tiles each triangle or point touches, in submission order. */
+#include "pipeline/fast/frame.h"
+
+#include "pipeline/input_assembly.h"
+#include "pipeline/texture_read.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- finding draws ---------------------------------------------------------------------------------- */
+
+uint32_t fast_find_draw(const FastPass *pass, uint32_t primitive)
+{
+    uint32_t low = 0, high = pass->draw_count;
+    while (high - low > 1) {
+        uint32_t middle = (low + high) / 2;
+        if (pass->draws[middle].first_primitive <= primitive)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+uint32_t fast_find_block(const FastPass *pass, uint32_t block)
+{
+    uint32_t low = 0, high = pass->draw_count;
+    while (high - low > 1) {
+        uint32_t middle = (low + high) / 2;
+        if (pass->draws[middle].first_block <= block)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* --- bins ---------------------------------------------------------------------------------------- */
+
+static void *grown(void *array, uint32_t needed, uint32_t *room, size_t size)
+{
+    if (needed <= *room)
+        return array;
+    uint32_t larger = needed + needed / 2 + 64;
+    void *memory = realloc(array, larger * size);
+    if (memory)
+        *room = larger;
+    return memory;
+}
+
+bool fast_range_begin(FastRange *range, uint32_t tiles)
+{
+    if (tiles > range->tile_room) {
+        free(range->head);
+        range->tile_room = 0;
+        range->head = malloc(2 * tiles * sizeof *range->head);
+        if (!range->head)
+            return false;
+        range->tile_room = tiles;
+    }
+    memset(range->head, 0, 2 * tiles * sizeof *range->head);
+    range->tail = range->head + tiles;
+    range->chunk_count = 1;
+    range->cut_count = range->corner_count = 0;
+    range->clipped = 0;
+    range->failed = false;
+    return true;
+}
+
+void fast_range_free(FastRange *range)
+{
+    free(range->head);
+    free(range->chunks);
+    free(range->cuts);
+    free(range->corners);
+    free(range->corner_varyings);
+    *range = (FastRange){ 0 };
+}
+
+/* A fresh chunk at the end of a tile's list; NULL when memory is short. */
+static FastChunk *add_chunk(FastRange *range, uint32_t tile)
+{
+    FastChunk *chunks =
+        grown(range->chunks, range->chunk_count + 1, &range->chunk_room, sizeof *chunks);
+    if (!chunks) {
+        range->failed = true;
+        return NULL;
+    }
+    range->chunks = chunks;
+    uint32_t number = range->chunk_count++;
+    if (range->tail[tile])
+        chunks[range->tail[tile]].next = number;
+    else
+        range->head[tile] = number;
+    range->tail[tile] = number;
+    chunks[number].count = chunks[number].next = 0;
+    return &chunks[number];
+}
+
+static void add_to_tile(FastRange *range, uint32_t tile, uint32_t primitive)
+{
+    FastChunk *chunk = range->tail[tile] ? &range->chunks[range->tail[tile]] : NULL;
+    if (!chunk || chunk->count == FAST_CHUNK)
+        chunk = add_chunk(range, tile);
+    if (chunk)
+        chunk->primitive[chunk->count++] = primitive;
+}
+
+void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, const FastBox *box)
+{
+    for (int32_t y = box->y0 / FAST_TILE; y <= box->y1 / FAST_TILE; y++)
+        for (int32_t x = box->x0 / FAST_TILE; x <= box->x1 / FAST_TILE; x++)
+            add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, primitive);
+}
+
+const FastCut *fast_find_cut(const FastRange *range, uint32_t primitive)
+{
+    uint32_t low = 0, high = range->cut_count;
+    while (low < high) {
+        uint32_t middle = (low + high) / 2;
+        if (range->cuts[middle].primitive < primitive)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return &range->cuts[low];
+}
+
+/* --- boxes ---------------------------------------------------------------------------------------- */
+
+static int32_t least(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static int32_t most(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Pixels whose centres a triangle may hold, cut to the draw's; false where there are none, or where
+ * the triangle faces the culled way. */
+static bool triangle_box(const FastDraw *d, const int32_t x[3], const int32_t y[3], FastBox *box)
+{
+    int64_t area2 = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
+    if (area2 == 0 || d->draw->state.raster.cull == (area2 > 0 ? GP_CULL_CW : GP_CULL_CCW))
+        return false;
+    const int32_t half = GP_SUBPIXELS / 2;
+    int32_t low_x = least(x[0], least(x[1], x[2])), high_x = most(x[0], most(x[1], x[2]));
+    int32_t low_y = least(y[0], least(y[1], y[2])), high_y = most(y[0], most(y[1], y[2]));
+    box->x0 = most((low_x + half - 1) >> GP_SUBPIXEL_BITS, d->rect.x0);
+    box->y0 = most((low_y + half - 1) >> GP_SUBPIXEL_BITS, d->rect.y0);
+    box->x1 = least((high_x - half) >> GP_SUBPIXEL_BITS, d->rect.x1 - 1);
+    box->y1 = least((high_y - half) >> GP_SUBPIXEL_BITS, d->rect.y1 - 1);
+    return box->x0 <= box->x1 && box->y0 <= box->y1;
+}
+
+/* --- triangles that the clipper must see -------------------------------------------------------------------- */
+
+static void shade_again(const FastDraw *d, uint32_t number, GpVertex *vertex)
+{
+    GpVertexStage stage = { .program = d->draw->program,
+                            .code = d->code,
+                            .uniforms = d->draw->uniforms,
+                            .textures = d->draw->textures,
+                            .read_texture = gp_read_texture_plain };
+    float inputs[GP_MAX_INPUTS];
+    gp_fetch_vertex(&d->draw->geometry, d->draw->program, number, inputs);
+    gp_shade_vertices(&stage, inputs, 1, vertex);
+}
+
+static bool to_screen(const FastDraw *d, const GpVertex *vertex, GpScreenVertex *screen)
+{
+    const float *clip = vertex->clip;
+    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) {
+        const float *plane = d->draw->state.raster.clip_plane[i];
+        screen->clip_distance[i] =
+            clip[0] * plane[0] + clip[1] * plane[1] + clip[2] * plane[2] + clip[3] * plane[3];
+    }
+    return gp_viewport_transform(&d->viewport, clip, screen);
+}
+
+/* Keeps a cut polygon's corners; their varyings are found by number until the arrays rest. */
+static bool keep_cut(const FastDraw *d, FastRange *range, uint32_t primitive,
+                     const GpClipPolygon *polygon, const GpScreenVertex *screen)
+{
+    uint32_t corners = (uint32_t)polygon->corners, stride = (uint32_t)d->modes.components;
+    FastCut *cuts = grown(range->cuts, range->cut_count + 1, &range->cut_room, sizeof *cuts);
+    if (!cuts)
+        return false;
+    range->cuts = cuts;
+    GpScreenVertex *kept =
+        grown(range->corners, range->corner_count + corners, &range->corner_room, sizeof *kept);
+    if (!kept)
+        return false;
+    range->corners = kept;
+    float *varyings = grown(range->corner_varyings, range->corner_count + corners,
+                            &range->varying_room, sizeof(float[GP_MAX_VARYINGS]));
+    if (!varyings)
+        return false;
+    range->corner_varyings = varyings;
+
+    range->cuts[range->cut_count++] =
+        (FastCut){ .primitive = primitive, .first = range->corner_count, .corners = corners };
+    for (uint32_t i = 0; i < corners; i++) {
+        uint32_t at = range->corner_count + i;
+        kept[at] = screen[i];
+        memcpy(varyings + (size_t)at * GP_MAX_VARYINGS, polygon->corner[i].varying,
+               stride * sizeof(float));
+    }
+    range->corner_count += corners;
+    return true;
+}
+
+static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *range,
+                        uint32_t primitive, const uint32_t numbers[3])
+{
+    GpVertex vertex[3];
+    for (int i = 0; i < 3; i++)
+        shade_again(d, numbers[i], &vertex[i]);
+    GpClipPolygon polygon;
+    gp_clip_triangle(&d->band, (const GpVertex *const[3]){ &vertex[0], &vertex[1], &vertex[2] },
+                     d->modes.components, d->modes.flat, &polygon);
+    range->clipped += polygon.cut;
+    GpScreenVertex screen[GP_MAX_CLIPPED];
+    for (int i = 0; i < polygon.corners; i++)
+        if (!to_screen(d, &polygon.corner[i], &screen[i]))
+            return;
+    FastBox whole = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
+    for (int i = 2; i < polygon.corners; i++) {
+        FastBox box;
+        int32_t x[3] = { screen[0].x, screen[i - 1].x, screen[i].x };
+        int32_t y[3] = { screen[0].y, screen[i - 1].y, screen[i].y };
+        if (!triangle_box(d, x, y, &box))
+            continue;
+        whole.x0 = least(whole.x0, box.x0);
+        whole.y0 = least(whole.y0, box.y0);
+        whole.x1 = most(whole.x1, box.x1);
+        whole.y1 = most(whole.y1, box.y1);
+    }
+    if (whole.x0 > whole.x1)
+        return;
+    if (keep_cut(d, range, primitive, &polygon, screen))
+        fast_bin_box(pass, range, primitive | FAST_CUT_FLAG, &whole);
+    else
+        range->failed = true;
+}
+
+/* --- primitives ------------------------------------------------------------------------------------ */
+
+static void bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range,
+                         uint32_t primitive)
+{
+    uint32_t number[3];
+    gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
+    int32_t x[3], y[3];
+    unsigned any = 0, all = 0xff;
+    for (int i = 0; i < 3; i++) {
+        uint32_t at = number[i] - d->first_vertex;
+        x[i] = d->positions[at].x;
+        y[i] = d->positions[at].y;
+        if (d->outside[at] == 0xff)
+            return;
+        any |= d->outside[at];
+        all &= d->outside[at];
+    }
+    FastBox box;
+    if (all)
+        return;
+    if (any)
+        bin_clipped(pass, d, range, primitive, number);
+    else if (triangle_box(d, x, y, &box))
+        fast_bin_box(pass, range, primitive, &box);
+}
+
+static void bin_point(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t primitive)
+{
+    uint32_t number[3];
+    gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
+    uint32_t at = number[0] - d->first_vertex;
+    if (d->outside[at])
+        return;
+    GpScreenVertex center = { .x = d->positions[at].x, .y = d->positions[at].y };
+    GpPointSprite sprite;
+    if (gp_setup_point(&center, d->point_sizes[at], &d->rect, &sprite) != GP_SETUP_DRAWN)
+        return;
+    fast_bin_box(pass, range, primitive, &(FastBox){ sprite.x0, sprite.y0, sprite.x1, sprite.y1 });
+}
+
+void fast_bin_primitive(const FastPass *pass, const FastDraw *d, FastRange *range,
+                        uint32_t primitive)
+{
+    if (d->draw->geometry.primitive == GP_TRIANGLES)
+        bin_triangle(pass, d, range, primitive);
+    else
+        bin_point(pass, d, range, primitive);
+}

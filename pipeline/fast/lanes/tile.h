@@ -1,0 +1,182 @@
+/* One tile on its way: shared by the stages that are compiled for each lane width. */
+#ifndef GP_FAST_TILE_H
+#define GP_FAST_TILE_H
+
+#include "pipeline/fast/frame.h"
+#include "pipeline/fast/stages.h"
+#include "pipeline/lanes.h"
+
+/* Names of this width: FAST(draw_tile) is draw_tile_lanes8. */
+#define FAST_PASTE_(name, lanes) fast_##name##_lanes##lanes
+#define FAST_PASTE(name, lanes)  FAST_PASTE_(name, lanes)
+#define FAST(name)               FAST_PASTE(name, GP_LANES)
+
+typedef double dbl __attribute__((vector_size(8 * GP_LANES)));
+
+/* Exact. */
+GP_INLINE dbl dbl_from_itg(itg a)
+{
+#if GP_LANES == 16 && !defined(__OPTIMIZE__) /* gcc 12 gives up on this conversion at -O0 */
+    dbl b;
+    for (int lane = 0; lane < GP_LANES; lane++)
+        b[lane] = a[lane];
+    return b;
+#else
+    return __builtin_convertvector(a, dbl);
+#endif
+}
+
+enum {
+    FAST_PITCH = FAST_TILE + 16, /* a row of the tile, with room for a packet that runs over */
+    FAST_PIXELS = FAST_PITCH * (FAST_TILE + 1),
+    FAST_BLOCK = 16,        /* packets of one call of a shader */
+    FAST_RECORDS = 1 << 14, /* triangles that a tile remembers before it shades what it sees */
+    FAST_WIDES = 1 << 12,
+    FAST_RUNS = 1 << 10,
+    FAST_NO_RECORD = 0,
+};
+
+/* What shading needs of a triangle or point in this tile. The first twelve words go into lanes four
+ * at a time. */
+typedef struct FastRecord {
+    int32_t c1, a1, b1; /* edge 1: at the tile's first centre, and a pixel to the right and down; */
+    int32_t c2, a2, b2; /* edge 2. Modulo 2^32, where the triangle is small */
+    float inverse_area, ratio1;
+    float ratio2, face;
+    uint32_t kind;          /* FastKind */
+    uint32_t wide;          /* number of the wide edges */
+    const float *corner[3]; /* varyings; of a point the first */
+} FastRecord;
+
+typedef enum FastKind { FAST_SMALL, FAST_WIDE, FAST_SPRITE } FastKind;
+
+/* Edges of a triangle too large for 32 bits; or a sprite's corner, from the tile's first centre, in
+ * sub-pixels, and 1 over its side. */
+typedef union FastWide {
+    struct {
+        int64_t c[2], a[2], b[2];
+    } edge;
+    struct {
+        int32_t left, top;
+        float per_step;
+    } sprite;
+} FastWide;
+
+/* GP_LANES pixels that go through a shader side by side. Lanes that are not live repeat a live
+ * pixel's place, or stand for the helpers of a quad. */
+typedef struct FastPacket {
+    const FastRecord *record[GP_LANES];
+    bool uniform;                     /* all lanes have record[0] */
+    bool row;                         /* the lanes are pixels side by side */
+    uint8_t x[GP_LANES], y[GP_LANES]; /* in the tile */
+    unsigned live;
+    float depth[GP_LANES]; /* interpolated, where the shader's tests come late */
+} FastPacket;
+
+/* A colour target inside the tile: A8R8G8B8 as its words, all others by channel, as the floats that
+ * reading the texels back would give. */
+typedef union FastPlanes {
+    uint32_t packed[FAST_PIXELS];
+    float channel[4][FAST_PIXELS];
+} FastPlanes;
+
+struct FastTileMemory {
+    /* the tile */
+    const FastPass *pass;
+    int32_t x0, y0, width, height; /* pixels; width and height of what the target has of it */
+    int targets;
+    GpFormat depth_format;
+
+    /* the draw at work, and its number */
+    const FastDraw *draw;
+    uint32_t draw_number;
+
+    uint32_t record_count; /* record 0 stands for none */
+    uint32_t packet_count;
+    uint64_t pending[FAST_TILE + 2]; /* pixels that the waiting packets hold, a bit each, by row */
+
+    _Alignas(64) uint32_t depth[FAST_PIXELS];
+    _Alignas(64) uint8_t stencil[FAST_PIXELS];
+    _Alignas(64) uint32_t seen[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
+    _Alignas(64) FastPlanes planes[GP_MAX_TARGETS];
+    _Alignas(64) FastPacket packets[FAST_BLOCK + 1]; /* and one being filled */
+    uint32_t wide_count;
+    _Alignas(64) FastRecord records[FAST_RECORDS];
+    FastWide wide[FAST_WIDES];
+    struct {
+        uint32_t first_record, draw;
+    } runs[FAST_RUNS]; /* which records belong to which draw */
+    uint32_t run_count;
+
+    /* a block's values: [packet][component][lane] */
+    _Alignas(64) float in[FAST_BLOCK * GP_MAX_VARYINGS * GP_LANES];
+    _Alignas(64) float color[FAST_BLOCK * GP_MAX_TARGETS * 4 * GP_LANES];
+    _Alignas(64) float pixel[FAST_BLOCK * 2 * GP_LANES];
+    _Alignas(64) float face[FAST_BLOCK * GP_LANES];
+    _Alignas(64) float shader_depth[FAST_BLOCK * GP_LANES];
+    _Alignas(64) int32_t killed[FAST_BLOCK * GP_LANES];
+};
+
+typedef struct FastTileMemory Tile;
+
+/* --- small things ------------------------------------------------------------------------------------ */
+
+GP_INLINE itg lane_numbers(void)
+{
+    itg numbers;
+    for (int lane = 0; lane < GP_LANES; lane++)
+        numbers[lane] = lane;
+    return numbers;
+}
+
+/* The mask whose bits msk_bits would give. */
+GP_INLINE msk mask_of(unsigned bits)
+{
+    itg bit;
+    for (int lane = 0; lane < GP_LANES; lane++)
+        bit[lane] = 1 << lane;
+    return (msk)((itg_set((int32_t)bits) & bit) != 0);
+}
+
+GP_INLINE uint32_t fast_at(int32_t x, int32_t y)
+{
+    return (uint32_t)(y * FAST_PITCH + x);
+}
+
+/* Rasterizes triangles of the present draw that are inside all planes: any number up to GP_LANES, of
+ * any size. Primitives are those of the pass. */
+void FAST(fill_batch)(Tile *tile, const uint32_t *primitives, uint32_t count);
+
+/* Rasterizes one set-up triangle or point into the tile, by the route of its draw. */
+void FAST(fill_triangle)(Tile *tile, const GpTriangle *triangle);
+void FAST(fill_sprite)(Tile *tile, const GpPointSprite *sprite, const float *varying);
+
+/* The tile's part of what the draw may touch. */
+GpRect FAST(tile_rect)(const Tile *tile, const FastDraw *draw);
+
+/* A vertex of the draw, for the units that take one triangle at a time. */
+void FAST(corner_of)(const FastDraw *draw, uint32_t number, GpScreenVertex *corner);
+
+/* Makes sure that `count` records of the present draw can be added; shades what is seen if not. */
+void FAST(reserve_records)(Tile *tile, uint32_t count);
+
+/* Depth and stencil of `lanes` pixels from one place of a row on. */
+unsigned FAST(depth_stencil)(Tile *tile, const FastDraw *draw, uint32_t at, unsigned live, flt z,
+                             bool front);
+
+/* Shades the waiting packets, all of the tile's present draw, and merges them. */
+void FAST(flush_packets)(Tile *tile);
+
+/* Shades every pixel that shows a record, and forgets the records. */
+void FAST(flush_seen)(Tile *tile);
+
+/* Blends and writes one shaded packet: color is [target][channel][lane]. */
+void FAST(merge)(Tile *tile, const FastDraw *draw, const FastPacket *packet, unsigned live,
+                 const flt *color);
+
+/* Clears what the pass clears, straight in the surfaces: for tiles that nothing is drawn in. */
+void FAST(clear_untouched)(const Tile *tile);
+void FAST(load_tile)(Tile *tile);
+void FAST(store_tile)(const Tile *tile);
+
+#endif

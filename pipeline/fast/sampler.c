@@ -1,0 +1,70 @@
+#include "pipeline/fast/sampler.h"
+
+#include "pipeline/texture_address.h"
+
+/* The border as one texel of the surface's format, which it is rounded to first. */
+static void prepare_border(const float rgba[4], FastSampler *s)
+{
+    uint8_t texel[16] = { 0 }, code[4], stencil;
+
+    if (gp_format_info(s->format)->is_depth) {
+        float depth = rgba[0] < 0.0f ? 0.0f : rgba[0] > 1.0f ? 1.0f : rgba[0];
+        gp_depth_store(s->format, texel, gp_depth_code(s->format, depth), 0);
+    } else {
+        gp_texel_store(s->format, texel, rgba, 0);
+    }
+    gp_texel_load(s->format, texel, s->border);
+    if (s->sampling == FAST_COMPARE) {
+        gp_depth_load(s->format, texel, &s->border_code, &stencil);
+    } else if (s->sampling == FAST_CODES) {
+        gp_texel_codes(s->format, texel, code);
+        s->border_code = s->format == GP_R8 ? code[0]
+                                            : (uint32_t)code[3] << 24 | (uint32_t)code[0] << 16 |
+                                                  (uint32_t)code[1] << 8 | code[2];
+    }
+}
+
+void fast_prepare_sampler(const GpTexture *texture, FastSampler *sampler)
+{
+    const GpSampler *from = &texture->sampler;
+    const GpSurface *surface = texture->surface;
+
+    *sampler = (FastSampler){ .surface = surface, .sampling = FAST_UNBOUND };
+    if (!surface)
+        return;
+    const GpFormatInfo *info = gp_format_info(surface->format);
+    GP_ASSERT(!from->compare || info->is_depth);
+
+    sampler->format = surface->format;
+    sampler->sampling = from->compare ? FAST_COMPARE : info->is_unorm8 ? FAST_CODES : FAST_FLOATS;
+    sampler->channels = info->is_depth ? 1 : info->channels;
+    while (1 << sampler->shift < info->bytes)
+        sampler->shift++;
+    sampler->min = from->min;
+    sampler->mag = from->mag;
+    sampler->mip = surface->levels == 1 ? GP_MIP_NONE : from->mip;
+    sampler->address_u = from->address_u;
+    sampler->address_v = from->address_v;
+    sampler->lod_bias = from->lod_bias;
+    sampler->min_lod = from->min_lod;
+    sampler->max_lod = from->max_lod;
+    /* Without mip levels the level does not depend on the level of detail, so that of 0 will do. */
+    if (sampler->mip == GP_MIP_NONE)
+        sampler->level =
+            surface->levels == 1 ? 0 : gp_level_pair(from, surface->levels, 0.0f).first;
+    sampler->one_level = sampler->mip == GP_MIP_NONE && from->min == from->mag;
+    for (uint32_t i = 0; i < surface->levels; i++) {
+        const GpLevel *level = &surface->level[i];
+        sampler->levels[i] = (FastLevel){
+            .texels = level->texels,
+            .pitch = (int32_t)level->pitch,
+            .width = (int32_t)level->width,
+            .height = (int32_t)level->height,
+            .scale_u = 256.0f * (float)level->width,
+            .scale_v = 256.0f * (float)level->height,
+        };
+    }
+    sampler->has_border = from->address_u == GP_BORDER || from->address_v == GP_BORDER;
+    if (sampler->has_border)
+        prepare_border(from->border, sampler);
+}

@@ -1,0 +1,52 @@
+/* Samplers as the lanes want them: what a texture slot's state means, worked out once a draw. */
+#ifndef GP_FAST_SAMPLER_H
+#define GP_FAST_SAMPLER_H
+
+#include "pipeline/program.h"
+
+/* What becomes of texels. */
+typedef enum FastSampling {
+    FAST_UNBOUND, /* no texture: (0, 0, 0, 1) */
+    FAST_CODES,   /* 8-bit codes, weighed as integers */
+    FAST_FLOATS,  /* decoded, then mixed */
+    FAST_COMPARE, /* depth codes, compared with the reference */
+} FastSampling;
+
+typedef struct FastLevel {
+    const uint8_t *texels;
+    int32_t pitch, width, height;
+    float scale_u, scale_v; /* 256ths of a texel to the whole level */
+} FastLevel;
+
+typedef struct FastSampler {
+    const GpSurface *surface;
+    FastSampling sampling;
+    GpFormat format;
+    uint8_t shift;    /* log2 of the bytes of a texel */
+    uint8_t channels; /* that texels differ in: those stored, or depth */
+    GpFilter min, mag;
+    GpMipFilter mip;
+    GpAddress address_u, address_v;
+    bool has_border; /* some axis is GP_BORDER */
+    bool one_level;  /* the same level and filter for every level of detail */
+    uint32_t level;  /* where mip is GP_MIP_NONE, or there is but one */
+    float lod_bias, min_lod, max_lod;
+    uint32_t border_code; /* FAST_CODES: the texel; FAST_COMPARE: its depth code */
+    float border[4];      /* FAST_FLOATS: as loaded */
+    FastLevel levels[GP_MAX_LEVELS];
+} FastSampler;
+
+/* Prepares one slot.
+ * out  sampler: valid while the texture's surface is; its content may change, its shape not */
+void fast_prepare_sampler(const GpTexture *texture, FastSampler *sampler);
+
+/* Texture reads of one packet with all lanes distinct, bit for bit what gp_texture_read gives, but
+ * for the sign and payload of NaN. One for each lane width; all are GpTextureFn.
+ * in   call->executor: FastSampler[GP_MAX_SAMPLERS], prepared from call->textures as far as the
+ *      program reads them; read->lanes: the function's own
+ * source pipeline/texture.c and pipeline/texture_address.c, operation by operation */
+void fast_read_texture_lanes4(const GpShaderCall *call, const GpTextureRead *read);
+void fast_read_texture_lanes8(const GpShaderCall *call, const GpTextureRead *read);
+void fast_read_texture_lanes16(const GpShaderCall *call, const GpTextureRead *read);
+
+#endif

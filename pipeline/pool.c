@@ -1,0 +1,139 @@
+#include "pipeline/pool.h"
+
+#include "pipeline/fpcontrol.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+
+typedef struct Worker {
+    GpPool *pool;
+    int number;
+    pthread_t thread;
+} Worker;
+
+struct GpPool {
+    int threads;
+    Worker *workers; /* number 0 has no thread of its own */
+    pthread_mutex_t mutex;
+    pthread_cond_t work_came, work_done;
+    uint64_t round; /* calls of gp_pool_run so far; workers wait for it to change */
+    int busy;       /* workers that have not finished this round */
+    bool stop;
+
+    GpPoolFn function;
+    void *context;
+    uint32_t count;
+    atomic_uint next; /* item */
+};
+
+static void do_items(GpPool *pool, int worker)
+{
+    GpFpControl control = gp_fp_enter();
+    for (;;) {
+        uint32_t item = atomic_fetch_add_explicit(&pool->next, 1, memory_order_relaxed);
+        if (item >= pool->count)
+            break;
+        pool->function(pool->context, item, worker);
+    }
+    gp_fp_leave(control);
+}
+
+static void *work(void *argument)
+{
+    Worker *worker = argument;
+    GpPool *pool = worker->pool;
+    uint64_t seen = 0;
+    pthread_mutex_lock(&pool->mutex);
+    for (;;) {
+        while (pool->round == seen && !pool->stop)
+            pthread_cond_wait(&pool->work_came, &pool->mutex);
+        if (pool->stop)
+            break;
+        seen = pool->round;
+        pthread_mutex_unlock(&pool->mutex);
+        do_items(pool, worker->number);
+        pthread_mutex_lock(&pool->mutex);
+        if (--pool->busy == 0)
+            pthread_cond_signal(&pool->work_done);
+    }
+    pthread_mutex_unlock(&pool->mutex);
+    return NULL;
+}
+
+static void stop_workers(GpPool *pool, int started)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->stop = true;
+    pthread_cond_broadcast(&pool->work_came);
+    pthread_mutex_unlock(&pool->mutex);
+    for (int i = 1; i < started; i++)
+        pthread_join(pool->workers[i].thread, NULL);
+    pthread_cond_destroy(&pool->work_came);
+    pthread_cond_destroy(&pool->work_done);
+    pthread_mutex_destroy(&pool->mutex);
+    gp_free(pool->workers);
+    gp_free(pool);
+}
+
+GpResult gp_pool_create(int threads, GpPool **pool, GpError *error)
+{
+    GP_ASSERT(threads >= 1 && threads <= 1024);
+    GpPool *p = gp_alloc(1, sizeof *p);
+    Worker *workers = gp_alloc((size_t)threads, sizeof *workers);
+    if (!p || !workers) {
+        gp_free(p);
+        gp_free(workers);
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for %d threads", threads);
+    }
+    p->threads = threads;
+    p->workers = workers;
+    pthread_mutex_init(&p->mutex, NULL);
+    pthread_cond_init(&p->work_came, NULL);
+    pthread_cond_init(&p->work_done, NULL);
+    for (int i = 1; i < threads; i++) {
+        workers[i].pool = p;
+        workers[i].number = i;
+        if (pthread_create(&workers[i].thread, NULL, work, &workers[i])) {
+            stop_workers(p, i);
+            return gp_fail(error, GP_ERROR_MEMORY, "the system gives no more than %d threads", i);
+        }
+    }
+    *pool = p;
+    return GP_OK;
+}
+
+void gp_pool_destroy(GpPool **pool)
+{
+    if (*pool)
+        stop_workers(*pool, (*pool)->threads);
+    *pool = NULL;
+}
+
+int gp_pool_threads(const GpPool *pool)
+{
+    return pool->threads;
+}
+
+void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
+{
+    GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
+    pool->function = function;
+    pool->context = context;
+    pool->count = count;
+    atomic_store_explicit(&pool->next, 0, memory_order_relaxed);
+    bool alone = pool->threads == 1 || count <= 1;
+    if (!alone) {
+        pthread_mutex_lock(&pool->mutex);
+        pool->busy = pool->threads - 1;
+        pool->round++;
+        pthread_cond_broadcast(&pool->work_came);
+        pthread_mutex_unlock(&pool->mutex);
+    }
+    do_items(pool, 0);
+    if (!alone) {
+        pthread_mutex_lock(&pool->mutex);
+        while (pool->busy)
+            pthread_cond_wait(&pool->work_done, &pool->mutex);
+        pthread_mutex_unlock(&pool->mutex);
+    }
+}

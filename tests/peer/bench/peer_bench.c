@@ -1,0 +1,193 @@
+/* peer_bench: the cases of `glasspipe bench` through OpenGL ES 3 on Mesa's llvmpipe.
+ *
+ *   peer_bench [-l] [--driver] [--threads N] [-t SECONDS] [--images DIR] [CASE...]
+ *
+ * Prints one line of JSON for every case, with the fields of `glasspipe bench`; -l lists the cases,
+ * --driver names the driver. Exit status 77: there is no EGL, or it has no llvmpipe.
+ */
+#include "tests/peer/bench/measure.h"
+
+#include "apps/bench.h"
+#include "pipeline/io/image.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SKIPPED = 77 };
+
+typedef struct Options {
+    int threads;
+    double seconds;
+    const char *images; /* folder, or NULL */
+} Options;
+
+typedef struct PeerPicture {
+    uint32_t width, height;
+    uint8_t *rgba; /* rows from the top */
+} PeerPicture;
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+/* A case with a picture of its own makes it from its surfaces, so these receive what was drawn. */
+static GpResult take_picture(Replay *replay, const BenchCase *drawn, const BenchWork *work,
+                             PeerPicture *picture, GpError *error)
+{
+    bench_picture_size(work, &picture->width, &picture->height);
+    picture->rgba = gp_alloc((size_t)picture->width * picture->height, 4);
+    if (!picture->rgba)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for a picture");
+    if (!drawn->picture)
+        return replay_show(replay, work->color, work->depth, picture->rgba, error);
+    for (uint32_t p = 0; p < work->list.pass_count; p++)
+        for (int i = 0; i < GP_MAX_TARGETS && work->list.passes[p].color[i].surface; i++)
+            replay_fetch(replay, work->list.passes[p].color[i].surface);
+    drawn->picture(work, picture->rgba);
+    return replay_check(replay, error);
+}
+
+static GpResult write_picture(const char *folder, const char *name, PeerPicture *picture,
+                              GpError *error)
+{
+    char path[1024];
+    uint8_t *rgb = picture->rgba; /* in place: the last use of the picture */
+    for (size_t i = 0; i < (size_t)picture->width * picture->height; i++)
+        memmove(rgb + 3 * i, picture->rgba + 4 * i, 3);
+    GpImage image = { .width = picture->width,
+                      .height = picture->height,
+                      .channels = 3,
+                      .type = GP_IMAGE_U8,
+                      .data = rgb };
+    snprintf(path, sizeof path, "%s/%s.png", folder, name);
+    return gp_image_write(path, &image, error);
+}
+
+/* --- cases ------------------------------------------------------------------------------------ */
+
+static void print_line(const char *renderer, int threads, const BenchCase *drawn,
+                       const Timing *timing, const PeerPicture *picture)
+{
+    const double megapixels = (double)picture->width * picture->height * 1e-6;
+    printf("{\"case\":\"%s\",\"renderer\":\"%s\",\"threads\":%d,\"width\":%u,\"height\":%u",
+           drawn->name, renderer, threads, picture->width, picture->height);
+    printf(",\"ms\":%.3f,\"min_ms\":%.3f,\"cpu_ms\":%.3f,\"first_ms\":%.2f", timing->ms,
+           timing->min_ms, timing->cpu_ms, timing->first_ms);
+    printf(",\"hash\":\"%08x\",\"frames\":%d",
+           bench_picture_hash(picture->rgba, picture->width, picture->height), timing->frames);
+    if (timing->others >= 0)
+        printf(",\"others\":%.2f", timing->others);
+    if (drawn->layers > 0)
+        printf(",\"mpix\":%.2f", drawn->layers * megapixels);
+    if (drawn->primitives > 1000)
+        printf(",\"mprim\":%.4f", drawn->primitives * 1e-6);
+    if (drawn->flop > 0)
+        printf(",\"gflop\":%.4f", drawn->flop * megapixels * 1e-3);
+    printf("}\n");
+    fflush(stdout);
+}
+
+/* Draws a case that has been built, in a context of its own. */
+static GpResult draw_case(const BenchCase *drawn, const BenchWork *work, const Options *options,
+                          GpError *error)
+{
+    Gl gl;
+    Replay *replay = NULL;
+    Timing timing = { .frames = 0 };
+    PeerPicture picture = { .rgba = NULL };
+    GpResult result = gl_open(options->threads, &gl, error);
+    if (!result)
+        result = replay_create(&gl, &work->list, &replay, error);
+    if (!result) {
+        timing = measure(replay, options->seconds);
+        result = replay_check(replay, error);
+    }
+    if (!result)
+        result = take_picture(replay, drawn, work, &picture, error);
+    if (!result)
+        print_line((const char *)gl.GetString(GL_RENDERER), options->threads, drawn, &timing,
+                   &picture);
+    if (!result && options->images)
+        result = write_picture(options->images, drawn->name, &picture, error);
+    gp_free(picture.rgba);
+    replay_destroy(&replay);
+    gl_close(&gl);
+    return result;
+}
+
+/* Returns an exit status; a case without its data is left out with a message. */
+static int run_case(const BenchCase *drawn, const Options *options)
+{
+    BenchWork work = { .color = NULL };
+    GpError error = { "" };
+    int status = EXIT_SUCCESS;
+    if (drawn->build(drawn, &work, &error))
+        fprintf(stderr, "peer_bench: %s: skipped: %s\n", drawn->name, error.text);
+    else if (draw_case(drawn, &work, options, &error)) {
+        fprintf(stderr, "peer_bench: %s: %s\n", drawn->name, error.text);
+        status = EXIT_FAILURE;
+    }
+    bench_free(&work);
+    return status;
+}
+
+static int print_driver(const Options *options)
+{
+    Gl gl;
+    GpError error = { "" };
+    GpResult result = gl_open(options->threads, &gl, &error);
+    if (result)
+        fprintf(stderr, "%s\n", error.text);
+    else
+        printf("%s\n", (const char *)gl.GetString(GL_RENDERER));
+    gl_close(&gl);
+    return result ? SKIPPED : EXIT_SUCCESS;
+}
+
+static int list_cases(void)
+{
+    for (size_t i = 0; i < bench_case_count; i++)
+        puts(bench_cases[i].name);
+    return EXIT_SUCCESS;
+}
+
+static int usage(void)
+{
+    fprintf(stderr, "usage: peer_bench [-l] [--driver] [--threads N] [-t SECONDS] [--images DIR] "
+                    "[CASE...]\n");
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct option long_options[] = {
+        { "driver", no_argument, NULL, 'd' },     { "images", required_argument, NULL, 'i' },
+        { "list", no_argument, NULL, 'l' },       { "threads", required_argument, NULL, 'j' },
+        { "time", required_argument, NULL, 't' }, { NULL, 0, NULL, 0 },
+    };
+    Options options = { .threads = 2, .seconds = 3 };
+    int letter, status = EXIT_SUCCESS;
+    while ((letter = getopt_long(argc, argv, "lt:", long_options, NULL)) != -1) {
+        if (letter == 'l')
+            return list_cases();
+        if (letter == 'd')
+            return print_driver(&options);
+        if (letter == 'i')
+            options.images = optarg;
+        else if (letter == 'j')
+            options.threads = atoi(optarg);
+        else if (letter == 't')
+            options.seconds = atof(optarg);
+        else
+            return usage();
+    }
+    for (size_t i = 0; optind == argc && i < bench_case_count && !status; i++)
+        status = run_case(&bench_cases[i], &options);
+    for (int i = optind; i < argc && !status; i++) {
+        const BenchCase *drawn = bench_case_find(argv[i]);
+        if (!drawn)
+            fprintf(stderr, "peer_bench: no case '%s'; -l lists them\n", argv[i]);
+        status = drawn ? run_case(drawn, &options) : 2;
+    }
+    return status;
+}
