@@ -160,6 +160,13 @@ void gp_trace_setup(const GpReferenceDraw *d)
 
 /* --- pixels ---------------------------------------------------------------------------------------------- */
 
+/* The set-up exchanged corners 1 and 2 of a counter-clockwise triangle; traces speak of them in the
+ * order in which they were submitted. */
+static int submitted_corner(const GpQuad *quad, int corner)
+{
+    return quad->front || corner == 0 ? corner : 3 - corner;
+}
+
 void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad)
 {
     for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
@@ -171,7 +178,7 @@ void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad)
         }
         GpTraceEvent event = pixel_event(d, GP_TRACE_RASTER, quad, i);
         for (int e = 0; e < 3; e++)
-            event.raster.edge[e] = quad->edge[e][i];
+            event.raster.edge[e] = quad->edge[submitted_corner(quad, e)][i];
         event.raster.front = quad->front;
         send(d, &event);
     }
@@ -186,7 +193,7 @@ void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad)
         for (int c = 0; c < d->modes.components; c++)
             varyings[c] = quad->varying[c][i];
         for (int k = 0; k < 3; k++)
-            event.interpolate.barycentric[k] = quad->barycentric[k][i];
+            event.interpolate.barycentric[k] = quad->barycentric[submitted_corner(quad, k)][i];
         event.interpolate.depth = quad->depth[i];
         event.interpolate.components = d->modes.components;
         event.interpolate.varyings = varyings;

@@ -52,12 +52,13 @@ typedef struct GpTraceSetup {
 } GpTraceSetup;
 
 typedef struct GpTraceRaster {
-    int64_t edge[3]; /* edge functions at the centre, in 1/65536 pixels; sum = |area2| */
+    int64_t edge[3]; /* edge functions opposite the three vertices, in the order in which they were
+                        submitted; at the centre, in 1/65536 pixels; their sum is |area2| */
     bool front;      /* clockwise */
 } GpTraceRaster;
 
 typedef struct GpTraceInterpolate {
-    float barycentric[3]; /* perspective-correct shares of the three vertices */
+    float barycentric[3]; /* perspective-correct shares of the vertices, in submitted order */
     float depth;
     int components;
     const float *varyings;

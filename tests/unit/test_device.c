@@ -4,6 +4,8 @@
 #include "tests/support/random_list.h"
 #include "tests/support/unit.h"
 
+#include <math.h>
+
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
@@ -402,6 +404,53 @@ static void a_watched_pixel_reports_every_unit_in_order(void **state)
     free_frame(&f);
 }
 
+/* Sums the varyings of a triangle's vertices by the shares that the trace reports. */
+typedef struct Shares {
+    float corner[3][4]; /* of the colour */
+    int corners;
+    int checked;
+} Shares;
+
+static void check_shares(void *user, const GpTraceEvent *event)
+{
+    Shares *shares = user;
+    if (event->kind == GP_TRACE_VERTEX)
+        memcpy(shares->corner[shares->corners++ % 3], event->vertex.varyings + 2,
+               sizeof shares->corner[0]);
+    if (event->kind != GP_TRACE_INTERPOLATE)
+        return;
+    for (int c = 0; c < 4; c++) {
+        float sum = 0;
+        for (int k = 0; k < 3; k++)
+            sum += event->interpolate.barycentric[k] * shares->corner[k][c];
+        assert_true(fabsf(sum - event->interpolate.varyings[2 + c]) < 1e-5f);
+    }
+    shares->checked++;
+}
+
+static void traced_shares_are_those_of_the_vertices_in_their_order(void **state)
+{
+    (void)state;
+    Corner corners[3] = { { { -1, -1, 0.5f, 1 }, { 1, 0, 0, 1 }, { 0, 0 } },
+                          { { 3, -1, 0.5f, 1 }, { 0, 1, 0, 1 }, { 0, 0 } },
+                          { { -1, 3, 0.5f, 1 }, { 0, 0, 1, 1 }, { 0, 0 } } };
+    for (int turn = 0; turn < 2; turn++) { /* counter-clockwise, then clockwise */
+        Shares shares = { .corners = 0 };
+        Frame f = new_frame(GP_A8R8G8B8);
+        link_frame(&f, 1, &exercise_depth, corners, 3);
+        GpDeviceDesc desc = {
+            .executor = GP_EXECUTOR_REFERENCE,
+            .trace = { .event = check_shares, .user = &shares, .one_pixel = true, .x = 9, .y = 40 }
+        };
+        assert_int_equal(run(&f.list, &desc, &f.error), GP_OK);
+        assert_int_equal(shares.checked, 1);
+        free_frame(&f);
+        Corner swap = corners[1];
+        corners[1] = corners[2];
+        corners[2] = swap;
+    }
+}
+
 static void watching_changes_no_bit(void **state)
 {
     (void)state;
@@ -470,6 +519,7 @@ int main(void)
         cmocka_unit_test(devices_refuse_what_they_cannot_be),
         cmocka_unit_test(an_empty_list_is_a_valid_one),
         cmocka_unit_test(a_watched_pixel_reports_every_unit_in_order),
+        cmocka_unit_test(traced_shares_are_those_of_the_vertices_in_their_order),
         cmocka_unit_test(watching_changes_no_bit),
         cmocka_unit_test(passes_that_read_in_place_form_a_group),
     };
