@@ -47,7 +47,8 @@ ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
 IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
 COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
 LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
-IO_LIBS  ?= -lOpenImageIO -lOpenImageIO_Util -lOpenMeshCore -lOpenMeshTools -ljansson
+WITH_OIIO ?= 1
+IO_LIBS  ?= $(if $(WITH_OIIO),-lOpenImageIO -lOpenImageIO_Util) -lOpenMeshCore -lOpenMeshTools -ljansson
 LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
 
 # Each shader is compiled once for every instruction set: lanes:name:flags.
@@ -67,7 +68,9 @@ CORE    := $(call object,$(wildcard pipeline/*.c pipeline/fast/*.c) \
                          $(if $(CXX),$(wildcard pipeline/*.cpp))) \
            $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/obj/%.lanes$(firstword $(subst :, ,$(isa))).o, \
                                             $(wildcard pipeline/fast/lanes/*.c)))
-IO      := $(call object,$(wildcard pipeline/io/*.c pipeline/io/*.cpp))
+IO      := $(call object,$(filter-out \
+                $(if $(WITH_OIIO),%/image_without_oiio.c,%/image_oiio.cpp), \
+                $(wildcard pipeline/io/*.c pipeline/io/*.cpp)))
 SHADERS := $(call object,$(wildcard shaders_c/*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(wildcard apps/*.c)))
 SUPPORT := $(call object,$(wildcard tests/support/*.c))
@@ -258,15 +261,14 @@ test-golden: $(GOLDEN_RESULTS)
 scene-hashes: $(foreach width,$(WIDTHS),$(BUILD)/test/$(width).scenes)
 $(BUILD)/test/%.scenes: $(PROGRAM) always
 	@mkdir -p $(@D)
-	$(call say,TEST,$(@F))GP_ISA=$* sh tests/tools/scene_hashes.sh $(PROGRAM) >$@
+	$(call say,TEST,$(@F))GP_ISA=$* EMULATOR='$(EMULATOR)' sh tests/tools/scene_hashes.sh $(PROGRAM) >$@
 
 bless: $(GOLDEN_TEST)
 	@test -n '$(CASE)' || { echo 'usage: make bless CASE=name' >&2; exit 2; }
 	@GP_ISA=lanes4 $(GOLDEN_TEST) --bless '$(CASE)'
 
 format:
-	clang-format -i $(foreach d,pipeline pipeline/* shaders_c apps tests/*,$(wildcard \
-	    $(d)/*.c $(d)/*.h $(d)/*.cpp $(d)/*.hpp))
+	@find pipeline shaders_c apps tests -name '*.[ch]' -o -name '*.[ch]pp' | xargs clang-format -i
 
 lint:
 	@sh tests/tools/lint.sh

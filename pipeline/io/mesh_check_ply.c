@@ -156,7 +156,7 @@ static GpResult skip_property(Walk *walk, const PlyProperty *property)
 
 static GpResult check_corners(Walk *walk, const PlyProperty *property)
 {
-    size_t length;
+    size_t length = 0;
     GpResult result = read_length(walk, property, &length);
     if (result != GP_OK)
         return result;

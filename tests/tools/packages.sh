@@ -27,6 +27,7 @@ test libcmocka-dev header cmocka.h
 lint clang-format command clang-format
 check clang command clang++
 check gcc-aarch64-linux-gnu command aarch64-linux-gnu-gcc
+check g++-aarch64-linux-gnu command aarch64-linux-gnu-g++
 check libc6-dev-arm64-cross file /usr/aarch64-linux-gnu/include/stdio.h
 check qemu-user-static command qemu-aarch64-static
 check pkg-config command pkg-config

@@ -12,7 +12,7 @@ for scene in scenes/*.json; do
     if [ ! -d "$data" ] && grep -qE '"(meshes|images|points|volumes)/' "$scene"; then
         continue
     fi
-    hash=$("$program" render -q --size 256x256 -o "$picture/picture.png" "$scene") || {
+    hash=$(${EMULATOR:-} "$program" render -q --size 256x256 -o "$picture/picture.ppm" "$scene") || {
         echo "$scene failed with $GP_ISA" >&2
         exit 1
     }

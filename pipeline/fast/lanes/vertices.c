@@ -46,7 +46,7 @@ static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
     };
     itg bits = itg_set(0);
     for (int i = 0; i < GP_CLIP_PLANES; i++)
-        bits |= ~(itg)(distance[i] >= 0.0f) & (1 << i);
+        bits |= ~(itg)(distance[i] >= 0.0f) & itg_set(1 << i);
     return bits;
 }
 
