@@ -60,6 +60,19 @@ static void assert_within_bounds(const char *const *names, size_t count)
     }
 }
 
+/* Processors' estimates miss the quotient for nearly every value in [1, 2), each maker's by other bits. */
+static void r51_rcp_and_rsq_are_divisions_not_estimates(void **state)
+{
+    (void)state;
+    for (uint32_t bits = gp_float_bits(1.0f); bits < gp_float_bits(4.0f); bits += 97) {
+        float x = gp_bits_float(bits);
+        /* binary64 has more than twice the bits: rounding twice is rounding once */
+        float root = (float)sqrt((double)x);
+        assert_true(math_rcp(flt_set(x))[0] == (float)(1.0 / (double)x));
+        assert_true(math_rsq(flt_set(x))[0] == (float)(1.0 / (double)root));
+    }
+}
+
 /* --- accuracy ---------------------------------------------------------------------------- */
 
 static void r50_floor_frc_and_rcp_are_exact(void **state)
@@ -351,6 +364,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(r50_floor_frc_and_rcp_are_exact),
+        cmocka_unit_test(r51_rcp_and_rsq_are_divisions_not_estimates),
         cmocka_unit_test(r52_rsq_exp2_log2_sin_cos_are_within_two_ulp),
         cmocka_unit_test(r52_pow_of_random_pairs_has_15_bits),
         cmocka_unit_test(r52_pow_of_structured_pairs_has_15_bits),
