@@ -56,11 +56,10 @@ void FAST(queue_quads)(Tile *tile, const FastRecord *record, int32_t x, int32_t 
 
 static void see(Tile *tile, uint32_t at, unsigned live, uint32_t record)
 {
-    itg *seen = (itg *)(void *)(tile->seen + at);
-    itg before;
-    __builtin_memcpy(&before, seen, sizeof before);
+    itg before; /* anywhere in a row: not aligned to a vector */
+    __builtin_memcpy(&before, tile->seen + at, sizeof before);
     before = itg_select(mask_of(live), itg_set((int32_t)record), before);
-    __builtin_memcpy(seen, &before, sizeof before);
+    __builtin_memcpy(tile->seen + at, &before, sizeof before);
 }
 
 void FAST(reserve_records)(Tile *tile, uint32_t count)
