@@ -46,7 +46,7 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
     alone |= msk_bits((itg)(high_x - low_x >= FITS) | (itg)(high_y - low_y >= FITS));
 
     itg area2 =
-        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+        cross_lanes(p[1][0] - p[0][0], p[2][1] - p[0][1], p[2][0] - p[0][0], p[1][1] - p[0][1]);
     GpCull cull = d->draw->state.raster.cull;
     msk drawn = cull == GP_CULL_CW    ? (msk)(area2 < 0)
                 : cull == GP_CULL_CCW ? (msk)(area2 > 0)

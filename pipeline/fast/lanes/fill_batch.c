@@ -98,7 +98,7 @@ static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count,
 
     /* corners 1 and 2 change places where the triangle turns the other way */
     itg area2 =
-        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+        cross_lanes(p[1][0] - p[0][0], p[2][1] - p[0][1], p[2][0] - p[0][0], p[1][1] - p[0][1]);
     msk front = (msk)(area2 > 0);
     for (int i = 0; i < 4; i++) {
         itg one = p[1][i], two = p[2][i];
@@ -111,16 +111,15 @@ static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count,
     itg first = itg_select(front, number1, number2), second = itg_select(front, number2, number1);
     __builtin_memcpy(batch->number[1], &first, sizeof first);
     __builtin_memcpy(batch->number[2], &second, sizeof second);
-    area2 = itg_select(front, area2, -area2);
+    area2 = itg_select(front, area2, (itg) - (utg)area2);
 
     itg a[3], b[3];
     for (int i = 0; i < 3; i++) {
         const itg *from = p[(i + 1) % 3], *to = p[(i + 2) % 3];
         itg dx = to[0] - from[0], dy = to[1] - from[1];
-        itg edge =
-            dx * ((y0 << GP_SUBPIXEL_BITS) - from[1]) - dy * ((x0 << GP_SUBPIXEL_BITS) - from[0]);
+        itg edge = cross_lanes(dx, y0 * GP_SUBPIXELS - from[1], dy, x0 * GP_SUBPIXELS - from[0]);
         msk accepts_zero = (msk)(dy < 0) | ((msk)(dy == 0) & (msk)(dx > 0));
-        itg inside = (edge + ~accepts_zero) >> GP_SUBPIXEL_BITS; /* ~mask: 0 or -1 */
+        itg inside = (itg)((utg)edge + (utg)~accepts_zero) >> GP_SUBPIXEL_BITS; /* ~mask: 0 or -1 */
         a[i] = -dy;
         b[i] = dx;
         __builtin_memcpy(batch->edge[i], &edge, sizeof edge);
@@ -170,7 +169,8 @@ static void write_record(const FastDraw *d, const Batch *batch, uint32_t lane, F
 /* Bits of the pixels of a 4x4 box, by rows, that are covered: for all triangles at once. */
 static itg cover_tiny(const Batch *batch)
 {
-    itg row[3], right[3], down[3], covered_bits = itg_set(0);
+    utg row[3], right[3], down[3]; /* of lanes that are not tiny they may wrap */
+    itg covered_bits = itg_set(0);
     for (int i = 0; i < 3; i++) {
         __builtin_memcpy(&row[i], batch->inside[i], sizeof row[i]);
         __builtin_memcpy(&right[i], batch->right[i], sizeof right[i]);
@@ -183,9 +183,9 @@ static itg cover_tiny(const Batch *batch)
     __builtin_memcpy(&y1, batch->y1, sizeof y1);
     itg width = x1 - x0, height = y1 - y0; /* one less than the number of pixels */
     for (int y = 0; y < 4; y++) {
-        itg e0 = row[0], e1 = row[1], e2 = row[2];
+        utg e0 = row[0], e1 = row[1], e2 = row[2];
         for (int x = 0; x < 4; x++) {
-            itg out = e0 | e1 | e2 | (width - x) | (height - y);
+            itg out = (itg)(e0 | e1 | e2) | (width - x) | (height - y);
             covered_bits |= (itg)((utg)~out >> 31) << (4 * y + x);
             e0 += right[0];
             e1 += right[1];

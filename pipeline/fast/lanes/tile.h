@@ -138,6 +138,13 @@ GP_INLINE msk mask_of(unsigned bits)
     return (msk)((itg_set((int32_t)bits) & bit) != 0);
 }
 
+/* a * b - c * d modulo 2^32: right wherever it fits, which is all that is asked; lanes whose triangle
+ * is too large for it are found by its size and taken alone. */
+GP_INLINE itg cross_lanes(itg a, itg b, itg c, itg d)
+{
+    return (itg)((utg)a * (utg)b - (utg)c * (utg)d);
+}
+
 GP_INLINE uint32_t fast_at(int32_t x, int32_t y)
 {
     return (uint32_t)(y * FAST_PITCH + x);
