@@ -100,7 +100,8 @@ done
 step aarch64-scenes aarch64_scenes
 step one-picture same_hashes
 step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined test
-step threads configuration threads OPT=-O1 SANITIZE=thread differential SEEDS=0..299
+# without WERROR: instrumented, gcc 12 takes vectors that are set lane by lane for unset ones
+step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEEDS=0..299
 step aarch64 aarch64
 step exhaustive-mathematics exhaustive
 step differential configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 differential SEEDS=0..199999
