@@ -139,19 +139,6 @@ static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
     d->reference->counters->primitives_drawn += drawn;
 }
 
-/* Viewport and clip distances of a vertex; false where it left the screen's number range. */
-static bool to_screen(const GpReferenceDraw *d, const GpVertex *vertex, GpScreenVertex *screen)
-{
-    screen->varying = vertex->varying;
-    const float *clip = vertex->clip;
-    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) {
-        const float *plane = d->draw->state.raster.clip_plane[i];
-        screen->clip_distance[i] =
-            clip[0] * plane[0] + clip[1] * plane[1] + clip[2] * plane[2] + clip[3] * plane[3];
-    }
-    return gp_viewport_transform(&d->viewport, clip, screen);
-}
-
 static void draw_triangle(GpReferenceDraw *d)
 {
     const GpVertex *vertex[3];
@@ -165,7 +152,7 @@ static void draw_triangle(GpReferenceDraw *d)
 
     GpScreenVertex screen[GP_MAX_CLIPPED];
     for (int i = 0; i < polygon.corners; i++)
-        if (!to_screen(d, &polygon.corner[i], &screen[i]))
+        if (!gp_place_vertex(&d->viewport, &d->draw->state.raster, &polygon.corner[i], &screen[i]))
             return;
     for (int i = 2; i < polygon.corners; i++) { /* a fan round the first corner */
         GpScreenVertex corner[3] = { screen[0], screen[i - 1], screen[i] };
@@ -183,7 +170,8 @@ static void draw_point(GpReferenceDraw *d)
     const GpVertex *vertex = &d->vertices[d->corner_numbers[0] - d->first_vertex];
     GpScreenVertex center;
     GpPointSprite sprite;
-    if (!gp_clip_point(vertex) || !to_screen(d, vertex, &center))
+    if (!gp_clip_point(vertex) ||
+        !gp_place_vertex(&d->viewport, &d->draw->state.raster, vertex, &center))
         return;
     for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) /* points are cut whole, by their vertex */
         if ((d->needs.clip_planes >> i & 1) && !(center.clip_distance[i] >= 0))

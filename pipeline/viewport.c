@@ -47,3 +47,16 @@ bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpSc
     screen->y = gp_snap(y);
     return true;
 }
+
+bool gp_place_vertex(const GpViewport *viewport, const GpRasterState *raster,
+                     const GpVertex *vertex, GpScreenVertex *screen)
+{
+    const float *clip = vertex->clip;
+    screen->varying = vertex->varying;
+    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) {
+        const float *plane = raster->clip_plane[i];
+        screen->clip_distance[i] =
+            clip[0] * plane[0] + clip[1] * plane[1] + clip[2] * plane[2] + clip[3] * plane[3];
+    }
+    return gp_viewport_transform(viewport, clip, screen);
+}

@@ -169,17 +169,6 @@ static void shade_again(const FastDraw *d, uint32_t number, GpVertex *vertex)
     gp_shade_vertices(&stage, inputs, 1, vertex);
 }
 
-static bool to_screen(const FastDraw *d, const GpVertex *vertex, GpScreenVertex *screen)
-{
-    const float *clip = vertex->clip;
-    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) {
-        const float *plane = d->draw->state.raster.clip_plane[i];
-        screen->clip_distance[i] =
-            clip[0] * plane[0] + clip[1] * plane[1] + clip[2] * plane[2] + clip[3] * plane[3];
-    }
-    return gp_viewport_transform(&d->viewport, clip, screen);
-}
-
 /* Keeps a cut polygon's corners; their varyings are found by number until the arrays rest. */
 static bool keep_cut(const FastDraw *d, FastRange *range, uint32_t primitive,
                      const GpClipPolygon *polygon, const GpScreenVertex *screen)
@@ -224,7 +213,7 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
     range->clipped += polygon.cut;
     GpScreenVertex screen[GP_MAX_CLIPPED];
     for (int i = 0; i < polygon.corners; i++)
-        if (!to_screen(d, &polygon.corner[i], &screen[i]))
+        if (!gp_place_vertex(&d->viewport, &d->draw->state.raster, &polygon.corner[i], &screen[i]))
             return;
     FastBox whole = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
     for (int i = 2; i < polygon.corners; i++) {
