@@ -51,6 +51,10 @@ WITH_OIIO ?= 1
 IO_LIBS  ?= $(if $(WITH_OIIO),-lOpenImageIO -lOpenImageIO_Util) -lOpenMeshCore -lOpenMeshTools -ljansson
 LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
 
+# Keep gcc from spilling long shaders: operations in the source's order, scheduled by pressure.
+SHADER_OPT ?= $(if $(shell $(CC) --version | grep -i clang),,-fno-tree-ter -fschedule-insns \
+                                                             -fsched-pressure)
+
 # Each shader is compiled once for every instruction set: lanes:name:flags.
 ISAS_x86_64  := 4:sse2: 8:avx2:-mavx2,-mno-fma \
                 16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw,-mno-fma
@@ -125,7 +129,7 @@ deps:
 
 # Rebuilds everything when the compiler or its flags change.
 FLAGS_FILE := $(BUILD)/obj/flags
-FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS))
+FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS) | $(LANES_OPT))
 .PHONY: always
 $(FLAGS_FILE): always | packages
 	@mkdir -p $(@D)
@@ -154,7 +158,8 @@ $$(BUILD)/obj/%.lanes$(call isa_lanes,$(1)).o: %.c $$(FLAGS_FILE) | packages
 	@mkdir -p $$(@D)
 	$$(call say,CC,"$$< ($(call isa_name,$(1)) $(call isa_lanes,$(1)))")$$(ALL_C) \
 	    -DGP_LANES=$(call isa_lanes,$(1)) '-DGP_ISA_NAME="$(call isa_name,$(1))"' \
-	    $(call isa_flags,$(1)) -c $$< -o $$@
+	    $(call isa_flags,$(1)) \
+	    $$(if $$(filter pipeline/fast/lanes/%,$$<),,$$(SHADER_OPT)) -c $$< -o $$@
 endef
 $(foreach isa,$(ISAS),$(eval $(call shader_variant,$(isa))))
 
