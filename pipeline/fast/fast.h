@@ -16,9 +16,9 @@
  * Inside a tile small triangles are set up GP_LANES at a time (lanes/fill_batch.c), large ones and
  * point sprites row by row (lanes/fill_large.c). Where nothing looks at the colour that was there
  * before, a fragment that passes its tests only leaves the number of its triangle (a *record*); what
- * is still seen at the end is shaded once, in packets of pixels from any triangles (lanes/route.c,
- * lanes/shade.c). Where it does look, because it blends, discards or brings its own depth, fragments
- * are queued in order and shaded a block of packets at a time; a block ends when a pixel would repeat.
+ * is still seen at the end is shaded once, in packets of pixels from any triangles (lanes/seen.c). Where
+ * it does look, because it blends, discards or brings its own depth, fragments are queued in order and
+ * shaded a block of patches at a time (lanes/patch.c).
  * lanes/depth.c and lanes/merge.c are the output end, lanes/sample.c the texture unit.
  *
  * Every value is a function of per-triangle constants and the pixel's position, in the operations

@@ -129,6 +129,25 @@ static unsigned inside_clip_planes(const Tile *tile, const GpTriangle *t, int32_
 
 /* --- filling ------------------------------------------------------------------------------------- */
 
+/* Two rows of lanes that have passed, from even x and y on, as two patches of quads. */
+static void queue_two_rows(const Filler *f, int32_t x, int32_t y, const unsigned live[2],
+                           const flt depth[2])
+{
+    enum { WIDE = GP_LANES / 2 };
+    for (int part = 0; part < 2; part++) {
+        unsigned quads = 0;
+        flt z;
+        GP_UNROLL
+        for (int lane = 0; lane < GP_LANES; lane++) {
+            int row = lane % 4 / 2, column = part * WIDE + lane / 4 * 2 + lane % 2;
+            quads |= (live[row] >> column & 1) << lane;
+            z[lane] = depth[row][column];
+        }
+        if (quads)
+            FAST(queue_quads)(f->tile, f->number, x + part * WIDE, y, quads, z);
+    }
+}
+
 static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage)
 {
     const FastDraw *d = f->d;
@@ -154,7 +173,7 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
                     live[row] = FAST(route_lanes)(f, x, y + row, live[row], z[row]);
             }
             if (quads && (live[0] | live[1]))
-                FAST(queue_quads)(f->tile, &f->tile->records[f->number], x, y, live, z);
+                queue_two_rows(f, x, y, live, z);
         }
 }
 

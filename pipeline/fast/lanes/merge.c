@@ -1,7 +1,5 @@
 /* Blending and write masks of GP_LANES pixels inside the tile. */
-#include "pipeline/fast/lanes/tile.h"
-
-#include <string.h>
+#include "pipeline/fast/lanes/patch.h"
 
 /* --- what a target makes of a value ------------------------------------------------------------------- */
 
@@ -139,50 +137,15 @@ static void blend_lanes(const GpBlend *blend, bool clamps, const float constant[
 
 /* --- targets ------------------------------------------------------------------------------------- */
 
-/* Where a packet's pixels are in a plane: side by side, or each somewhere. */
-typedef struct Places {
-    bool row;
-    uint32_t at[GP_LANES];
-} Places;
-
-GP_INLINE itg gather(const void *plane, const Places *places)
-{
-    itg values;
-    if (places->row) {
-        memcpy(&values, (const uint32_t *)plane + places->at[0], sizeof values);
-        return values;
-    }
-    GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++)
-        values[lane] = ((const int32_t *)plane)[places->at[lane]];
-    return values;
-}
-
-GP_INLINE void scatter(void *plane, const Places *places, unsigned live, itg values)
-{
-    if (places->row) {
-        uint32_t *to = (uint32_t *)plane + places->at[0];
-        itg before;
-        memcpy(&before, to, sizeof before);
-        before = itg_select(mask_of(live), values, before);
-        memcpy(to, &before, sizeof before);
-        return;
-    }
-    for (; live; live &= live - 1) {
-        int lane = __builtin_ctz(live);
-        ((int32_t *)plane)[places->at[lane]] = values[lane];
-    }
-}
-
 static const uint8_t packed_shift[4] = { 16, 8, 0, 24 }; /* of r g b a in A8R8G8B8's word */
 
-static void merge_packed(const GpBlend *blend, const float constant[4], const Places *places,
+static void merge_packed(const GpBlend *blend, const float constant[4], const FastPatch *patch,
                          unsigned live, const flt source[4], uint32_t *plane)
 {
     flt result[4] = { source[0], source[1], source[2], source[3] };
     itg before = itg_set(0);
     if (blend->op != GP_BLEND_OFF || (blend->keep & 15))
-        before = gather(plane, places);
+        before = load_patch(plane, patch);
     if (blend->op != GP_BLEND_OFF) {
         Operands o;
         for (int c = 0; c < 4; c++) {
@@ -199,11 +162,11 @@ static void merge_packed(const GpBlend *blend, const float constant[4], const Pl
         else
             word |= unorm8_code(result[c]) << packed_shift[c];
     }
-    scatter(plane, places, live, word | (before & (int32_t)kept));
+    store_patch(plane, patch, live, word | (before & (int32_t)kept));
 }
 
 static void merge_planes(const GpBlend *blend, const float constant[4], GpFormat format,
-                         const Places *places, unsigned live, const flt source[4],
+                         const FastPatch *patch, unsigned live, const flt source[4],
                          FastPlanes *planes)
 {
     flt result[4] = { source[0], source[1], source[2], source[3] };
@@ -212,31 +175,58 @@ static void merge_planes(const GpBlend *blend, const float constant[4], GpFormat
         Operands o;
         for (int c = 0; c < 4; c++) {
             o.source[c] = source[c];
-            o.target[c] = c < channels ? (flt)gather(planes->channel[c], places) : flt_set(1);
+            o.target[c] = c < channels ? (flt)load_patch(planes->channel[c], patch) : flt_set(1);
         }
         blend_lanes(blend, !gp_format_info(format)->is_float, constant, &o, result);
     }
     for (int c = 0; c < channels; c++)
         if (!(blend->keep >> c & 1))
-            scatter(planes->channel[c], places, live, (itg)through(format, result[c]));
+            store_patch(planes->channel[c], patch, live, (itg)through(format, result[c]));
 }
 
-void FAST(merge)(Tile *tile, const FastDraw *d, const FastPacket *packet, unsigned live,
-                 const flt *color)
+void FAST(merge_patch)(Tile *tile, const FastDraw *d, const FastPatch *patch, unsigned live,
+                       const flt *color)
 {
     const GpState *state = &d->draw->state;
-    Places places = { .row = packet->row };
-    GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++)
-        places.at[lane] = fast_at(packet->x[lane], packet->y[lane]);
     int written = gp_program_targets(d->draw->program);
     for (int t = 0; t < written && t < tile->targets; t++) {
         GpFormat format = d->pass->color[t].surface->format;
         if (format == GP_A8R8G8B8)
-            merge_packed(&state->blend[t], state->blend_constant, &places, live, color + 4 * t,
+            merge_packed(&state->blend[t], state->blend_constant, patch, live, color + 4 * t,
                          tile->planes[t].packed);
         else
-            merge_planes(&state->blend[t], state->blend_constant, format, &places, live,
+            merge_planes(&state->blend[t], state->blend_constant, format, patch, live,
                          color + 4 * t, &tile->planes[t]);
+    }
+}
+
+/* --- mixes -------------------------------------------------------------------------------------- */
+
+static void scatter(void *plane, const uint32_t at[GP_LANES], unsigned live, itg words)
+{
+    for (; live; live &= live - 1) {
+        int lane = __builtin_ctz(live);
+        ((int32_t *)plane)[at[lane]] = words[lane];
+    }
+}
+
+void FAST(write_mix)(Tile *tile, const FastDraw *d, const FastMix *mix, const flt *color)
+{
+    uint32_t at[GP_LANES];
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        at[lane] = fast_at(mix->x[lane], mix->y[lane]);
+    for (int t = 0; t < tile->targets; t++, color += 4) {
+        const GpFormat format = d->pass->color[t].surface->format;
+        FastPlanes *planes = &tile->planes[t];
+        if (format == GP_A8R8G8B8) {
+            itg word = itg_set(0);
+            for (int c = 0; c < 4; c++)
+                word |= unorm8_code(color[c]) << packed_shift[c];
+            scatter(planes->packed, at, mix->live, word);
+            continue;
+        }
+        for (int c = 0; c < gp_format_info(format)->channels; c++)
+            scatter(planes->channel[c], at, mix->live, (itg)through(format, color[c]));
     }
 }

@@ -16,8 +16,4 @@ typedef struct Filler {
  * returns the lanes that passed, which whole quads are still to be made of */
 unsigned FAST(route_lanes)(const Filler *filler, int32_t x, int32_t y, unsigned live, flt z);
 
-/* Two rows of lanes that have passed, x and y even: queued as quads, with their helpers. */
-void FAST(queue_quads)(Tile *tile, const FastRecord *record, int32_t x, int32_t y,
-                       const unsigned live[2], const flt depth[2]);
-
 #endif

@@ -80,7 +80,7 @@ static void draw_point(Tile *tile, uint32_t primitive)
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
-    FAST(flush_packets)(tile);
+    FAST(flush_patches)(tile);
     tile->draw = &tile->pass->draws[number];
     tile->draw_number = number;
     if (tile->draw->route == FAST_ORDERED)
@@ -155,7 +155,7 @@ static void draw_tile(const FastPass *pass, uint32_t number, FastTileMemory *til
     tile->depth_format =
         pass->pass->depth.surface ? pass->pass->depth.surface->format : GP_FORMAT_NONE;
     tile->draw = NULL;
-    tile->packet_count = 0;
+    tile->patch_count = 0;
     tile->record_count = FAST_NO_RECORD + 1;
     tile->wide_count = tile->run_count = 0;
 
@@ -166,7 +166,7 @@ static void draw_tile(const FastPass *pass, uint32_t number, FastTileMemory *til
     FAST(load_tile)(tile);
     for (uint32_t r = 0; r < pass->range_count; r++)
         draw_range(tile, &pass->ranges[r], number);
-    FAST(flush_packets)(tile);
+    FAST(flush_patches)(tile);
     FAST(flush_seen)(tile);
     FAST(store_tile)(tile);
 }

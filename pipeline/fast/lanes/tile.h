@@ -29,7 +29,7 @@ GP_INLINE dbl dbl_from_itg(itg a)
 enum {
     FAST_PITCH = FAST_TILE + 16, /* a row of the tile, with room for a packet that runs over */
     FAST_PIXELS = FAST_PITCH * (FAST_TILE + 1),
-    FAST_BLOCK = 16,        /* packets of one call of a shader */
+    FAST_BLOCK = 16,        /* patches or mixes of one call of a shader */
     FAST_RECORDS = 1 << 14, /* triangles that a tile remembers before it shades what it sees */
     FAST_WIDES = 1 << 12,
     FAST_RUNS = 1 << 10,
@@ -62,16 +62,22 @@ typedef union FastWide {
     } sprite;
 } FastWide;
 
-/* GP_LANES pixels that go through a shader side by side. Lanes that are not live repeat a live
- * pixel's place, or stand for the helpers of a quad. */
-typedef struct FastPacket {
-    const FastRecord *record[GP_LANES];
-    bool uniform;                     /* all lanes have record[0] */
-    bool row;                         /* the lanes are pixels side by side */
+/* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose lanes
+ * 4q..4q+3 are top left, top right, bottom left, bottom right. Pixels past the tile are never live. */
+typedef struct FastPatch {
+    uint32_t record;
+    uint32_t live; /* bit i: lane i; the others stand by as helpers */
+    uint8_t x, y;  /* of the first lane, in the tile */
+    bool quads;
+} FastPatch;
+
+/* GP_LANES pixels from anywhere in the tile, of any triangles of one draw. Lanes that are not live
+ * repeat a live pixel, or stand for the helpers of a quad. */
+typedef struct FastMix {
+    uint32_t record[GP_LANES];
     uint8_t x[GP_LANES], y[GP_LANES]; /* in the tile */
-    unsigned live;
-    float depth[GP_LANES]; /* interpolated, where the shader's tests come late */
-} FastPacket;
+    uint32_t live;
+} FastMix;
 
 /* A colour target inside the tile: A8R8G8B8 as its words, all others by channel, as the floats that
  * reading the texels back would give. */
@@ -92,14 +98,15 @@ struct FastTileMemory {
     uint32_t draw_number;
 
     uint32_t record_count; /* record 0 stands for none */
-    uint32_t packet_count;
-    uint64_t pending[FAST_TILE + 2]; /* pixels that the waiting packets hold, a bit each, by row */
+    uint32_t patch_count;
 
     _Alignas(64) uint32_t depth[FAST_PIXELS];
     _Alignas(64) uint8_t stencil[FAST_PIXELS];
     _Alignas(64) uint32_t seen[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
     _Alignas(64) FastPlanes planes[GP_MAX_TARGETS];
-    _Alignas(64) FastPacket packets[FAST_BLOCK + 1]; /* and one being filled */
+    _Alignas(64) FastPatch patches[FAST_BLOCK]; /* waiting for the shader, in order */
+    _Alignas(64) float patch_depth[FAST_BLOCK * GP_LANES]; /* of patches whose tests come late */
+    _Alignas(64) FastMix mixes[FAST_BLOCK];
     uint32_t wide_count;
     _Alignas(64) FastRecord records[FAST_RECORDS];
     FastWide wide[FAST_WIDES];
@@ -171,15 +178,32 @@ void FAST(reserve_records)(Tile *tile, uint32_t count);
 unsigned FAST(depth_stencil)(Tile *tile, const FastDraw *draw, uint32_t at, unsigned live, flt z,
                              bool front);
 
-/* Shades the waiting packets, all of the tile's present draw, and merges them. */
-void FAST(flush_packets)(Tile *tile);
+/* Queues pixels of an ordered draw for its shader; `live` is not 0, depth matters where tests come
+ * late. Records stay in place until their patches are shaded. */
+void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
+void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
+                       flt depth);
+
+/* Shades the queued patches, all of the tile's present draw, and merges them in their order. */
+void FAST(flush_patches)(Tile *tile);
+
+/* The same for patches that wait somewhere else, of any draw. Depths: [patch][lane], or NULL. */
+void FAST(shade_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count,
+                         const float *depths);
 
 /* Shades every pixel that shows a record, and forgets the records. */
 void FAST(flush_seen)(Tile *tile);
 
-/* Blends and writes one shaded packet: color is [target][channel][lane]. */
-void FAST(merge)(Tile *tile, const FastDraw *draw, const FastPacket *packet, unsigned live,
-                 const flt *color);
+/* Runs the pixel shader over `count` packets whose inputs are in tile->in, and whose tile->pixel
+ * and tile->face are set where the program uses them. */
+void FAST(run_pixel_shader)(Tile *tile, const FastDraw *draw, int count);
+
+/* Blends and writes one shaded patch: color is [target][channel][lane]. */
+void FAST(merge_patch)(Tile *tile, const FastDraw *draw, const FastPatch *patch, unsigned live,
+                       const flt *color);
+
+/* Writes one shaded mix of a draw that replaces everything. */
+void FAST(write_mix)(Tile *tile, const FastDraw *draw, const FastMix *mix, const flt *color);
 
 /* Clears what the pass clears, straight in the surfaces: for tiles that nothing is drawn in. */
 void FAST(clear_untouched)(const Tile *tile);

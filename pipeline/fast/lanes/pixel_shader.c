@@ -1,0 +1,25 @@
+/* One call of a pixel shader: as many packets as a block has. */
+#include "pipeline/fast/lanes/tile.h"
+
+#include "pipeline/fast/sampler.h"
+#include "pipeline/texture_read.h"
+
+void FAST(run_pixel_shader)(Tile *tile, const FastDraw *d, int count)
+{
+    const GpProgram *program = d->draw->program;
+    GpShaderCall call = {
+        .uniforms = d->draw->uniforms,
+        .packets = count,
+        .in = tile->in,
+        .textures = d->draw->textures,
+        .read_texture = FAST(read_texture),
+        .executor = d->samplers,
+        .read_local = gp_read_local_plain,
+        .pixel = tile->pixel,
+        .face = tile->face,
+        .color = tile->color,
+        .depth = program->writes_depth ? tile->shader_depth : NULL,
+        .killed = program->may_discard ? tile->killed : NULL,
+    };
+    d->code->pixel(&call);
+}
