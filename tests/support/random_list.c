@@ -1,21 +1,13 @@
+/* C leaves the order of arguments and of initialisers open, so every number is drawn in a statement
+ * of its own: otherwise a seed would mean other scenes to other compilers. */
 #include "tests/support/random_list.h"
 
 #include "tests/support/random.h"
+#include "tests/support/random_geometry.h"
 
-#include <math.h>
 #include <string.h>
 
-enum { VERTEX_FLOATS = 10, MOST_VERTICES = 96 };
-
-/* C leaves the order of arguments and of initialisers open, so every number is drawn in a statement
- * of its own: otherwise a seed would mean other scenes to other compilers. */
-static bool chance(Random *r, int percent)
-{
-    return random_int(r, 1, 100) <= percent;
-}
-
-/* --- surfaces -----------------------------------------------------------------------------------
- */
+/* --- surfaces ----------------------------------------------------------------------------------- */
 
 static const GpFormat color_formats[] = { GP_A8R8G8B8,      GP_R8,   GP_G16R16F,
                                           GP_A16B16G16R16F, GP_R32F, GP_A32B32G32R32F };
@@ -39,7 +31,7 @@ static GpSurface *add_texture(RandomList *random, Random *r)
     GpFormat format = formats[random_int(r, 0, GP_COUNT(formats) - 1)];
     uint32_t width = (uint32_t)random_int(r, 1, 40);
     uint32_t height = (uint32_t)random_int(r, 1, 40);
-    uint32_t levels = chance(r, 60) ? GP_MAX_LEVELS : 1;
+    uint32_t levels = random_chance(r, 60) ? GP_MAX_LEVELS : 1;
     GpSurface *s = add_surface(random, format, width, height, levels);
     for (uint32_t y = 0; s && y < s->height; y++)
         for (uint32_t x = 0; x < s->width; x++) {
@@ -56,73 +48,30 @@ static GpSurface *add_texture(RandomList *random, Random *r)
     return s;
 }
 
-/* --- geometry
- * ------------------------------------------------------------------------------------- */
+/* --- state -------------------------------------------------------------------------------------- */
 
-/* A clip-space position: mostly inside, sometimes far out, behind the eye, or no number. */
-static void random_position(Random *r, float p[4])
+/* What techniques use, and executors may have short ways for. */
+static GpBlend usual_blend(Random *r)
 {
-    int kind = random_int(r, 0, 99);
-    float reach = kind < 80 ? 1.2f : kind < 92 ? 6.0f : 3e4f;
-    float w = kind < 70 ? 1.0f : random_float(r, kind < 95 ? 0.2f : -1.0f, 4);
-    p[0] = random_float(r, -reach, reach) * w;
-    p[1] = random_float(r, -reach, reach) * w;
-    p[2] = random_float(r, kind < 85 ? 0 : -0.5f, kind < 85 ? 1 : 1.5f) * w;
-    p[3] = w;
-    if (kind == 99) {
-        int component = random_int(r, 0, 3);
-        p[component] = chance(r, 50) ? NAN : INFINITY;
-    }
-    if (kind < 40) /* on the sub-pixel grid, so that edges meet centres */
-        for (int c = 0; c < 2; c++)
-            p[c] = rintf(p[c] * 32) / 32;
-}
-
-static bool add_geometry(RandomList *random, Random *r, uint32_t pass, uint32_t number, bool points)
-{
-    GpGeometry *geometry = &random->draws[pass][number].geometry;
-    uint32_t count = 3 * (uint32_t)random_int(r, 1, MOST_VERTICES / 3);
-    float *v = gp_alloc(count * VERTEX_FLOATS, sizeof *v);
-    random->vertices[pass][number] = v;
-    if (!v)
-        return false;
-    for (uint32_t i = 0; i < count; i++) {
-        float *at = v + i * VERTEX_FLOATS;
-        random_position(r, at);
-        if (i % 3 == 2 && chance(r, 20)) /* slivers: next to the corner before */
-            for (int c = 0; c < 4; c++)
-                at[c] = at[c - VERTEX_FLOATS] + (c < 2 ? random_float(r, -0.01f, 0.01f) : 0);
-        for (int c = 4; c < VERTEX_FLOATS; c++)
-            at[c] = random_float(r, 0, 1);
-    }
-    uint32_t stride = VERTEX_FLOATS * sizeof *v;
-    *geometry = (GpGeometry){
-        .primitive = points ? GP_POINTS : GP_TRIANGLES,
-        .vertex_count = count,
-        .streams = { [GP_POSITION] = { v, stride, 4, GP_FLOAT32 },
-                     [GP_COLOR] = { v + 4, stride, 4, GP_FLOAT32 },
-                     [GP_TEXCOORD0] = { v + 8, stride, 2, GP_FLOAT32 } },
+    static const GpBlend usual[] = {
+        { .op = GP_BLEND_OFF },
+        { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE },
+        { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA },
+        { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA },
+        { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE },
+        { .op = GP_BLEND_ADD, .src = GP_DEST_COLOR, .dst = GP_ZERO },
+        { .op = GP_BLEND_MAX, .src = GP_ONE, .dst = GP_ONE },
+        { .op = GP_BLEND_MIN, .src = GP_ONE, .dst = GP_ONE },
     };
-    if (!chance(r, 60))
-        return true;
-    uint32_t indices = 3 * (uint32_t)random_int(r, 1, 60);
-    uint32_t *index = random->indices[pass][number] = gp_alloc(indices, sizeof *index);
-    if (!index)
-        return false;
-    for (uint32_t i = 0; i < indices; i++)
-        index[i] = (uint32_t)random_int(r, 0, (int32_t)count - 1);
-    geometry->indices = index;
-    geometry->index_count = indices;
-    return true;
+    return usual[random_int(r, 0, GP_COUNT(usual) - 1)];
 }
-
-/* --- state
- * ------------------------------------------------------------------------------------------- */
 
 static GpBlend random_blend(Random *r, bool logic_allowed)
 {
-    GpBlend blend = { .keep = chance(r, 20) ? (uint8_t)random_int(r, 0, 15) : 0 };
-    if (chance(r, 50))
+    if (random_chance(r, 40))
+        return usual_blend(r);
+    GpBlend blend = { .keep = random_chance(r, 20) ? (uint8_t)random_int(r, 0, 15) : 0 };
+    if (random_chance(r, 50))
         return blend;
     blend.op =
         (GpBlendOp)random_int(r, GP_BLEND_ADD, logic_allowed ? GP_BLEND_LOGIC_XOR : GP_BLEND_MAX);
@@ -130,7 +79,7 @@ static GpBlend random_blend(Random *r, bool logic_allowed)
     do
         blend.dst = (GpBlendFactor)random_int(r, 0, GP_BLEND_FACTORS - 1);
     while (blend.dst == GP_SRC_ALPHA_SAT);
-    if (blend.op <= GP_BLEND_MAX && chance(r, 30)) {
+    if (blend.op <= GP_BLEND_MAX && random_chance(r, 30)) {
         blend.alpha_op = (GpBlendOp)random_int(r, GP_BLEND_ADD, GP_BLEND_MAX);
         blend.alpha_src = (GpBlendFactor)random_int(r, 0, GP_BLEND_FACTORS - 1);
         blend.alpha_dst = blend.dst;
@@ -161,7 +110,7 @@ static GpStencilFace random_face(Random *r)
 static void random_stencil(Random *r, GpStencilState *stencil)
 {
     stencil->enable = true;
-    stencil->two_sided = chance(r, 50);
+    stencil->two_sided = random_chance(r, 50);
     stencil->front = random_face(r);
     stencil->back = random_face(r);
     stencil->reference = (uint8_t)random_int(r, 0, 255);
@@ -177,24 +126,24 @@ static void random_viewport(Random *r, uint32_t width, uint32_t height, GpViewpo
     viewport->height = random_float(r, 1, (float)height * 2);
     viewport->min_depth = random_float(r, 0, 0.4f);
     viewport->max_depth = random_float(r, 0.5f, 1);
-    viewport->d3d9_centers = chance(r, 30);
+    viewport->d3d9_centers = random_chance(r, 30);
 }
 
 static void random_raster(Random *r, GpRasterState *raster, int32_t width, int32_t height)
 {
     raster->cull = (GpCull)random_int(r, 0, 2);
-    if (chance(r, 20)) {
+    if (random_chance(r, 20)) {
         raster->scissor = true;
         raster->scissor_x0 = random_int(r, -5, width);
         raster->scissor_y0 = random_int(r, -5, height);
         raster->scissor_x1 = raster->scissor_x0 + random_int(r, 0, width);
         raster->scissor_y1 = raster->scissor_y0 + random_int(r, 0, height);
     }
-    if (chance(r, 20)) {
+    if (random_chance(r, 20)) {
         raster->depth_bias = random_float(r, -0.1f, 0.1f);
-        raster->slope_depth_bias = chance(r, 50) ? random_float(r, -2, 2) : 0;
+        raster->slope_depth_bias = random_chance(r, 50) ? random_float(r, -2, 2) : 0;
     }
-    if (chance(r, 20)) {
+    if (random_chance(r, 20)) {
         raster->clip_planes = (uint8_t)random_int(r, 1, 63);
         for (int i = 0; i < GP_MAX_CLIP_PLANES; i++)
             for (int c = 0; c < 4; c++)
@@ -209,12 +158,12 @@ static void random_state(Random *r, const GpPass *pass, GpDraw *draw)
     GpState *state = &draw->state;
     random_raster(r, &state->raster, (int32_t)width, (int32_t)height);
     if (pass->depth.surface) {
-        state->depth.test = random_compare(r);
-        state->depth.write = chance(r, 60);
+        state->depth.test = random_chance(r, 40) ? GP_LESS_EQUAL : random_compare(r);
+        state->depth.write = random_chance(r, 60);
     }
-    if (pass->depth.surface && pass->depth.surface->format == GP_D24S8 && chance(r, 50))
+    if (pass->depth.surface && pass->depth.surface->format == GP_D24S8 && random_chance(r, 50))
         random_stencil(r, &state->stencil);
-    if (chance(r, 20)) {
+    if (random_chance(r, 20)) {
         state->alpha_test.test = random_compare(r);
         state->alpha_test.reference = (uint8_t)random_int(r, 0, 255);
     }
@@ -223,7 +172,7 @@ static void random_state(Random *r, const GpPass *pass, GpDraw *draw)
         state->blend[i] = random_blend(r, target && !gp_format_info(target->format)->is_float);
         state->blend_constant[i] = random_float(r, -0.5f, 1.5f);
     }
-    if (chance(r, 30))
+    if (random_chance(r, 30))
         random_viewport(r, width, height, &draw->viewport);
 }
 
@@ -235,15 +184,14 @@ static GpSampler random_sampler(Random *r)
     s.mip = (GpMipFilter)random_int(r, 0, GP_MIP_FILTERS - 1);
     s.address_u = (GpAddress)random_int(r, 0, GP_ADDRESSES - 1);
     s.address_v = (GpAddress)random_int(r, 0, GP_ADDRESSES - 1);
-    s.lod_bias = chance(r, 30) ? random_float(r, -2, 2) : 0;
-    s.max_lod = chance(r, 20) ? random_float(r, 0, 4) : 0;
+    s.lod_bias = random_chance(r, 30) ? random_float(r, -2, 2) : 0;
+    s.max_lod = random_chance(r, 20) ? random_float(r, 0, 4) : 0;
     for (int c = 0; c < 4; c++)
         s.border[c] = random_float(r, 0, 1);
     return s;
 }
 
-/* --- draws and passes
- * ------------------------------------------------------------------------------------ */
+/* --- draws and passes --------------------------------------------------------------------------- */
 
 /* A program that the pass can run: by the number of its targets, and reading in place only where an
  * earlier pass of the same size is there to be read. */
@@ -255,12 +203,12 @@ static const GpProgram *random_program(Random *r, int targets, bool local)
         &exercise_derivatives, &exercise_position,
     };
     if (targets == 0)
-        return chance(r, 50) ? &exercise_depth_only : &exercise_discard;
-    if (local && chance(r, 40))
+        return random_chance(r, 50) ? &exercise_depth_only : &exercise_discard;
+    if (local && random_chance(r, 40))
         return &exercise_local;
-    if (targets == 2 && chance(r, 60))
+    if (targets == 2 && random_chance(r, 60))
         return &exercise_targets2;
-    if (targets == 4 && chance(r, 60))
+    if (targets == 4 && random_chance(r, 60))
         return &exercise_targets4;
     return one[random_int(r, 0, GP_COUNT(one) - 1)];
 }
@@ -288,33 +236,82 @@ static bool add_draw(RandomList *random, Random *r, uint32_t pass, uint32_t numb
         draw->textures[i] = (GpTexture){ textures[i], random_sampler(r) };
     draw->textures[3].surface = in_place;
     random_state(r, p, draw);
-    bool points = draw->program == &exercise_point || chance(r, 5);
-    return add_geometry(random, r, pass, number, points);
+    bool points = draw->program == &exercise_point || random_chance(r, 5);
+    return random_geometry(r, points, &draw->geometry, &random->vertices[pass][number],
+                           &random->indices[pass][number]);
 }
 
-static bool add_targets(RandomList *random, Random *r, GpPass *pass, uint32_t width,
-                        uint32_t height)
+static bool writes(const GpPass *pass, const GpSurface *surface)
 {
+    for (int i = 0; i < GP_MAX_TARGETS; i++)
+        if (pass->color[i].surface == surface)
+            return true;
+    return false;
+}
+
+/* A colour target of any earlier pass of a size, or NULL. */
+static GpSurface *earlier_target(const RandomList *random, Random *r, uint32_t passes,
+                                 uint32_t width, uint32_t height)
+{
+    if (passes == 0)
+        return NULL;
+    int pass = random_int(r, 0, (int32_t)passes - 1);
+    int target = random_int(r, 0, GP_MAX_TARGETS - 1);
+    GpSurface *surface = random->passes[pass].color[target].surface;
+    return surface && surface->width == width && surface->height == height ? surface : NULL;
+}
+
+/* An earlier target is drawn into again now and then, unless a texture of this pass. */
+static GpSurface *random_target(RandomList *random, Random *r, uint32_t pass, uint32_t width,
+                                uint32_t height, GpSurface *const textures[3])
+{
+    GpFormat format = color_formats[random_int(r, 0, GP_COUNT(color_formats) - 1)];
+    GpSurface *again =
+        random_chance(r, 40) ? earlier_target(random, r, pass, width, height) : NULL;
+    for (int i = 0; i < 3; i++)
+        if (again == textures[i])
+            again = NULL;
+    if (again && !writes(&random->passes[pass], again))
+        return again;
+    return add_surface(random, format, width, height, 1);
+}
+
+static bool add_depth(RandomList *random, Random *r, uint32_t number, uint32_t width,
+                      uint32_t height)
+{
+    GpDepthTarget *depth = &random->passes[number].depth;
+    GpFormat format = depth_formats[random_int(r, 0, 2)];
+    const GpSurface *before = number ? random->passes[number - 1].depth.surface : NULL;
+    bool again = before && before->width == width && before->height == height;
+    if (again && random_chance(r, 40))
+        depth->surface = random->passes[number - 1].depth.surface;
+    else
+        depth->surface = add_surface(random, format, width, height, 1);
+    if (!depth->surface)
+        return false;
+    depth->clear_depth = random_chance(r, 80);
+    depth->clear_stencil = depth->surface->format == GP_D24S8 && random_chance(r, 80);
+    depth->depth_value = random_chance(r, 80) ? 1 : random_float(r, 0, 1);
+    depth->stencil_value = (uint8_t)random_int(r, 0, 255);
+    return true;
+}
+
+static bool add_targets(RandomList *random, Random *r, uint32_t number, uint32_t width,
+                        uint32_t height, GpSurface *const textures[3])
+{
+    GpPass *pass = &random->passes[number];
     int targets = random_int(r, 0, GP_MAX_TARGETS);
     for (int i = 0; i < targets; i++) {
-        GpFormat format = color_formats[random_int(r, 0, GP_COUNT(color_formats) - 1)];
-        pass->color[i].surface = add_surface(random, format, width, height, 1);
-        pass->color[i].clear = chance(r, 80);
+        pass->color[i].surface = random_target(random, r, number, width, height, textures);
+        pass->color[i].clear = random_chance(r, 80);
         for (int c = 0; c < 4; c++)
             pass->color[i].clear_color[c] = random_float(r, -0.2f, 1.2f);
         if (!pass->color[i].surface)
             return false;
     }
-    if (targets > 0 && chance(r, 30))
+    if (targets > 0 && random_chance(r, 30))
         return true;
-    GpFormat format = depth_formats[random_int(r, 0, 2)];
-    GpDepthTarget *depth = &pass->depth;
-    depth->surface = add_surface(random, format, width, height, 1);
-    depth->clear_depth = chance(r, 90);
-    depth->clear_stencil = format == GP_D24S8 && chance(r, 90);
-    depth->depth_value = chance(r, 80) ? 1 : random_float(r, 0, 1);
-    depth->stencil_value = (uint8_t)random_int(r, 0, 255);
-    return pass->depth.surface != NULL;
+    return add_depth(random, r, number, width, height);
 }
 
 bool random_list_create(uint64_t seed, uint32_t largest, RandomList *random)
@@ -329,22 +326,23 @@ bool random_list_create(uint64_t seed, uint32_t largest, RandomList *random)
     uint32_t width = 0, height = 0;
     for (uint32_t p = 0; p < random->list.pass_count; p++) {
         GpPass *pass = &random->passes[p];
-        GpSurface *before = p ? random->passes[p - 1].color[0].surface : NULL;
-        if (p == 0 || chance(&r, 30)) { /* a new size: the earlier pass cannot be read in place */
+        if (p == 0 || random_chance(&r, 30)) { /* a new size: earlier passes cannot be read in place */
             width = (uint32_t)random_int(&r, 1, (int32_t)largest);
             height = (uint32_t)random_int(&r, 1, (int32_t)largest);
         }
-        bool same = before && before->width == width && before->height == height;
-        if (!add_targets(random, &r, pass, width, height))
+        if (!add_targets(random, &r, p, width, height, textures))
             return false;
+        GpSurface *in_place = earlier_target(random, &r, p, width, height);
+        if (in_place && writes(pass, in_place))
+            in_place = NULL;
         pass->name = "random";
         pass->draws = random->draws[p];
         pass->draw_count = (uint32_t)random_int(&r, 0, RANDOM_DRAWS);
         for (uint32_t i = 0; i < pass->draw_count; i++)
-            if (!add_draw(random, &r, p, i, textures, same ? before : NULL))
+            if (!add_draw(random, &r, p, i, textures, in_place))
                 return false;
-        if (before && chance(&r, 30)) /* later passes may read this one anywhere */
-            textures[random_int(&r, 0, 2)] = before;
+        if (pass->color[0].surface && random_chance(&r, 25)) /* later passes may read it anywhere */
+            textures[random_int(&r, 0, 2)] = pass->color[0].surface;
     }
     return true;
 }

@@ -1,5 +1,5 @@
 /* Random lists of passes from a seed: every state, format, primitive and program in turn, odd sizes,
- * degenerate and huge triangles, NaN positions, passes that read earlier ones. */
+ * degenerate and huge triangles, NaN positions, passes that read earlier ones or draw on them. */
 #ifndef TESTS_RANDOM_LIST_H
 #define TESTS_RANDOM_LIST_H
 
@@ -7,7 +7,7 @@
 #include "tests/shaders/exercise.h"
 
 enum {
-    RANDOM_PASSES = 4,
+    RANDOM_PASSES = 6,
     RANDOM_DRAWS = 4,
     RANDOM_SURFACES = RANDOM_PASSES * (GP_MAX_TARGETS + 1) + 3,
 };
