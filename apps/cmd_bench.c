@@ -3,21 +3,17 @@
 #include "apps/commands.h"
 #include "apps/frame.h"
 #include "apps/json.h"
+#include "apps/meter.h"
 #include "apps/options.h"
 #include "pipeline/io/image.h"
 
 #include <errno.h>
-#include <fcntl.h>
-#include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <time.h>
-#include <unistd.h>
 
-enum { MAX_CASES = 64, MAX_FRAMES = 100000, MIN_FRAMES = 20, KEY_IMAGES = 0x200 };
+enum { MAX_CASES = 64, MAX_FRAMES = 100000, MIN_FRAMES = 20, KEY_IMAGES = 0x200, KEY_PHASES };
 
 typedef struct Bench {
     Options options; /* first: see options.h */
@@ -33,6 +29,7 @@ static const struct argp_option own_options[] = {
     { "list", 'l', NULL, 0, "List the cases", 0 },
     { "time", 't', "SECONDS", 0, "Draw each case for so long (default: 3)", 0 },
     { "images", KEY_IMAGES, "DIR", 0, "Write each case's picture to DIR/CASE.png", 0 },
+    { "phases", KEY_PHASES, NULL, 0, "Look at the clock inside tiles too: costs some time", 0 },
     { NULL, 0, NULL, 0, NULL, 0 },
 };
 /* clang-format on */
@@ -62,6 +59,9 @@ static error_t parse_bench(int key, char *text, struct argp_state *state)
         return 0;
     case KEY_IMAGES:
         bench->images = text;
+        return 0;
+    case KEY_PHASES:
+        bench->options.timed = true;
         return 0;
     case ARGP_KEY_ARG:
         return add_case(state, bench, text);
@@ -107,35 +107,11 @@ static const struct argp parser = {
 typedef struct Times {
     double setup_ms, first_ms;
     double ms, min_ms, cpu_ms; /* median and least wall time, mean processor time */
+    GpPhases phases;           /* sum */
+    double others;             /* processors that other processes kept busy; negative: unknown */
     size_t frames;
     double peak_mb; /* memory in use at most, less what was before the case: its data count */
 } Times;
-
-static double clock_ms(clockid_t clock)
-{
-    struct timespec time;
-    clock_gettime(clock, &time);
-    return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
-}
-
-/* Gives free memory back and forgets the peak so far, where the system can: else only growth beyond
- * it shows. */
-static void reset_peak(void)
-{
-    malloc_trim(0);
-    int file = open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
-    if (file < 0)
-        return;
-    (void)!write(file, "5", 1);
-    close(file);
-}
-
-static double peak_mb(void)
-{
-    struct rusage usage;
-    getrusage(RUSAGE_SELF, &usage);
-    return (double)usage.ru_maxrss / 1024;
-}
 
 static int compare_doubles(const void *a, const void *b)
 {
@@ -149,30 +125,43 @@ static double median(double *values, size_t count)
     return (values[(count - 1) / 2] + values[count / 2]) / 2;
 }
 
+static void add_phases(GpPhases *sum, const GpPhases *phases)
+{
+    sum->prepare += phases->prepare;
+    sum->vertices += phases->vertices;
+    sum->bins += phases->bins;
+    sum->tiles += phases->tiles;
+    sum->raster += phases->raster;
+    sum->shading += phases->shading;
+    sum->transfer += phases->transfer;
+}
+
 /* Draws the first frame, then others until both the time is over and there are enough, but at most
  * twice the time. Where the first alone takes as long, it stands for all. */
 static GpResult measure(GpDevice *device, const GpList *list, double seconds, double *each,
                         Frame *frame, Times *times, GpError *error)
 {
-    double limit = seconds * 1e3, cpu_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+    double limit = seconds * 1e3, cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     GpResult result = frame_first(device, list, frame, error);
-    cpu_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms;
+    cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms;
     times->first_ms = frame->first_ms;
-    double start = clock_ms(CLOCK_MONOTONIC);
+    double start = meter_clock_ms(CLOCK_MONOTONIC);
     size_t count = 0;
     if (frame->first_ms >= limit) {
         each[count++] = frame->first_ms;
+        add_phases(&times->phases, &frame->phases);
         start -= 2 * limit;
     } else {
         cpu_ms = 0;
     }
     while (!result && count < MAX_FRAMES) {
-        double spent = clock_ms(CLOCK_MONOTONIC) - start;
+        double spent = meter_clock_ms(CLOCK_MONOTONIC) - start;
         if (count > 0 && spent >= (count < MIN_FRAMES ? 2 * limit : limit))
             break;
         result = frame_again(device, list, frame, error);
         each[count++] = frame->ms;
         cpu_ms += frame->cpu_ms;
+        add_phases(&times->phases, &frame->phases);
     }
     if (result)
         return result;
@@ -207,6 +196,27 @@ static GpResult write_image(const char *directory, const char *name, const uint8
     return result;
 }
 
+/* Means, in milliseconds; what happens inside tiles only with --phases. */
+static json_t *phases_json(const Bench *bench, const Times *times)
+{
+    const struct {
+        const char *name;
+        double sum;
+        bool inside;
+    } rows[] = {
+        { "prepare", times->phases.prepare, false },  { "vertices", times->phases.vertices, false },
+        { "bins", times->phases.bins, false },        { "tiles", times->phases.tiles, false },
+        { "raster", times->phases.raster, true },     { "shading", times->phases.shading, true },
+        { "transfer", times->phases.transfer, true },
+    };
+    json_t *object = json_object();
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        if (!rows[i].inside || bench->options.timed)
+            json_object_set_new(object, rows[i].name,
+                                json_real(rows[i].sum / (double)times->frames));
+    return object;
+}
+
 static void print_result(const Bench *bench, const BenchCase *drawn, const Times *times,
                          const Frame *frame, uint32_t width, uint32_t height, uint32_t hash)
 {
@@ -227,6 +237,11 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     if (drawn->flop > 0)
         json_object_set_new(object, "gflop", json_real(drawn->flop * megapixels * 1e-3));
     json_object_set_new(object, "peak_mb", json_real(times->peak_mb));
+    if (times->others >= 0)
+        json_object_set_new(object, "others", json_real(times->others));
+    frame_add_counters(frame, object);
+    if (!reference)
+        json_object_set_new(object, "phases", phases_json(bench, times));
     json_object_set_new(object, "isa", json_string(frame->isa));
     json_object_set_new(object, "executor", json_string(reference ? "reference" : "fast"));
     json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
@@ -260,8 +275,8 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 {
     BenchWork work = { .color = NULL };
     GpError error = { "" };
-    reset_peak();
-    double start = clock_ms(CLOCK_MONOTONIC), before_mb = peak_mb();
+    meter_reset_peak();
+    double start = meter_clock_ms(CLOCK_MONOTONIC), before_mb = meter_peak_mb();
     if (drawn->build(drawn, &work, &error)) {
         notice(&bench->options, "%s: skipped: %s", drawn->name, error.text);
         bench_free(&work);
@@ -269,11 +284,13 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
     }
     GpDevice *device = NULL;
     Frame frame = { .isa = "" };
-    Times times = { .setup_ms = clock_ms(CLOCK_MONOTONIC) - start };
+    Times times = { .setup_ms = meter_clock_ms(CLOCK_MONOTONIC) - start };
     int code = options_device(&bench->options, NULL, &device);
     if (!code) {
+        MeterLoad load = meter_load_begin();
         GpResult result = measure(device, &work.list, bench->seconds, each, &frame, &times, &error);
-        times.peak_mb = peak_mb() - before_mb;
+        times.others = meter_others(&load);
+        times.peak_mb = meter_peak_mb() - before_mb;
         code = result ? report(exit_of_run(result), "%s: %s", drawn->name, error.text)
                       : show_picture(bench, drawn, &work, &times, &frame);
     }

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <time.h>
 
-enum { COUNTED_BY_ALL = 5 };
+enum { COUNTED_BY_ALL = 6 };
 
 static double milliseconds(clockid_t clock)
 {
@@ -23,6 +23,7 @@ GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError
         return result;
     *frame = (Frame){ .first_ms = milliseconds(CLOCK_MONOTONIC) - start,
                       .counters = *gp_device_counters(device),
+                      .phases = *gp_device_phases(device),
                       .isa = gp_device_isa(device),
                       .executor = gp_device_executor(device),
                       .threads = gp_device_threads(device) };
@@ -37,10 +38,11 @@ GpResult frame_again(GpDevice *device, const GpList *list, Frame *frame, GpError
         return result;
     frame->ms = milliseconds(CLOCK_MONOTONIC) - start;
     frame->cpu_ms = milliseconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    frame->phases = *gp_device_phases(device);
     return GP_OK;
 }
 
-json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface)
+void frame_add_counters(const Frame *frame, json_t *object)
 {
     const GpCounters *counters = &frame->counters;
     const struct {
@@ -52,12 +54,20 @@ json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface)
         { "vertices", counters->vertices },
         { "primitives", counters->primitives },
         { "primitives_clipped", counters->primitives_clipped },
+        { "fragments_shaded", counters->fragments_shaded },
         /* the reference executor's alone */
         { "primitives_drawn", counters->primitives_drawn },
         { "fragments", counters->fragments },
-        { "fragments_shaded", counters->fragments_shaded },
         { "pixels_written", counters->pixels_written },
     };
+    /* what the fast executor does not count is left out, not reported as 0 */
+    size_t known = frame->executor == GP_EXECUTOR_REFERENCE ? GP_COUNT(counted) : COUNTED_BY_ALL;
+    for (size_t i = 0; i < known; i++)
+        json_object_set_new(object, counted[i].name, json_integer((json_int_t)counted[i].value));
+}
+
+json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface)
+{
     char digits[17];
     snprintf(digits, sizeof digits, "%016" PRIx64, hash);
     json_t *object =
@@ -66,9 +76,6 @@ json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface)
                   "height", (json_int_t)surface->height, "ms", json_number(frame->ms), "first_ms",
                   json_number(frame->first_ms), "cpu_ms", json_number(frame->cpu_ms), "threads",
                   frame->threads, "isa", frame->isa);
-    /* what the fast executor does not count is left out, not reported as 0 */
-    size_t known = frame->executor == GP_EXECUTOR_REFERENCE ? GP_COUNT(counted) : COUNTED_BY_ALL;
-    for (size_t i = 0; i < known; i++)
-        json_object_set_new(object, counted[i].name, json_integer((json_int_t)counted[i].value));
+    frame_add_counters(frame, object);
     return object;
 }

@@ -199,6 +199,7 @@ int options_device(const Options *options, const GpTrace *trace, GpDevice **devi
         .executor = options->executor,
         .threads = options->threads,
         .isa = options->isa,
+        .timed = options->timed,
     };
     if (trace) { /* only one of the two can be watched */
         desc.executor = GP_EXECUTOR_REFERENCE;

@@ -15,6 +15,7 @@ typedef struct Options {
     int threads;            /* 0: one a processor */
     const char *isa;        /* NULL: automatic */
     GpExecutor executor;
+    bool timed; /* GpDeviceDesc.timed */
 } Options;
 
 /* --json, -q, -v, -h, --usage, --version. */

@@ -39,12 +39,7 @@ GP_INLINE flt math_between(flt x, float lowest, float highest)
  * source R50: exact */
 GP_INLINE flt math_floor(flt x)
 {
-    /* Adding 2^23 to a size below it leaves no place for a fraction: the sum is rounded to even. */
-    itg sign = (itg)x & INT32_MIN;
-    flt size = (flt)((itg)x ^ sign);
-    flt nearest = (flt)((itg)((size + 0x1p23f) - 0x1p23f) | sign);
-    flt one_if_above = (flt)((nearest > x) & (itg)flt_set(1.0f));
-    return flt_select(size < 0x1p23f, nearest - one_if_above, x);
+    return flt_floor(x);
 }
 
 /* x - floor(x), the IEEE difference kept: in [0, 1], and 1 for x in [-2^-25, 0).
@@ -79,6 +74,20 @@ GP_INLINE flt math_rsq(flt x)
  * stands in the low bits of the sum; subtracting the constant again gives it as a float. */
 #define GP_ROUND_TO_INTEGER 0x1.8p23f
 
+/* 2^n 2^f for x = n + f with n = round(x): 2^f, and in *n's low bits n. */
+GP_INLINE flt math_exp2_parts(flt x, utg *n)
+{
+    flt sum = x + GP_ROUND_TO_INTEGER;
+    flt f = x - (sum - GP_ROUND_TO_INTEGER);
+
+    flt f2 = f * f;
+    flt q01 = 0x1.62e430p-1f + 0x1.ebfbdep-3f * f;
+    flt q23 = 0x1.c6afa8p-5f + 0x1.3b2d00p-7f * f;
+    flt q45 = 0x1.5eeee6p-10f + 0x1.41b9f4p-13f * f;
+    *n = (utg)sum;
+    return 1.0f + f * (q01 + f2 * (q23 + f2 * q45));
+}
+
 /* 2^x.
  * edges +-0 -> 1; integers in [-149, 127] are exact; x >= 128 and inf -> inf; results below 2^-126
  * are denormals rounded once; x <= -150 and -inf -> 0
@@ -86,24 +95,28 @@ GP_INLINE flt math_rsq(flt x)
  * degree 5, minimax, error 2^-27.7 of 2^f */
 GP_INLINE flt math_exp2(flt x)
 {
+    utg n;
     flt cut = math_between(x, -150.0f, 128.0f);
-    flt sum = cut + GP_ROUND_TO_INTEGER;
-    flt f = cut - (sum - GP_ROUND_TO_INTEGER);
-
-    flt f2 = f * f;
-    flt q01 = 0x1.62e430p-1f + 0x1.ebfbdep-3f * f;
-    flt q23 = 0x1.c6afa8p-5f + 0x1.3b2d00p-7f * f;
-    flt q45 = 0x1.5eeee6p-10f + 0x1.41b9f4p-13f * f;
-    flt power = 1.0f + f * (q01 + f2 * (q23 + f2 * q45));
+    flt power = math_exp2_parts(cut, &n);
 
     /* n goes straight into the exponent; at x = 128 that makes infinity. A result below the normal
      * floats is made 2^149 times as large and rounded to an integer, which is its bits: processors
      * are slow at products that are denormal, and a highlight fades through them into 0. */
     msk denormal = cut < -126.0f;
-    utg exponent = ((utg)sum << 23) + (utg)(denormal & (149 << 23));
+    utg exponent = (n << 23) + (utg)(denormal & (149 << 23));
     flt scaled = (flt)((utg)power + exponent);
     flt rounded = (flt)((utg)(scaled + 0x1p23f) - 0x4b000000u); /* the bits of 2^23 */
     return flt_select(x == x, flt_select(denormal, rounded, scaled), x);
+}
+
+/* 2^x where most of the time no lane is beside an edge: then there is nothing to cut or to select. */
+GP_INLINE flt math_exp2_mostly_normal(flt x)
+{
+    utg n;
+    flt power = math_exp2_parts(x, &n);
+    if (msk_any(~(flt_abs(x) <= 126.0f)))
+        return math_exp2(x);
+    return (flt)((utg)power + (n << 23));
 }
 
 /* log2 |x|, with the given value at 0; |inf| and NaN are their own logarithms.

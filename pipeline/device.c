@@ -1,5 +1,6 @@
 #include "pipeline/glasspipe.h"
 
+#include "pipeline/fast/clock.h"
 #include "pipeline/fast/fast.h"
 #include "pipeline/fpcontrol.h"
 #include "pipeline/isa.h"
@@ -18,6 +19,7 @@ struct GpDevice {
     const char *used_isa;
     GpFast *fast; /* NULL: the reference executor */
     GpCounters counters;
+    GpPhases phases;
 };
 
 static GpResult check_isa(const char *name, GpError *error)
@@ -103,6 +105,7 @@ static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, G
 GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
 {
     int lanes;
+    double mark = fast_clock_ms();
     GpResult result = gp_list_check(list, error);
     if (result)
         return result;
@@ -116,7 +119,9 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
         .counters = &device->counters,
     };
     GpFpControl control = gp_fp_enter();
-    result = device->fast ? gp_fast_run(device->fast, list, lanes, &device->counters, error)
+    device->phases = (GpPhases){ .prepare = fast_clock_lap(&mark) };
+    result = device->fast ? gp_fast_run(device->fast, list, lanes, device->desc.timed,
+                                        &device->counters, &device->phases, error)
                           : gp_reference_run(&reference, list, error);
     gp_fp_leave(control);
     return result;
@@ -140,4 +145,9 @@ int gp_device_threads(const GpDevice *device)
 const GpCounters *gp_device_counters(const GpDevice *device)
 {
     return &device->counters;
+}
+
+const GpPhases *gp_device_phases(const GpDevice *device)
+{
+    return &device->phases;
 }

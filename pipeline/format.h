@@ -64,11 +64,13 @@ float gp_linear_from_srgb8(uint8_t code);
 /* Linear float to sRGB-encoded byte: NaN to 0, clamp, the exact curve, rounded as R24 rounds. */
 uint8_t gp_srgb8_from_linear(float value);
 
-/* The value with any NaN replaced by the quiet NaN 0x7fc00000: done on every float store, since
+enum { GP_QUIET_NAN = 0x7fc00000 };
+
+/* The value with any NaN replaced by the one quiet NaN: done on every float store, since
  * hardware disagrees about the bits of a computed NaN. */
 static inline float gp_canonical(float value)
 {
-    return value == value ? value : gp_bits_float(0x7fc00000u);
+    return value == value ? value : gp_bits_float(GP_QUIET_NAN);
 }
 
 /* --- texels ----------------------------------------------------------------------------------- */

@@ -28,6 +28,7 @@ typedef struct GpDeviceDesc {
     const char *isa; /* NULL or "auto": $GP_ISA, else the widest that every program of a list was
                         compiled for; "sse2" "avx2" "avx512" "neon" force one. Never changes a bit */
     GpTrace trace;   /* reference executor only */
+    bool timed;      /* fast executor: looks at the clock inside tiles too, which costs some time */
 } GpDeviceDesc;
 
 typedef struct GpDevice GpDevice;
@@ -38,12 +39,20 @@ typedef struct GpCounters {
     uint64_t vertices;           /* vertices shaded */
     uint64_t primitives;         /* assembled */
     uint64_t primitives_clipped; /* cut by a plane */
-    uint64_t primitives_drawn;   /* that covered at least one pixel */
-    uint64_t fragments;          /* pixels covered */
-    uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart */
-    uint64_t pixels_written;     /* fragments that passed every test */
-    /* primitives_drawn and what follows are counted by the reference executor only */
+    uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart; the fast executor
+                                    shades only what may be seen */
+    /* what follows is counted by the reference executor only */
+    uint64_t primitives_drawn; /* that covered at least one pixel */
+    uint64_t fragments;        /* pixels covered */
+    uint64_t pixels_written;   /* fragments that passed every test */
 } GpCounters;
+
+/* Where the time of the last run went, in milliseconds. Fast executor only. */
+typedef struct GpPhases {
+    double prepare, vertices, bins, tiles; /* by the clock; they follow each other */
+    /* inside the tiles, where GpDeviceDesc.timed is set: of all threads together */
+    double raster, shading, transfer;
+} GpPhases;
 
 /* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace on another
  * executor than the reference), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
@@ -65,5 +74,6 @@ GpExecutor gp_device_executor(const GpDevice *device);
 int gp_device_threads(const GpDevice *device);
 
 const GpCounters *gp_device_counters(const GpDevice *device);
+const GpPhases *gp_device_phases(const GpDevice *device);
 
 #endif

@@ -17,13 +17,19 @@ static float stream_component(const GpStream *stream, uint32_t vertex, int compo
     return gp_canonical(value);
 }
 
+void gp_fetch_input(const GpStream *stream, int components, uint32_t index, float *input)
+{
+    for (int c = 0; c < components; c++)
+        input[c] = stream_component(stream, index, c);
+}
+
 void gp_fetch_vertex(const GpGeometry *geometry, const GpProgram *program, uint32_t index,
                      float *inputs)
 {
     for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
         const GpInputDecl *input = &program->inputs[i];
-        for (int c = 0; c < input->components; c++)
-            *inputs++ = stream_component(&geometry->streams[input->semantic], index, c);
+        gp_fetch_input(&geometry->streams[input->semantic], input->components, index, inputs);
+        inputs += input->components;
     }
 }
 

@@ -4,11 +4,15 @@
 
 #include "pipeline/geometry.h"
 
-/* Fetches one vertex for a program.
+/* Fetches one input of one vertex.
  * in   index < geometry->vertex_count
- * out  inputs: program->input_components floats in the order of its declarations; components that
- *      a stream lacks are (0, 0, 0, 1); signalling NaNs become the canonical quiet one
+ * out  input: components that the stream lacks are (0, 0, 0, 1); signalling NaNs become the
+ *      canonical quiet one
  * source pipeline facts A1 */
+void gp_fetch_input(const GpStream *stream, int components, uint32_t index, float *input);
+
+/* All inputs of one vertex for a program.
+ * out  inputs: program->input_components floats in the order of its declarations */
 void gp_fetch_vertex(const GpGeometry *geometry, const GpProgram *program, uint32_t index,
                      float *inputs);
 

@@ -6,17 +6,26 @@
 #include <stdio.h>
 
 /* Where the check is, for messages. */
+/* Programs that were found right, the last few: most lists have no more, and counting one's shaders
+ * takes some microseconds. */
+typedef struct Checked {
+    const GpProgram *program[8];
+    unsigned count;
+} Checked;
+
 typedef struct Place {
     const GpList *list;
     uint32_t pass, draw;
     bool in_draw;
+    int element; /* that a field's %d stands for */
+    struct Checked *checked;
     GpError *error;
 } Place;
 
 __attribute__((format(printf, 3, 4))) static GpResult refuse(const Place *place, const char *field,
                                                              const char *format, ...)
 {
-    char where[160], reason[300];
+    char where[160], place_field[64], reason[300];
     const GpPass *pass = &place->list->passes[place->pass];
     int used =
         snprintf(where, sizeof where, "pass %u '%s'", place->pass, pass->name ? pass->name : "");
@@ -26,10 +35,11 @@ __attribute__((format(printf, 3, 4))) static GpResult refuse(const Place *place,
                  name ? name : "");
     }
     va_list args;
+    snprintf(place_field, sizeof place_field, field, place->element);
     va_start(args, format);
     vsnprintf(reason, sizeof reason, format, args);
     va_end(args);
-    return gp_fail(place->error, GP_ERROR_INVALID, "%s: %s: %s", where, field, reason);
+    return gp_fail(place->error, GP_ERROR_INVALID, "%s: %s: %s", where, place_field, reason);
 }
 
 static const GpPass *pass_at(const Place *place)
@@ -46,23 +56,24 @@ static const GpDraw *draw_at(const Place *place)
 
 static GpResult check_color_targets(const Place *place)
 {
+    static const char field[] = "color[%d].surface";
     const GpPass *pass = pass_at(place);
+    Place at = *place;
     bool ended = false;
     for (int i = 0; i < GP_MAX_TARGETS; i++) {
         const GpSurface *surface = pass->color[i].surface;
-        char field[32];
-        snprintf(field, sizeof field, "color[%d].surface", i);
+        at.element = i;
         if (surface && ended)
-            return refuse(place, field, "targets in use must be the first ones");
+            return refuse(&at, field, "targets in use must be the first ones");
         ended = ended || !surface;
         if (!surface)
             continue;
         if (!gp_format_info(surface->format)->is_target)
-            return refuse(place, field, "%s is no render target format",
+            return refuse(&at, field, "%s is no render target format",
                           gp_format_info(surface->format)->name);
         for (int j = 0; j < i; j++)
             if (pass->color[j].surface == surface)
-                return refuse(place, field, "is also color[%d]", j);
+                return refuse(&at, field, "is also color[%d]", j);
     }
     return GP_OK;
 }
@@ -101,15 +112,26 @@ static GpResult check_targets(const Place *place)
 
 /* --- programs and geometry ---------------------------------------------------------------------------- */
 
+static bool was_checked(const Checked *checked, const GpProgram *program)
+{
+    for (size_t i = 0; i < GP_COUNT(checked->program); i++)
+        if (checked->program[i] == program)
+            return true;
+    return false;
+}
+
 static GpResult check_program(const Place *place)
 {
     const GpProgram *program = draw_at(place)->program;
     if (!program)
         return refuse(place, "program", "NULL");
-    bool checked = place->draw > 0 && program == (draw_at(place) - 1)->program;
+    Checked *checked = place->checked;
     GpError reason;
-    if (!checked && gp_program_check(program, &reason))
-        return refuse(place, "program", "%s", reason.text);
+    if (!was_checked(checked, program)) {
+        if (gp_program_check(program, &reason))
+            return refuse(place, "program", "%s", reason.text);
+        checked->program[checked->count++ % GP_COUNT(checked->program)] = program;
+    }
     if (program->uniform_bytes && !draw_at(place)->uniforms)
         return refuse(place, "uniforms", "NULL, but %s has %zu bytes of them", program->name,
                       program->uniform_bytes);
@@ -130,14 +152,18 @@ static GpResult check_streams(const Place *place)
         if (!input->components)
             break;
         const GpStream *stream = &draw->geometry.streams[input->semantic];
+        const bool fits = (stream->data || !draw->geometry.vertex_count) &&
+                          stream->components >= 1 && stream->components <= 4 &&
+                          (stream->type == GP_FLOAT32 || stream->type == GP_UNORM8);
+        if (fits)
+            continue;
         char field[64];
         snprintf(field, sizeof field, "geometry.streams[%s]", gp_semantic_names[input->semantic]);
         if (!stream->data && draw->geometry.vertex_count)
             return refuse(place, field, "not there, but %s reads it", draw->program->name);
         if (stream->components < 1 || stream->components > 4)
             return refuse(place, field, "has %d components, expected 1 to 4", stream->components);
-        if (stream->type != GP_FLOAT32 && stream->type != GP_UNORM8)
-            return refuse(place, field, "has an unknown component type");
+        return refuse(place, field, "has an unknown component type");
     }
     return GP_OK;
 }
@@ -225,26 +251,27 @@ static bool is_logic(GpBlendOp op)
 
 static GpResult check_blend_state(const Place *place)
 {
+    static const char field[] = "state.blend[%d]";
     const GpPass *pass = pass_at(place);
+    Place at = *place;
     for (int i = 0; i < GP_MAX_TARGETS; i++) {
         const GpBlend *blend = &draw_at(place)->state.blend[i];
-        char field[32];
-        snprintf(field, sizeof field, "state.blend[%d]", i);
+        at.element = i;
         if ((unsigned)blend->op >= GP_BLEND_OPS || (unsigned)blend->alpha_op >= GP_BLEND_OPS ||
             (unsigned)blend->src >= GP_BLEND_FACTORS || (unsigned)blend->dst >= GP_BLEND_FACTORS ||
             (unsigned)blend->alpha_src >= GP_BLEND_FACTORS ||
             (unsigned)blend->alpha_dst >= GP_BLEND_FACTORS)
-            return refuse(place, field, "unknown operation or factor");
+            return refuse(&at, field, "unknown operation or factor");
         if (blend->dst == GP_SRC_ALPHA_SAT || blend->alpha_dst == GP_SRC_ALPHA_SAT)
-            return refuse(place, field, "src-alpha-sat is a source factor only");
+            return refuse(&at, field, "src-alpha-sat is a source factor only");
         if (blend->op == GP_BLEND_OFF && blend->alpha_op != GP_BLEND_OFF)
-            return refuse(place, field, "alpha blends, but colour does not");
+            return refuse(&at, field, "alpha blends, but colour does not");
         bool logic = is_logic(blend->op);
         if (blend->alpha_op != GP_BLEND_OFF && logic != is_logic(blend->alpha_op))
-            return refuse(place, field, "logical operations serve colour and alpha alike");
+            return refuse(&at, field, "logical operations serve colour and alpha alike");
         const GpSurface *target = pass->color[i].surface;
         if (logic && target && gp_format_info(target->format)->is_float)
-            return refuse(place, field, "logical operations need an unorm target, not %s",
+            return refuse(&at, field, "logical operations need an unorm target, not %s",
                           gp_format_info(target->format)->name);
     }
     return GP_OK;
@@ -278,27 +305,26 @@ static GpResult check_sampler(const Place *place, const char *field, const GpTex
 
 static GpResult check_textures(const Place *place)
 {
+    static const char field[] = "textures[%d].surface";
     const GpDraw *draw = draw_at(place);
     const GpProgram *program = draw->program;
-    uint16_t read = program->samplers | program->vertex_samplers | program->local_reads;
-    for (int i = 0; i < GP_MAX_SAMPLERS; i++) {
-        char field[32];
-        snprintf(field, sizeof field, "textures[%d].surface", i);
+    unsigned read = program->samplers | program->vertex_samplers | program->local_reads;
+    Place at = *place;
+    for (; read; read &= read - 1) {
+        const int i = at.element = __builtin_ctz(read);
         const GpSurface *surface = draw->textures[i].surface;
-        if (!(read >> i & 1))
-            continue;
         if (!surface)
-            return refuse(place, field, "not bound, but %s reads slot %d", program->name, i);
+            return refuse(&at, field, "not bound, but %s reads slot %d", program->name, i);
         if (is_target_of(pass_at(place), surface))
-            return refuse(place, field, "'%s' is a render target of this pass", surface->name);
-        GpResult result = check_sampler(place, field, &draw->textures[i]);
+            return refuse(&at, field, "'%s' is a render target of this pass", surface->name);
+        GpResult result = check_sampler(&at, field, &draw->textures[i]);
         if (result)
             return result;
         uint32_t width, height;
         gp_pass_size(pass_at(place), &width, &height);
         bool local = program->local_reads >> i & 1;
         if (local && (surface->width != width || surface->height != height))
-            return refuse(place, field, "'%s' is %ux%u; read in place it must be %ux%u",
+            return refuse(&at, field, "'%s' is %ux%u; read in place it must be %ux%u",
                           surface->name, surface->width, surface->height, width, height);
     }
     return GP_OK;
@@ -315,7 +341,8 @@ GpResult gp_list_check(const GpList *list, GpError *error)
     if (list->pass_count && !list->passes)
         return gp_fail(error, GP_ERROR_INVALID, "passes: NULL, but pass_count is %u",
                        list->pass_count);
-    Place place = { .list = list, .error = error };
+    Checked checked = { .count = 0 };
+    Place place = { .list = list, .checked = &checked, .error = error };
     for (place.pass = 0; place.pass < list->pass_count; place.pass++) {
         place.in_draw = false;
         GpResult result = check_targets(&place);

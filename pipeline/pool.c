@@ -11,13 +11,18 @@ typedef struct Worker {
     pthread_t thread;
 } Worker;
 
+/* Looks at a word that is about to change before a thread sleeps: some ten microseconds, about what
+ * waking it again takes. The phases of a frame follow each other faster than that. */
+enum { LOOKS = 400 };
+
 struct GpPool {
     int threads;
     Worker *workers; /* number 0 has no thread of its own */
     pthread_mutex_t mutex;
     pthread_cond_t work_came, work_done;
-    uint64_t round; /* calls of gp_pool_run so far; workers wait for it to change */
-    int busy;       /* workers that have not finished this round */
+    atomic_uint round; /* calls of gp_pool_run so far; workers wait for it to change */
+    atomic_int inside; /* workers that have joined the round and not finished it */
+    bool open;         /* the round may still be joined: whoever wakes too late is not waited for */
     bool stop;
 
     GpPoolFn function;
@@ -25,6 +30,15 @@ struct GpPool {
     uint32_t count;
     atomic_uint next; /* item */
 };
+
+static void pause_briefly(void)
+{
+#if defined __x86_64__ || defined __i386__
+    __builtin_ia32_pause();
+#elif defined __aarch64__
+    __asm__ volatile("yield");
+#endif
+}
 
 static void do_items(GpPool *pool, int worker)
 {
@@ -42,22 +56,28 @@ static void *work(void *argument)
 {
     Worker *worker = argument;
     GpPool *pool = worker->pool;
-    uint64_t seen = 0;
-    pthread_mutex_lock(&pool->mutex);
+    unsigned seen = 0;
     for (;;) {
-        while (pool->round == seen && !pool->stop)
+        for (int look = 0; look < LOOKS && atomic_load(&pool->round) == seen; look++)
+            pause_briefly();
+        pthread_mutex_lock(&pool->mutex);
+        while (atomic_load(&pool->round) == seen && !pool->stop)
             pthread_cond_wait(&pool->work_came, &pool->mutex);
-        if (pool->stop)
-            break;
-        seen = pool->round;
+        seen = atomic_load(&pool->round);
+        bool join = pool->open, stop = pool->stop;
+        if (join)
+            atomic_fetch_add(&pool->inside, 1);
         pthread_mutex_unlock(&pool->mutex);
+        if (stop)
+            return NULL;
+        if (!join)
+            continue;
         do_items(pool, worker->number);
         pthread_mutex_lock(&pool->mutex);
-        if (--pool->busy == 0)
+        if (atomic_fetch_sub(&pool->inside, 1) == 1)
             pthread_cond_signal(&pool->work_done);
+        pthread_mutex_unlock(&pool->mutex);
     }
-    pthread_mutex_unlock(&pool->mutex);
-    return NULL;
 }
 
 static void stop_workers(GpPool *pool, int started)
@@ -114,26 +134,39 @@ int gp_pool_threads(const GpPool *pool)
     return pool->threads;
 }
 
+static void open_round(GpPool *pool)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->open = true;
+    atomic_fetch_add(&pool->round, 1);
+    pthread_cond_broadcast(&pool->work_came);
+    pthread_mutex_unlock(&pool->mutex);
+}
+
+static void close_round(GpPool *pool)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->open = false;
+    pthread_mutex_unlock(&pool->mutex);
+    for (int look = 0; look < LOOKS && atomic_load(&pool->inside); look++)
+        pause_briefly();
+    pthread_mutex_lock(&pool->mutex);
+    while (atomic_load(&pool->inside))
+        pthread_cond_wait(&pool->work_done, &pool->mutex);
+    pthread_mutex_unlock(&pool->mutex);
+}
+
 void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
 {
     GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
+    bool alone = pool->threads == 1 || count <= 1;
     pool->function = function;
     pool->context = context;
     pool->count = count;
     atomic_store_explicit(&pool->next, 0, memory_order_relaxed);
-    bool alone = pool->threads == 1 || count <= 1;
-    if (!alone) {
-        pthread_mutex_lock(&pool->mutex);
-        pool->busy = pool->threads - 1;
-        pool->round++;
-        pthread_cond_broadcast(&pool->work_came);
-        pthread_mutex_unlock(&pool->mutex);
-    }
+    if (!alone)
+        open_round(pool);
     do_items(pool, 0);
-    if (!alone) {
-        pthread_mutex_lock(&pool->mutex);
-        while (pool->busy)
-            pthread_cond_wait(&pool->work_done, &pool->mutex);
-        pthread_mutex_unlock(&pool->mutex);
-    }
+    if (!alone)
+        close_round(pool);
 }

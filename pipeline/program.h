@@ -105,7 +105,8 @@ typedef struct GpShaderCall {
     const GpTexture *textures; /* GP_MAX_SAMPLERS slots */
     GpTextureFn read_texture;
     GpLocalFn read_local; /* pixel shaders only */
-    void *executor;       /* for the two functions above */
+    void *executor;       /* for read_texture */
+    void *local;          /* for read_local */
 
     /* vertex shader: out */
     float *position; /* [packet][4][lanes], clip space */

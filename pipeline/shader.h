@@ -222,11 +222,11 @@ GP_INLINE flt gp_lrp_lanes(flt t, flt a, flt b)
 /* R30: where one operand is NaN the other is the result. */
 GP_INLINE flt gp_min_lanes(flt a, flt b)
 {
-    return flt_select((msk)(a < b) | (msk)(b != b), a, b);
+    return flt_select(b != b, a, flt_lesser(a, b));
 }
 GP_INLINE flt gp_max_lanes(flt a, flt b)
 {
-    return flt_select((msk)(a > b) | (msk)(b != b), a, b);
+    return flt_select(b != b, a, flt_greater(a, b));
 }
 GP_INLINE flt gp_slt_lanes(flt a, flt b)
 {
@@ -305,16 +305,7 @@ GP_INLINE float4 gp_sel4(msk m, float4 a, float4 b)
 
 /* any(mask): whether a lane is true. To leave a loop whose further turns would change nothing, and
  * for nothing else: which pixels share a packet is the executor's business. */
-GP_INLINE int gp_any(msk m)
-{
-    typedef int64_t pair __attribute__((vector_size(4 * GP_LANES)));
-    pair lanes = (pair)m;
-    int64_t set = 0;
-    for (int i = 0; i < GP_LANES / 2; i++)
-        set |= lanes[i];
-    return set != 0;
-}
-#define any(m)       gp_any(m)
+#define any(m)       msk_any(m)
 
 /* Dot products: summed left to right. */
 GP_INLINE flt dp2(float2 a, float2 b)
@@ -353,20 +344,17 @@ GP_INLINE flt rsq(flt a)
 #define GP_LARGEST 3.40282346638528859812e+38f
 GP_INLINE flt rcp(flt a)
 {
-    flt r = math_rcp(a);
-    return flt_select(r > GP_LARGEST, flt_set(GP_LARGEST),
-                      flt_select(r < -GP_LARGEST, flt_set(-GP_LARGEST), r));
+    return math_between(math_rcp(a), -GP_LARGEST, GP_LARGEST);
 }
 GP_INLINE flt rsq(flt a)
 {
-    flt r = math_rsq(flt_abs(a));
-    return flt_select(r > GP_LARGEST, flt_set(GP_LARGEST), r);
+    return flt_lesser(flt_set(GP_LARGEST), math_rsq(flt_abs(a))); /* NaN passes */
 }
 #endif
 
 GP_INLINE flt exp_(flt a) /* 2^a */
 {
-    return math_exp2(a);
+    return math_exp2_mostly_normal(a);
 }
 GP_INLINE flt log_(flt a) /* log2 |a|; log of 0 is -FLT_MAX */
 {

@@ -41,9 +41,9 @@ float gp_texture_lod(const float ddx[2], const float ddy[2], uint32_t width, uin
 
 /* --- texels ----------------------------------------------------------------------------------- */
 
-/* The border as one texel of the surface's format: what the sampler asks for is rounded and clamped
- * as if it had been drawn into the surface, so that from here on it is a texel like any other. */
-static void make_border(const GpTexture *texture, uint8_t border[16])
+/* What the sampler asks for is rounded and clamped as if it had been drawn into the surface, so that
+ * from here on it is a texel like any other. */
+void gp_texture_border(const GpTexture *texture, uint8_t border[16])
 {
     const GpFormat format = texture->surface->format;
     const float *rgba = texture->sampler.border;
@@ -183,7 +183,7 @@ static void sample_level(const GpTexture *texture, uint32_t number, uint32_t par
     const GpFormat format = surface->format;
     uint8_t border[16];
 
-    make_border(texture, border);
+    gp_texture_border(texture, border);
     Footprint f = find_texels(texture, &surface->level[number], filter, uvr, border);
     if (texture->sampler.compare)
         filter_compare(format, &f, uvr[2], rgba);

@@ -26,6 +26,9 @@ typedef struct GpSampleReport {
  * out  at most 64, -infinity for a footprint whose square is 0 in binary32; NaN gives 0 */
 float gp_texture_lod(const float ddx[2], const float ddy[2], uint32_t width, uint32_t height);
 
+/* The border as one texel of the surface's format. */
+void gp_texture_border(const GpTexture *texture, uint8_t border[16]);
+
 /* Samples one point.
  * in   uvr: u, v in texture space, r the reference depth (compare samplers, depth formats only);
  *      lod: before bias and clamp. NaN and infinities anywhere are safe: see texture_address.h

@@ -34,6 +34,7 @@ void *fast_arena_take(FastArena *arena, size_t bytes)
     }
     char *memory = (char *)arena->blocks + HEADER + arena->used;
     arena->used += rounded;
+    arena->taken += rounded;
     return memory;
 }
 
@@ -49,7 +50,7 @@ void fast_arena_free(FastArena *arena)
 
 void fast_arena_reset(FastArena *arena)
 {
-    arena->used = 0;
+    arena->used = arena->taken = 0;
     if (!arena->blocks || !arena->blocks->next)
         return;
     size_t total = 0;

@@ -7,6 +7,7 @@
 typedef struct FastArena {
     struct FastArenaBlock *blocks; /* the newest first; only that one has room */
     size_t used, size;             /* of the newest, in bytes */
+    size_t taken;                  /* in all since the last reset */
 } FastArena;
 
 /* `bytes` of memory, aligned to 64, with whatever it held before; NULL when memory is short. */

@@ -37,28 +37,32 @@ uint32_t fast_find_block(const FastPass *pass, uint32_t block)
 
 /* --- bins ---------------------------------------------------------------------------------------- */
 
-static void *grown(void *array, uint32_t needed, uint32_t *room, size_t size)
+static void *grown(FastRange *range, void *array, uint32_t needed, uint32_t *room, size_t size)
 {
     if (needed <= *room)
         return array;
     uint32_t larger = needed + needed / 2 + 64;
     void *memory = realloc(array, larger * size);
-    if (memory)
-        *room = larger;
+    if (!memory)
+        return NULL;
+    atomic_fetch_add(&range->budget->used, (larger - *room) * size);
+    *room = larger;
     return memory;
 }
 
 bool fast_range_begin(FastRange *range, uint32_t tiles)
 {
-    if (tiles > range->tile_room) {
-        free(range->head);
-        range->tile_room = 0;
-        range->head = malloc(2 * tiles * sizeof *range->head);
-        if (!range->head)
-            return false;
-        range->tile_room = tiles;
-    }
-    memset(range->head, 0, 2 * tiles * sizeof *range->head);
+    uint32_t *head = grown(range, range->head, tiles, &range->tile_room, 2 * sizeof *head);
+    if (!head)
+        return false;
+    memset(head, 0, 2 * tiles * sizeof *head);
+    range->head = head;
+    FastChunk *chunks = grown(range, range->chunks, 1, &range->chunk_room, sizeof *chunks);
+    if (!chunks)
+        return false;
+    chunks[0].count = FAST_CHUNK; /* full: it gives way to a real one */
+    chunks[0].group[FAST_CHUNK - 1].first = UINT32_MAX;
+    range->chunks = chunks;
     range->tail = range->head + tiles;
     range->chunk_count = 1;
     range->cut_count = range->corner_count = 0;
@@ -69,19 +73,27 @@ bool fast_range_begin(FastRange *range, uint32_t tiles)
 
 void fast_range_free(FastRange *range)
 {
+    if (range->budget)
+        atomic_fetch_sub(&range->budget->used,
+                         range->tile_room * 2 * sizeof *range->head +
+                             range->chunk_room * sizeof *range->chunks +
+                             range->cut_room * sizeof *range->cuts +
+                             range->corner_room * sizeof *range->corners +
+                             range->varying_room * sizeof(float[GP_MAX_VARYINGS]));
     free(range->head);
     free(range->chunks);
     free(range->cuts);
     free(range->corners);
     free(range->corner_varyings);
-    *range = (FastRange){ 0 };
+    *range = (FastRange){
+        .first = range->first, .end = range->end, .reached = range->reached, .budget = range->budget
+    };
 }
 
-/* A fresh chunk at the end of a tile's list; NULL when memory is short. */
-static FastChunk *add_chunk(FastRange *range, uint32_t tile)
+FastChunk *fast_add_chunk(FastRange *range, uint32_t tile)
 {
     FastChunk *chunks =
-        grown(range->chunks, range->chunk_count + 1, &range->chunk_room, sizeof *chunks);
+        grown(range, range->chunks, range->chunk_count + 1, &range->chunk_room, sizeof *chunks);
     if (!chunks) {
         range->failed = true;
         return NULL;
@@ -97,20 +109,12 @@ static FastChunk *add_chunk(FastRange *range, uint32_t tile)
     return &chunks[number];
 }
 
-static void add_to_tile(FastRange *range, uint32_t tile, uint32_t primitive)
-{
-    FastChunk *chunk = range->tail[tile] ? &range->chunks[range->tail[tile]] : NULL;
-    if (!chunk || chunk->count == FAST_CHUNK)
-        chunk = add_chunk(range, tile);
-    if (chunk)
-        chunk->primitive[chunk->count++] = primitive;
-}
-
 void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, const FastBox *box)
 {
     for (int32_t y = box->y0 / FAST_TILE; y <= box->y1 / FAST_TILE; y++)
         for (int32_t x = box->x0 / FAST_TILE; x <= box->x1 / FAST_TILE; x++)
-            add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, primitive);
+            fast_add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x,
+                             (FastHits){ primitive, 1 });
 }
 
 const FastCut *fast_find_cut(const FastRange *range, uint32_t primitive)
@@ -174,16 +178,16 @@ static bool keep_cut(const FastDraw *d, FastRange *range, uint32_t primitive,
                      const GpClipPolygon *polygon, const GpScreenVertex *screen)
 {
     uint32_t corners = (uint32_t)polygon->corners, stride = (uint32_t)d->modes.components;
-    FastCut *cuts = grown(range->cuts, range->cut_count + 1, &range->cut_room, sizeof *cuts);
+    FastCut *cuts = grown(range, range->cuts, range->cut_count + 1, &range->cut_room, sizeof *cuts);
     if (!cuts)
         return false;
     range->cuts = cuts;
-    GpScreenVertex *kept =
-        grown(range->corners, range->corner_count + corners, &range->corner_room, sizeof *kept);
+    GpScreenVertex *kept = grown(range, range->corners, range->corner_count + corners,
+                                 &range->corner_room, sizeof *kept);
     if (!kept)
         return false;
     range->corners = kept;
-    float *varyings = grown(range->corner_varyings, range->corner_count + corners,
+    float *varyings = grown(range, range->corner_varyings, range->corner_count + corners,
                             &range->varying_room, sizeof(float[GP_MAX_VARYINGS]));
     if (!varyings)
         return false;
@@ -235,23 +239,24 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
         range->failed = true;
 }
 
-/* --- primitives ------------------------------------------------------------------------------------ */
+/* --- triangles ------------------------------------------------------------------------------------- */
 
-static void bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range,
-                         uint32_t primitive)
+void fast_bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range,
+                       uint32_t primitive)
 {
     uint32_t number[3];
     gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
     int32_t x[3], y[3];
     unsigned any = 0, all = 0xff;
     for (int i = 0; i < 3; i++) {
-        uint32_t at = number[i] - d->first_vertex;
-        x[i] = d->positions[at].x;
-        y[i] = d->positions[at].y;
-        if (d->outside[at] == 0xff)
+        const FastPosition *position = &d->positions[number[i] - d->first_vertex];
+        unsigned outside = fast_outside(position);
+        x[i] = position->x;
+        y[i] = position->y;
+        if (outside == FAST_OUTSIDE_ALL)
             return;
-        any |= d->outside[at];
-        all &= d->outside[at];
+        any |= outside;
+        all &= outside;
     }
     FastBox box;
     if (all)
@@ -260,27 +265,4 @@ static void bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *ran
         bin_clipped(pass, d, range, primitive, number);
     else if (triangle_box(d, x, y, &box))
         fast_bin_box(pass, range, primitive, &box);
-}
-
-static void bin_point(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t primitive)
-{
-    uint32_t number[3];
-    gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
-    uint32_t at = number[0] - d->first_vertex;
-    if (d->outside[at])
-        return;
-    GpScreenVertex center = { .x = d->positions[at].x, .y = d->positions[at].y };
-    GpPointSprite sprite;
-    if (gp_setup_point(&center, d->point_sizes[at], &d->rect, &sprite) != GP_SETUP_DRAWN)
-        return;
-    fast_bin_box(pass, range, primitive, &(FastBox){ sprite.x0, sprite.y0, sprite.x1, sprite.y1 });
-}
-
-void fast_bin_primitive(const FastPass *pass, const FastDraw *d, FastRange *range,
-                        uint32_t primitive)
-{
-    if (d->draw->geometry.primitive == GP_TRIANGLES)
-        bin_triangle(pass, d, range, primitive);
-    else
-        bin_point(pass, d, range, primitive);
 }

@@ -9,10 +9,19 @@
 #include "pipeline/vertex_stage.h"
 #include "pipeline/viewport.h"
 
+#include <stdatomic.h>
+
 enum {
-    FAST_TILE = 64,          /* pixels a side */
-    FAST_VERTEX_BLOCK = 256, /* vertices of one item of work */
-    FAST_RANGE = 16384,      /* primitives of one item of work */
+    FAST_TILE = 64,             /* pixels a side */
+    FAST_WIDEST = 16,           /* lanes of the widest packet */
+    FAST_VERTEX_BLOCK = 256,    /* vertices of one item of work */
+    FAST_LEAST_IN_RANGE = 4096, /* primitives of one item of work */
+    FAST_MOST_IN_RANGE = 16384,
+
+    /* targets that a tile's memory holds at once: enough for any pass, and for groups of passes that
+     * read each other's results in place */
+    FAST_COLOR_SLOTS = GP_MAX_TARGETS,
+    FAST_DEPTH_SLOTS = 2,
 };
 
 /* How a draw's fragments reach the targets. */
@@ -23,11 +32,26 @@ typedef enum FastRoute {
     FAST_NOTHING,    /* changes nothing */
 } FastRoute;
 
-/* A vertex on the screen; one that is outside some plane has no place there (see `outside`). */
+/* x of a vertex that has no place on the screen is far to the left of every one that has, plus a bit
+ * for each clip plane that the vertex is outside of; all bits: it is no number, and draws nothing. */
+#define FAST_NOWHERE (-(1 << 30))
+enum { FAST_OUTSIDE_ALL = 0xff };
+
+/* A vertex on the screen. */
 typedef struct FastPosition {
     int32_t x, y; /* 24.8 fixed point */
-    float z, rw;
+    float z;
+    union {
+        float rw;
+        float size; /* of a point, which has no use for rw */
+    };
 } FastPosition;
+
+/* The planes that a vertex is outside of; 0: it has a place. */
+static inline unsigned fast_outside(const FastPosition *position)
+{
+    return position->x < FAST_NOWHERE / 2 ? (unsigned)(position->x - FAST_NOWHERE) : 0;
+}
 
 /* Pixels, ends included. */
 typedef struct FastBox {
@@ -55,11 +79,14 @@ typedef struct FastDraw {
 
     /* shaded vertices, vertex first_vertex first */
     FastPosition *positions;
-    uint8_t *outside;   /* bit i: outside clip plane i; 0xff: no number, draws nothing */
     float *varyings;    /* stride floats a vertex: varyings, then clip distances in use */
-    float *point_sizes; /* points only */
     uint32_t stride;    /* a multiple of 4 */
 } FastDraw;
+
+static inline uint32_t fast_draw_blocks(const FastDraw *draw)
+{
+    return (draw->vertex_count + FAST_VERTEX_BLOCK - 1) / FAST_VERTEX_BLOCK;
+}
 
 /* A triangle that the clipper cut: its fan, as triangles of three corners of their own. */
 typedef struct FastCut {
@@ -67,21 +94,41 @@ typedef struct FastCut {
     uint32_t first, corners;
 } FastCut;
 
-enum { FAST_CHUNK = 14 };         /* primitives of one chunk: 64 bytes with its header */
-#define FAST_CUT_FLAG 0x80000000u /* on a primitive's number: look it up in the cuts */
+/* Neighbours of one draw that touch a tile: primitive first + i for every bit i of lanes. */
+typedef struct FastHits {
+    uint32_t first;
+    uint32_t lanes;
+} FastHits;
 
-/* Some primitives of one tile; chunks of a tile are linked in order. */
+/* On a group's first and only primitive: look it up in the cuts. */
+#define FAST_CUT_FLAG 0x80000000u
+
+/* Some groups of one tile; chunks of a tile are linked in order. */
+enum { FAST_CHUNK = 7 }; /* fills 64 bytes */
 typedef struct FastChunk {
     uint32_t count;
     uint32_t next; /* chunk number, 0: the last */
-    uint32_t primitive[FAST_CHUNK];
+    FastHits group[FAST_CHUNK];
 } FastChunk;
+
+/* Memory that all bins share. Where it runs out, what is binned so far is drawn first. */
+typedef struct FastBudget {
+    atomic_size_t used;
+    size_t limit;
+} FastBudget;
+
+static inline bool fast_budget_left(const FastBudget *budget)
+{
+    return atomic_load_explicit(&budget->used, memory_order_relaxed) < budget->limit;
+}
 
 /* Primitives of one range, by tiles, in submission order. Kept from frame to frame. */
 typedef struct FastRange {
+    uint32_t first, end, reached; /* primitives of the pass; those before `reached` are binned */
+    FastBudget *budget;
     uint32_t *head, *tail; /* [tiles], chunk numbers, 0: none */
     uint32_t tile_room;
-    FastChunk *chunks; /* number 0 stays unused */
+    FastChunk *chunks; /* number 0 is every tile's first, and always full */
     uint32_t chunk_count, chunk_room;
 
     FastCut *cuts; /* by rising primitive */
@@ -93,6 +140,7 @@ typedef struct FastRange {
     bool failed; /* no memory */
 } FastRange;
 
+/* A pass, or the part of one that memory has room for. */
 typedef struct FastPass {
     const GpPass *pass;
     uint32_t width, height;
@@ -100,24 +148,70 @@ typedef struct FastPass {
     FastDraw *draws;
     uint32_t draw_count;
     uint32_t block_count, primitive_count, range_count;
+    uint32_t range_size;               /* primitives, but for the last */
+    uint32_t first_block, first_range; /* of all that the group has */
+    bool starts;                       /* with the pass's first draw: targets are cleared before */
+
+    /* what the tiles are to draw now */
+    bool clears;
+    uint32_t ready_count;
     FastRange *ranges;
 } FastPass;
+
+/* The surfaces that a group draws to, each with its slot in tile memory; see group.h. */
+typedef struct FastSlots {
+    GpSurface *color[FAST_COLOR_SLOTS]; /* NULL: free */
+    GpSurface *depth[FAST_DEPTH_SLOTS];
+} FastSlots;
+
+/* Passes that run tile by tile, all of them in one tile before the next tile's turn. */
+typedef struct FastGroup {
+    FastPass *passes;
+    uint32_t pass_count;
+    FastSlots slots;
+    uint32_t block_count, range_count;
+} FastGroup;
 
 /* Draw that an item of a rising series belongs to: the last whose first item is not above it. */
 uint32_t fast_find_draw(const FastPass *pass, uint32_t primitive);
 uint32_t fast_find_block(const FastPass *pass, uint32_t block);
 
+/* The same for passes of a group. */
+const FastPass *fast_find_pass_of_block(const FastGroup *group, uint32_t block);
+const FastPass *fast_find_pass_of_range(const FastGroup *group, uint32_t range);
+
 /* Starts a range for a pass with so many tiles; false when memory is short. */
 bool fast_range_begin(FastRange *range, uint32_t tiles);
+
+/* Gives back a range's memory, and what it had of the budget; its primitives stay what they are. */
 void fast_range_free(FastRange *range);
+
+/* The group that was last added to a tile; one that is no primitive's where there is none. */
+static inline const FastHits *fast_last_group(const FastRange *range, uint32_t tile)
+{
+    const FastChunk *chunk = &range->chunks[range->tail[tile]];
+    return &chunk->group[chunk->count - 1];
+}
+
+/* A fresh chunk at the end of a tile's list; NULL, noted in the range, when memory is short. */
+FastChunk *fast_add_chunk(FastRange *range, uint32_t tile);
+
+static inline void fast_add_to_tile(FastRange *range, uint32_t tile, FastHits group)
+{
+    FastChunk *chunk = &range->chunks[range->tail[tile]];
+    if (chunk->count == FAST_CHUNK)
+        chunk = fast_add_chunk(range, tile);
+    if (chunk)
+        chunk->group[chunk->count++] = group;
+}
 
 /* Adds a primitive to the bin of every tile that the pixels x0..x1, y0..y1 touch; notes a failure in
  * the range. */
 void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, const FastBox *box);
 
-/* Bins one primitive, whatever it is: a point, a triangle of any size, one to be clipped. */
-void fast_bin_primitive(const FastPass *pass, const FastDraw *draw, FastRange *range,
-                        uint32_t primitive);
+/* Bins one triangle of any size, or one to be clipped. */
+void fast_bin_triangle(const FastPass *pass, const FastDraw *draw, FastRange *range,
+                       uint32_t primitive);
 
 /* The cut of a primitive that was binned with FAST_CUT_FLAG. */
 const FastCut *fast_find_cut(const FastRange *range, uint32_t primitive);

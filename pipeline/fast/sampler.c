@@ -1,18 +1,13 @@
 #include "pipeline/fast/sampler.h"
 
+#include "pipeline/texture.h"
 #include "pipeline/texture_address.h"
 
-/* The border as one texel of the surface's format, which it is rounded to first. */
-static void prepare_border(const float rgba[4], FastSampler *s)
+static void prepare_border(const GpTexture *texture, FastSampler *s)
 {
-    uint8_t texel[16] = { 0 }, code[4], stencil;
+    uint8_t texel[16], code[4], stencil;
 
-    if (gp_format_info(s->format)->is_depth) {
-        float depth = rgba[0] < 0.0f ? 0.0f : rgba[0] > 1.0f ? 1.0f : rgba[0];
-        gp_depth_store(s->format, texel, gp_depth_code(s->format, depth), 0);
-    } else {
-        gp_texel_store(s->format, texel, rgba, 0);
-    }
+    gp_texture_border(texture, texel);
     gp_texel_load(s->format, texel, s->border);
     if (s->sampling == FAST_COMPARE) {
         gp_depth_load(s->format, texel, &s->border_code, &stencil);
@@ -66,5 +61,5 @@ void fast_prepare_sampler(const GpTexture *texture, FastSampler *sampler)
     }
     sampler->has_border = from->address_u == GP_BORDER || from->address_v == GP_BORDER;
     if (sampler->has_border)
-        prepare_border(from->border, sampler);
+        prepare_border(texture, sampler);
 }

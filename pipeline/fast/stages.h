@@ -9,13 +9,19 @@ typedef struct FastTileMemory FastTileMemory;
 
 typedef struct FastStages {
     int lanes;
+    /* As gp_vertex_range. */
+    void (*vertex_range)(const GpGeometry *geometry, uint32_t *first, uint32_t *count);
     /* Shades vertices [first, first + count) of a draw (counted from its first vertex). */
     void (*shade_vertices)(const FastDraw *draw, uint32_t first, uint32_t count);
-    /* Bins primitives [first, end) of a pass: culls, clips where it must, and keeps their order. */
-    void (*bin_range)(const FastPass *pass, FastRange *range, uint32_t first, uint32_t end);
-    /* Draws one tile of a pass, from clear or load to store. */
-    void (*draw_tile)(const FastPass *pass, uint32_t tile, FastTileMemory *memory);
+    /* Bins a range of a pass's primitives, or as many as there is memory for: culls, clips where it
+     * must, and keeps their order. */
+    void (*bin_range)(const FastPass *pass, FastRange *range);
+    /* Draws one tile of a group, from clear or load to store. */
+    void (*draw_tile)(const FastGroup *group, uint32_t tile, FastTileMemory *memory);
     size_t (*tile_bytes)(void);
+    /* What a worker counts, and times where it is asked for: from zero, and added up. */
+    void (*start_counting)(FastTileMemory *memory, bool timed);
+    void (*add_counts)(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases);
 } FastStages;
 
 /* The stages of a width: 4, 8 or 16. */

@@ -1,77 +1,199 @@
-/* Binning in lanes: GP_LANES triangles at a time are culled and put in the bins of their tiles. */
-#include "pipeline/fast/lanes/tile.h"
+/* Binning in lanes: GP_LANES triangles or points at a time are culled and put in the bins of their
+ * tiles. */
+#include "pipeline/fast/lanes/sprite.h"
 
-/* Largest extent, in sub-pixels, at which areas and edges fit into 32 bits. */
-enum { FITS = 1 << 15 };
+enum {
+    FITS = 1 << 15,         /* largest extent, in sub-pixels, at which areas fit into 32 bits */
+    TINY = 2 * GP_SUBPIXELS /* a smaller extent holds at most two centres */
+};
 
-GP_INLINE itg least(itg a, itg b)
+/* GP_LANES triangles of one draw on the screen. */
+typedef struct Batch {
+    itg x[3], y[3];
+    itg low_x, low_y, high_x, high_y;
+    itg x0, y0, x1, y1; /* pixels whose centres may be inside, ends included */
+} Batch;
+
+GP_INLINE itg least(const itg a[3])
 {
-    return itg_select((itg)(a < b), a, b);
+    return itg_lesser(a[0], itg_lesser(a[1], a[2]));
 }
 
-GP_INLINE itg most(itg a, itg b)
+GP_INLINE itg most(const itg a[3])
 {
-    return itg_select((itg)(a > b), a, b);
+    return itg_greater(a[0], itg_greater(a[1], a[2]));
 }
 
-/* A run of triangles of one draw. Those that are large, or outside some plane, are left to the code
- * that takes one at a time: rare, and not much dearer. */
-static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
-                          uint32_t count)
+/* Corners of triangles of a draw, counted from its first; beyond `count` the first stands in. */
+GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, Batch *batch)
 {
-    const GpGeometry *geometry = &d->draw->geometry;
-    uint32_t base = 3 * (first - d->first_primitive);
-    const void *record[3][GP_LANES];
-    unsigned alone = 0;
-    GP_UNROLL
-    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
-        uint32_t at = base + 3 * (lane < count ? lane : 0);
-        unsigned outside = 0;
-        for (uint32_t k = 0; k < 3; k++) {
-            uint32_t number = geometry->indices ? geometry->indices[at + k] : at + k;
-            number -= d->first_vertex;
-            record[k][lane] = &d->positions[number];
-            outside |= d->outside[number];
+    const uint32_t *indices = d->draw->geometry.indices, *number = indices + 3 * first;
+    uint32_t made[3 * GP_LANES];
+    if (!indices || count < GP_LANES) {
+        for (uint32_t i = 0; i < 3 * GP_LANES; i++) {
+            uint32_t at = 3 * first + (i < 3 * count ? i : i % 3);
+            made[i] = indices ? indices[at] : at;
         }
-        alone |= (unsigned)(outside != 0) << lane;
+        number = made;
     }
-    itg p[3][4];
-    for (int k = 0; k < 3; k++)
-        lanes_load4(record[k], p[k]);
+    for (int k = 0; k < 3; k++) {
+        const void *record[GP_LANES];
+        GP_UNROLL
+        for (int lane = 0; lane < GP_LANES; lane++)
+            record[lane] = &d->positions[number[3 * lane + k] - d->first_vertex];
+        itg word[4];
+        lanes_load4(record, word);
+        batch->x[k] = word[0];
+        batch->y[k] = word[1];
+    }
+}
 
-    itg low_x = least(p[0][0], least(p[1][0], p[2][0]));
-    itg high_x = most(p[0][0], most(p[1][0], p[2][0]));
-    itg low_y = least(p[0][1], least(p[1][1], p[2][1]));
-    itg high_y = most(p[0][1], most(p[1][1], p[2][1]));
-    alone |= msk_bits((itg)(high_x - low_x >= FITS) | (itg)(high_y - low_y >= FITS));
+GP_INLINE void set_boxes(const FastDraw *d, Batch *b)
+{
+    const int32_t half = GP_SUBPIXELS / 2;
+    b->low_x = least(b->x);
+    b->low_y = least(b->y);
+    b->high_x = most(b->x);
+    b->high_y = most(b->y);
+    b->x0 = itg_greater((b->low_x + (half - 1)) >> GP_SUBPIXEL_BITS, itg_set(d->rect.x0));
+    b->y0 = itg_greater((b->low_y + (half - 1)) >> GP_SUBPIXEL_BITS, itg_set(d->rect.y0));
+    b->x1 = itg_lesser((b->high_x - half) >> GP_SUBPIXEL_BITS, itg_set(d->rect.x1 - 1));
+    b->y1 = itg_lesser((b->high_y - half) >> GP_SUBPIXEL_BITS, itg_set(d->rect.y1 - 1));
+}
 
+/* Triangles that miss the four centres at and beyond (x0, y0), which are all that a tiny one may
+ * cover. Centres on an edge are taken to be covered: the tiles know better. */
+GP_INLINE msk misses_centers(const Batch *b, itg area2)
+{
+    const itg turn = area2 < 0; /* edges of a triangle that turns the other way are reversed */
+    const itg px = b->x0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    const itg py = b->y0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    itg out[4] = { itg_set(0), itg_set(0), itg_set(0), itg_set(0) };
+    GP_UNROLL
+    for (int i = 0; i < 3; i++) {
+        int from = (i + 1) % 3, to = (i + 2) % 3;
+        itg dx = ((b->x[to] - b->x[from]) ^ turn) - turn;
+        itg dy = ((b->y[to] - b->y[from]) ^ turn) - turn;
+        itg edge = cross_lanes(dx, py - b->y[from], dy, px - b->x[from]);
+        itg right = (itg)((utg)edge - (utg)dy * GP_SUBPIXELS);
+        itg down = (itg)((utg)dx * GP_SUBPIXELS);
+        out[0] |= edge;
+        out[1] |= right;
+        out[2] |= (itg)((utg)edge + (utg)down);
+        out[3] |= (itg)((utg)right + (utg)down);
+    }
+    return (msk)((out[0] & out[1] & out[2] & out[3]) < 0);
+}
+
+/* Triangles that face the way that is drawn and may hold a centre. */
+GP_INLINE unsigned drawn_lanes(const FastDraw *d, const Batch *b)
+{
     itg area2 =
-        cross_lanes(p[1][0] - p[0][0], p[2][1] - p[0][1], p[2][0] - p[0][0], p[1][1] - p[0][1]);
+        cross_lanes(b->x[1] - b->x[0], b->y[2] - b->y[0], b->x[2] - b->x[0], b->y[1] - b->y[0]);
     GpCull cull = d->draw->state.raster.cull;
     msk drawn = cull == GP_CULL_CW    ? (msk)(area2 < 0)
                 : cull == GP_CULL_CCW ? (msk)(area2 > 0)
                                       : (msk)(area2 != 0);
-    const int32_t half = GP_SUBPIXELS / 2;
-    itg x0 = most((low_x + (half - 1)) >> GP_SUBPIXEL_BITS, itg_set(d->rect.x0));
-    itg y0 = most((low_y + (half - 1)) >> GP_SUBPIXEL_BITS, itg_set(d->rect.y0));
-    itg x1 = least((high_x - half) >> GP_SUBPIXEL_BITS, itg_set(d->rect.x1 - 1));
-    itg y1 = least((high_y - half) >> GP_SUBPIXEL_BITS, itg_set(d->rect.y1 - 1));
-    drawn &= (msk)(x0 <= x1) & (msk)(y0 <= y1);
+    drawn &= (msk)(b->x0 <= b->x1) & (msk)(b->y0 <= b->y1);
+    msk tiny = drawn & (msk)(b->high_x - b->low_x < TINY) & (msk)(b->high_y - b->low_y < TINY);
+    if (msk_bits(tiny))
+        drawn &= ~(tiny & misses_centers(b, area2));
+    return msk_bits(drawn);
+}
 
-    unsigned left = (msk_bits(drawn) | alone) & (unsigned)((1u << count) - 1);
-    while (left) {
-        uint32_t lane = (uint32_t)__builtin_ctz(left);
+/* Triangles that are too large for lanes, or meet a plane: they are left to the code that takes one
+ * at a time. `none`: those with all corners outside one plane. */
+GP_INLINE unsigned lanes_alone(const Batch *b, unsigned *none)
+{
+    itg large = (itg)(b->high_x - b->low_x >= FITS) | (itg)(b->high_y - b->low_y >= FITS);
+    itg outside = b->low_x < FAST_NOWHERE / 2;
+    *none = 0;
+    if (msk_bits((msk)outside)) {
+        itg planes = b->x[0] & b->x[1] & b->x[2] & FAST_OUTSIDE_ALL;
+        *none = msk_bits((itg)(b->high_x < FAST_NOWHERE / 2) & (itg)(planes != 0));
+    }
+    return msk_bits(large | outside) & ~*none;
+}
+
+/* The tiles that triangles touch: columns x0..x1 and rows y0..y1. */
+typedef struct TileBoxes {
+    itg x0, y0, x1, y1;
+} TileBoxes;
+
+GP_INLINE TileBoxes tile_boxes(const Batch *b)
+{
+    const int bits = __builtin_ctz(FAST_TILE);
+    return (TileBoxes){ b->x0 >> bits, b->y0 >> bits, b->x1 >> bits, b->y1 >> bits };
+}
+
+/* Neighbours mostly touch the same few tiles: bins them as one group a tile. */
+GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t first, unsigned lanes,
+                            const TileBoxes *tiles)
+{
+    const itg one = (itg)(tiles->x0 == tiles->x1) & (itg)(tiles->y0 == tiles->y1);
+    int32_t box[4][GP_LANES];
+    __builtin_memcpy(box, tiles, sizeof box);
+    for (unsigned left = lanes; left;) {
+        int lane = __builtin_ctz(left);
         left &= left - 1;
-        if (alone >> lane & 1)
-            fast_bin_primitive(pass, d, range, first + lane);
-        else
-            fast_bin_box(pass, range, first + lane,
-                         &(FastBox){ x0[lane], y0[lane], x1[lane], y1[lane] });
+        for (int32_t y = box[1][lane]; y <= box[3][lane]; y++)
+            for (int32_t x = box[0][lane]; x <= box[2][lane]; x++) {
+                uint32_t tile = (uint32_t)y * pass->tiles_x + (uint32_t)x;
+                if (fast_last_group(range, tile)->first == first)
+                    continue; /* with an earlier lane */
+                itg in = (itg)(tiles->x0 <= x) & (itg)(tiles->x1 >= x) & (itg)(tiles->y0 <= y) &
+                         (itg)(tiles->y1 >= y);
+                fast_add_to_tile(range, tile, (FastHits){ first, lanes & msk_bits(in) });
+                left &= ~msk_bits(in & one);
+            }
     }
 }
 
-void FAST(bin_range)(const FastPass *pass, FastRange *range, uint32_t first, uint32_t end)
+/* A run of up to GP_LANES triangles of one draw. */
+static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
+                          uint32_t count)
 {
+    Batch b;
+    unsigned none;
+    load_corners(d, first - d->first_primitive, count, &b);
+    set_boxes(d, &b);
+    unsigned alone = lanes_alone(&b, &none);
+    unsigned left = ((drawn_lanes(d, &b) & ~none) | alone) & (unsigned)((1u << count) - 1);
+    if (left & alone) {
+        for (; left; left &= left - 1)
+            fast_bin_triangle(pass, d, range, first + (uint32_t)__builtin_ctz(left));
+        return;
+    }
+    const TileBoxes tiles = tile_boxes(&b);
+    bin_together(pass, range, first, left, &tiles);
+}
+
+/* A run of points of one draw. */
+static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
+                       uint32_t count)
+{
+    const uint32_t *indices = d->draw->geometry.indices;
+    uint32_t vertex[GP_LANES];
+    unsigned outside = 0;
+    GP_UNROLL
+    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
+        uint32_t at = first - d->first_primitive + (lane < count ? lane : 0);
+        vertex[lane] = (indices ? indices[at] : at) - d->first_vertex;
+        outside |= (unsigned)(fast_outside(&d->positions[vertex[lane]]) != 0) << lane;
+    }
+    Sprites s = place_sprites(d, vertex, &d->rect);
+    unsigned left = s.drawn & ~outside & (unsigned)((1u << count) - 1);
+    for (; left; left &= left - 1) {
+        uint32_t lane = (uint32_t)__builtin_ctz(left);
+        fast_bin_box(pass, range, first + lane,
+                     &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
+    }
+}
+
+/* Always some primitives at least, so that a pass comes to its end whatever the limit. */
+void FAST(bin_range)(const FastPass *pass, FastRange *range)
+{
+    uint32_t first = range->first, end = range->end;
     uint32_t number = fast_find_draw(pass, first);
     while (first < end) {
         const FastDraw *d = &pass->draws[number];
@@ -82,10 +204,13 @@ void FAST(bin_range)(const FastPass *pass, FastRange *range, uint32_t first, uin
             uint32_t count = stop - first < GP_LANES ? stop - first : GP_LANES;
             if (triangles)
                 bin_triangles(pass, d, range, first, count);
-            for (uint32_t i = 0; !triangles && i < count; i++)
-                fast_bin_primitive(pass, d, range, first + i);
+            else
+                bin_points(pass, d, range, first, count);
             first += count;
+            if (!fast_budget_left(range->budget))
+                end = stop = first;
         }
         number++;
     }
+    range->reached = first;
 }

@@ -29,12 +29,4 @@ GP_INLINE flt blend_corners(GpInterpolation mode, const Shares *shares, flt v0, 
     return v0 + (s[0] * (v1 - v0) + s[1] * (v2 - v0));
 }
 
-GP_INLINE itg lane_bytes(const uint8_t bytes[GP_LANES])
-{
-    typedef uint8_t byte_lanes __attribute__((vector_size(GP_LANES)));
-    byte_lanes packed;
-    __builtin_memcpy(&packed, bytes, sizeof packed);
-    return __builtin_convertvector(packed, itg);
-}
-
 #endif

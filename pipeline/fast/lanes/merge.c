@@ -1,56 +1,20 @@
 /* Blending and write masks of GP_LANES pixels inside the tile. */
 #include "pipeline/fast/lanes/patch.h"
+#include "pipeline/fast/lanes/through.h"
 
-/* --- what a target makes of a value ------------------------------------------------------------------- */
-
-/* The code of an 8-bit channel (R24): in binary64, where the product and the sum are exact enough. */
-GP_INLINE itg unorm8_code(flt v)
-{
-    v = flt_select(v > 0.0f, v, flt_set(0)); /* NaN to 0 */
-    v = flt_select(v < 1.0f, v, flt_set(1));
-    return __builtin_convertvector(__builtin_convertvector(v, dbl) * 255.0 + 0.5, itg);
-}
-
-/* The value that a store and a load of an 8-bit channel leave. */
-static flt through_unorm8(flt v)
-{
-    return flt_from_itg(unorm8_code(v)) / 255.0f;
-}
-
-/* The same for a half: gp_half_from_float and back, without leaving the float's bits. */
-static flt through_half(flt v)
-{
-    itg bits = (itg)v, sign = bits & INT32_MIN, size = bits & 0x7fffffff;
-    itg normal = (size + 0xfff + (size >> 13 & 1)) & ~0x1fff;
-    itg small = (itg)(((flt)size + 0.5f) - 0.5f);
-    itg rounded = itg_select((itg)(size < 0x38800000), small, normal);
-    rounded = itg_select((itg)(size >= 0x477ff000), itg_set(0x7f800000), rounded);
-    rounded |= sign;
-    return (flt)itg_select((itg)(size > 0x7f800000), itg_set(0x7fc00000), rounded);
-}
-
-static flt through(GpFormat format, flt v)
-{
-    switch (format) {
-    case GP_A8R8G8B8:
-    case GP_R8:
-        return through_unorm8(v);
-    case GP_G16R16F:
-    case GP_A16B16G16R16F:
-        return through_half(v);
-    default:
-        return v;
-    }
-}
+#include <string.h>
 
 /* --- blending ------------------------------------------------------------------------------------------- */
+
+/* All of this is written out where it is used, so that a blend known to the compiler leaves only the
+ * operations that it asks for. */
 
 typedef struct Operands {
     flt source[4], target[4];
     float constant[4];
 } Operands;
 
-static flt factor(GpBlendFactor name, int c, const Operands *o)
+GP_INLINE flt factor(GpBlendFactor name, int c, const Operands *o)
 {
     const flt one = flt_set(1);
     flt headroom = 1.0f - o->target[3];
@@ -86,22 +50,29 @@ static flt factor(GpBlendFactor name, int c, const Operands *o)
 
 static flt logic(GpBlendOp op, flt s, flt d)
 {
-    itg source = unorm8_code(s), target = unorm8_code(d);
+    itg source = itg_unorm8(s), target = itg_unorm8(d);
     itg code = op == GP_BLEND_LOGIC_AND  ? source & target
                : op == GP_BLEND_LOGIC_OR ? source | target
                                          : source ^ target;
-    return flt_from_itg(code) / 255.0f;
+    return flt_unpack_unorm8(code, 0);
 }
 
-static flt operate(GpBlendOp op, flt s, flt d, flt source_factor, flt target_factor)
+GP_INLINE flt scaled(flt v, GpBlendFactor name, int c, const Operands *o)
 {
+    return name == GP_ONE ? v : v * factor(name, c, o); /* v * 1 is v */
+}
+
+GP_INLINE flt operate(GpBlendOp op, GpBlendFactor by_source, GpBlendFactor by_target, int c,
+                      const Operands *o)
+{
+    flt s = o->source[c], d = o->target[c];
     switch (op) {
     case GP_BLEND_ADD:
-        return s * source_factor + d * target_factor;
+        return scaled(s, by_source, c, o) + scaled(d, by_target, c, o);
     case GP_BLEND_SUBTRACT:
-        return s * source_factor - d * target_factor;
+        return scaled(s, by_source, c, o) - scaled(d, by_target, c, o);
     case GP_BLEND_REV_SUBTRACT:
-        return d * target_factor - s * source_factor;
+        return scaled(d, by_target, c, o) - scaled(s, by_source, c, o);
     case GP_BLEND_MIN:
         return flt_select((msk)(s < d) | (msk)(d != d), s, d);
     case GP_BLEND_MAX:
@@ -115,118 +86,149 @@ static flt operate(GpBlendOp op, flt s, flt d, flt source_factor, flt target_fac
     }
 }
 
-static void blend_lanes(const GpBlend *blend, bool clamps, const float constant[4], Operands *o,
-                        flt result[4])
+GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4])
 {
-    for (int c = 0; c < 4; c++) {
-        o->constant[c] = constant[c];
-        if (!clamps)
-            continue;
-        o->constant[c] = constant[c] > 0 ? (constant[c] < 1 ? constant[c] : 1.0f) : 0.0f;
-        flt positive = flt_select(o->source[c] > 0.0f, o->source[c], flt_set(0));
-        o->source[c] = flt_select(positive < 1.0f, positive, flt_set(1));
-    }
+    GP_UNROLL
     for (int c = 0; c < 4; c++) {
         bool separate = c == 3 && blend->alpha_op != GP_BLEND_OFF;
-        GpBlendOp op = separate ? blend->alpha_op : blend->op;
-        result[c] = operate(op, o->source[c], o->target[c],
-                            factor(separate ? blend->alpha_src : blend->src, c, o),
-                            factor(separate ? blend->alpha_dst : blend->dst, c, o));
+        result[c] = operate(separate ? blend->alpha_op : blend->op,
+                            separate ? blend->alpha_src : blend->src,
+                            separate ? blend->alpha_dst : blend->dst, c, o);
     }
+}
+
+/* To [0, 1], NaN to 0. */
+GP_INLINE flt clamped(flt v)
+{
+    return flt_lesser(flt_greater(v, flt_set(0)), flt_set(1));
 }
 
 /* --- targets ------------------------------------------------------------------------------------- */
 
-static const uint8_t packed_shift[4] = { 16, 8, 0, 24 }; /* of r g b a in A8R8G8B8's word */
+/* A block's shaded patches on their way into one target. */
+typedef struct Merge {
+    const FastPatch *patches;
+    const unsigned *live; /* of each patch */
+    int count;
+    const flt *color; /* of the first patch; `stride` vectors further the next */
+    int stride;
+    float constant[4]; /* as the target clamps it */
+    FastPlanes *planes;
+} Merge;
 
-static void merge_packed(const GpBlend *blend, const float constant[4], const FastPatch *patch,
-                         unsigned live, const flt source[4], uint32_t *plane)
+GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
 {
-    flt result[4] = { source[0], source[1], source[2], source[3] };
-    itg before = itg_set(0);
-    if (blend->op != GP_BLEND_OFF || (blend->keep & 15))
-        before = load_patch(plane, patch);
-    if (blend->op != GP_BLEND_OFF) {
-        Operands o;
-        for (int c = 0; c < 4; c++) {
-            o.source[c] = source[c];
-            o.target[c] = flt_from_itg(before >> packed_shift[c] & 255) / 255.0f;
-        }
-        blend_lanes(blend, true, constant, &o, result);
-    }
-    itg word = itg_set(0);
+    static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
     uint32_t kept = 0;
-    for (int c = 0; c < 4; c++) {
-        if (blend->keep >> c & 1)
-            kept |= 255u << packed_shift[c];
-        else
-            word |= unorm8_code(result[c]) << packed_shift[c];
+    for (int c = 0; c < 4; c++)
+        kept |= blend->keep >> c & 1 ? bytes[c] : 0;
+    Operands o;
+    memcpy(o.constant, m->constant, sizeof o.constant);
+    const flt *color = m->color;
+    for (int p = 0; p < m->count; p++, color += m->stride) {
+        const FastPatch *patch = &m->patches[p];
+        if (!m->live[p])
+            continue;
+        itg before = itg_set(0);
+        if (blend->op != GP_BLEND_OFF || kept)
+            before = load_patch(m->planes->packed, patch);
+        itg word;
+        if (blend->op != GP_BLEND_OFF) {
+            flt result[4];
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                o.source[c] = clamped(color[c]);
+            colors_of(before, o.target);
+            blend_lanes(blend, &o, result); /* from -1 to 2: needs no clamping */
+            word = word_of(result);
+        } else
+            word = word_of_any(color);
+        if (kept)
+            word = (word & (int32_t)~kept) | (before & (int32_t)kept);
+        store_patch(m->planes->packed, patch, m->live[p], word);
     }
-    store_patch(plane, patch, live, word | (before & (int32_t)kept));
 }
 
-static void merge_planes(const GpBlend *blend, const float constant[4], GpFormat format,
-                         const FastPatch *patch, unsigned live, const flt source[4],
-                         FastPlanes *planes)
+/* Formats other than A8R8G8B8. */
+GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *m)
 {
-    flt result[4] = { source[0], source[1], source[2], source[3] };
-    const int channels = gp_format_info(format)->channels;
-    if (blend->op != GP_BLEND_OFF) {
-        Operands o;
-        for (int c = 0; c < 4; c++) {
-            o.source[c] = source[c];
-            o.target[c] = c < channels ? (flt)load_patch(planes->channel[c], patch) : flt_set(1);
+    const bool is_float = format != GP_R8;
+    const int channels = format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
+    const flt *color = m->color;
+    Operands o;
+    memcpy(o.constant, m->constant, sizeof o.constant);
+    for (int p = 0; p < m->count; p++, color += m->stride) {
+        const FastPatch *patch = &m->patches[p];
+        if (!m->live[p])
+            continue;
+        flt result[4] = { color[0], color[1], color[2], color[3] };
+        if (blend->op != GP_BLEND_OFF) {
+            GP_UNROLL
+            for (int c = 0; c < 4; c++) {
+                o.source[c] = is_float ? color[c] : clamped(color[c]);
+                o.target[c] =
+                    c < channels ? (flt)load_patch(m->planes->channel[c], patch) : flt_set(1);
+            }
+            blend_lanes(blend, &o, result);
         }
-        blend_lanes(blend, !gp_format_info(format)->is_float, constant, &o, result);
+        GP_UNROLL
+        for (int c = 0; c < channels; c++)
+            if (!(blend->keep >> c & 1))
+                store_patch(m->planes->channel[c], patch, m->live[p],
+                            (itg)through(format, result[c]));
     }
-    for (int c = 0; c < channels; c++)
-        if (!(blend->keep >> c & 1))
-            store_patch(planes->channel[c], patch, live, (itg)through(format, result[c]));
 }
 
-void FAST(merge_patch)(Tile *tile, const FastDraw *d, const FastPatch *patch, unsigned live,
-                       const flt *color)
+/* The blends of nearly all draws. */
+static const GpBlend replace = { .op = GP_BLEND_OFF };
+static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
+static const GpBlend under = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
+
+static bool is_blend(const GpBlend *blend, const GpBlend *known)
+{
+    return blend->op == known->op && blend->alpha_op == GP_BLEND_OFF && !(blend->keep & 15) &&
+           (blend->op == GP_BLEND_OFF || (blend->src == known->src && blend->dst == known->dst));
+}
+
+/* The same code for any blend, and for each of those that are common. */
+static void merge_words_by(const GpBlend *blend, const Merge *m)
+{
+    if (is_blend(blend, &replace))
+        merge_words(&replace, m);
+    else if (is_blend(blend, &add))
+        merge_words(&add, m);
+    else if (is_blend(blend, &over))
+        merge_words(&over, m);
+    else if (is_blend(blend, &under))
+        merge_words(&under, m);
+    else
+        merge_words(blend, m);
+}
+
+void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches,
+                         const unsigned *live, int count, const flt *color)
 {
     const GpState *state = &d->draw->state;
-    int written = gp_program_targets(d->draw->program);
+    const int written = gp_program_targets(d->draw->program);
+    Merge m = { .patches = patches, .live = live, .count = count, .stride = 4 * written };
     for (int t = 0; t < written && t < tile->targets; t++) {
         GpFormat format = d->pass->color[t].surface->format;
-        if (format == GP_A8R8G8B8)
-            merge_packed(&state->blend[t], state->blend_constant, patch, live, color + 4 * t,
-                         tile->planes[t].packed);
-        else
-            merge_planes(&state->blend[t], state->blend_constant, format, patch, live,
-                         color + 4 * t, &tile->planes[t]);
-    }
-}
-
-/* --- mixes -------------------------------------------------------------------------------------- */
-
-static void scatter(void *plane, const uint32_t at[GP_LANES], unsigned live, itg words)
-{
-    for (; live; live &= live - 1) {
-        int lane = __builtin_ctz(live);
-        ((int32_t *)plane)[at[lane]] = words[lane];
-    }
-}
-
-void FAST(write_mix)(Tile *tile, const FastDraw *d, const FastMix *mix, const flt *color)
-{
-    uint32_t at[GP_LANES];
-    GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++)
-        at[lane] = fast_at(mix->x[lane], mix->y[lane]);
-    for (int t = 0; t < tile->targets; t++, color += 4) {
-        const GpFormat format = d->pass->color[t].surface->format;
-        FastPlanes *planes = &tile->planes[t];
-        if (format == GP_A8R8G8B8) {
-            itg word = itg_set(0);
-            for (int c = 0; c < 4; c++)
-                word |= unorm8_code(color[c]) << packed_shift[c];
-            scatter(planes->packed, at, mix->live, word);
-            continue;
+        m.color = color + 4 * t;
+        m.planes = tile->planes[t];
+        for (int c = 0; c < 4; c++) {
+            float k = state->blend_constant[c];
+            m.constant[c] = gp_format_info(format)->is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
         }
-        for (int c = 0; c < gp_format_info(format)->channels; c++)
-            scatter(planes->channel[c], at, mix->live, (itg)through(format, color[c]));
+        if (format == GP_A8R8G8B8)
+            merge_words_by(&state->blend[t], &m);
+        else if (format == GP_A16B16G16R16F && is_blend(&state->blend[t], &add))
+            merge_channels(&add, GP_A16B16G16R16F, &m);
+        else if (format == GP_A16B16G16R16F && is_blend(&state->blend[t], &under))
+            merge_channels(&under, GP_A16B16G16R16F, &m);
+        else if (format == GP_A32B32G32R32F && is_blend(&state->blend[t], &add))
+            merge_channels(&add, GP_A32B32G32R32F, &m);
+        else
+            merge_channels(&state->blend[t], format, &m);
     }
 }

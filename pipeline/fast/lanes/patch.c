@@ -2,154 +2,347 @@
 #include "pipeline/fast/lanes/patch.h"
 
 #include "pipeline/compare.h"
+#include "pipeline/fast/lanes/depth.h"
 #include "pipeline/fast/lanes/interpolate.h"
+#include "pipeline/fast/lanes/loose.h"
+#include "pipeline/fast/lanes/mix.h"
+#include "pipeline/fast/lanes/sprite.h"
 
-#include <string.h>
+/* A row with no more live pixels of a small triangle goes into a mix. */
+enum { LOOSE = GP_LANES / 4 };
+
+/* --- edges -------------------------------------------------------------------------------------- */
+
+/* An edge function in this tile, in 32 bits, in units of `unit`, a power of two. */
+typedef struct Edge {
+    int32_t c, a, b;
+    float unit;
+} Edge;
+
+/* Whether c + a x + b y fits wherever in the tile a lane may be: it is greatest at a corner. */
+static bool fits_everywhere(int64_t c, int64_t a, int64_t b)
+{
+    const int64_t across = a * FAST_PITCH, down = b * (FAST_TILE + 1);
+    const int64_t ends[4] = { c, c + across, c + down, c + across + down };
+    for (int i = 0; i < 4; i++)
+        if (ends[i] < INT32_MIN || ends[i] > INT32_MAX)
+            return false;
+    return true;
+}
+
+/* The edges of a large triangle are often small in one tile, or have zeros at the end: those of
+ * rectangles along the pixels have fifteen. */
+static bool narrow_edge(const FastWide *wide, int i, Edge *edge)
+{
+    int64_t c = wide->edge.c[i], a = wide->edge.a[i], b = wide->edge.b[i];
+    int zeros = c | a | b ? __builtin_ctzll((uint64_t)(c | a | b)) : 0;
+    zeros = zeros < 24 ? zeros : 24;
+    if (!fits_everywhere(c >> zeros, a >> zeros, b >> zeros))
+        return false;
+    *edge = (Edge){ (int32_t)(c >> zeros), (int32_t)(a >> zeros), (int32_t)(b >> zeros),
+                    (float)(1 << zeros) };
+    return true;
+}
+
+/* The scale is exact, so the product is that of the whole edge. */
+static void small_shares(const Edge *edge, float inverse_area, const FastPatch *patches, int count,
+                         flt *share)
+{
+    const flt scale = flt_set(inverse_area * edge->unit);
+    const itg across = patch_columns(patches->wide) * edge->a + patch_rows(patches->wide) * edge->b;
+    for (int p = 0; p < count; p++) {
+        uint32_t first =
+            (uint32_t)edge->c + (uint32_t)edge->a * patches[p].x + (uint32_t)edge->b * patches[p].y;
+        share[p] = flt_from_itg((itg)((utg)across + first)) * scale;
+    }
+}
+
+/* Edges that need more bits: exact in binary64, rounded once. */
+static void wide_shares(const FastWide *wide, int i, float inverse_area, const FastPatch *patches,
+                        int count, flt *share)
+{
+    const double a = (double)wide->edge.a[i], b = (double)wide->edge.b[i];
+    const dbl across = dbl_from_itg(patch_columns(patches->wide)) * a +
+                       dbl_from_itg(patch_rows(patches->wide)) * b;
+    for (int p = 0; p < count; p++) {
+        double first = (double)wide->edge.c[i] + (a * patches[p].x + b * patches[p].y);
+        share[p] = __builtin_convertvector(first + across, flt) * inverse_area;
+    }
+}
+
+static void screen_shares(const Tile *tile, const FastRecord *r, int i, const FastPatch *patches,
+                          int count, flt *share)
+{
+    Edge edge = i == 0 ? (Edge){ r->c1, r->a1, r->b1, 1 } : (Edge){ r->c2, r->a2, r->b2, 1 };
+    const FastWide *wide = &tile->wide[r->wide];
+    if (r->kind == FAST_SMALL || narrow_edge(wide, i, &edge))
+        small_shares(&edge, r->inverse_area, patches, count, share);
+    else
+        wide_shares(wide, i, r->inverse_area, patches, count, share);
+}
 
 /* --- interpolation ------------------------------------------------------------------------------ */
 
-/* Edge values of a large triangle: exact in binary64, rounded once. */
-static flt wide_edge(const FastWide *wide, int i, itg x, itg y)
-{
-    dbl value = (double)wide->edge.c[i] + (dbl_from_itg(x) * (double)wide->edge.a[i] +
-                                           dbl_from_itg(y) * (double)wide->edge.b[i]);
-    return __builtin_convertvector(value, flt);
-}
+/* Shares of corners 1 and 2, of each patch of a run. */
+typedef struct RunShares {
+    flt screen[2][FAST_BLOCK], perspective[2][FAST_BLOCK];
+} RunShares;
 
-static Shares patch_shares(const Tile *tile, const FastRecord *r, itg x, itg y)
+static void perspective_shares(const FastRecord *r, int count, RunShares *shares)
 {
-    flt edge1, edge2;
-    if (r->kind == FAST_SMALL) {
-        edge1 = flt_from_itg((itg)((utg)(x * r->a1 + y * r->b1) + (uint32_t)r->c1));
-        edge2 = flt_from_itg((itg)((utg)(x * r->a2 + y * r->b2) + (uint32_t)r->c2));
-    } else {
-        edge1 = wide_edge(&tile->wide[r->wide], 0, x, y);
-        edge2 = wide_edge(&tile->wide[r->wide], 1, x, y);
-    }
-    return shares_of(edge1, edge2, flt_set(r->inverse_area), flt_set(r->ratio1),
-                     flt_set(r->ratio2));
-}
-
-static void interpolate_triangle(const Tile *tile, const FastDraw *d, const FastRecord *r, itg x,
-                                 itg y, flt *in)
-{
-    Shares shares = patch_shares(tile, r, x, y);
-    for (int c = 0; c < d->modes.components; c++)
-        if (d->needs.varyings >> c & 1)
-            in[c] = blend_corners(d->modes.mode[c], &shares, flt_set(r->corner[0][c]),
-                                  flt_set(r->corner[1][c]), flt_set(r->corner[2][c]));
-}
-
-static void interpolate_sprite(const Tile *tile, const FastDraw *d, const FastRecord *r, itg x,
-                               itg y, flt *in)
-{
-    const FastWide *wide = &tile->wide[r->wide];
-    for (int c = 0; c < d->modes.components; c++)
-        in[c] = flt_set(r->corner[0][c]);
-    if (d->modes.sprite < 0)
-        return;
-    flt *at = in + d->modes.sprite;
-    at[0] = flt_from_itg(x * GP_SUBPIXELS - wide->sprite.left) * wide->sprite.per_step;
-    at[1] = flt_from_itg(y * GP_SUBPIXELS - wide->sprite.top) * wide->sprite.per_step;
-}
-
-static void fill_call(Tile *tile, const FastDraw *d, const FastPatch *patches, int count)
-{
-    const GpProgram *program = d->draw->program;
-    flt *in = (flt *)(void *)tile->in;
-    flt *pixel = (flt *)(void *)tile->pixel;
+    const flt ratio1 = flt_set(r->ratio1), ratio2 = flt_set(r->ratio2);
     for (int p = 0; p < count; p++) {
-        const FastRecord *record = &tile->records[patches[p].record];
-        itg x = patch_x(&patches[p]), y = patch_y(&patches[p]);
-        if (record->kind == FAST_SPRITE)
-            interpolate_sprite(tile, d, record, x, y, in + p * d->modes.components);
+        flt l1 = shares->screen[0][p], l2 = shares->screen[1][p];
+        flt w = 1.0f / (1.0f + (l1 * (ratio1 - 1.0f) + l2 * (ratio2 - 1.0f)));
+        shares->perspective[0][p] = l1 * ratio1 * w;
+        shares->perspective[1][p] = l2 * ratio2 * w;
+    }
+}
+
+/* A run: patches of one triangle and one shape. What does not change in it is found once. */
+static void interpolate_run(const Tile *tile, const FastDraw *d, const FastPatch *patches,
+                            int count, flt *in)
+{
+    const FastRecord *r = &tile->records[patches->record];
+    const int stride = d->modes.components;
+    RunShares shares;
+    for (int i = 0; i < 2; i++)
+        screen_shares(tile, r, i, patches, count, shares.screen[i]);
+    /* where both ratios are 1, so is w, and the shares are the same */
+    const bool flat_on = r->ratio1 == 1.0f && r->ratio2 == 1.0f;
+    if (!flat_on)
+        perspective_shares(r, count, &shares);
+    for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
+        const int c = __builtin_ctzll(left);
+        const GpInterpolation mode = d->modes.mode[c];
+        const flt v0 = flt_set(r->corner[0][c]);
+        const flt to1 = flt_set(r->corner[1][c]) - v0, to2 = flt_set(r->corner[2][c]) - v0;
+        const flt(*share)[FAST_BLOCK] =
+            flat_on || mode == GP_LINEAR_SCREEN ? shares.screen : shares.perspective;
+        flt *value = in + c;
+        if (mode == GP_FLAT)
+            for (int p = 0; p < count; p++, value += stride)
+                *value = v0;
         else
-            interpolate_triangle(tile, d, record, x, y, in + p * d->modes.components);
-        if (program->uses_pixel || program->local_reads) {
+            for (int p = 0; p < count; p++, value += stride)
+                *value = v0 + (share[0][p] * to1 + share[1][p] * to2);
+    }
+}
+
+/* Patches from `first` on that share a triangle and a shape. */
+static int run_length(const FastPatch *first, int count)
+{
+    int length = 1;
+    while (length < count && first[length].record == first->record &&
+           first[length].wide == first->wide && !first[length].mixed)
+        length++;
+    return length;
+}
+
+static void interpolate_patches(Tile *tile, const FastDraw *d, const FastPatch *patches, int count)
+{
+    const int stride = d->modes.components;
+    flt *in = (flt *)(void *)tile->in;
+    for (int p = 0, length; p < count; p += length) {
+        length = 1;
+        if (patches[p].mixed)
+            FAST(interpolate_mixes)(tile, d, &tile->mixes[p], 1, in + p * stride);
+        else if (tile->records[patches[p].record].kind == FAST_SPRITE)
+            FAST(interpolate_sprite)(tile, d, &tile->records[patches[p].record],
+                                     patch_x(&patches[p]), patch_y(&patches[p]), in + p * stride);
+        else {
+            length = run_length(&patches[p], count - p);
+            interpolate_run(tile, d, &patches[p], length, in + p * stride);
+        }
+    }
+}
+
+/* What the program asks of the pixels besides interpolants. */
+static void place_patches(Tile *tile, const GpProgram *program, const FastPatch *patches, int count)
+{
+    flt *pixel = (flt *)(void *)tile->pixel;
+    if (program->uses_pixel || program->local_reads)
+        for (int p = 0; p < count; p++) {
+            const FastMix *mix = &tile->mixes[p];
+            itg x = patches[p].mixed ? mix->x : patch_x(&patches[p]);
+            itg y = patches[p].mixed ? mix->y : patch_y(&patches[p]);
             pixel[2 * p] = flt_from_itg(x + tile->x0);
             pixel[2 * p + 1] = flt_from_itg(y + tile->y0);
         }
-        if (program->uses_face)
-            flt_store(tile->face + p * GP_LANES, flt_set(record->face));
-    }
+    if (program->uses_face)
+        for (int p = 0; p < count; p++)
+            flt_store(tile->face + p * GP_LANES, flt_set(tile->records[patches[p].record].face));
 }
 
 /* --- after the shader --------------------------------------------------------------------------- */
 
-/* Lanes of a shaded patch that pass the tests which had to wait. */
-static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPatch *patch, int number,
+static msk compare_lanes(GpCompare test, flt a, float b)
+{
+    msk less = (msk)(a < b), equal = (msk)(a == b), greater = (msk)(a > b);
+    msk accepted = itg_set(0);
+    if (gp_compare_accepts(test, GP_IS_LESS))
+        accepted |= less;
+    if (gp_compare_accepts(test, GP_IS_EQUAL))
+        accepted |= equal;
+    if (gp_compare_accepts(test, GP_IS_GREATER))
+        accepted |= greater;
+    if (gp_compare_accepts(test, GP_IS_UNORDERED))
+        accepted |= ~(less | equal | greater);
+    return accepted;
+}
+
+unsigned FAST(test_patch)(Tile *tile, const FastDraw *d, const FastPatch *patch, unsigned live,
+                          flt z)
+{
+    uint32_t at = fast_at(patch->x, patch->y);
+    const bool front = tile->records[patch->record].face > 0;
+    if (!patch->wide || patch->wide == GP_LANES)
+        return msk_bits(
+            FAST(test_depth_stencil)(tile, d, at, !patch->wide, mask_of(live), z, front));
+    const itg row = lane_row(patch->wide);
+    msk passed = itg_set(0);
+    for (int r = 0; has_row(patch, r); r++, at += FAST_PITCH - patch->wide)
+        passed |= FAST(test_depth_stencil)(tile, d, at, false, (msk)(row == r) & mask_of(live), z,
+                                           front);
+    return msk_bits(passed);
+}
+
+/* Lanes of shaded patch p that pass the tests which had to wait. */
+static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPatch *patch, int p,
                            const float *depth)
 {
-    const GpState *state = &d->draw->state;
-    const itg x = patch_x(patch), y = patch_y(patch);
+    const GpAlphaTest *alpha = &d->draw->state.alpha_test;
+    const int targets = gp_program_targets(d->draw->program);
     unsigned live = patch->live;
-    for (int lane = 0; lane < GP_LANES; lane++) {
-        if (!(live >> lane & 1))
-            continue;
-        bool lives = !d->draw->program->may_discard || !tile->killed[number * GP_LANES + lane];
-        if (lives && d->needs.alpha_test) {
-            int targets = gp_program_targets(d->draw->program);
-            float alpha = tile->color[(number * targets * 4 + 3) * GP_LANES + lane];
-            lives = gp_compare_floats(state->alpha_test.test, alpha,
-                                      gp_float_from_unorm(state->alpha_test.reference, 8));
-        }
-        if (lives && d->late_depth) {
-            float z = d->draw->program->writes_depth ? tile->shader_depth[number * GP_LANES + lane]
-                                                     : depth[lane];
-            z = z < d->viewport.min_depth   ? d->viewport.min_depth
-                : z > d->viewport.max_depth ? d->viewport.max_depth
-                                            : z;
-            lives = FAST(depth_stencil)(tile, d, fast_at(x[lane], y[lane]), 1, flt_set(z),
-                                        tile->records[patch->record].face > 0);
-        }
-        if (!lives)
-            live &= ~(1u << lane);
+    if (d->draw->program->may_discard)
+        live &= ~msk_bits((msk)flt_load((const float *)(const void *)tile->killed + p * GP_LANES));
+    if (d->needs.alpha_test)
+        live &= msk_bits(compare_lanes(alpha->test,
+                                       flt_load(tile->color + (p * targets * 4 + 3) * GP_LANES),
+                                       gp_float_from_unorm(alpha->reference, 8)));
+    if (d->late_depth && live) {
+        bool replaced = d->draw->program->writes_depth;
+        flt z = flt_load((replaced ? tile->shader_depth : depth) + p * GP_LANES);
+        if (patch->mixed)
+            FAST(gather_depth)(tile, &tile->mixes[p]);
+        live = FAST(test_patch)(tile, d, patch, live, z);
+        if (patch->mixed)
+            FAST(scatter_depth)(tile, &tile->mixes[p]);
     }
     return live;
+}
+
+/* Merges patches in order: a mix by itself, the others as many at once as there are. */
+static void merge_in_order(Tile *tile, const FastDraw *d, const FastPatch *patches,
+                           const unsigned *live, int count)
+{
+    const int stride = 4 * gp_program_targets(d->draw->program);
+    const flt *color = (const flt *)(const void *)tile->color;
+    for (int p = 0, end; p < count; p = end) {
+        const bool mixed = patches[p].mixed;
+        for (end = p + 1; end < count && !mixed && !patches[end].mixed;)
+            end++;
+        if (mixed)
+            FAST(gather_color)(tile, &tile->mixes[p]);
+        FAST(merge_patches)(tile, d, patches + p, live + p, end - p, color + p * stride);
+        if (mixed)
+            FAST(scatter_color)(tile, &tile->mixes[p]);
+    }
+}
+
+/* Shades patches whose inputs are there. */
+static void shade_inputs(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
+                         const float *depths)
+{
+    unsigned live[FAST_BLOCK];
+    place_patches(tile, d->draw->program, patches, count);
+    FAST(run_pixel_shader)(tile, d, count);
+    const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
+    for (int p = 0; p < count; p++) {
+        tile->fragments_shaded += (uint64_t)__builtin_popcount(patches[p].live);
+        live[p] = late ? late_tests(tile, d, &patches[p], p, depths) : patches[p].live;
+    }
+    if (FAST(only_adds)(tile, d))
+        FAST(add_patches)(tile, d, patches, live, count, (const flt *)(const void *)tile->color);
+    else if (d->needs.color)
+        merge_in_order(tile, d, patches, live, count);
 }
 
 void FAST(shade_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
                          const float *depths)
 {
-    fill_call(tile, d, patches, count);
-    FAST(run_pixel_shader)(tile, d, count);
-    int targets = gp_program_targets(d->draw->program);
-    const flt *color = (const flt *)(const void *)tile->color;
-    bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
-    for (int p = 0; p < count; p++) {
-        unsigned live = patches[p].live;
-        if (late)
-            live = late_tests(tile, d, &patches[p], p, depths + p * GP_LANES);
-        if (live && d->needs.color)
-            FAST(merge_patch)(tile, d, &patches[p], live, color + p * targets * 4);
-    }
+    interpolate_patches(tile, d, patches, count);
+    shade_inputs(tile, d, patches, count, depths);
 }
 
 /* --- the queue ---------------------------------------------------------------------------------- */
 
-static void queue(Tile *tile, FastPatch patch, flt depth)
+static FastPatch *new_patch(Tile *tile)
 {
     if (tile->patch_count == FAST_BLOCK)
         FAST(flush_patches)(tile);
-    tile->patches[tile->patch_count] = patch;
-    flt_store(tile->patch_depth + tile->patch_count * GP_LANES, depth);
-    tile->patch_count++;
+    return &tile->patches[tile->patch_count++];
+}
+
+/* Field by field: a patch put together elsewhere would be stored in bytes and copied in words, for
+ * which a processor must wait. */
+static void queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, int32_t wide,
+                  flt depth)
+{
+    FastPatch *patch = new_patch(tile);
+    patch->record = record;
+    patch->live = live;
+    patch->x = (uint8_t)x;
+    patch->y = (uint8_t)y;
+    patch->wide = (uint8_t)wide;
+    patch->mixed = false;
+    if (tile->draw->late_depth)
+        flt_store(tile->patch_depth + (patch - tile->patches) * GP_LANES, depth);
+}
+
+/* A few pixels of a small triangle: into the mix that was queued last, if it can take them. The
+ * triangles of a mix face one way. */
+static __attribute__((noinline)) void queue_loose(Tile *tile, uint32_t record, int32_t x, int32_t y,
+                                                  unsigned live, flt depth)
+{
+    FastPatch *patch = tile->patch_count ? &tile->patches[tile->patch_count - 1] : NULL;
+    FastMix *mix = patch ? &tile->mixes[patch - tile->patches] : NULL;
+    if (!patch || !patch->mixed ||
+        tile->records[patch->record].face != tile->records[record].face ||
+        !FAST(mix_takes)(mix, x, y, live)) {
+        patch = new_patch(tile);
+        *patch = (FastPatch){ .record = record, .y = FAST_TILE, .wide = GP_LANES, .mixed = true };
+        mix = tile->mixes + (patch - tile->patches);
+        FAST(mix_begin)(mix, record);
+    }
+    FAST(mix_add)
+    (mix, record, x, y, live, depth, tile->patch_depth + (patch - tile->patches) * GP_LANES);
+    patch->live = mix->live;
 }
 
 void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
 {
-    queue(tile, (FastPatch){ record, live, (uint8_t)x, (uint8_t)y, .quads = false }, depth);
+    if (__builtin_popcount(live) <= LOOSE && tile->records[record].kind == FAST_SMALL)
+        queue_loose(tile, record, x, y, live, depth);
+    else
+        queue(tile, record, x, y, live, GP_LANES, depth);
 }
 
 void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
 {
-    queue(tile, (FastPatch){ record, live, (uint8_t)x, (uint8_t)y, .quads = true }, depth);
+    queue(tile, record, x, y, live, 0, depth);
 }
 
 void FAST(flush_patches)(Tile *tile)
 {
-    if (tile->patch_count)
-        FAST(shade_patches)
-    (tile, tile->draw, tile->patches, (int)tile->patch_count, tile->patch_depth);
+    const int count = (int)tile->patch_count;
+    if (!count)
+        return;
+    FastPhase before = fast_turn_to(tile, FAST_SHADING);
+    if (tile->draw->draw->geometry.primitive == GP_POINTS) /* come with their inputs */
+        shade_inputs(tile, tile->draw, tile->patches, count, tile->patch_depth);
+    else
+        FAST(shade_patches)(tile, tile->draw, tile->patches, count, tile->patch_depth);
     tile->patch_count = 0;
+    fast_turn_to(tile, before);
 }

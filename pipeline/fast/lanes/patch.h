@@ -2,60 +2,85 @@
 #ifndef GP_FAST_PATCH_H
 #define GP_FAST_PATCH_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/quads.h"
 
-enum { QUADS_WIDE = GP_LANES / 2 }; /* pixels across a patch of quads */
+enum {
+    ALL_LANES = (1 << GP_LANES) - 1,
+    QUADS_WIDE = GP_LANES / 2, /* pixels across a patch of quads */
+};
+
+/* Row of each lane where rows are `wide` pixels: lane / wide. Times 256 / wide and a bit more is the
+ * same up to lane 15. */
+GP_INLINE itg lane_row(int32_t wide)
+{
+    static const uint16_t share[17] = { 0,  257, 129, 86, 65, 52, 43, 37, 33,
+                                        29, 26,  24,  22, 20, 19, 18, 17 };
+    return lane_numbers() * share[wide] >> 8;
+}
+
+/* Of each lane, from the patch's first pixel; `wide` as in FastPatch. */
+GP_INLINE itg patch_columns(int32_t wide)
+{
+    itg lane = lane_numbers();
+    return wide ? lane - lane_row(wide) * wide : (lane >> 2 << 1) + (lane & 1);
+}
+
+GP_INLINE itg patch_rows(int32_t wide)
+{
+    return wide ? lane_row(wide) : lane_numbers() >> 1 & 1;
+}
 
 GP_INLINE itg patch_x(const FastPatch *patch)
 {
-    itg lane = lane_numbers();
-    return patch->x + (patch->quads ? (lane >> 2 << 1) + (lane & 1) : lane);
+    return patch->x + patch_columns(patch->wide);
 }
 
 GP_INLINE itg patch_y(const FastPatch *patch)
 {
-    itg lane = lane_numbers();
-    return patch->y + (patch->quads ? lane >> 1 & 1 : itg_set(0));
+    return patch->y + patch_rows(patch->wide);
 }
 
-#if GP_LANES == 4
-#define QUADS_FROM_ROWS(a)  (a)
-#define ROWS_FROM_QUADS(a)  (a)
-#elif GP_LANES == 8
-#define QUADS_FROM_ROWS(a)  __builtin_shufflevector(a, a, 0, 1, 4, 5, 2, 3, 6, 7)
-#define ROWS_FROM_QUADS(a)  __builtin_shufflevector(a, a, 0, 1, 4, 5, 2, 3, 6, 7)
-#else
-#define QUADS_FROM_ROWS(a)                                                                         \
-    __builtin_shufflevector(a, a, 0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15)
-#define ROWS_FROM_QUADS(a)                                                                         \
-    __builtin_shufflevector(a, a, 0, 1, 4, 5, 8, 9, 12, 13, 2, 3, 6, 7, 10, 11, 14, 15)
-#endif
+/* Whether row r of a patch of rows has pixels that live. */
+GP_INLINE bool has_row(const FastPatch *patch, int r)
+{
+    return r * patch->wide < GP_LANES && patch->live >> r * patch->wide;
+}
 
-/* The words of a plane under a patch. */
+/* The words of a plane under a patch; of its pixels that live, at least. Row r of a patch of rows is
+ * found in its lanes when the load starts so many lanes further left. */
 GP_INLINE itg load_patch(const void *plane, const FastPatch *patch)
 {
     const uint32_t *from = (const uint32_t *)plane + fast_at(patch->x, patch->y);
-    itg words;
-    if (!patch->quads) {
-        __builtin_memcpy(&words, from, sizeof words);
+    itg words = load_lanes(from, !patch->wide);
+    if (!patch->wide || patch->wide == GP_LANES)
         return words;
+    const itg row = lane_row(patch->wide);
+    for (int r = 1; has_row(patch, r); r++) {
+        from += FAST_PITCH - patch->wide;
+        words = itg_select((msk)(row == r), load_lanes(from, false), words);
     }
-    __builtin_memcpy(&words, from, sizeof words / 2);
-    __builtin_memcpy((char *)&words + sizeof words / 2, from + FAST_PITCH, sizeof words / 2);
-    return QUADS_FROM_ROWS(words);
+    return words;
 }
 
 GP_INLINE void store_patch(void *plane, const FastPatch *patch, unsigned live, itg words)
 {
     uint32_t *to = (uint32_t *)plane + fast_at(patch->x, patch->y);
-    words = itg_select(mask_of(live), words, load_patch(plane, patch));
-    if (!patch->quads) {
-        __builtin_memcpy(to, &words, sizeof words);
+    if (!patch->wide || patch->wide == GP_LANES) {
+        if (live != ALL_LANES)
+            words = itg_select(mask_of(live), words, load_lanes(to, !patch->wide));
+        store_lanes(to, !patch->wide, words);
         return;
     }
-    words = ROWS_FROM_QUADS(words);
-    __builtin_memcpy(to, &words, sizeof words / 2);
-    __builtin_memcpy(to + FAST_PITCH, (char *)&words + sizeof words / 2, sizeof words / 2);
+    const itg row = lane_row(patch->wide), alive = mask_of(live);
+    for (int r = 0; has_row(patch, r); r++, to += FAST_PITCH - patch->wide)
+        store_lanes(to, false,
+                    itg_select((msk)(row == r) & alive, words, load_lanes(to, false)));
 }
+
+/* Depth and stencil of a patch.
+ * in      z: not clamped
+ * returns the lanes of `live` that pass */
+unsigned FAST(test_patch)(Tile *tile, const FastDraw *draw, const FastPatch *patch, unsigned live,
+                          flt z);
 
 #endif

@@ -2,7 +2,6 @@
 #include "pipeline/fast/lanes/tile.h"
 
 #include "pipeline/fast/sampler.h"
-#include "pipeline/texture_read.h"
 
 void FAST(run_pixel_shader)(Tile *tile, const FastDraw *d, int count)
 {
@@ -14,7 +13,8 @@ void FAST(run_pixel_shader)(Tile *tile, const FastDraw *d, int count)
         .textures = d->draw->textures,
         .read_texture = FAST(read_texture),
         .executor = d->samplers,
-        .read_local = gp_read_local_plain,
+        .read_local = FAST(read_local),
+        .local = tile,
         .pixel = tile->pixel,
         .face = tile->face,
         .color = tile->color,

@@ -1,12 +1,27 @@
 /* The routes of fragments: seen, queued for the shader, or only tested. */
 #include "pipeline/fast/lanes/route.h"
 
-static void see(Tile *tile, uint32_t at, unsigned live, uint32_t record)
+static EarlyTest early_test(const Tile *tile, const FastDraw *d)
 {
-    itg before; /* anywhere in a row: not aligned to a vector */
-    __builtin_memcpy(&before, tile->seen + at, sizeof before);
-    before = itg_select(mask_of(live), itg_set((int32_t)record), before);
-    __builtin_memcpy(tile->seen + at, &before, sizeof before);
+    const GpDepthState *depth = &d->draw->state.depth;
+    if (!d->wants_depth)
+        return EARLY_NONE;
+    if (d->late_depth || d->needs.stencil || !depth->write ||
+        (depth->test != GP_LESS && depth->test != GP_LESS_EQUAL))
+        return EARLY_ANY;
+    return tile->depth_format == GP_D32F ? EARLY_NEARER_FLOAT : EARLY_NEARER_UNORM;
+}
+
+Filler FAST(filler)(Tile *tile)
+{
+    const FastDraw *d = tile->draw;
+    return (Filler){ .tile = tile,
+                     .d = d,
+                     .early = early_test(tile, d),
+                     .low = d->viewport.min_depth + 0.0f,
+                     .high = d->viewport.max_depth + 0.0f,
+                     .scale = tile->depth_format == GP_D16 ? 65535.0 : 16777215.0,
+                     .allowance = d->draw->state.depth.test == GP_LESS_EQUAL };
 }
 
 void FAST(reserve_records)(Tile *tile, uint32_t count)
@@ -29,15 +44,14 @@ void FAST(reserve_records)(Tile *tile, uint32_t count)
     }
 }
 
-unsigned FAST(route_lanes)(const Filler *f, int32_t x, int32_t y, unsigned live, flt z)
+void FAST(settle_backdrop)(Tile *tile)
 {
-    Tile *tile = f->tile;
-    const FastDraw *d = f->d;
-    if (d->wants_depth && !d->late_depth)
-        live = FAST(depth_stencil)(tile, d, fast_at(x, y), live, z, f->front);
-    if (live && d->route == FAST_VISIBLE)
-        see(tile, fast_at(x, y), live, f->number);
-    else if (live && d->route == FAST_ORDERED && !d->needs.quads)
-        FAST(queue_row)(tile, f->number, x, y, live, z);
-    return live;
+    if (tile->backdrop == FAST_NO_RECORD)
+        return;
+    for (uint32_t y = 0; y < FAST_TILE; y++)
+        for (uint32_t x = 0; x < FAST_TILE; x++) {
+            uint32_t *seen = &tile->seen[y * FAST_PITCH + x];
+            *seen = *seen > tile->backdrop ? *seen : tile->backdrop;
+        }
+    tile->backdrop = FAST_NO_RECORD;
 }

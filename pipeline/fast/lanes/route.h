@@ -2,18 +2,70 @@
 #ifndef GP_FAST_ROUTE_H
 #define GP_FAST_ROUTE_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/depth.h"
+#include "pipeline/fast/lanes/quads.h"
 
+/* What is tested before the shader. The usual test, where nearer pixels pass and are written and
+ * nothing looks at the stencil, is short enough to stand inside the loops over pixels; it may only
+ * be asked where depth is a number. */
+typedef enum EarlyTest {
+    EARLY_NONE,         /* nothing looks at depth or stencil, early or late */
+    EARLY_NEARER_FLOAT, /* the usual, for D32F */
+    EARLY_NEARER_UNORM, /* for D16 and D24 */
+    EARLY_ANY,          /* all else; and where tests come late, which takes depth along */
+} EarlyTest;
+
+/* What all triangles of a batch share, and the one at work. */
 typedef struct Filler {
     Tile *tile;
     const FastDraw *d;
-    uint32_t number; /* of the record, where one is needed */
+    EarlyTest early;
+    float low, high;   /* the viewport's depths; 0 is never -0 */
+    double scale;      /* of unorm codes */
+    int32_t allowance; /* 1 where equal depths pass */
+    uint32_t number;   /* of the record, where one is needed */
     bool front;
 } Filler;
 
-/* One row of lanes, from (x, y) of the tile on: tests that come early, and on along the draw's route.
- * in   live: bit i, lane i is covered; z: its depth, where the draw wants depth
- * returns the lanes that passed, which whole quads are still to be made of */
-unsigned FAST(route_lanes)(const Filler *filler, int32_t x, int32_t y, unsigned live, flt z);
+Filler FAST(filler)(Tile *tile);
+
+/* Codes of finite depths, for the usual test. The greater one comes out as `low` where both are 0,
+ * so that no -0 is left. */
+GP_INLINE itg nearer_codes(const Filler *f, EarlyTest early, flt z)
+{
+    z = flt_lesser(flt_greater(z, flt_set(f->low)), flt_set(f->high));
+    if (early == EARLY_NEARER_FLOAT)
+        return (itg)z;
+    return __builtin_convertvector(__builtin_convertvector(z, dbl) * f->scale + 0.5, itg);
+}
+
+/* Lanes of a row, or of quads, from (x, y) of the tile on: the tests that come early, and on along
+ * the draw's route.
+ * in   early: the filler's, or EARLY_ANY in its place; z: not clamped; matters unless EARLY_NONE
+ * returns the lanes that passed */
+GP_INLINE msk route_lanes(const Filler *f, EarlyTest early, bool quads, int32_t x, int32_t y,
+                          msk live, flt z)
+{
+    Tile *tile = f->tile;
+    const uint32_t at = fast_at(x, y);
+    if (early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM) {
+        itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
+        live &= (msk)(code - f->allowance < stored); /* codes are not negative */
+        store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
+    } else if (early == EARLY_ANY && !f->d->late_depth)
+        live = FAST(test_depth_stencil)(tile, f->d, at, quads, live, z, f->front);
+
+    if (f->d->route == FAST_VISIBLE) {
+        itg seen = load_lanes(tile->seen + at, quads);
+        store_lanes(tile->seen + at, quads, itg_select(live, itg_set((int32_t)f->number), seen));
+    } else if (f->d->route == FAST_ORDERED) {
+        unsigned lanes = msk_bits(live);
+        if (lanes && quads)
+            FAST(queue_quads)(tile, f->number, x, y, lanes, z);
+        else if (lanes)
+            FAST(queue_row)(tile, f->number, x, y, lanes, z);
+    }
+    return live;
+}
 
 #endif

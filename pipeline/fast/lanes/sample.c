@@ -70,13 +70,13 @@ GP_INLINE flt mix(flt a, flt b, itg share)
  * mirrored, for every n >= 1. Numbers stay small enough for nearest_integer at 8192 texels. */
 GP_INLINE flt reduce(GpAddress mode, flt coordinate)
 {
-    flt reduced;
+    /* The remainders are not negative, or a denormal, which is as good as 0: the greater of them and
+     * 0 takes care of NaN. */
     if (mode == GP_WRAP)
-        reduced = coordinate - flt_floor(coordinate);
-    else if (mode == GP_MIRROR)
-        reduced = coordinate - 2.0f * flt_floor(0.5f * coordinate);
-    else
-        reduced = math_between(coordinate, -1.5f, 1.5f);
+        return flt_greater(coordinate - flt_floor(coordinate), flt_set(0));
+    if (mode == GP_MIRROR)
+        return flt_greater(coordinate - 2.0f * flt_floor(0.5f * coordinate), flt_set(0));
+    flt reduced = math_between(coordinate, -1.5f, 1.5f);
     return flt_select(reduced == reduced, reduced, flt_set(0));
 }
 
@@ -152,6 +152,7 @@ GP_INLINE void find_texels(const FastSampler *s, const FastLevel *level, Route r
     f->offset[1] = v.at[0] * level->pitch + (u.at[1] << s->shift);
     f->offset[2] = v.at[1] * level->pitch + (u.at[0] << s->shift);
     f->offset[3] = v.at[1] * level->pitch + (u.at[1] << s->shift);
+    GP_UNROLL
     for (int i = 1; i < 4; i++)
         f->border[i] = u.outside[i & 1] | v.outside[i >> 1];
 }
@@ -182,6 +183,7 @@ GP_INLINE void load_words(const FastSampler *s, const Footprint *f, int taps, it
         itg_gather2(f->texels, f->offset[0], word);
         itg_gather2(f->texels, f->offset[2], word + 2);
     } else {
+        GP_UNROLL
         for (int i = 0; i < taps; i++)
             word[i] = itg_gather(f->texels, f->offset[i]);
     }
@@ -228,7 +230,7 @@ GP_INLINE void load_floats(const FastSampler *s, const Footprint *f, int tap, fl
         for (int c = 0; c < 3; c++)
             for (int lane = 0; lane < GP_LANES; lane++)
                 rgba[c][lane] = gp_linear_from_srgb8((uint8_t)(word[0][lane] >> (16 - 8 * c)));
-        rgba[3] = flt_from_itg((itg)((utg)word[0] >> 24)) / 255.0f;
+        rgba[3] = flt_from_unorm8((itg)((utg)word[0] >> 24));
         break;
     case GP_D16:
         rgba[0] = flt_from_itg(load_narrow(s, f, tap)) / 65535.0f;
@@ -276,14 +278,16 @@ GP_INLINE void filter_codes(const FastSampler *s, const Footprint *f, int taps, 
     itg word[4];
 
     load_words(s, f, taps, word);
-    if (s->has_border)
+    if (s->has_border) {
+        GP_UNROLL
         for (int i = 0; i < taps; i++)
             word[i] = itg_select(f->border[i], itg_set((int32_t)s->border_code), word[i]);
+    }
     if (taps == 1) {
-        rgba[0] = flt_from_itg(word[0] >> 16 & 255) / 255.0f;
-        rgba[1] = flt_from_itg(word[0] >> 8 & 255) / 255.0f;
-        rgba[2] = flt_from_itg(word[0] & 255) / 255.0f;
-        rgba[3] = flt_from_itg((itg)((utg)word[0] >> 24)) / 255.0f;
+        rgba[0] = flt_from_unorm8(word[0] >> 16 & 255);
+        rgba[1] = flt_from_unorm8(word[0] >> 8 & 255);
+        rgba[2] = flt_from_unorm8(word[0] & 255);
+        rgba[3] = flt_from_unorm8((itg)((utg)word[0] >> 24));
     } else {
         halves share = (halves)(f->share_x | f->share_x << 16);
         utg even_upper = mix_even(word[0], word[1], share);
@@ -342,6 +346,7 @@ GP_INLINE void filter_compare(const FastSampler *s, const Footprint *f, int taps
     msk passed[4];
 
     load_words(s, f, taps, word);
+    GP_UNROLL
     for (int i = 0; i < taps; i++) {
         if (s->format == GP_D24S8)
             word[i] = (itg)((utg)word[i] >> 8);

@@ -1,141 +1,57 @@
 /* What is seen: after the last opaque draw, every pixel that shows a record is shaded, once. */
-#include "pipeline/fast/lanes/interpolate.h"
+#include "pipeline/fast/lanes/mix.h"
 #include "pipeline/fast/lanes/patch.h"
 
 #include <string.h>
 
-/* --- mixes -------------------------------------------------------------------------------------- */
+/* A part of the tile in which most pixels are the draw's goes through the shader as it is. */
+enum { DENSE = GP_LANES * 5 / 8 };
 
-static Shares mixed_shares(const Tile *tile, const FastMix *mix)
-{
-    itg x = lane_bytes(mix->x), y = lane_bytes(mix->y);
-    itg word[12];
-    const void *at[GP_LANES];
-    for (int part = 0; part < 3; part++) {
-        GP_UNROLL
-        for (int lane = 0; lane < GP_LANES; lane++)
-            at[lane] = (const int32_t *)(const void *)&tile->records[mix->record[lane]] + 4 * part;
-        lanes_load4(at, word + 4 * part);
-    }
-    /* c1 a1 b1 c2, a2 b2 inverse_area ratio1, ratio2 face kind wide */
-    flt edge1 = flt_from_itg((itg)((utg)word[0] + (utg)word[1] * (utg)x + (utg)word[2] * (utg)y));
-    flt edge2 = flt_from_itg((itg)((utg)word[3] + (utg)word[4] * (utg)x + (utg)word[5] * (utg)y));
-    if (msk_bits((itg)(word[10] != FAST_SMALL)))
-        GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++) {
-        if (word[10][lane] == FAST_SMALL)
-            continue;
-        const FastWide *wide = &tile->wide[word[11][lane]];
-        const int64_t px = mix->x[lane], py = mix->y[lane];
-        edge1[lane] = (float)(wide->edge.c[0] + wide->edge.a[0] * px + wide->edge.b[0] * py);
-        edge2[lane] = (float)(wide->edge.c[1] + wide->edge.a[1] * px + wide->edge.b[1] * py);
-    }
-    return shares_of(edge1, edge2, (flt)word[6], (flt)word[7], (flt)word[8]);
-}
-
-static void interpolate_mixed(const Tile *tile, const FastDraw *d, const FastMix *mix,
-                              flt *in)
-{
-    Shares shares = mixed_shares(tile, mix);
-    for (int first = 0; first < d->modes.components; first += 4) {
-        if (!(d->needs.varyings >> first & 15))
-            continue;
-        itg v[3][4];
-        for (int k = 0; k < 3; k++) {
-            const void *at[GP_LANES];
-            GP_UNROLL
-            for (int lane = 0; lane < GP_LANES; lane++)
-                at[lane] = tile->records[mix->record[lane]].corner[k] + first;
-            lanes_load4(at, v[k]);
-        }
-        for (int c = first; c < first + 4 && c < d->modes.components; c++)
-            in[c] = blend_corners(d->modes.mode[c], &shares, (flt)v[0][c - first],
-                                  (flt)v[1][c - first], (flt)v[2][c - first]);
-    }
-}
-
-/* Sprites are rare among opaque draws: a lane at a time. */
-static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastMix *mix, flt *in)
-{
-    itg x = lane_bytes(mix->x) * GP_SUBPIXELS, y = lane_bytes(mix->y) * GP_SUBPIXELS;
-    for (int lane = 0; lane < GP_LANES; lane++) {
-        const FastRecord *r = &tile->records[mix->record[lane]];
-        const FastWide *wide = &tile->wide[r->wide];
-        for (int c = 0; c < d->modes.components; c++)
-            in[c][lane] = r->corner[0][c];
-        if (d->modes.sprite < 0)
-            continue;
-        flt *at = in + d->modes.sprite;
-        at[0][lane] = (float)(x[lane] - wide->sprite.left) * wide->sprite.per_step;
-        at[1][lane] = (float)(y[lane] - wide->sprite.top) * wide->sprite.per_step;
-    }
-}
-
-static void shade_mixes(Tile *tile, const FastDraw *d, const FastMix *mixes, int count)
-{
-    const GpProgram *program = d->draw->program;
-    flt *in = (flt *)(void *)tile->in;
-    flt *pixel = (flt *)(void *)tile->pixel;
-    for (int p = 0; p < count; p++) {
-        const FastMix *mix = &mixes[p];
-        if (tile->records[mix->record[0]].kind == FAST_SPRITE)
-            interpolate_sprites(tile, d, mix, in + p * d->modes.components);
-        else
-            interpolate_mixed(tile, d, mix, in + p * d->modes.components);
-        if (program->uses_pixel || program->local_reads) {
-            pixel[2 * p] = flt_from_itg(lane_bytes(mix->x) + tile->x0);
-            pixel[2 * p + 1] = flt_from_itg(lane_bytes(mix->y) + tile->y0);
-        }
-        for (int lane = 0; program->uses_face && lane < GP_LANES; lane++)
-            tile->face[p * GP_LANES + lane] = tile->records[mix->record[lane]].face;
-    }
-    FAST(run_pixel_shader)(tile, d, count);
-    int targets = gp_program_targets(program);
-    const flt *color = (const flt *)(const void *)tile->color;
-    for (int p = 0; p < count; p++)
-        FAST(write_mix)(tile, d, &mixes[p], color + p * targets * 4);
-}
-
-/* --- collecting --------------------------------------------------------------------------------- */
+/* --- what waits for the shader ------------------------------------------------------------------ */
 
 /* Blocks that fill up with what is seen of one draw. */
 typedef struct Collector {
     Tile *tile;
     const FastDraw *d;
-    int patches;      /* rows of one triangle */
-    int mixes, lanes; /* whole mixes; lanes of the next one */
+    int patches;    /* of one triangle each */
+    int mixes;      /* of several */
+    FastMix packed; /* one that fills up with what is sparse, and how far it has */
+    int lanes;
 } Collector;
 
 static void shade_collected_mixes(Collector *c)
 {
-    if (c->lanes) { /* the last mix: repeat its first lane */
-        FastMix *mix = &c->tile->mixes[c->mixes++];
-        for (int lane = c->lanes; lane < GP_LANES; lane++) {
-            mix->record[lane] = mix->record[0];
-            mix->x[lane] = mix->x[0];
-            mix->y[lane] = mix->y[0];
-        }
-        mix->live &= (1u << c->lanes) - 1;
-    }
     if (c->mixes)
-        shade_mixes(c->tile, c->d, c->tile->mixes, c->mixes);
-    c->mixes = c->lanes = 0;
+        FAST(shade_mixes)(c->tile, c->d, c->tile->mixes, c->mixes);
+    c->mixes = 0;
 }
 
-static void collect(Collector *c, uint32_t record, int32_t x, int32_t y, bool live)
+static void add_mix(Collector *c, FastMix mix)
 {
-    FastMix *mix = &c->tile->mixes[c->mixes];
-    if (c->lanes == 0)
-        mix->live = 0;
-    mix->record[c->lanes] = record;
-    mix->x[c->lanes] = (uint8_t)x;
-    mix->y[c->lanes] = (uint8_t)y;
-    mix->live |= (unsigned)live << c->lanes;
-    if (++c->lanes < GP_LANES)
-        return;
-    c->lanes = 0;
+    c->tile->mixes[c->mixes] = mix;
     if (++c->mixes == FAST_BLOCK)
         shade_collected_mixes(c);
+}
+
+static void add_packed(Collector *c)
+{
+    if (c->lanes)
+        add_mix(c, c->packed);
+    c->lanes = 0;
+}
+
+static void pack_pixel(Collector *c, uint32_t record, int32_t x, int32_t y, bool live)
+{
+    if (c->lanes == 0) /* lanes that stay empty repeat the first */
+        c->packed = (FastMix){
+            .record = itg_set((int32_t)record), .x = itg_set(x), .y = itg_set(y), .packed = true
+        };
+    c->packed.record[c->lanes] = (int32_t)record;
+    c->packed.x[c->lanes] = x;
+    c->packed.y[c->lanes] = y;
+    c->packed.live |= (unsigned)live << c->lanes;
+    if (++c->lanes == GP_LANES)
+        add_packed(c);
 }
 
 static void shade_collected_patches(Collector *c)
@@ -145,64 +61,96 @@ static void shade_collected_patches(Collector *c)
     c->patches = 0;
 }
 
-/* A whole row of one triangle's pixels. The queue of ordered draws is empty here: its room serves. */
-static void collect_row(Collector *c, uint32_t record, int32_t x, int32_t y)
+/* The queue of ordered draws is empty here: its room serves. */
+static void add_patch(Collector *c, FastPatch patch)
 {
-    c->tile->patches[c->patches++] = (FastPatch){ .record = record,
-                                                  .live = (unsigned)((1ull << GP_LANES) - 1),
-                                                  .x = (uint8_t)x,
-                                                  .y = (uint8_t)y };
+    c->tile->patches[c->patches++] = patch;
     if (c->patches == FAST_BLOCK)
         shade_collected_patches(c);
 }
 
-static void collect_pixels(Collector *c, uint32_t first, uint32_t end)
+/* --- collecting --------------------------------------------------------------------------------- */
+
+static void collect_row(Collector *c, const FastPatch *row, itg seen, msk mine)
 {
-    const Tile *tile = c->tile;
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
-            itg seen;
-            memcpy(&seen, tile->seen + fast_at(x, y), sizeof seen);
-            unsigned mine = msk_bits((itg)(seen >= (int32_t)first) & (itg)(seen < (int32_t)end));
-            if (!mine)
-                continue;
-            bool one = msk_bits((itg)(seen == seen[0])) == (unsigned)((1ull << GP_LANES) - 1);
-            if (one && x + GP_LANES <= tile->width) {
-                collect_row(c, (uint32_t)seen[0], x, y);
-                continue;
-            }
-            for (; mine; mine &= mine - 1) {
-                int lane = __builtin_ctz(mine);
-                collect(c, (uint32_t)seen[lane], x + lane, y, true);
-            }
+    unsigned live = msk_bits(mine);
+    uint32_t some = c->tile->seen[fast_at(row->x + __builtin_ctz(live), row->y)];
+    if (msk_bits(seen == (int32_t)some) == ALL_LANES)
+        add_patch(c, (FastPatch){ some, ALL_LANES, row->x, row->y, .wide = GP_LANES });
+    else if (__builtin_popcount(live) >= DENSE)
+        add_mix(c, (FastMix){ .record = itg_select(mine, seen, itg_set((int32_t)some)),
+                              .x = patch_x(row),
+                              .y = patch_y(row),
+                              .live = live });
+    else
+        for (; live; live &= live - 1) {
+            int32_t x = row->x + __builtin_ctz(live);
+            pack_pixel(c, c->tile->seen[fast_at(x, row->y)], x, row->y, true);
         }
 }
 
-/* Quads, for shaders that look at their neighbours: one for each triangle seen in the 2x2 block. */
-static void collect_quads(Collector *c, uint32_t first, uint32_t end)
+/* In every lane the greatest of its quad. */
+static itg quad_greatest(itg a)
+{
+    a = itg_greater(a, GP_QUAD_SHUFFLE(a, 1, 0, 3, 2));
+    return itg_greater(a, GP_QUAD_SHUFFLE(a, 2, 3, 0, 1));
+}
+
+static void pack_quads(Collector *c, const FastMix *mix)
+{
+    for (int quad = 0; quad < GP_LANES; quad += 4)
+        for (int lane = quad; lane < quad + 4 && (mix->live >> quad & 15); lane++)
+            pack_pixel(c, (uint32_t)mix->record[lane], mix->x[lane], mix->y[lane],
+                       mix->live >> lane & 1);
+}
+
+/* Whole quads, for shaders that look at their neighbours: a quad is shaded once for every triangle
+ * that is seen in it. */
+static void collect_quads(Collector *c, const FastPatch *quads, itg seen, msk mine)
+{
+    if (msk_bits(mine & (seen == seen[0])) == ALL_LANES) {
+        add_patch(c,
+                  (FastPatch){ (uint32_t)seen[0], ALL_LANES, quads->x, quads->y, .wide = 0 });
+        return;
+    }
+    const itg some = itg_set(seen[__builtin_ctz(msk_bits(mine))]);
+    FastMix mix = { .x = patch_x(quads), .y = patch_y(quads), .quads = true };
+    for (itg left = seen & mine; msk_bits(left != 0); left &= ~mine) {
+        itg record = quad_greatest(left);
+        mine = (left == record) & (left != 0);
+        mix.live = msk_bits(mine);
+        mix.record = itg_select(record != 0, record, some);
+        if (__builtin_popcount(msk_bits(record != 0)) >= DENSE)
+            add_mix(c, mix);
+        else
+            pack_quads(c, &mix);
+    }
+}
+
+static void collect_seen(Collector *c, uint32_t first, uint32_t end)
 {
     const Tile *tile = c->tile;
-    for (int32_t y = 0; y < tile->height; y += 2)
-        for (int32_t x = 0; x < tile->width; x += 2) {
-            uint32_t seen[4];
-            for (int i = 0; i < 4; i++) {
-                bool inside = x + i % 2 < tile->width && y + i / 2 < tile->height;
-                seen[i] = inside ? tile->seen[fast_at(x + i % 2, y + i / 2)] : FAST_NO_RECORD;
-            }
-            for (int i = 0; i < 4; i++) {
-                bool earlier = false;
-                for (int k = 0; k < i; k++)
-                    earlier = earlier || seen[k] == seen[i];
-                if (earlier || seen[i] < first || seen[i] >= end)
-                    continue;
-                for (int k = 0; k < 4; k++)
-                    collect(c, seen[i], x + k % 2, y + k / 2, seen[k] == seen[i]);
-            }
+    const bool quads = c->d->needs.quads;
+    const int wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
+    for (int32_t y = 0; y < tile->height; y += high)
+        for (int32_t x = 0; x < tile->width; x += wide) {
+            const FastPatch part = { .x = (uint8_t)x, .y = (uint8_t)y, .wide = quads ? 0 : GP_LANES };
+            itg seen = load_patch(tile->seen, &part);
+            msk mine = (seen >= (int32_t)first) & (seen < (int32_t)end);
+            if (!msk_bits(mine))
+                continue;
+            if (quads)
+                collect_quads(c, &part, seen, mine);
+            else
+                collect_row(c, &part, seen, mine);
         }
 }
 
 void FAST(flush_seen)(Tile *tile)
 {
+    bool shown = false;
+    FastPhase before = fast_turn_to(tile, FAST_SHADING);
+    FAST(settle_backdrop)(tile);
     for (uint32_t i = 0; i < tile->run_count; i++) {
         uint32_t first = tile->runs[i].first_record;
         uint32_t end =
@@ -210,15 +158,15 @@ void FAST(flush_seen)(Tile *tile)
         Collector collector = { .tile = tile, .d = &tile->pass->draws[tile->runs[i].draw] };
         if (first == end || collector.d->route != FAST_VISIBLE)
             continue;
-        if (collector.d->needs.quads)
-            collect_quads(&collector, first, end);
-        else
-            collect_pixels(&collector, first, end);
-        shade_collected_patches(&collector);
+        shown = true;
+        collect_seen(&collector, first, end);
+        add_packed(&collector);
         shade_collected_mixes(&collector);
+        shade_collected_patches(&collector);
     }
-    if (tile->record_count > FAST_NO_RECORD + 1)
+    if (shown)
         memset(tile->seen, 0, sizeof tile->seen);
     tile->record_count = FAST_NO_RECORD + 1;
     tile->run_count = tile->wide_count = 0;
+    fast_turn_to(tile, before);
 }

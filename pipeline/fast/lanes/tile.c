@@ -1,7 +1,7 @@
 /* One tile: its primitives in submission order, from clear to store. */
 #include "pipeline/fast/lanes/tile.h"
 
-#include "pipeline/input_assembly.h"
+#include "pipeline/fast/clear.h"
 
 #include <string.h>
 
@@ -53,29 +53,6 @@ static void draw_cut(Tile *tile, const FastRange *range, uint32_t primitive)
     }
 }
 
-static bool inside_clip_planes(const FastDraw *d, const GpScreenVertex *center)
-{
-    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++)
-        if ((d->needs.clip_planes >> i & 1) && !(center->clip_distance[i] >= 0))
-            return false;
-    return true;
-}
-
-static void draw_point(Tile *tile, uint32_t primitive)
-{
-    const FastDraw *d = tile->draw;
-    uint32_t number[3];
-    GpScreenVertex center;
-    GpPointSprite sprite;
-    GpRect rect = FAST(tile_rect)(tile, d);
-    gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
-    FAST(corner_of)(d, number[0], &center);
-    if (inside_clip_planes(d, &center) &&
-        gp_setup_point(&center, d->point_sizes[number[0] - d->first_vertex], &rect, &sprite) ==
-            GP_SETUP_DRAWN)
-        FAST(fill_sprite)(tile, &sprite, center.varying);
-}
-
 /* Between draws: packets wait for one draw only, and what is seen must be shaded before a draw that
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
@@ -87,88 +64,135 @@ static void begin_draw(Tile *tile, uint32_t number)
         FAST(flush_seen)(tile);
 }
 
-/* Triangles that wait for a batch to be full. */
+/* Primitives that wait for their draw to have enough of them. */
+enum { WAITING = 256 };
 typedef struct Waiting {
-    uint32_t primitive[GP_LANES];
+    uint32_t primitive[WAITING + GP_LANES];
     uint32_t count;
 } Waiting;
 
 static void draw_waiting(Tile *tile, Waiting *waiting)
 {
-    if (waiting->count)
-        FAST(fill_batch)(tile, waiting->primitive, waiting->count);
+    if (waiting->count && tile->draw->draw->geometry.primitive == GP_POINTS)
+        FAST(fill_sprites)(tile, waiting->primitive, waiting->count);
+    else if (waiting->count)
+        FAST(fill_triangles)(tile, waiting->primitive, waiting->count);
     waiting->count = 0;
 }
 
-static void draw_primitive(Tile *tile, const FastRange *range, uint32_t entry, Waiting *waiting)
+/* Primitives of the present draw: their indices are wanted soon. */
+static void let_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
 {
-    uint32_t primitive = entry & ~FAST_CUT_FLAG;
     const FastDraw *d = tile->draw;
-    if (!d || primitive < d->first_primitive ||
-        primitive >= d->first_primitive + d->primitive_count) {
+    if (d->draw->geometry.indices)
+        __builtin_prefetch(d->draw->geometry.indices + 3 * (hits->first - d->first_primitive));
+    itg_compress(waiting->primitive + waiting->count, hits->lanes,
+                 lane_numbers() + (int32_t)hits->first);
+    waiting->count += (uint32_t)__builtin_popcount(hits->lanes);
+    if (waiting->count >= WAITING)
         draw_waiting(tile, waiting);
-        begin_draw(tile, fast_find_draw(tile->pass, primitive));
-    }
-    if (tile->draw->draw->geometry.primitive == GP_POINTS)
-        draw_point(tile, primitive);
-    else if (entry & FAST_CUT_FLAG) {
-        draw_waiting(tile, waiting);
-        draw_cut(tile, range, primitive);
-    } else {
-        waiting->primitive[waiting->count++] = primitive;
-        if (waiting->count == GP_LANES)
-            draw_waiting(tile, waiting);
-    }
 }
 
-static void draw_range(Tile *tile, const FastRange *range, uint32_t number)
+/* Of another draw, or cut: whatever waits comes before. */
+static void draw_other(Tile *tile, const FastRange *range, const FastHits *hits, Waiting *waiting)
 {
-    Waiting waiting = { .count = 0 };
+    const uint32_t primitive = hits->first & ~FAST_CUT_FLAG;
+    draw_waiting(tile, waiting);
+    if (!tile->draw || primitive - tile->draw->first_primitive >= tile->draw->primitive_count)
+        begin_draw(tile, fast_find_draw(tile->pass, primitive));
+    if (hits->first & FAST_CUT_FLAG)
+        draw_cut(tile, range, primitive);
+    else
+        let_wait(tile, hits, waiting);
+}
+
+static bool is_of(const FastDraw *d, const FastHits *hits)
+{
+    return d && hits->first - d->first_primitive < d->primitive_count; /* cuts have a high flag */
+}
+
+static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Waiting *waiting)
+{
     for (uint32_t at = range->head[number]; at; at = range->chunks[at].next) {
         const FastChunk *chunk = &range->chunks[at];
-        for (uint32_t i = 0; i < chunk->count; i++)
-            draw_primitive(tile, range, chunk->primitive[i], &waiting);
+        if (chunk->next) /* that one has been asked for: now the one after it */
+            __builtin_prefetch(&range->chunks[range->chunks[chunk->next].next]);
+        for (uint32_t i = 0; i < chunk->count; i++) {
+            if (is_of(tile->draw, &chunk->group[i]))
+                let_wait(tile, &chunk->group[i], waiting);
+            else
+                draw_other(tile, range, &chunk->group[i], waiting);
+        }
     }
-    draw_waiting(tile, &waiting);
 }
 
-/* Whether any primitive touches the tile. */
+/* --- passes --------------------------------------------------------------------------------------- */
+
+/* Whether any primitive of the pass touches the tile. */
 static bool is_touched(const FastPass *pass, uint32_t number)
 {
-    for (uint32_t r = 0; r < pass->range_count; r++)
+    for (uint32_t r = 0; r < pass->ready_count; r++)
         if (pass->ranges[r].head[number])
             return true;
     return false;
 }
 
-static void draw_tile(const FastPass *pass, uint32_t number, FastTileMemory *tile)
+static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
 {
-    tile->pass = pass;
-    tile->x0 = (int32_t)(number % pass->tiles_x) * FAST_TILE;
-    tile->y0 = (int32_t)(number / pass->tiles_x) * FAST_TILE;
-    int32_t width = (int32_t)pass->width - tile->x0, height = (int32_t)pass->height - tile->y0;
-    tile->width = width < FAST_TILE ? width : FAST_TILE;
-    tile->height = height < FAST_TILE ? height : FAST_TILE;
-    tile->targets = 0;
-    while (tile->targets < GP_MAX_TARGETS && pass->pass->color[tile->targets].surface)
-        tile->targets++;
-    tile->depth_format =
-        pass->pass->depth.surface ? pass->pass->depth.surface->format : GP_FORMAT_NONE;
+    const bool touched = is_touched(pass, number);
+    FAST(begin_pass)(tile, pass, touched);
+    if (!touched)
+        return;
     tile->draw = NULL;
     tile->patch_count = 0;
     tile->record_count = FAST_NO_RECORD + 1;
+    tile->backdrop = FAST_NO_RECORD;
     tile->wide_count = tile->run_count = 0;
-
-    if (!is_touched(pass, number)) {
-        FAST(clear_untouched)(tile);
-        return;
-    }
-    FAST(load_tile)(tile);
-    for (uint32_t r = 0; r < pass->range_count; r++)
-        draw_range(tile, &pass->ranges[r], number);
+    Waiting waiting;
+    waiting.count = 0;
+    fast_turn_to(tile, FAST_RASTER);
+    for (uint32_t r = 0; r < pass->ready_count; r++)
+        draw_range(tile, &pass->ranges[r], number, &waiting);
+    draw_waiting(tile, &waiting);
     FAST(flush_patches)(tile);
     FAST(flush_seen)(tile);
-    FAST(store_tile)(tile);
+    fast_turn_to(tile, FAST_TRANSFER);
+}
+
+/* Where nothing is drawn, the surfaces are cleared in place. */
+static void clear_tile(const Tile *tile, const FastGroup *group)
+{
+    const FastBox box = { tile->x0, tile->y0, tile->x0 + tile->width - 1,
+                          tile->y0 + tile->height - 1 };
+    for (uint32_t p = 0; p < group->pass_count; p++)
+        if (group->passes[p].clears)
+            fast_clear_box(group->passes[p].pass, &box);
+}
+
+static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *tile)
+{
+    const FastPass *first = &group->passes[0];
+    tile->x0 = (int32_t)(number % first->tiles_x) * FAST_TILE;
+    tile->y0 = (int32_t)(number / first->tiles_x) * FAST_TILE;
+    int32_t width = (int32_t)first->width - tile->x0, height = (int32_t)first->height - tile->y0;
+    tile->width = width < FAST_TILE ? width : FAST_TILE;
+    tile->height = height < FAST_TILE ? height : FAST_TILE;
+
+    bool touched = false;
+    for (uint32_t p = 0; p < group->pass_count && !touched; p++)
+        touched = is_touched(&group->passes[p], number);
+    if (!touched) {
+        clear_tile(tile, group);
+        return;
+    }
+    if (tile->timed)
+        tile->mark = fast_clock_ms();
+    tile->phase = FAST_TRANSFER;
+    FAST(begin_slots)(tile, &group->slots);
+    for (uint32_t p = 0; p < group->pass_count; p++)
+        draw_pass(tile, &group->passes[p], number);
+    FAST(store_slots)(tile);
+    fast_turn_to(tile, FAST_TRANSFER);
 }
 
 static size_t tile_bytes(void)
@@ -176,16 +200,35 @@ static size_t tile_bytes(void)
     return sizeof(FastTileMemory);
 }
 
+void FAST(vertex_range)(const GpGeometry *geometry, uint32_t *first, uint32_t *count);
+static void start_counting(FastTileMemory *tile, bool timed)
+{
+    tile->fragments_shaded = 0;
+    tile->timed = timed;
+    memset(tile->times, 0, sizeof tile->times);
+}
+
+static void add_counts(const FastTileMemory *tile, GpCounters *counters, GpPhases *phases)
+{
+    counters->fragments_shaded += tile->fragments_shaded;
+    phases->raster += tile->times[FAST_RASTER];
+    phases->shading += tile->times[FAST_SHADING];
+    phases->transfer += tile->times[FAST_TRANSFER];
+}
+
 void FAST(shade_vertices)(const FastDraw *draw, uint32_t first, uint32_t count);
-void FAST(bin_range)(const FastPass *pass, FastRange *range, uint32_t first, uint32_t end);
+void FAST(bin_range)(const FastPass *pass, FastRange *range);
 
 #define STAGES_PASTE_(lanes) fast_stages##lanes
 #define STAGES_PASTE(lanes)  STAGES_PASTE_(lanes)
 
 const FastStages STAGES_PASTE(GP_LANES) = {
     .lanes = GP_LANES,
+    .vertex_range = FAST(vertex_range),
     .shade_vertices = FAST(shade_vertices),
     .bin_range = FAST(bin_range),
     .draw_tile = draw_tile,
     .tile_bytes = tile_bytes,
+    .start_counting = start_counting,
+    .add_counts = add_counts,
 };

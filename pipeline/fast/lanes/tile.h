@@ -2,6 +2,7 @@
 #ifndef GP_FAST_TILE_H
 #define GP_FAST_TILE_H
 
+#include "pipeline/fast/clock.h"
 #include "pipeline/fast/frame.h"
 #include "pipeline/fast/stages.h"
 #include "pipeline/lanes.h"
@@ -29,7 +30,7 @@ GP_INLINE dbl dbl_from_itg(itg a)
 enum {
     FAST_PITCH = FAST_TILE + 16, /* a row of the tile, with room for a packet that runs over */
     FAST_PIXELS = FAST_PITCH * (FAST_TILE + 1),
-    FAST_BLOCK = 16,        /* patches or mixes of one call of a shader */
+    FAST_BLOCK = 32,        /* patches or mixes of one call of a shader */
     FAST_RECORDS = 1 << 14, /* triangles that a tile remembers before it shades what it sees */
     FAST_WIDES = 1 << 12,
     FAST_RUNS = 1 << 10,
@@ -63,21 +64,38 @@ typedef union FastWide {
 } FastWide;
 
 /* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose lanes
- * 4q..4q+3 are top left, top right, bottom left, bottom right. Pixels past the tile are never live. */
+ * 4q..4q+3 are top left, top right, bottom left, bottom right; or packed, the short rows of a sprite's
+ * box one after the other. Pixels past the tile are never live. */
 typedef struct FastPatch {
     uint32_t record;
     uint32_t live; /* bit i: lane i; the others stand by as helpers */
     uint8_t x, y;  /* of the first lane, in the tile */
-    bool quads;
+    uint8_t wide;  /* pixels a row, up to GP_LANES; 0: quads */
+    bool mixed;    /* pixels of several small triangles, those of the mix of the same number */
 } FastPatch;
 
-/* GP_LANES pixels from anywhere in the tile, of any triangles of one draw. Lanes that are not live
- * repeat a live pixel, or stand for the helpers of a quad. */
+/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a patch, or
+ * packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
 typedef struct FastMix {
-    uint32_t record[GP_LANES];
-    uint8_t x[GP_LANES], y[GP_LANES]; /* in the tile */
+    itg record;
+    itg x, y; /* in the tile */
     uint32_t live;
+    bool packed, quads;
+    itg at; /* of (x, y); only of ordered draws */
 } FastMix;
+
+/* What the lanes of a block of mixes take their values from. Neighbouring pixels mostly show the same
+ * triangle, so its constants are fetched once for a run of lanes. */
+enum { FAST_LANE_RUNS = FAST_BLOCK * GP_LANES + GP_LANES }; /* with room to load past the last */
+typedef struct FastLaneRuns {
+    uint32_t count;
+    bool wide;                       /* some edges do not fit into 32 bits */
+    uint32_t offset[FAST_LANE_RUNS]; /* bytes from the tile's first record on */
+    int32_t edge[2][FAST_LANE_RUNS]; /* at the tile's first centre, and in sub-pixels: */
+    int32_t step[2][FAST_LANE_RUNS]; /* one to the right in the low half, one down in the high */
+    float inverse_area[FAST_LANE_RUNS], ratio1[FAST_LANE_RUNS], ratio2[FAST_LANE_RUNS];
+    float corner[GP_MAX_VARYINGS][3][FAST_LANE_RUNS]; /* v0, v1 - v0, v2 - v0 */
+} FastLaneRuns;
 
 /* A colour target inside the tile: A8R8G8B8 as its words, all others by channel, as the floats that
  * reading the texels back would give. */
@@ -86,24 +104,52 @@ typedef union FastPlanes {
     float channel[4][FAST_PIXELS];
 } FastPlanes;
 
+typedef struct FastDepthPlanes {
+    _Alignas(64) uint32_t depth[FAST_PIXELS]; /* codes */
+    _Alignas(64) uint8_t stencil[FAST_PIXELS];
+} FastDepthPlanes;
+
+typedef enum FastPhase { FAST_RASTER, FAST_SHADING, FAST_TRANSFER, FAST_PHASES } FastPhase;
+
 struct FastTileMemory {
+    /* the clock, where it is asked for */
+    bool timed;
+    FastPhase phase; /* at work since `mark` */
+    double mark, times[FAST_PHASES];
+    uint64_t fragments_shaded;
+
     /* the tile */
     const FastPass *pass;
     int32_t x0, y0, width, height; /* pixels; width and height of what the target has of it */
     int targets;
     GpFormat depth_format;
+    FastPlanes *planes[GP_MAX_TARGETS]; /* of the pass's targets, in their slots */
+    uint32_t *depth;
+    uint8_t *stencil;
 
     /* the draw at work, and its number */
     const FastDraw *draw;
     uint32_t draw_number;
 
     uint32_t record_count; /* record 0 stands for none */
+    uint32_t backdrop;     /* record that is seen wherever the one in `seen` is older */
     uint32_t patch_count;
 
-    _Alignas(64) uint32_t depth[FAST_PIXELS];
-    _Alignas(64) uint8_t stencil[FAST_PIXELS];
+    /* the group's surfaces, as far as this tile has come to need them */
+    const FastSlots *slots;
+    struct {
+        bool held;    /* the slot has the content, not the surface alone */
+        bool cleared; /* but not spelled out: each pixel is `color`, as it reads back */
+        bool written; /* the surface has another content */
+        float color[4];
+    } color_state[FAST_COLOR_SLOTS];
+    struct {
+        bool held, written;
+    } depth_state[FAST_DEPTH_SLOTS];
+    _Alignas(64) FastPlanes color_slot[FAST_COLOR_SLOTS];
+    _Alignas(64) FastDepthPlanes depth_slot[FAST_DEPTH_SLOTS];
+
     _Alignas(64) uint32_t seen[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
-    _Alignas(64) FastPlanes planes[GP_MAX_TARGETS];
     _Alignas(64) FastPatch patches[FAST_BLOCK]; /* waiting for the shader, in order */
     _Alignas(64) float patch_depth[FAST_BLOCK * GP_LANES]; /* of patches whose tests come late */
     _Alignas(64) FastMix mixes[FAST_BLOCK];
@@ -114,6 +160,8 @@ struct FastTileMemory {
         uint32_t first_record, draw;
     } runs[FAST_RUNS]; /* which records belong to which draw */
     uint32_t run_count;
+
+    _Alignas(64) FastLaneRuns lane_runs;
 
     /* a block's values: [packet][component][lane] */
     _Alignas(64) float in[FAST_BLOCK * GP_MAX_VARYINGS * GP_LANES];
@@ -157,13 +205,25 @@ GP_INLINE uint32_t fast_at(int32_t x, int32_t y)
     return (uint32_t)(y * FAST_PITCH + x);
 }
 
-/* Rasterizes triangles of the present draw that are inside all planes: any number up to GP_LANES, of
- * any size. Primitives are those of the pass. */
-void FAST(fill_batch)(Tile *tile, const uint32_t *primitives, uint32_t count);
+/* Turns to another phase; returns the one before, to turn back to. */
+GP_INLINE FastPhase fast_turn_to(Tile *tile, FastPhase phase)
+{
+    FastPhase before = tile->phase;
+    if (tile->timed)
+        tile->times[before] += fast_clock_lap(&tile->mark);
+    tile->phase = phase;
+    return before;
+}
 
-/* Rasterizes one set-up triangle or point into the tile, by the route of its draw. */
+/* Rasterizes triangles of the present draw that are inside all planes: any number, of any size.
+ * Primitives are those of the pass. */
+void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count);
+
+/* The same for any number of points. */
+void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count);
+
+/* Rasterizes one set-up triangle into the tile, by the route of its draw. */
 void FAST(fill_triangle)(Tile *tile, const GpTriangle *triangle);
-void FAST(fill_sprite)(Tile *tile, const GpPointSprite *sprite, const float *varying);
 
 /* The tile's part of what the draw may touch. */
 GpRect FAST(tile_rect)(const Tile *tile, const FastDraw *draw);
@@ -173,10 +233,6 @@ void FAST(corner_of)(const FastDraw *draw, uint32_t number, GpScreenVertex *corn
 
 /* Makes sure that `count` records of the present draw can be added; shades what is seen if not. */
 void FAST(reserve_records)(Tile *tile, uint32_t count);
-
-/* Depth and stencil of `lanes` pixels from one place of a row on. */
-unsigned FAST(depth_stencil)(Tile *tile, const FastDraw *draw, uint32_t at, unsigned live, flt z,
-                             bool front);
 
 /* Queues pixels of an ordered draw for its shader; `live` is not 0, depth matters where tests come
  * late. Records stay in place until their patches are shaded. */
@@ -191,6 +247,9 @@ void FAST(flush_patches)(Tile *tile);
 void FAST(shade_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count,
                          const float *depths);
 
+/* Brings `seen` up to date with the backdrop. */
+void FAST(settle_backdrop)(Tile *tile);
+
 /* Shades every pixel that shows a record, and forgets the records. */
 void FAST(flush_seen)(Tile *tile);
 
@@ -198,16 +257,27 @@ void FAST(flush_seen)(Tile *tile);
  * and tile->face are set where the program uses them. */
 void FAST(run_pixel_shader)(Tile *tile, const FastDraw *draw, int count);
 
-/* Blends and writes one shaded patch: color is [target][channel][lane]. */
-void FAST(merge_patch)(Tile *tile, const FastDraw *draw, const FastPatch *patch, unsigned live,
-                       const flt *color);
+/* Blends and writes shaded patches, of patch i the lanes live[i]; color is [patch][target][channel]. */
+void FAST(merge_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
+                         const unsigned *live, int count, const flt *color);
+
+/* Whether a draw's sprites only add to targets of floats; and how a block of their patches, rows or
+ * packed, is merged then: color is [patch][target][channel]. */
+bool FAST(only_adds)(const Tile *tile, const FastDraw *draw);
+void FAST(add_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
+                       const unsigned *live, int count, const flt *color);
 
 /* Writes one shaded mix of a draw that replaces everything. */
 void FAST(write_mix)(Tile *tile, const FastDraw *draw, const FastMix *mix, const flt *color);
 
-/* Clears what the pass clears, straight in the surfaces: for tiles that nothing is drawn in. */
-void FAST(clear_untouched)(const Tile *tile);
-void FAST(load_tile)(Tile *tile);
-void FAST(store_tile)(const Tile *tile);
+/* Starts a tile with nothing in its slots; stores those that were written. */
+void FAST(begin_slots)(Tile *tile, const FastSlots *slots);
+void FAST(store_slots)(Tile *tile);
+
+/* Clears what the pass clears, and points to its targets; loads them where the pass will draw. */
+void FAST(begin_pass)(Tile *tile, const FastPass *pass, bool touched);
+
+/* gp_load_local, from slots or surfaces: the call's `local` is the tile. */
+void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel);
 
 #endif

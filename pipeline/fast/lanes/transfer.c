@@ -1,176 +1,249 @@
-/* A tile's targets: cleared or loaded before the first draw, stored after the last. */
-#include "pipeline/fast/lanes/tile.h"
+/* Texels and planes. Planes hold what reading the stored texel gives, so storing never rounds. */
+#include "pipeline/fast/lanes/transfer.h"
 
 #include <string.h>
 
-static uint8_t *texel_at(const Tile *tile, const GpSurface *surface, int32_t x, int32_t y)
+typedef uint8_t byte_lanes __attribute__((vector_size(GP_LANES)));
+typedef uint16_t half_lanes __attribute__((vector_size(2 * GP_LANES)));
+
+enum { LARGEST_TEXEL = 16 };
+
+/* --- memory ----------------------------------------------------------------------------------------- */
+
+GP_INLINE itg load_words(const void *from)
 {
-    return gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
-                            (uint32_t)(tile->x0 + x), (uint32_t)(tile->y0 + y));
+    itg words;
+    memcpy(&words, from, sizeof words);
+    return words;
 }
 
-static void fill_words(uint32_t *plane, uint32_t word)
+GP_INLINE void store_words(void *to, itg words)
 {
-    for (int i = 0; i < FAST_TILE * FAST_PITCH; i++)
-        plane[i] = word;
+    memcpy(to, &words, sizeof words);
 }
 
-static void load_color(Tile *tile, int target)
+GP_INLINE itg load_halves(const void *from)
 {
-    const GpColorTarget *color = &tile->pass->pass->color[target];
-    const GpFormat format = color->surface->format;
-    FastPlanes *planes = &tile->planes[target];
-    const size_t row_bytes = (size_t)tile->width * 4;
-    float rgba[4];
-    if (color->clear) {
-        uint8_t cleared[16] = { 0 };
-        uint32_t word;
-        gp_texel_store(format, cleared, color->clear_color, 0);
-        gp_texel_load(format, cleared, rgba);
-        memcpy(&word, cleared, sizeof word);
-        if (format == GP_A8R8G8B8)
-            fill_words(planes->packed, word);
-        for (int c = 0; format != GP_A8R8G8B8 && c < gp_format_info(format)->channels; c++)
-            fill_words((uint32_t *)(void *)planes->channel[c], gp_float_bits(rgba[c]));
-        return;
-    }
-    for (int32_t y = 0; y < tile->height; y++) {
-        if (format == GP_A8R8G8B8) {
-            memcpy(planes->packed + fast_at(0, y), texel_at(tile, color->surface, 0, y), row_bytes);
-            continue;
-        }
-        for (int32_t x = 0; x < tile->width; x++) {
-            gp_texel_load(format, texel_at(tile, color->surface, x, y), rgba);
-            for (int c = 0; c < 4; c++)
-                planes->channel[c][fast_at(x, y)] = rgba[c];
-        }
-    }
+    half_lanes halves;
+    memcpy(&halves, from, sizeof halves);
+    return __builtin_convertvector(halves, itg);
 }
 
-static void load_depth(Tile *tile)
+GP_INLINE void store_halves(void *to, itg words)
 {
-    const GpDepthTarget *depth = &tile->pass->pass->depth;
-    const GpFormat format = depth->surface->format;
-    bool kept =
-        !depth->clear_depth || (gp_format_info(format)->has_stencil && !depth->clear_stencil);
-    for (int32_t y = 0; kept && y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x++)
-            gp_depth_load(format, texel_at(tile, depth->surface, x, y), &tile->depth[fast_at(x, y)],
-                          &tile->stencil[fast_at(x, y)]);
-    if (depth->clear_depth)
-        fill_words(tile->depth, gp_depth_code(format, depth->depth_value));
-    if (depth->clear_stencil)
-        memset(tile->stencil, depth->stencil_value, sizeof tile->stencil);
+    half_lanes halves = __builtin_convertvector(words, half_lanes);
+    memcpy(to, &halves, sizeof halves);
 }
 
-void FAST(load_tile)(Tile *tile)
+GP_INLINE itg load_bytes(const void *from)
 {
-    for (int t = 0; t < tile->targets; t++)
-        load_color(tile, t);
-    if (tile->depth_format)
-        load_depth(tile);
+    byte_lanes bytes;
+    memcpy(&bytes, from, sizeof bytes);
+    return __builtin_convertvector(bytes, itg);
 }
 
-/* Rows of four-channel floats: planes to texels. */
-static void store_floats(const Tile *tile, const GpSurface *surface, const FastPlanes *planes)
+GP_INLINE void store_bytes(void *to, itg words)
 {
-    for (int32_t y = 0; y < tile->height; y++) {
-        float *to = (float *)(void *)texel_at(tile, surface, 0, y);
-        uint32_t at = fast_at(0, y);
-        for (int32_t x = 0; x < tile->width; x++)
-            for (uint32_t c = 0; c < 4; c++)
-                to[4 * x + (int32_t)c] = gp_canonical(planes->channel[c][at + (uint32_t)x]);
-    }
+    byte_lanes bytes = __builtin_convertvector(words, byte_lanes);
+    memcpy(to, &bytes, sizeof bytes);
 }
 
-static void store_color(const Tile *tile, const GpSurface *surface, const FastPlanes *planes)
+/* --- numbers --------------------------------------------------------------------------------------- */
+
+/* gp_float_from_half. */
+GP_INLINE itg from_half(itg half)
 {
-    if (surface->format == GP_A32B32G32R32F) {
-        store_floats(tile, surface, planes);
-        return;
-    }
-    for (int32_t y = 0; y < tile->height; y++) {
-        if (surface->format == GP_A8R8G8B8) {
-            memcpy(texel_at(tile, surface, 0, y), planes->packed + fast_at(0, y),
-                   (size_t)tile->width * 4);
-            continue;
-        }
-        for (int32_t x = 0; x < tile->width; x++) {
-            float rgba[4];
-            for (int c = 0; c < 4; c++)
-                rgba[c] = planes->channel[c][fast_at(x, y)];
-            gp_texel_store(surface->format, texel_at(tile, surface, x, y), rgba, 0);
-        }
-    }
+    itg sign = (half & 0x8000) << 16, size = half & 0x7fff;
+    itg normal = (size << 13) + (112 << 23);
+    itg small = (itg)(flt_from_itg(size) * 0x1p-24f);
+    itg finite = itg_select((itg)(size < 0x400), small, normal);
+    itg special = itg_select((itg)(size > 0x7c00), itg_set(0x7fc00000), sign | 0x7f800000);
+    return itg_select((itg)(size < 0x7c00), finite | sign, special);
 }
 
-static void store_depth(const Tile *tile, const GpSurface *surface)
+/* gp_half_from_float of a float that some half is equal to. */
+GP_INLINE itg to_half(itg bits)
 {
-    for (int32_t y = 0; y < tile->height; y++) {
-        const uint32_t *depth = tile->depth + fast_at(0, y);
-        const uint8_t *stencil = tile->stencil + fast_at(0, y);
-        uint8_t *to = texel_at(tile, surface, 0, y);
-        if (tile->depth_format == GP_D32F)
-            memcpy(to, depth, (size_t)tile->width * 4);
-        else if (tile->depth_format == GP_D24S8)
-            for (int32_t x = 0; x < tile->width; x++)
-                ((uint32_t *)(void *)to)[x] = depth[x] << 8 | stencil[x];
-        else
-            for (int32_t x = 0; x < tile->width; x++)
-                ((uint16_t *)(void *)to)[x] = (uint16_t)depth[x];
-    }
+    itg sign = bits >> 16 & 0x8000, size = bits & 0x7fffffff;
+    itg normal = (size >> 13) - (112 << 10);
+    itg small = (itg)((flt)size + 0.5f) - 0x3f000000;
+    itg finite = itg_select((itg)(size < 0x38800000), small, normal);
+    itg special = itg_select((itg)(size > 0x7f800000), itg_set(0x7e00), sign | 0x7c00);
+    return itg_select((itg)(size < 0x7f800000), finite | sign, special);
 }
 
-void FAST(store_tile)(const Tile *tile)
+GP_INLINE itg canonical(itg bits)
 {
-    const GpPass *pass = tile->pass->pass;
-    for (int t = 0; t < tile->targets; t++)
-        store_color(tile, pass->color[t].surface, &tile->planes[t]);
-    if (tile->depth_format)
-        store_depth(tile, pass->depth.surface);
+    return itg_select((itg)((bits & 0x7fffffff) > 0x7f800000), itg_set(0x7fc00000), bits);
 }
 
-/* Repeats the texel at the start of a row along it. */
-static void fill_row(uint8_t *row, const uint8_t *texel, size_t bytes, int32_t count)
-{
-    for (int32_t x = 0; x < count; x++)
-        memcpy(row + (size_t)x * bytes, texel, bytes);
-}
+/* --- colour ---------------------------------------------------------------------------------------- */
 
-void FAST(clear_untouched)(const Tile *tile)
+static void load_whole(GpFormat format, const uint8_t *from, int32_t count, FastPlanes *planes,
+                       uint32_t at)
 {
-    const GpPass *pass = tile->pass->pass;
-    uint8_t texel[16];
-    for (int t = 0; t < tile->targets; t++) {
-        const GpSurface *surface = pass->color[t].surface;
-        const size_t bytes = gp_format_info(surface->format)->bytes;
-        if (!pass->color[t].clear)
-            continue;
-        gp_texel_store(surface->format, texel, pass->color[t].clear_color, 0);
-        fill_row(texel_at(tile, surface, 0, 0), texel, bytes, tile->width);
-        for (int32_t y = 1; y < tile->height; y++)
-            memcpy(texel_at(tile, surface, 0, y), texel_at(tile, surface, 0, 0),
-                   bytes * (size_t)tile->width);
-    }
-    const GpDepthTarget *depth = &pass->depth;
-    if (!depth->surface || !(depth->clear_depth || depth->clear_stencil))
-        return;
-    const size_t bytes = gp_format_info(tile->depth_format)->bytes;
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x++) {
-            uint8_t *at = texel_at(tile, depth->surface, x, y);
-            uint32_t code;
-            uint8_t stencil;
-            if (y && depth->clear_depth &&
-                (depth->clear_stencil || tile->depth_format != GP_D24S8)) {
-                memcpy(at, texel_at(tile, depth->surface, 0, 0), bytes * (size_t)tile->width);
-                break;
+    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
+        float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
+                                    planes->channel[2] + at, planes->channel[3] + at };
+        const uint8_t *texel = from + (size_t)x * gp_format_info(format)->bytes;
+        itg v[4];
+        switch (format) {
+        case GP_A8R8G8B8:
+            store_words(planes->packed + at, load_words(texel));
+            break;
+        case GP_R8:
+            flt_store(channel[0], flt_from_itg(load_bytes(texel)) / 255.0f);
+            break;
+        case GP_G16R16F:
+            v[0] = load_words(texel);
+            store_words(channel[0], from_half(v[0] & 0xffff));
+            store_words(channel[1], from_half((itg)((utg)v[0] >> 16)));
+            break;
+        case GP_A16B16G16R16F:
+            v[0] = load_words(texel);
+            v[1] = load_words(texel + sizeof(itg));
+            v[2] = itg_evens(v[0], v[1]);
+            v[3] = itg_odds(v[0], v[1]);
+            store_words(channel[0], from_half(v[2] & 0xffff));
+            store_words(channel[1], from_half((itg)((utg)v[2] >> 16)));
+            store_words(channel[2], from_half(v[3] & 0xffff));
+            store_words(channel[3], from_half((itg)((utg)v[3] >> 16)));
+            break;
+        case GP_R32F:
+            store_words(channel[0], load_words(texel));
+            break;
+        default: /* GP_A32B32G32R32F: r b r b ..., g a g a ... of each half, then r r ... */
+            for (int i = 0; i < 4; i++)
+                v[i] = load_words(texel + (size_t)i * sizeof(itg));
+            for (int odd = 0; odd < 2; odd++) {
+                itg low = odd ? itg_odds(v[0], v[1]) : itg_evens(v[0], v[1]);
+                itg high = odd ? itg_odds(v[2], v[3]) : itg_evens(v[2], v[3]);
+                store_words(channel[odd], itg_evens(low, high));
+                store_words(channel[odd + 2], itg_odds(low, high));
             }
-            gp_depth_load(tile->depth_format, at, &code, &stencil);
-            if (depth->clear_depth)
-                code = gp_depth_code(tile->depth_format, depth->depth_value);
-            if (depth->clear_stencil)
-                stencil = depth->stencil_value;
-            gp_depth_store(tile->depth_format, at, code, stencil);
         }
+    }
+}
+
+static void store_whole(GpFormat format, uint8_t *to, int32_t count, const FastPlanes *planes,
+                        uint32_t at)
+{
+    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
+        uint8_t *texel = to + (size_t)x * gp_format_info(format)->bytes;
+        const float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
+                                          planes->channel[2] + at, planes->channel[3] + at };
+        itg rg, ba, low, high;
+        switch (format) {
+        case GP_A8R8G8B8:
+            store_words(texel, load_words(planes->packed + at));
+            break;
+        case GP_R8: /* nearest: the float is within 2^-24 of code / 255 */
+            store_bytes(texel, itg_from_flt(flt_load(channel[0]) * 255.0f + 0.5f));
+            break;
+        case GP_G16R16F:
+            rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
+            store_words(texel, rg);
+            break;
+        case GP_A16B16G16R16F:
+            rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
+            ba = to_half(load_words(channel[2])) | to_half(load_words(channel[3])) << 16;
+            store_words(texel, itg_zip_low(rg, ba));
+            store_words(texel + sizeof(itg), itg_zip_high(rg, ba));
+            break;
+        case GP_R32F:
+            store_words(texel, canonical(load_words(channel[0])));
+            break;
+        default: /* GP_A32B32G32R32F */
+            for (int half = 0; half < 2; half++) {
+                itg v[4];
+                for (int c = 0; c < 4; c++)
+                    v[c] = canonical(load_words(channel[c]));
+                low = half ? itg_zip_high(v[0], v[2]) : itg_zip_low(v[0], v[2]);
+                high = half ? itg_zip_high(v[1], v[3]) : itg_zip_low(v[1], v[3]);
+                store_words(texel + (size_t)(2 * half) * sizeof(itg), itg_zip_low(low, high));
+                store_words(texel + (size_t)(2 * half + 1) * sizeof(itg), itg_zip_high(low, high));
+            }
+        }
+    }
+}
+
+/* What is left of a row goes by way of a buffer that is wide enough for all lanes. */
+
+void FAST(load_colors)(GpFormat format, const uint8_t *texels, int32_t count, FastPlanes *planes,
+                       uint32_t at)
+{
+    const size_t bytes = gp_format_info(format)->bytes;
+    const int32_t whole = count / GP_LANES * GP_LANES;
+    load_whole(format, texels, whole, planes, at);
+    if (whole == count)
+        return;
+    uint8_t rest[GP_LANES * LARGEST_TEXEL] = { 0 };
+    memcpy(rest, texels + (size_t)whole * bytes, (size_t)(count - whole) * bytes);
+    load_whole(format, rest, GP_LANES, planes, at + (uint32_t)whole);
+}
+
+void FAST(store_colors)(GpFormat format, uint8_t *texels, int32_t count, const FastPlanes *planes,
+                        uint32_t at)
+{
+    const size_t bytes = gp_format_info(format)->bytes;
+    const int32_t whole = count / GP_LANES * GP_LANES;
+    store_whole(format, texels, whole, planes, at);
+    if (whole == count)
+        return;
+    uint8_t rest[GP_LANES * LARGEST_TEXEL];
+    store_whole(format, rest, GP_LANES, planes, at + (uint32_t)whole);
+    memcpy(texels + (size_t)whole * bytes, rest, (size_t)(count - whole) * bytes);
+}
+
+/* --- depth ----------------------------------------------------------------------------------------- */
+
+static void load_whole_depths(GpFormat format, const uint8_t *from, int32_t count,
+                              FastDepthPlanes *planes, uint32_t at)
+{
+    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
+        itg code = format == GP_D16 ? load_halves(from + 2 * x) : load_words(from + 4 * x);
+        if (format == GP_D24S8)
+            store_bytes(planes->stencil + at, code & 255);
+        store_words(planes->depth + at, format == GP_D24S8 ? (itg)((utg)code >> 8) : code);
+    }
+}
+
+static void store_whole_depths(GpFormat format, uint8_t *to, int32_t count,
+                               const FastDepthPlanes *planes, uint32_t at)
+{
+    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
+        itg code = load_words(planes->depth + at);
+        if (format == GP_D24S8)
+            code = code << 8 | load_bytes(planes->stencil + at);
+        if (format == GP_D16)
+            store_halves(to + 2 * x, code);
+        else
+            store_words(to + 4 * x, code);
+    }
+}
+
+void FAST(load_depths)(GpFormat format, const uint8_t *texels, int32_t count,
+                       FastDepthPlanes *planes, uint32_t at)
+{
+    const size_t bytes = gp_format_info(format)->bytes;
+    const int32_t whole = count / GP_LANES * GP_LANES;
+    load_whole_depths(format, texels, whole, planes, at);
+    if (whole == count)
+        return;
+    uint8_t rest[GP_LANES * LARGEST_TEXEL] = { 0 };
+    memcpy(rest, texels + (size_t)whole * bytes, (size_t)(count - whole) * bytes);
+    load_whole_depths(format, rest, GP_LANES, planes, at + (uint32_t)whole);
+}
+
+void FAST(store_depths)(GpFormat format, uint8_t *texels, int32_t count,
+                        const FastDepthPlanes *planes, uint32_t at)
+{
+    const size_t bytes = gp_format_info(format)->bytes;
+    const int32_t whole = count / GP_LANES * GP_LANES;
+    store_whole_depths(format, texels, whole, planes, at);
+    if (whole == count)
+        return;
+    uint8_t rest[GP_LANES * LARGEST_TEXEL];
+    store_whole_depths(format, rest, GP_LANES, planes, at + (uint32_t)whole);
+    memcpy(texels + (size_t)whole * bytes, rest, (size_t)(count - whole) * bytes);
 }

@@ -6,32 +6,116 @@
 #include "pipeline/texture_read.h"
 #include "pipeline/viewport.h"
 
-#include <math.h>
+#include <string.h>
 
-enum { PACKETS = 8, MAX_STRIDE = GP_MAX_VARYINGS + GP_MAX_CLIP_PLANES };
+enum { PACKETS = 8 };
 
 /* Everything of a run of packets. */
 typedef struct Block {
     _Alignas(64) float in[PACKETS * GP_MAX_INPUTS * GP_LANES];
     _Alignas(64) float position[PACKETS * 4 * GP_LANES];
-    _Alignas(64) float varying[PACKETS * GP_MAX_VARYINGS * GP_LANES];
+    _Alignas(64) float varying[PACKETS * GP_MAX_VARYINGS * GP_LANES]; /* a multiple of four */
     _Alignas(64) float size[PACKETS * GP_LANES];
 } Block;
+
+/* --- their numbers -------------------------------------------------------------------------------- */
+
+void FAST(vertex_range)(const GpGeometry *geometry, uint32_t *first, uint32_t *count)
+{
+    const uint32_t corners = geometry->primitive == GP_TRIANGLES ? 3 : 1;
+    const uint32_t used = gp_geometry_primitives(geometry) * corners;
+    if (!geometry->indices || used < GP_LANES) {
+        gp_vertex_range(geometry, first, count);
+        return;
+    }
+    itg low = itg_set(INT32_MAX), high = itg_set(INT32_MIN);
+    for (uint32_t i = 0; i < used; i += GP_LANES) {
+        uint32_t at = i < used - GP_LANES ? i : used - GP_LANES; /* the end is read twice */
+        itg number;
+        memcpy(&number, (const uint8_t *)(geometry->indices + at), sizeof number);
+        number ^= INT32_MIN; /* the order of unsigned numbers as that of signed ones */
+        low = itg_lesser(low, number);
+        high = itg_greater(high, number);
+    }
+    int32_t least = low[0], most = high[0];
+    for (int lane = 1; lane < GP_LANES; lane++) {
+        least = low[lane] < least ? low[lane] : least;
+        most = high[lane] > most ? high[lane] : most;
+    }
+    *first = (uint32_t)least ^ 0x80000000u;
+    *count = (uint32_t)most - (uint32_t)least + 1;
+}
+
+/* --- inputs -------------------------------------------------------------------------------------- */
+
+/* Four floats of a packet's vertices, whether the stream has as many or not: what lies behind a
+ * vertex is read with it, and out of a copy where that is the end of the stream. */
+GP_INLINE void load_floats(const GpStream *stream, uint32_t vertex_count,
+                           const uint32_t vertex[GP_LANES], itg component[4])
+{
+    const size_t size = stream->components * sizeof(float);
+    const size_t stride = stream->stride ? stream->stride : size;
+    const uint8_t *data = stream->data, *end = data + (vertex_count - 1) * stride + size;
+    const void *record[GP_LANES];
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        record[lane] = data + vertex[lane] * stride;
+    float copy[GP_LANES][4];
+    const bool at_end = (size_t)(end - (const uint8_t *)record[GP_LANES - 1]) < sizeof copy[0];
+    for (int lane = 0; at_end && lane < GP_LANES; lane++) {
+        if (lane > 0 && vertex[lane] == vertex[lane - 1])
+            record[lane] = record[lane - 1];
+        else if ((size_t)(end - (const uint8_t *)record[lane]) < sizeof copy[0])
+            record[lane] = memcpy(copy[lane], record[lane], size);
+    }
+    lanes_load4(record, component);
+}
+
+/* One input of a packet's vertices, which rise; what gp_fetch_input gives. */
+static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
+                        const uint32_t vertex[GP_LANES], float *to)
+{
+    const GpStream *stream = &geometry->streams[input->semantic];
+    if (stream->type != GP_FLOAT32) {
+        for (int lane = 0; lane < GP_LANES; lane++) {
+            float one[4];
+            gp_fetch_input(stream, input->components, vertex[lane], one);
+            for (int c = 0; c < input->components; c++)
+                to[c * GP_LANES + lane] = one[c];
+        }
+        return;
+    }
+    itg component[4];
+    load_floats(stream, geometry->vertex_count, vertex, component);
+    GP_UNROLL
+    for (int c = 0; c < 4; c++) {
+        if (c == input->components)
+            break;
+        flt value = (flt)component[c];
+        value = flt_select(value == value, value, (flt)itg_set(GP_QUIET_NAN));
+        flt_store(to + c * GP_LANES,
+                  c < stream->components ? value : flt_set(c == 3 ? 1.0f : 0.0f));
+    }
+}
 
 /* Inputs of the block's vertices, by component and lane; the last vertex fills the last packet. */
 static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *block)
 {
     const GpProgram *program = d->draw->program;
-    const int components = program->input_components;
-    for (uint32_t i = 0; i < (count + GP_LANES - 1) / GP_LANES * GP_LANES; i++) {
-        uint32_t vertex = d->first_vertex + first + (i < count ? i : count - 1);
-        float inputs[GP_MAX_INPUTS];
-        gp_fetch_vertex(&d->draw->geometry, program, vertex, inputs);
-        float *to = block->in + (i / GP_LANES) * (uint32_t)components * GP_LANES + i % GP_LANES;
-        for (int c = 0; c < components; c++)
-            to[c * GP_LANES] = inputs[c];
+    float *to = block->in;
+    for (uint32_t done = 0; done < count; done += GP_LANES) {
+        uint32_t vertex[GP_LANES];
+        for (uint32_t lane = 0; lane < GP_LANES; lane++)
+            vertex[lane] =
+                d->first_vertex + first + (done + lane < count ? done + lane : count - 1);
+        for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
+            fetch_input(&d->draw->geometry, &program->inputs[i], vertex, to);
+            to += program->inputs[i].components * GP_LANES;
+        }
     }
 }
+
+/* --- places -------------------------------------------------------------------------------------- */
 
 /* Bits of the planes that a vertex is outside of, as gp_clip_triangle decides. */
 static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
@@ -45,6 +129,7 @@ static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
         [GP_CLIP_FAR] = w - z,
     };
     itg bits = itg_set(0);
+    GP_UNROLL
     for (int i = 0; i < GP_CLIP_PLANES; i++)
         bits |= ~(itg)(distance[i] >= 0.0f) & itg_set(1 << i);
     return bits;
@@ -60,7 +145,7 @@ static itg snap(flt pixels)
     return itg_from_flt((flt)((itg)rounded | sign));
 }
 
-static void place(const FastDraw *d, uint32_t first, uint32_t count, const flt *position)
+static void place(const FastDraw *d, const flt position[4], flt size, FastPosition *to)
 {
     const GpViewport *v = &d->viewport;
     flt x = position[0], y = position[1], z = position[2], w = position[3];
@@ -73,33 +158,32 @@ static void place(const FastDraw *d, uint32_t first, uint32_t count, const flt *
     msk in_range =
         (msk)(flt_abs(screen_x) < 32768.0f) & (msk)(flt_abs(screen_y) < 32768.0f) & (msk)(w > 0.0f);
     itg bad = ~number | (~in_range & (itg)(outside == 0));
-    outside = itg_select(bad, itg_set(0xff), outside);
+    outside = itg_select(bad, itg_set(FAST_OUTSIDE_ALL), outside);
     msk placed = (msk)(outside == 0);
     itg fixed_x = snap(flt_select(placed, screen_x, flt_set(0)));
     itg fixed_y = snap(flt_select(placed, screen_y, flt_set(0)));
-    for (uint32_t lane = 0; lane < GP_LANES && lane < count; lane++) {
-        d->positions[first + lane] =
-            (FastPosition){ fixed_x[lane], fixed_y[lane], screen_z[lane], rw[lane] };
-        d->outside[first + lane] = (uint8_t)outside[lane];
-    }
+    flt last = d->draw->geometry.primitive == GP_POINTS ? size : rw;
+    const itg words[4] = { itg_select(placed, fixed_x, FAST_NOWHERE + outside), fixed_y,
+                           (itg)screen_z, (itg)last };
+    lanes_store4(to, sizeof *to, words);
 }
 
-static void keep_varyings(const FastDraw *d, uint32_t first, uint32_t count, const flt *position,
-                          const float *varying, const float *size)
+/* Varyings, with what follows them up to a multiple of four; then the distances from planes in use. */
+static void keep_varyings(const FastDraw *d, const flt position[4], const float *varying, float *to)
 {
-    const GpRasterState *raster = &d->draw->state.raster;
-    for (uint32_t lane = 0; lane < GP_LANES && lane < count; lane++) {
-        float *to = d->varyings + (size_t)(first + lane) * d->stride;
-        for (int c = 0; c < d->modes.components; c++)
-            *to++ = varying[c * GP_LANES + (int)lane];
-        for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) {
-            const float *plane = raster->clip_plane[i];
-            if (d->needs.clip_planes >> i & 1)
-                *to++ = position[0][lane] * plane[0] + position[1][lane] * plane[1] +
-                        position[2][lane] * plane[2] + position[3][lane] * plane[3];
-        }
-        if (d->point_sizes)
-            d->point_sizes[first + lane] = d->draw->program->writes_point_size ? size[lane] : 1.0f;
+    for (int c = 0; c < d->modes.components; c += 4)
+        lanes_store4(to + c, d->stride * sizeof *to,
+                     (const itg *)(const void *)(varying + c * GP_LANES));
+    float *distance = to + d->modes.components;
+    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) {
+        if (!(d->needs.clip_planes >> i & 1))
+            continue;
+        const float *plane = d->draw->state.raster.clip_plane[i];
+        flt all = position[0] * plane[0] + position[1] * plane[1] + position[2] * plane[2] +
+                  position[3] * plane[3];
+        for (uint32_t lane = 0; lane < GP_LANES; lane++)
+            distance[lane * d->stride] = all[lane];
+        distance++;
     }
 }
 
@@ -125,11 +209,12 @@ void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
         d->code->vertex(&call);
         for (uint32_t p = 0; p < packets; p++) {
             const flt *position = (const flt *)(const void *)(block.position + p * 4 * GP_LANES);
-            uint32_t at = first + done + p * GP_LANES, left = now - p * GP_LANES;
-            place(d, at, left, position);
-            keep_varyings(d, at, left, position,
-                          block.varying + p * (uint32_t)d->modes.components * GP_LANES,
-                          block.size + p * GP_LANES);
+            const uint32_t at = first + done + p * GP_LANES;
+            place(d, position,
+                  program->writes_point_size ? flt_load(block.size + p * GP_LANES) : flt_set(1),
+                  d->positions + at);
+            keep_varyings(d, position, block.varying + p * (uint32_t)d->modes.components * GP_LANES,
+                          d->varyings + (size_t)at * d->stride);
         }
     }
 }

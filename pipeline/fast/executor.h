@@ -1,0 +1,44 @@
+/* The executor's own memory, and the two halves of a group's way: preparing it and running it. */
+#ifndef GP_FAST_EXECUTOR_H
+#define GP_FAST_EXECUTOR_H
+
+#include "pipeline/fast/arena.h"
+#include "pipeline/fast/fast.h"
+#include "pipeline/fast/frame.h"
+#include "pipeline/fast/stages.h"
+#include "pipeline/pool.h"
+
+struct GpFast {
+    GpPool *pool;
+    FastTileMemory **tiles; /* one a worker, made when first needed */
+    int lanes;              /* that they were made for */
+    size_t vertex_limit, vertex_bytes;
+    FastArena arena;   /* draws and shaded vertices of the group */
+    FastRange *ranges; /* kept for the memory they hold */
+    uint32_t range_room;
+    FastBudget budget; /* of the ranges */
+    double mark;       /* when the last phase ended */
+};
+
+/* Where in a list the next group starts. */
+typedef struct FastCursor {
+    const GpList *list;
+    const uint32_t *group_of; /* gp_list_groups */
+    uint32_t pass, draw;
+    /* gp_varyings_read of the last few programs */
+    struct {
+        const GpProgram *program;
+        uint64_t varyings;
+    } read[8];
+    unsigned read_count;
+} FastCursor;
+
+/* Prepares passes of one group of the list, as many as there are slots and memory for, and moves the
+ * cursor behind them; false when memory is short. */
+bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *group);
+
+/* Vertices, bins and tiles; false when memory is short. */
+bool fast_run_group(GpFast *fast, FastGroup *group, const FastStages *stages, GpCounters *counters,
+                    GpPhases *phases);
+
+#endif

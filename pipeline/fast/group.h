@@ -1,0 +1,16 @@
+/* Groups: passes that run tile by tile, all of them in one tile before the next tile's turn, so that
+ * their targets stay in tile memory from the first pass to the last (CONVENTIONS.md, Groups). */
+#ifndef GP_FAST_GROUP_H
+#define GP_FAST_GROUP_H
+
+#include "pipeline/fast/frame.h"
+
+/* Gives slots to the targets of a pass that have none yet; false, with nothing changed, where there
+ * are too few. An empty set is large enough for any one pass. */
+bool fast_slots_add(FastSlots *slots, const GpPass *pass);
+
+/* Slot of a target; -1: none. */
+int fast_color_slot(const FastSlots *slots, const GpSurface *surface);
+int fast_depth_slot(const FastSlots *slots, const GpSurface *surface);
+
+#endif

@@ -1,0 +1,225 @@
+/* Point sprites: set up GP_LANES at a time, then filled one by one.
+ *
+ * Where fragments are shaded in order, small sprites fill patches with as many of their rows as have
+ * room, and the shader's inputs are left at once, for nothing but the place in the sprite differs from
+ * pixel to pixel. */
+#include "pipeline/fast/lanes/sprite.h"
+
+#include "pipeline/fast/lanes/patch.h"
+#include "pipeline/fast/lanes/route.h"
+
+/* Sprites in one tile: boxes from its first pixel on, corners from that pixel's centre on. */
+typedef struct Batch {
+    Sprites at;
+    flt per_step; /* 1 over the side in sub-pixels */
+    uint32_t vertex[GP_LANES];
+} Batch;
+
+/* --- set-up -------------------------------------------------------------------------------------- */
+
+/* Points are cut whole, by their vertex. */
+static bool inside_clip_planes(const FastDraw *d, uint32_t vertex)
+{
+    const float *distance = d->varyings + (size_t)vertex * d->stride + d->modes.components;
+    for (unsigned planes = d->needs.clip_planes; planes; planes &= planes - 1)
+        if (!(*distance++ >= 0))
+            return false;
+    return true;
+}
+
+static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count, Batch *batch)
+{
+    const FastDraw *d = tile->draw;
+    const GpRect rect = FAST(tile_rect)(tile, d);
+    const uint32_t *indices = d->draw->geometry.indices;
+    GP_UNROLL
+    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
+        uint32_t at = primitives[lane < count ? lane : 0] - d->first_primitive;
+        batch->vertex[lane] = (indices ? indices[at] : at) - d->first_vertex;
+        __builtin_prefetch(d->varyings + (size_t)batch->vertex[lane] * d->stride);
+    }
+    Sprites s = place_sprites(d, batch->vertex, &rect);
+    s.drawn &= (1u << count) - 1;
+    for (unsigned left = d->needs.clip_planes ? s.drawn : 0; left; left &= left - 1)
+        if (!inside_clip_planes(d, batch->vertex[__builtin_ctz(left)]))
+            s.drawn &= ~(left & -left);
+
+    const flt low = flt_set(d->viewport.min_depth), high = flt_set(d->viewport.max_depth);
+    s.z = flt_select((msk)(s.z < low), low, s.z);
+    s.z = flt_select((msk)(s.z > high), high, s.z);
+    s.x0 -= tile->x0;
+    s.y0 -= tile->y0;
+    s.x1 -= tile->x0;
+    s.y1 -= tile->y0;
+    s.left -= tile->x0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    s.top -= tile->y0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    batch->at = s;
+    batch->per_step = 1.0f / flt_from_itg(s.whole);
+}
+
+/* --- shaded in order ---------------------------------------------------------------------------- */
+
+/* The place of pixels along one axis of a sprite, 0..1. */
+GP_INLINE flt along(itg pixel, int32_t start, float per_step)
+{
+    return flt_from_itg(pixel * GP_SUBPIXELS - start) * per_step;
+}
+
+GP_INLINE void set_inputs(const FastDraw *d, const float *varying, flt u, flt v, flt *in)
+{
+    for (int c = 0; c < d->modes.components; c++)
+        in[c] = flt_set(varying[c]);
+    if (d->modes.sprite >= 0) {
+        in[d->modes.sprite] = u;
+        in[d->modes.sprite + 1] = v;
+    }
+}
+
+void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *d, const FastRecord *r, itg x,
+                              itg y, flt *in)
+{
+    const FastWide *wide = &tile->wide[r->wide];
+    set_inputs(d, r->corner[0], along(x, wide->sprite.left, wide->sprite.per_step),
+               along(y, wide->sprite.top, wide->sprite.per_step), in);
+}
+
+/* A sprite on its way into the queue. */
+typedef struct Queuer {
+    Tile *tile;
+    const FastDraw *d;
+    uint32_t record;
+    int32_t left, top;
+    float per_step, z;
+    const float *varying;
+} Queuer;
+
+/* `live` lanes of a patch from (x, y) on, and where they are in the sprite. */
+GP_INLINE void queue(const Queuer *q, int32_t x, int32_t y, int32_t wide, unsigned live, flt u,
+                     flt v)
+{
+    Tile *tile = q->tile;
+    const FastDraw *d = q->d;
+    if (tile->patch_count == FAST_BLOCK)
+        FAST(flush_patches)(tile);
+    const uint32_t number = tile->patch_count;
+    FastPatch *patch = &tile->patches[number]; /* piece by piece: a copy would wait for its parts */
+    patch->record = q->record;
+    patch->live = live;
+    patch->x = (uint8_t)x;
+    patch->y = (uint8_t)y;
+    patch->wide = (uint8_t)wide;
+    patch->mixed = false;
+    if (d->wants_depth && !d->late_depth)
+        patch->live = FAST(test_patch)(tile, d, patch, live, flt_set(q->z));
+    if (!patch->live)
+        return;
+    tile->patch_count++;
+    if (d->late_depth)
+        flt_store(tile->patch_depth + number * GP_LANES, flt_set(q->z));
+    set_inputs(d, q->varying, u, v,
+               (flt *)(void *)tile->in + number * (uint32_t)d->modes.components);
+}
+
+/* A box that is narrower than a patch: as many rows at once as have room. */
+static void queue_packed(const Queuer *q, const FastBox *box)
+{
+    const int32_t wide = box->x1 - box->x0 + 1, rows = GP_LANES / wide;
+    const itg row = patch_rows(wide);
+    const flt u = along(patch_columns(wide) + box->x0, q->left, q->per_step);
+    for (int32_t y = box->y0; y <= box->y1; y += rows) {
+        int32_t below = box->y1 - y + 1, pixels = (below < rows ? below : rows) * wide;
+        queue(q, box->x0, y, wide, (1u << pixels) - 1, u, along(row + y, q->top, q->per_step));
+    }
+}
+
+/* Any box, by rows or by quads. */
+static void queue_box(const Queuer *q, const FastBox *box)
+{
+    const bool quads = q->d->needs.quads;
+    const int32_t across = quads ? QUADS_WIDE : GP_LANES, down = quads ? 2 : 1;
+    const int32_t wide = quads ? 0 : GP_LANES;
+    const itg column = patch_columns(wide), row = patch_rows(wide);
+    for (int32_t y = quads ? box->y0 & ~1 : box->y0; y <= box->y1; y += down)
+        for (int32_t x = quads ? box->x0 & ~1 : box->x0; x <= box->x1; x += across) {
+            const itg px = column + x, py = row + y;
+            unsigned live = msk_bits((msk)(px >= box->x0) & (msk)(px <= box->x1) &
+                                     (msk)(py >= box->y0) & (msk)(py <= box->y1));
+            if (live)
+                queue(q, x, y, wide, live, along(px, q->left, q->per_step),
+                      along(py, q->top, q->per_step));
+        }
+}
+
+static void queue_sprite(Tile *tile, const Batch *batch, int lane, uint32_t record)
+{
+    const FastDraw *d = tile->draw;
+    const Sprites *s = &batch->at;
+    const FastBox box = { s->x0[lane], s->y0[lane], s->x1[lane], s->y1[lane] };
+    const Queuer queuer = { .tile = tile,
+                            .d = d,
+                            .record = record,
+                            .left = s->left[lane],
+                            .top = s->top[lane],
+                            .per_step = batch->per_step[lane],
+                            .z = s->z[lane],
+                            .varying = d->varyings + (size_t)batch->vertex[lane] * d->stride };
+    if (box.x1 - box.x0 < GP_LANES - 1 && !d->needs.quads)
+        queue_packed(&queuer, &box);
+    else
+        queue_box(&queuer, &box);
+}
+
+/* --- seen, or only tested ------------------------------------------------------------------------- */
+
+static void fill_rows(Tile *tile, const Batch *batch, int lane)
+{
+    const FastDraw *d = tile->draw;
+    const Sprites *s = &batch->at;
+    Filler filler = FAST(filler)(tile);
+    filler.front = true;
+    if (d->route != FAST_DEPTH_ONLY) {
+        const float *varying = d->varyings + (size_t)batch->vertex[lane] * d->stride;
+        FAST(reserve_records)(tile, 1);
+        filler.number = tile->record_count++;
+        FastWide *wide = &tile->wide[tile->wide_count];
+        tile->records[filler.number] = (FastRecord){ .face = 1.0f,
+                                                     .kind = FAST_SPRITE,
+                                                     .wide = tile->wide_count++,
+                                                     .corner = { varying, varying, varying } };
+        wide->sprite.left = s->left[lane];
+        wide->sprite.top = s->top[lane];
+        wide->sprite.per_step = batch->per_step[lane];
+    }
+    for (int32_t y = s->y0[lane]; y <= s->y1[lane]; y++)
+        for (int32_t x = s->x0[lane]; x <= s->x1[lane]; x += GP_LANES) {
+            int32_t pixels = s->x1[lane] - x + 1;
+            unsigned live = (1u << (pixels < GP_LANES ? pixels : GP_LANES)) - 1;
+            route_lanes(&filler, filler.early, false, x, y, mask_of(live), flt_set(s->z[lane]));
+        }
+}
+
+static void fill_batch(Tile *tile, const uint32_t *primitives, uint32_t count)
+{
+    const FastDraw *d = tile->draw;
+    Batch batch;
+    set_up(tile, primitives, count, &batch);
+    uint32_t record = 0;
+    if (d->route == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
+        FAST(reserve_records)(tile, 1);
+        record = tile->record_count++;
+        tile->records[record] = (FastRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+    }
+    for (unsigned left = batch.at.drawn; left; left &= left - 1) {
+        int lane = __builtin_ctz(left);
+        if (d->route == FAST_ORDERED)
+            queue_sprite(tile, &batch, lane, record);
+        else
+            fill_rows(tile, &batch, lane);
+    }
+}
+
+void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count)
+{
+    for (uint32_t first = 0; first < count; first += GP_LANES)
+        fill_batch(tile, primitives + first, count - first < GP_LANES ? count - first : GP_LANES);
+}

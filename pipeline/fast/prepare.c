@@ -1,0 +1,238 @@
+/* Draws, passes and groups made ready for the stages: what they need, how fragments go, room. */
+#include "pipeline/fast/executor.h"
+#include "pipeline/fast/group.h"
+#include "pipeline/fast/sampler.h"
+#include "pipeline/fast/stages.h"
+#include "pipeline/input_assembly.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* --- draws ---------------------------------------------------------------------------------------- */
+
+/* A fragment that passes its tests leaves nothing of what the targets held. */
+static bool replaces_everything(const GpPass *pass, const GpDraw *draw)
+{
+    int written = gp_program_targets(draw->program);
+    for (int i = 0; i < GP_MAX_TARGETS; i++) {
+        if (!pass->color[i].surface)
+            break;
+        if (i >= written || draw->state.blend[i].op != GP_BLEND_OFF ||
+            draw->state.blend[i].keep & 15)
+            return false;
+    }
+    return true;
+}
+
+static FastRoute choose_route(const FastDraw *d)
+{
+    if (!d->needs.color && !d->wants_depth)
+        return FAST_NOTHING;
+    if (!d->needs.pixel_shader)
+        return FAST_DEPTH_ONLY;
+    if (!d->needs.color || d->needs.discard || d->needs.alpha_test || d->needs.shader_depth ||
+        !replaces_everything(d->pass, d->draw))
+        return FAST_ORDERED;
+    return FAST_VISIBLE;
+}
+
+static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
+{
+    if (!raster->scissor)
+        return rect;
+    rect.x0 = rect.x0 > raster->scissor_x0 ? rect.x0 : raster->scissor_x0;
+    rect.y0 = rect.y0 > raster->scissor_y0 ? rect.y0 : raster->scissor_y0;
+    rect.x1 = rect.x1 < raster->scissor_x1 ? rect.x1 : raster->scissor_x1;
+    rect.y1 = rect.y1 < raster->scissor_y1 ? rect.y1 : raster->scissor_y1;
+    return rect;
+}
+
+static bool same_vertices(const GpGeometry *a, const GpGeometry *b)
+{
+    return a->primitive == b->primitive && a->vertex_count == b->vertex_count &&
+           a->indices == b->indices && a->index_count == b->index_count;
+}
+
+/* Samplers of the slots that the program reads; false when memory is short. */
+static bool prepare_samplers(FastArena *arena, FastDraw *d)
+{
+    unsigned read = d->draw->program->samplers | d->draw->program->vertex_samplers;
+    if (!read)
+        return true;
+    d->samplers = fast_arena_take(arena, GP_MAX_SAMPLERS * sizeof *d->samplers);
+    for (int i = 0; d->samplers && i < GP_MAX_SAMPLERS; i++)
+        if (read >> i & 1)
+            fast_prepare_sampler(&d->draw->textures[i], &d->samplers[i]);
+    return d->samplers != NULL;
+}
+
+/* Appends a draw's work to that of its pass; false when memory is short.
+ * in   varyings_read: by the draw's program (gp_varyings_read)
+ * out  d: of the pass's draws, the next */
+static bool prepare_draw(FastArena *arena, FastPass *pass, const GpDraw *draw,
+                         uint64_t varyings_read, int lanes, FastDraw *d)
+{
+    *d = (FastDraw){
+        .pass = pass->pass,
+        .draw = draw,
+        .code = gp_program_code(draw->program, lanes),
+        .needs = gp_draw_needs(pass->pass, draw, varyings_read),
+        .modes = gp_varying_modes(draw->program),
+        .viewport = gp_viewport_resolve(&draw->viewport, pass->width, pass->height),
+        .first_block = pass->block_count,
+        .first_primitive = pass->primitive_count,
+        .primitive_count = gp_geometry_primitives(&draw->geometry),
+    };
+    d->rect = cut_to_scissor(gp_viewport_rect(&draw->viewport, pass->width, pass->height),
+                             &draw->state.raster);
+    d->band = gp_guard_band(&d->viewport);
+    d->wants_depth = d->needs.depth_test || d->needs.depth_write || d->needs.stencil;
+    d->late_depth = d->needs.late_depth;
+    d->route = choose_route(d);
+    if (d->route == FAST_NOTHING)
+        d->primitive_count = 0;
+
+    /* the same mesh again and again is the rule where draws are many */
+    const FastDraw *before = d > pass->draws ? d - 1 : NULL;
+    if (before && before->vertex_count && same_vertices(&draw->geometry, &before->draw->geometry)) {
+        d->first_vertex = before->first_vertex;
+        d->vertex_count = before->vertex_count;
+    } else {
+        fast_stages(lanes)->vertex_range(&draw->geometry, &d->first_vertex, &d->vertex_count);
+    }
+    if (!d->primitive_count)
+        d->vertex_count = 0;
+    d->stride = (uint32_t)d->modes.components;
+    for (unsigned planes = d->needs.clip_planes; planes; planes &= planes - 1)
+        d->stride++;
+    d->stride = (d->stride + 3) & ~3u;
+    size_t room = (size_t)d->vertex_count + FAST_WIDEST; /* whole packets are stored */
+    d->positions = fast_arena_take(arena, room * sizeof *d->positions);
+    d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
+    pass->block_count += fast_draw_blocks(d);
+    pass->primitive_count += d->primitive_count;
+    return prepare_samplers(arena, d) && d->positions && d->varyings;
+}
+
+/* --- passes and groups ---------------------------------------------------------------------------- */
+
+/* Of one group: what it takes to keep them is then little, too. */
+enum { MOST_DRAWS = 4096, MOST_PASSES = 1024 };
+
+/* Few ranges make full batches of triangles; each thread should have some. */
+static uint32_t range_size(uint32_t primitives, int threads)
+{
+    if (threads == 1)
+        return FAST_MOST_IN_RANGE;
+    uint32_t share = primitives / (4 * (uint32_t)threads);
+    return share < FAST_LEAST_IN_RANGE  ? FAST_LEAST_IN_RANGE
+           : share > FAST_MOST_IN_RANGE ? FAST_MOST_IN_RANGE
+                                        : share;
+}
+
+static uint32_t least(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static bool has_room(const GpFast *fast)
+{
+    return fast->vertex_bytes < fast->vertex_limit;
+}
+
+static uint64_t varyings_read(FastCursor *at, const GpProgram *program)
+{
+    const unsigned room = GP_COUNT(at->read);
+    for (unsigned i = 0; i < room; i++)
+        if (at->read[i].program == program)
+            return at->read[i].varyings;
+    const unsigned i = at->read_count++ % room;
+    at->read[i].program = program;
+    return at->read[i].varyings = gp_varyings_read(program);
+}
+
+/* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least; moves the
+ * cursor behind it. */
+static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
+{
+    const GpPass *pass = &at->list->passes[at->pass];
+    *p = (FastPass){ .pass = pass, .starts = at->draw == 0 };
+    gp_pass_size(pass, &p->width, &p->height);
+    p->tiles_x = (p->width + FAST_TILE - 1) / FAST_TILE;
+    p->tiles_y = (p->height + FAST_TILE - 1) / FAST_TILE;
+    const uint32_t most = least(pass->draw_count - at->draw, MOST_DRAWS);
+    p->draws = fast_arena_take(&fast->arena, most * sizeof *p->draws);
+    if (!p->draws)
+        return false;
+    while (p->draw_count < most && (p->draw_count == 0 || has_room(fast))) {
+        const GpDraw *draw = &pass->draws[at->draw++];
+        const size_t taken = fast->arena.taken;
+        if (!prepare_draw(&fast->arena, p, draw, varyings_read(at, draw->program), lanes,
+                          &p->draws[p->draw_count++]))
+            return false;
+        fast->vertex_bytes += fast->arena.taken - taken;
+    }
+    if (at->draw == pass->draw_count) {
+        at->pass++;
+        at->draw = 0;
+    }
+    p->range_size = range_size(p->primitive_count, gp_pool_threads(fast->pool));
+    p->range_count = (p->primitive_count + p->range_size - 1) / p->range_size;
+    return true;
+}
+
+/* Fresh ranges for all passes of the group. */
+static bool prepare_ranges(GpFast *fast, FastGroup *group)
+{
+    if (group->range_count > fast->range_room) {
+        FastRange *ranges = realloc(fast->ranges, group->range_count * sizeof *ranges);
+        if (!ranges)
+            return false;
+        memset(ranges + fast->range_room, 0,
+               (group->range_count - fast->range_room) * sizeof *ranges);
+        fast->ranges = ranges;
+        fast->range_room = group->range_count;
+    }
+    if (!fast_budget_left(&fast->budget)) /* what earlier frames left where this one has no use */
+        for (uint32_t i = 0; i < fast->range_room; i++)
+            fast_range_free(&fast->ranges[i]);
+    FastRange *range = fast->ranges;
+    for (uint32_t p = 0; p < group->pass_count; p++)
+        for (uint32_t r = 0; r < group->passes[p].range_count; r++, range++) {
+            const uint32_t size = group->passes[p].range_size;
+            const uint32_t left = group->passes[p].primitive_count - r * size;
+            range->budget = &fast->budget;
+            range->failed = false;
+            range->first = range->reached = r * size;
+            range->end = range->first + (left < size ? left : size);
+        }
+    return true;
+}
+
+/* Passes of one group of the list, as many as there are slots and memory for. */
+bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *group)
+{
+    const uint32_t number = at->group_of[at->pass];
+    uint32_t end = at->pass;
+    while (end < at->list->pass_count && at->group_of[end] == number &&
+           end - at->pass < MOST_PASSES)
+        end++;
+    *group = (FastGroup){ .pass_count = 0 };
+    fast_arena_reset(&fast->arena);
+    fast->vertex_bytes = 0;
+    group->passes = fast_arena_take(&fast->arena, (end - at->pass) * sizeof *group->passes);
+    if (!group->passes)
+        return false;
+    bool room = true;
+    while (room && at->pass < end && fast_slots_add(&group->slots, &at->list->passes[at->pass])) {
+        FastPass *p = &group->passes[group->pass_count++];
+        if (!prepare_pass(fast, at, lanes, p))
+            return false;
+        p->first_block = group->block_count;
+        p->first_range = group->range_count;
+        group->block_count += p->block_count;
+        group->range_count += p->range_count;
+        room = at->draw == 0 && has_room(fast);
+    }
+    return prepare_ranges(fast, group);
+}

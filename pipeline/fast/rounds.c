@@ -1,0 +1,176 @@
+/* The three phases of a group, and how often: once, or in rounds where its bins outgrow their memory. */
+#include "pipeline/fast/clear.h"
+#include "pipeline/fast/clock.h"
+#include "pipeline/fast/executor.h"
+#include "pipeline/fast/group.h"
+
+/* --- phases --------------------------------------------------------------------------------------- */
+
+enum { BLOCKS_OF_ITEM = 4 };
+
+typedef struct Job {
+    GpFast *fast;
+    const FastStages *stages;
+    FastGroup *group;
+    uint32_t first_range; /* those before it are drawn */
+    bool again;           /* and so is a part of this one */
+} Job;
+
+static void shade_block(const Job *job, const FastDraw *d, uint32_t block)
+{
+    uint32_t first = (block - d->first_block) * FAST_VERTEX_BLOCK;
+    uint32_t count = d->vertex_count - first;
+    job->stages->shade_vertices(d, first, count < FAST_VERTEX_BLOCK ? count : FAST_VERTEX_BLOCK);
+}
+
+/* Some blocks in a row, of any draws: small draws have less than one each. */
+static void vertex_item(void *context, uint32_t item, int worker)
+{
+    (void)worker;
+    const Job *job = context;
+    uint32_t block = item * BLOCKS_OF_ITEM, left = job->group->block_count - block;
+    const FastPass *pass = fast_find_pass_of_block(job->group, block);
+    const FastDraw *d = &pass->draws[fast_find_block(pass, block - pass->first_block)];
+    for (left = left < BLOCKS_OF_ITEM ? left : BLOCKS_OF_ITEM; left; left--, block++) {
+        for (; block - pass->first_block == pass->block_count; d = pass->draws)
+            pass++;
+        while (block - pass->first_block >= d->first_block + fast_draw_blocks(d))
+            d++;
+        shade_block(job, d, block - pass->first_block);
+    }
+}
+
+static void range_item(void *context, uint32_t item, int worker)
+{
+    (void)worker;
+    const Job *job = context;
+    FastRange *range = &job->fast->ranges[job->first_range + item];
+    if (range->reached == range->end) /* binned in an earlier round */
+        return;
+    /* the first one always comes on; others wait for memory */
+    if (item && !fast_budget_left(range->budget))
+        return;
+    const FastPass *pass = fast_find_pass_of_range(job->group, job->first_range + item);
+    range->failed = !fast_range_begin(range, pass->tiles_x * pass->tiles_y);
+    if (!range->failed)
+        job->stages->bin_range(pass, range);
+}
+
+static void tile_item(void *context, uint32_t item, int worker)
+{
+    const Job *job = context;
+    job->stages->draw_tile(job->group, item, job->fast->tiles[worker]);
+}
+
+/* A band of rows of passes that draw nothing. */
+static void clear_item(void *context, uint32_t item, int worker)
+{
+    (void)worker;
+    const FastGroup *group = ((const Job *)context)->group;
+    const FastPass *first = &group->passes[0];
+    uint32_t end = (item + 1) * FAST_TILE < first->height ? (item + 1) * FAST_TILE : first->height;
+    const FastBox band = { 0, (int32_t)(item * FAST_TILE), (int32_t)first->width - 1,
+                           (int32_t)end - 1 };
+    for (uint32_t p = 0; p < group->pass_count; p++)
+        if (group->passes[p].clears)
+            fast_clear_box(group->passes[p].pass, &band);
+}
+
+/* --- rounds --------------------------------------------------------------------------------------- */
+
+/* Bins as much as there is memory for. Returns the first range that is not binned whole, or the
+ * count of ranges. */
+static uint32_t bin_ranges(Job *job)
+{
+    const FastRange *ranges = job->fast->ranges;
+    uint32_t count = job->group->range_count, stop = job->first_range;
+    gp_pool_run(job->fast->pool, count - job->first_range, range_item, job);
+    while (stop < count && ranges[stop].reached == ranges[stop].end)
+        stop++;
+    return stop;
+}
+
+/* Gives each pass what is to be drawn of it: all before range `stop`, and what that one has. */
+static void hand_out(const Job *job, uint32_t stop, GpCounters *counters)
+{
+    FastRange *ranges = job->fast->ranges;
+    const bool some = stop < job->group->range_count && ranges[stop].reached > ranges[stop].first;
+    for (uint32_t i = 0; i < job->group->pass_count; i++) {
+        FastPass *p = &job->group->passes[i];
+        uint32_t first = p->first_range, end = first + p->range_count;
+        bool is_new = !job->again || first > job->first_range;
+        p->clears = p->starts && is_new && first <= stop;
+        first = first > job->first_range ? first : job->first_range;
+        end = end < stop + some ? end : stop + some;
+        p->ranges = ranges + first;
+        p->ready_count = first < end ? end - first : 0;
+    }
+    for (uint32_t i = job->first_range; i < stop + some; i++)
+        counters->primitives_clipped += ranges[i].clipped;
+}
+
+/* After a round that was short of memory: all of it for the rest of the first range that was not
+ * binned whole, and for those after it. */
+static void forget_bins(GpFast *fast, uint32_t stop)
+{
+    for (uint32_t i = 0; i < fast->range_room; i++) {
+        FastRange *range = &fast->ranges[i];
+        if (i > stop && range->reached == range->end)
+            continue;
+        if (i == stop)
+            range->first = range->reached;
+        range->reached = range->first;
+        fast_range_free(range);
+    }
+}
+
+static void draw_ready(Job *job)
+{
+    const FastPass *first = &job->group->passes[0];
+    if (job->group->range_count)
+        gp_pool_run(job->fast->pool, first->tiles_x * first->tiles_y, tile_item, job);
+    else
+        gp_pool_run(job->fast->pool, first->tiles_y, clear_item, job);
+}
+
+static bool run_rounds(Job *job, GpCounters *counters, GpPhases *phases)
+{
+    const FastRange *ranges = job->fast->ranges;
+    const uint32_t count = job->group->range_count;
+    for (;;) {
+        uint32_t stop = bin_ranges(job);
+        for (uint32_t i = 0; i < count; i++)
+            if (ranges[i].failed)
+                return false;
+        hand_out(job, stop, counters);
+        phases->bins += fast_clock_lap(&job->fast->mark);
+        draw_ready(job);
+        phases->tiles += fast_clock_lap(&job->fast->mark);
+        if (stop == count)
+            return true;
+        forget_bins(job->fast, stop);
+        job->first_range = stop;
+        job->again = true;
+    }
+}
+
+bool fast_run_group(GpFast *fast, FastGroup *group, const FastStages *stages, GpCounters *counters,
+                    GpPhases *phases)
+{
+    Job job = { .fast = fast, .stages = stages, .group = group };
+    gp_pool_run(fast->pool, (group->block_count + BLOCKS_OF_ITEM - 1) / BLOCKS_OF_ITEM, vertex_item,
+                &job);
+    phases->vertices += fast_clock_lap(&fast->mark);
+    if (!run_rounds(&job, counters, phases))
+        return false;
+    for (uint32_t p = 0; p < group->pass_count; p++) {
+        const FastPass *pass = &group->passes[p];
+        for (uint32_t i = 0; i < pass->draw_count; i++) {
+            counters->vertices += pass->draws[i].vertex_count;
+            counters->primitives += pass->draws[i].primitive_count;
+        }
+        counters->draws += pass->draw_count;
+        counters->passes += pass->starts;
+    }
+    return true;
+}
