@@ -79,8 +79,8 @@ typedef struct FastDraw {
 
     /* shaded vertices, vertex first_vertex first */
     FastPosition *positions;
-    float *varyings;    /* stride floats a vertex: varyings, then clip distances in use */
-    uint32_t stride;    /* a multiple of 4 */
+    float *varyings; /* stride floats a vertex: varyings, then clip distances in use */
+    uint32_t stride; /* a multiple of 4 */
 } FastDraw;
 
 static inline uint32_t fast_draw_blocks(const FastDraw *draw)

@@ -86,7 +86,8 @@ static bool make_soup(Random *r, GpGeometry *geometry, float **vertices, uint32_
 static void mesh_vertex(Random *r, const float center[4], const float step[3], int column, int row,
                         float *p)
 {
-    float w = center[3], across = (float)(column - MESH_SIDE / 2), down = (float)(row - MESH_SIDE / 2);
+    float w = center[3], across = (float)(column - MESH_SIDE / 2),
+          down = (float)(row - MESH_SIDE / 2);
     float shake_x = random_float(r, -0.3f, 0.3f), shake_y = random_float(r, -0.3f, 0.3f);
     float lift = random_float(r, -1, 1);
     p[0] = (center[0] + step[0] * (across + shake_x)) * w;

@@ -266,8 +266,7 @@ static GpSurface *random_target(RandomList *random, Random *r, uint32_t pass, ui
                                 uint32_t height, GpSurface *const textures[3])
 {
     GpFormat format = color_formats[random_int(r, 0, GP_COUNT(color_formats) - 1)];
-    GpSurface *again =
-        random_chance(r, 40) ? earlier_target(random, r, pass, width, height) : NULL;
+    GpSurface *again = random_chance(r, 40) ? earlier_target(random, r, pass, width, height) : NULL;
     for (int i = 0; i < 3; i++)
         if (again == textures[i])
             again = NULL;
@@ -326,7 +325,8 @@ bool random_list_create(uint64_t seed, uint32_t largest, RandomList *random)
     uint32_t width = 0, height = 0;
     for (uint32_t p = 0; p < random->list.pass_count; p++) {
         GpPass *pass = &random->passes[p];
-        if (p == 0 || random_chance(&r, 30)) { /* a new size: earlier passes cannot be read in place */
+        if (p == 0 ||
+            random_chance(&r, 30)) { /* a new size: earlier passes cannot be read in place */
             width = (uint32_t)random_int(&r, 1, (int32_t)largest);
             height = (uint32_t)random_int(&r, 1, (int32_t)largest);
         }

@@ -139,6 +139,12 @@ static int run_length(const FastPatch *first, int count)
     return length;
 }
 
+static void interpolate_sprite(const Tile *tile, const FastDraw *d, const FastPatch *patch, flt *in)
+{
+    const FastRecord *record = &tile->records[patch->record];
+    FAST(interpolate_sprite)(tile, d, record, patch_x(patch), patch_y(patch), in);
+}
+
 static void interpolate_patches(Tile *tile, const FastDraw *d, const FastPatch *patches, int count)
 {
     const int stride = d->modes.components;
@@ -148,8 +154,7 @@ static void interpolate_patches(Tile *tile, const FastDraw *d, const FastPatch *
         if (patches[p].mixed)
             FAST(interpolate_mixes)(tile, d, &tile->mixes[p], 1, in + p * stride);
         else if (tile->records[patches[p].record].kind == FAST_SPRITE)
-            FAST(interpolate_sprite)(tile, d, &tile->records[patches[p].record],
-                                     patch_x(&patches[p]), patch_y(&patches[p]), in + p * stride);
+            interpolate_sprite(tile, d, &patches[p], in + p * stride);
         else {
             length = run_length(&patches[p], count - p);
             interpolate_run(tile, d, &patches[p], length, in + p * stride);
@@ -202,8 +207,8 @@ unsigned FAST(test_patch)(Tile *tile, const FastDraw *d, const FastPatch *patch,
     const itg row = lane_row(patch->wide);
     msk passed = itg_set(0);
     for (int r = 0; has_row(patch, r); r++, at += FAST_PITCH - patch->wide)
-        passed |= FAST(test_depth_stencil)(tile, d, at, false, (msk)(row == r) & mask_of(live), z,
-                                           front);
+        passed |=
+            FAST(test_depth_stencil)(tile, d, at, false, (msk)(row == r) & mask_of(live), z, front);
     return msk_bits(passed);
 }
 

@@ -73,8 +73,7 @@ GP_INLINE void store_patch(void *plane, const FastPatch *patch, unsigned live, i
     }
     const itg row = lane_row(patch->wide), alive = mask_of(live);
     for (int r = 0; has_row(patch, r); r++, to += FAST_PITCH - patch->wide)
-        store_lanes(to, false,
-                    itg_select((msk)(row == r) & alive, words, load_lanes(to, false)));
+        store_lanes(to, false, itg_select((msk)(row == r) & alive, words, load_lanes(to, false)));
 }
 
 /* Depth and stencil of a patch.

@@ -109,8 +109,7 @@ static void pack_quads(Collector *c, const FastMix *mix)
 static void collect_quads(Collector *c, const FastPatch *quads, itg seen, msk mine)
 {
     if (msk_bits(mine & (seen == seen[0])) == ALL_LANES) {
-        add_patch(c,
-                  (FastPatch){ (uint32_t)seen[0], ALL_LANES, quads->x, quads->y, .wide = 0 });
+        add_patch(c, (FastPatch){ (uint32_t)seen[0], ALL_LANES, quads->x, quads->y, .wide = 0 });
         return;
     }
     const itg some = itg_set(seen[__builtin_ctz(msk_bits(mine))]);
@@ -134,7 +133,9 @@ static void collect_seen(Collector *c, uint32_t first, uint32_t end)
     const int wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
     for (int32_t y = 0; y < tile->height; y += high)
         for (int32_t x = 0; x < tile->width; x += wide) {
-            const FastPatch part = { .x = (uint8_t)x, .y = (uint8_t)y, .wide = quads ? 0 : GP_LANES };
+            const FastPatch part = { .x = (uint8_t)x,
+                                     .y = (uint8_t)y,
+                                     .wide = quads ? 0 : GP_LANES };
             itg seen = load_patch(tile->seen, &part);
             msk mine = (seen >= (int32_t)first) & (seen < (int32_t)end);
             if (!msk_bits(mine))

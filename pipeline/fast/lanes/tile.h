@@ -150,7 +150,7 @@ struct FastTileMemory {
     _Alignas(64) FastDepthPlanes depth_slot[FAST_DEPTH_SLOTS];
 
     _Alignas(64) uint32_t seen[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
-    _Alignas(64) FastPatch patches[FAST_BLOCK]; /* waiting for the shader, in order */
+    _Alignas(64) FastPatch patches[FAST_BLOCK];            /* waiting for the shader, in order */
     _Alignas(64) float patch_depth[FAST_BLOCK * GP_LANES]; /* of patches whose tests come late */
     _Alignas(64) FastMix mixes[FAST_BLOCK];
     uint32_t wide_count;
@@ -237,8 +237,7 @@ void FAST(reserve_records)(Tile *tile, uint32_t count);
 /* Queues pixels of an ordered draw for its shader; `live` is not 0, depth matters where tests come
  * late. Records stay in place until their patches are shaded. */
 void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
-void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
-                       flt depth);
+void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
 
 /* Shades the queued patches, all of the tile's present draw, and merges them in their order. */
 void FAST(flush_patches)(Tile *tile);
