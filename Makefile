@@ -51,8 +51,10 @@ WITH_OIIO ?= 1
 IO_LIBS  ?= $(if $(WITH_OIIO),-lOpenImageIO -lOpenImageIO_Util) -lOpenMeshCore -lOpenMeshTools -ljansson
 LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
 
+IS_CLANG := $(shell $(CC) --version | grep -i clang)
+
 # Keep gcc from spilling long shaders: it knows their pressure where it schedules them itself.
-SHADER_OPT ?= $(if $(shell $(CC) --version | grep -i clang),,-fschedule-insns -fsched-pressure)
+SHADER_OPT ?= $(if $(IS_CLANG),,-fschedule-insns -fsched-pressure)
 
 # Each shader is compiled once for every instruction set: lanes:name:flags. (Clang leaves AVX-512
 # out when it may not use FMA; contraction is off as it is.)

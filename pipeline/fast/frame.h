@@ -11,8 +11,13 @@
 
 #include <stdatomic.h>
 
+/* A power of two, 16..128. No bit depends on it, which builds with other sizes show. */
+#ifndef GP_TILE
+#define GP_TILE 64
+#endif
+
 enum {
-    FAST_TILE = 64,             /* pixels a side */
+    FAST_TILE = GP_TILE,        /* pixels a side */
     FAST_WIDEST = 16,           /* lanes of the widest packet */
     FAST_VERTEX_BLOCK = 256,    /* vertices of one item of work */
     FAST_LEAST_IN_RANGE = 4096, /* primitives of one item of work */

@@ -61,7 +61,7 @@ static bool same_bits(const RandomList *a, const RandomList *b)
 
 static bool check_seed(uint64_t seed, RandomList *reference, RandomList *fast)
 {
-    static const int threads[] = { 1, 2, 3, 8 };
+    static const int threads[] = { 1, 2, 3, 8, 16 };
     GpError error = { "" };
     bool drawn =
         draw(seed, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, reference, &error) &&

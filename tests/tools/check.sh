@@ -97,6 +97,10 @@ for compiler in gcc/g++ clang/clang++; do
             OPT="-O$level" scene-hashes test
     done
 done
+for side in 16 32 128; do
+    step "tile-$side" configuration "tile-$side" CC=gcc CXX=g++ CPPFLAGS="-DGP_TILE=$side" \
+        scene-hashes test-golden differential SEEDS=0..1999
+done
 step aarch64-scenes aarch64_scenes
 step one-picture same_hashes
 step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined test
