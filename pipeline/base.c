@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 GpResult gp_fail(GpError *error, GpResult result, const char *format, ...)
 {
@@ -41,6 +42,21 @@ void gp_assert_failed(const char *condition, const char *file, int line)
     abort();
 }
 
+enum { HUGE_PAGE = 2 << 20 };
+
+/* Rows of a large surface lie pages apart, and there are more pages in a frame than processors
+ * keep addresses of: asks for large ones. */
+static void *alloc_huge(size_t bytes)
+{
+    void *memory;
+    if (posix_memalign(&memory, HUGE_PAGE, bytes))
+        return NULL;
+#ifdef MADV_HUGEPAGE
+    madvise(memory, bytes / HUGE_PAGE * HUGE_PAGE, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
+
 void *gp_alloc(size_t count, size_t size)
 {
     size_t bytes;
@@ -49,7 +65,7 @@ void *gp_alloc(size_t count, size_t size)
     bytes = (bytes + 63) & ~(size_t)63;
     if (bytes == 0)
         bytes = 64;
-    void *memory = aligned_alloc(64, bytes);
+    void *memory = bytes < HUGE_PAGE ? aligned_alloc(64, bytes) : alloc_huge(bytes);
     if (memory)
         memset(memory, 0, bytes);
     return memory;

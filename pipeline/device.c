@@ -106,7 +106,8 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
 {
     int lanes;
     double mark = fast_clock_ms();
-    GpResult result = gp_list_check(list, error);
+    GpResult result =
+        device->fast ? gp_fast_check(device->fast, list, error) : gp_list_check(list, error);
     if (result)
         return result;
     result = choose_lanes(device, list, &lanes, error);

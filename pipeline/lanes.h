@@ -548,6 +548,60 @@ GP_INLINE void flt_store(float *to, flt all)
     __builtin_memcpy(to, &all, sizeof all);
 }
 
+/* Stores past the caches what no one reads soon; the address is a multiple of the vector's size.
+ * Other threads may be told of it after the end. */
+GP_INLINE void itg_stream(void *to, itg all)
+{
+#if defined GP_X86_LANES && GP_LANES == 4
+    _mm_stream_si128((__m128i *)to, (__m128i)all);
+#elif defined GP_X86_LANES && GP_LANES == 8 && defined __AVX__
+    _mm256_stream_si256((__m256i *)to, (__m256i)all);
+#elif defined GP_X86_LANES && GP_LANES == 16 && defined __AVX512F__
+    _mm512_stream_si512((__m512i *)to, (__m512i)all);
+#else
+    __builtin_memcpy(to, &all, sizeof all);
+#endif
+}
+
+GP_INLINE void lanes_stream_end(void)
+{
+#ifdef GP_X86_LANES
+    _mm_sfence();
+#endif
+}
+
+/* Lanes that meet the end of a cache line less often than all of them. */
+#ifdef GP_AVX512_LANES
+#define GP_PIECE (GP_LANES / 2)
+#else
+#define GP_PIECE GP_LANES
+#endif
+
+/* Adds from[i] to to[i] for every bit i of `live`, of GP_PIECE in a row, and lets the others stay;
+ * halves: the sums are rounded to halves (R27). */
+GP_INLINE void piece_add(float *to, const float *from, unsigned live, bool halves)
+{
+#ifdef GP_AVX512_LANES
+    enum { NEAREST = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC };
+    const __mmask8 lanes = (__mmask8)live;
+    const __m256 before = _mm256_loadu_ps(to);
+    __m256 sum = _mm256_mask_add_ps(before, lanes, before, _mm256_loadu_ps(from));
+    if (halves)
+        sum = _mm256_mask_cvtph_ps(before, lanes, _mm256_maskz_cvtps_ph(0xff, sum, NEAREST));
+    _mm256_storeu_ps(to, sum);
+#else
+    itg bit;
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        bit[lane] = 1 << lane;
+    const flt before = flt_load(to);
+    flt sum = before + flt_load(from);
+    if (halves)
+        sum = flt_through_half(sum);
+    flt_store(to, flt_select((msk)((itg_set((int32_t)live) & bit) != 0), sum, before));
+#endif
+}
+
 /* GP_LANES bytes in a row. */
 GP_INLINE itg itg_load_bytes(const uint8_t *from)
 {

@@ -1,5 +1,5 @@
 /* Validation of a list before its first pixel: every rule once, with the field's name. */
-#include "pipeline/list.h"
+#include "pipeline/list_check.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -19,6 +19,7 @@ typedef struct Place {
     bool in_draw;
     int element; /* that a field's %d stands for */
     struct Checked *checked;
+    GpIndexRanges *ranges;
     GpError *error;
 } Place;
 
@@ -177,7 +178,9 @@ static GpResult check_geometry(const Place *place)
     if (geometry->primitive == GP_TRIANGLES && used % 3)
         return refuse(place, geometry->indices ? "geometry.index_count" : "geometry.vertex_count",
                       "%u is no multiple of 3", used);
-    for (uint32_t i = 0; geometry->indices && i < geometry->index_count; i++)
+    const bool out_of_range =
+        geometry->indices && gp_index_range(place->ranges, geometry).high >= geometry->vertex_count;
+    for (uint32_t i = 0; out_of_range && i < geometry->index_count; i++)
         if (geometry->indices[i] >= geometry->vertex_count)
             return refuse(place, "geometry.indices", "index %u is %u, but there are %u vertices", i,
                           geometry->indices[i], geometry->vertex_count);
@@ -332,7 +335,7 @@ static GpResult check_textures(const Place *place)
 
 /* --- the whole -------------------------------------------------------------------------------------------------- */
 
-GpResult gp_list_check(const GpList *list, GpError *error)
+GpResult gp_list_check_ranges(const GpList *list, GpIndexRanges *ranges, GpError *error)
 {
     static GpResult (*const draw_checks[])(const Place *) = {
         check_program,     check_geometry,    check_viewport, check_raster_state,
@@ -342,7 +345,7 @@ GpResult gp_list_check(const GpList *list, GpError *error)
         return gp_fail(error, GP_ERROR_INVALID, "passes: NULL, but pass_count is %u",
                        list->pass_count);
     Checked checked = { .count = 0 };
-    Place place = { .list = list, .checked = &checked, .error = error };
+    Place place = { .list = list, .checked = &checked, .ranges = ranges, .error = error };
     for (place.pass = 0; place.pass < list->pass_count; place.pass++) {
         place.in_draw = false;
         GpResult result = check_targets(&place);
@@ -357,4 +360,10 @@ GpResult gp_list_check(const GpList *list, GpError *error)
             }
     }
     return GP_OK;
+}
+
+GpResult gp_list_check(const GpList *list, GpError *error)
+{
+    GpIndexRanges ranges = { .pool = NULL };
+    return gp_list_check_ranges(list, &ranges, error);
 }

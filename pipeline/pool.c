@@ -20,9 +20,10 @@ struct GpPool {
     Worker *workers; /* number 0 has no thread of its own */
     pthread_mutex_t mutex;
     pthread_cond_t work_came, work_done;
-    atomic_uint round; /* calls of gp_pool_run so far; workers wait for it to change */
-    atomic_int inside; /* workers that have joined the round and not finished it */
-    bool open;         /* the round may still be joined: whoever wakes too late is not waited for */
+    unsigned round;     /* calls of gp_pool_run so far; workers wait for it to change */
+    atomic_uint called; /* the same, said once the mutex is free: who looks would run into it */
+    atomic_int inside;  /* workers that have joined the round and not finished it */
+    bool open; /* the round may still be joined: whoever wakes too late is not waited for */
     bool stop;
 
     GpPoolFn function;
@@ -58,12 +59,12 @@ static void *work(void *argument)
     GpPool *pool = worker->pool;
     unsigned seen = 0;
     for (;;) {
-        for (int look = 0; look < LOOKS && atomic_load(&pool->round) == seen; look++)
+        for (int look = 0; look < LOOKS && atomic_load(&pool->called) == seen; look++)
             pause_briefly();
         pthread_mutex_lock(&pool->mutex);
-        while (atomic_load(&pool->round) == seen && !pool->stop)
+        while (pool->round == seen && !pool->stop)
             pthread_cond_wait(&pool->work_came, &pool->mutex);
-        seen = atomic_load(&pool->round);
+        seen = pool->round;
         bool join = pool->open, stop = pool->stop;
         if (join)
             atomic_fetch_add(&pool->inside, 1);
@@ -73,9 +74,10 @@ static void *work(void *argument)
         if (!join)
             continue;
         do_items(pool, worker->number);
-        pthread_mutex_lock(&pool->mutex);
-        if (atomic_fetch_sub(&pool->inside, 1) == 1)
-            pthread_cond_signal(&pool->work_done);
+        if (atomic_fetch_sub(&pool->inside, 1) > 1)
+            continue;
+        pthread_mutex_lock(&pool->mutex); /* whoever saw others inside is asleep by then */
+        pthread_cond_signal(&pool->work_done);
         pthread_mutex_unlock(&pool->mutex);
     }
 }
@@ -138,9 +140,10 @@ static void open_round(GpPool *pool)
 {
     pthread_mutex_lock(&pool->mutex);
     pool->open = true;
-    atomic_fetch_add(&pool->round, 1);
+    const unsigned round = ++pool->round;
     pthread_cond_broadcast(&pool->work_came);
     pthread_mutex_unlock(&pool->mutex);
+    atomic_store(&pool->called, round);
 }
 
 static void close_round(GpPool *pool)
@@ -150,6 +153,8 @@ static void close_round(GpPool *pool)
     pthread_mutex_unlock(&pool->mutex);
     for (int look = 0; look < LOOKS && atomic_load(&pool->inside); look++)
         pause_briefly();
+    if (!atomic_load(&pool->inside))
+        return;
     pthread_mutex_lock(&pool->mutex);
     while (atomic_load(&pool->inside))
         pthread_cond_wait(&pool->work_done, &pool->mutex);

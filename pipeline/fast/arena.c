@@ -1,17 +1,30 @@
 #include "pipeline/fast/arena.h"
 
 #include <stdlib.h>
+#include <sys/mman.h>
 
-enum { HEADER = 64, SMALLEST = 1 << 16 };
+enum { HEADER = 64, SMALLEST = 1 << 16, LARGE_PAGE = 1 << 21 };
 
 typedef struct FastArenaBlock {
     struct FastArenaBlock *next;
     size_t size; /* bytes after the header */
 } FastArenaBlock;
 
+/* Blocks of many pages are read at random: large pages keep their addresses at hand. */
+static void *new_block(size_t size)
+{
+    const size_t page = size < LARGE_PAGE ? 64 : LARGE_PAGE;
+    void *block = aligned_alloc(page, (size + page - 1) & ~(page - 1));
+#ifdef MADV_HUGEPAGE
+    if (block && page == LARGE_PAGE)
+        madvise(block, size, MADV_HUGEPAGE); /* a wish: where it is not met, nothing is lost */
+#endif
+    return block;
+}
+
 static bool add_block(FastArena *arena, size_t size)
 {
-    FastArenaBlock *block = aligned_alloc(64, HEADER + size);
+    FastArenaBlock *block = new_block(HEADER + size);
     if (!block)
         return false;
     *block = (FastArenaBlock){ arena->blocks, size };

@@ -1,20 +1,47 @@
 #include "pipeline/fast/clear.h"
 
+#include "pipeline/lanes.h"
+
 #include <string.h>
 
-/* Fills the first row by doubling what is there, then copies it. Stores that bypass the cache were
- * tried, and are slower by a tenth: what is cleared is soon drawn to. */
-static void fill_box(const GpSurface *surface, const FastBox *box, const uint8_t *texel)
+/* Fills the first row by doubling what is there, then copies it. */
+static void fill_rows(uint8_t *row, size_t row_bytes, int32_t rows, size_t pitch,
+                      const uint8_t *texel, size_t bytes)
+{
+    memcpy(row, texel, bytes);
+    for (size_t done = bytes; done < row_bytes; done *= 2)
+        memcpy(row + done, row, done < row_bytes - done ? done : row_bytes - done);
+    for (int32_t y = 1; y < rows; y++)
+        memcpy(row + (size_t)y * pitch, row, row_bytes);
+}
+
+static void stream_rows(uint8_t *row, size_t row_bytes, int32_t rows, size_t pitch,
+                        const uint8_t *texel, size_t bytes)
+{
+    uint8_t several[sizeof(itg)];
+    for (size_t at = 0; at < sizeof several; at += bytes)
+        memcpy(several + at, texel, bytes);
+    itg texels;
+    memcpy(&texels, several, sizeof texels);
+    for (int32_t y = 0; y < rows; y++, row += pitch)
+        for (size_t at = 0; at < row_bytes; at += sizeof texels)
+            itg_stream(row + at, texels);
+    lanes_stream_end();
+}
+
+static void fill_box(const GpSurface *surface, const FastBox *box, const uint8_t *texel,
+                     bool streams)
 {
     const GpLevel *level = &surface->level[0];
     const size_t bytes = gp_format_info(surface->format)->bytes;
     const size_t row_bytes = (size_t)(box->x1 - box->x0 + 1) * bytes;
+    const int32_t rows = box->y1 - box->y0 + 1;
     uint8_t *row = gp_surface_texel(level, bytes, (uint32_t)box->x0, (uint32_t)box->y0);
-    memcpy(row, texel, bytes);
-    for (size_t done = bytes; done < row_bytes; done *= 2)
-        memcpy(row + done, row, done < row_bytes - done ? done : row_bytes - done);
-    for (int32_t y = 1; y <= box->y1 - box->y0; y++)
-        memcpy(row + (size_t)y * level->pitch, row, row_bytes);
+    const bool even = (row_bytes | level->pitch) % sizeof(itg) == 0;
+    if (streams && even && fast_is_past_caches(surface))
+        stream_rows(row, row_bytes, rows, level->pitch, texel, bytes);
+    else
+        fill_rows(row, row_bytes, rows, level->pitch, texel, bytes);
 }
 
 /* Depth or stencil of D24S8 where the other one stays. */
@@ -35,14 +62,14 @@ static void fill_part(const GpDepthTarget *depth, const FastBox *box)
         }
 }
 
-void fast_clear_box(const GpPass *pass, const FastBox *box)
+void fast_clear_box(const GpPass *pass, const FastBox *box, bool streams)
 {
     uint8_t texel[16];
     for (int t = 0; t < GP_MAX_TARGETS && pass->color[t].surface; t++) {
         if (!pass->color[t].clear)
             continue;
         gp_texel_store(pass->color[t].surface->format, texel, pass->color[t].clear_color, 0);
-        fill_box(pass->color[t].surface, box, texel);
+        fill_box(pass->color[t].surface, box, texel, streams);
     }
     const GpDepthTarget *depth = &pass->depth;
     if (!depth->surface || !(depth->clear_depth || depth->clear_stencil))
@@ -53,5 +80,5 @@ void fast_clear_box(const GpPass *pass, const FastBox *box)
         return;
     }
     gp_depth_store(format, texel, gp_depth_code(format, depth->depth_value), depth->stencil_value);
-    fill_box(depth->surface, box, texel);
+    fill_box(depth->surface, box, texel, streams);
 }

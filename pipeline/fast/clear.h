@@ -4,7 +4,8 @@
 
 #include "pipeline/fast/frame.h"
 
-/* Clears what a pass clears inside a box of its pixels, straight in the surfaces. */
-void fast_clear_box(const GpPass *pass, const FastBox *box);
+/* Clears what a pass clears inside a box of its pixels, straight in the surfaces.
+ * streams: past the caches, where surfaces are large and no one draws there soon */
+void fast_clear_box(const GpPass *pass, const FastBox *box, bool streams);
 
 #endif

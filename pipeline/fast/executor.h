@@ -6,12 +6,14 @@
 #include "pipeline/fast/fast.h"
 #include "pipeline/fast/frame.h"
 #include "pipeline/fast/stages.h"
+#include "pipeline/index_range.h"
 #include "pipeline/pool.h"
 
 struct GpFast {
     GpPool *pool;
     FastTileMemory **tiles; /* one a worker, made when first needed */
     int lanes;              /* that they were made for */
+    GpIndexRanges indices;  /* of the list, from its check to the end of its run */
     size_t vertex_limit, vertex_bytes;
     FastArena arena;   /* draws and shaded vertices of the group */
     FastRange *ranges; /* kept for the memory they hold */

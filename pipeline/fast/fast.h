@@ -45,6 +45,9 @@ int gp_fast_threads(const GpFast *fast);
  * number gives the same bits; for tests. */
 void gp_fast_set_limit(GpFast *fast, size_t bytes);
 
+/* As gp_list_check, by all threads. */
+GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error);
+
 /* Runs a checked list with shader code of a width that every program has.
  * in   timed: looks at the clock inside tiles too
  * errors GP_ERROR_MEMORY */

@@ -29,6 +29,15 @@ enum {
     FAST_DEPTH_SLOTS = 2,
 };
 
+/* Surfaces of so many bytes find no room in a core's own caches: what a tile writes to them, and no
+ * one reads before the frame is done, is stored past the caches. */
+enum { FAST_PAST_CACHES = 4 << 20 };
+
+static inline bool fast_is_past_caches(const GpSurface *surface)
+{
+    return surface->level[0].pitch * surface->level[0].height >= FAST_PAST_CACHES;
+}
+
 /* How a draw's fragments reach the targets. */
 typedef enum FastRoute {
     FAST_DEPTH_ONLY, /* no pixel shader: depth and stencil alone */
@@ -192,9 +201,9 @@ bool fast_range_begin(FastRange *range, uint32_t tiles);
 void fast_range_free(FastRange *range);
 
 /* The group that was last added to a tile; one that is no primitive's where there is none. */
-static inline const FastHits *fast_last_group(const FastRange *range, uint32_t tile)
+static inline FastHits *fast_last_group(const FastRange *range, uint32_t tile)
 {
-    const FastChunk *chunk = &range->chunks[range->tail[tile]];
+    FastChunk *chunk = &range->chunks[range->tail[tile]];
     return &chunk->group[chunk->count - 1];
 }
 

@@ -2,8 +2,6 @@
 #include "pipeline/fast/executor.h"
 #include "pipeline/fast/group.h"
 #include "pipeline/fast/sampler.h"
-#include "pipeline/fast/stages.h"
-#include "pipeline/input_assembly.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -47,12 +45,6 @@ static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
     return rect;
 }
 
-static bool same_vertices(const GpGeometry *a, const GpGeometry *b)
-{
-    return a->primitive == b->primitive && a->vertex_count == b->vertex_count &&
-           a->indices == b->indices && a->index_count == b->index_count;
-}
-
 /* Samplers of the slots that the program reads; false when memory is short. */
 static bool prepare_samplers(FastArena *arena, FastDraw *d)
 {
@@ -69,8 +61,8 @@ static bool prepare_samplers(FastArena *arena, FastDraw *d)
 /* Appends a draw's work to that of its pass; false when memory is short.
  * in   varyings_read: by the draw's program (gp_varyings_read)
  * out  d: of the pass's draws, the next */
-static bool prepare_draw(FastArena *arena, FastPass *pass, const GpDraw *draw,
-                         uint64_t varyings_read, int lanes, FastDraw *d)
+static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pass,
+                         const GpDraw *draw, uint64_t varyings_read, int lanes, FastDraw *d)
 {
     *d = (FastDraw){
         .pass = pass->pass,
@@ -92,14 +84,9 @@ static bool prepare_draw(FastArena *arena, FastPass *pass, const GpDraw *draw,
     if (d->route == FAST_NOTHING)
         d->primitive_count = 0;
 
-    /* the same mesh again and again is the rule where draws are many */
-    const FastDraw *before = d > pass->draws ? d - 1 : NULL;
-    if (before && before->vertex_count && same_vertices(&draw->geometry, &before->draw->geometry)) {
-        d->first_vertex = before->first_vertex;
-        d->vertex_count = before->vertex_count;
-    } else {
-        fast_stages(lanes)->vertex_range(&draw->geometry, &d->first_vertex, &d->vertex_count);
-    }
+    const GpIndexRange vertices = gp_index_range(indices, &draw->geometry);
+    d->first_vertex = vertices.low;
+    d->vertex_count = vertices.high - vertices.low + 1;
     if (!d->primitive_count)
         d->vertex_count = 0;
     d->stride = (uint32_t)d->modes.components;
@@ -167,8 +154,8 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
     while (p->draw_count < most && (p->draw_count == 0 || has_room(fast))) {
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
-        if (!prepare_draw(&fast->arena, p, draw, varyings_read(at, draw->program), lanes,
-                          &p->draws[p->draw_count++]))
+        if (!prepare_draw(&fast->arena, &fast->indices, p, draw, varyings_read(at, draw->program),
+                          lanes, &p->draws[p->draw_count++]))
             return false;
         fast->vertex_bytes += fast->arena.taken - taken;
     }

@@ -73,7 +73,7 @@ static void clear_item(void *context, uint32_t item, int worker)
                            (int32_t)end - 1 };
     for (uint32_t p = 0; p < group->pass_count; p++)
         if (group->passes[p].clears)
-            fast_clear_box(group->passes[p].pass, &band);
+            fast_clear_box(group->passes[p].pass, &band, false);
 }
 
 /* --- rounds --------------------------------------------------------------------------------------- */

@@ -1,6 +1,7 @@
 /* The executor: its memory, and lists run group by group. */
 #include "pipeline/fast/clock.h"
 #include "pipeline/fast/executor.h"
+#include "pipeline/list_check.h"
 
 #include <stdlib.h>
 
@@ -68,6 +69,18 @@ static GpResult make_tile_memory(GpFast *fast, const FastStages *stages, GpError
     return GP_OK;
 }
 
+/* Arrays may have changed since the last list. */
+static void forget_indices(GpFast *fast)
+{
+    fast->indices = (GpIndexRanges){ .pool = fast->pool };
+}
+
+GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error)
+{
+    forget_indices(fast);
+    return gp_list_check_ranges(list, &fast->indices, error);
+}
+
 static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stages,
                            GpCounters *counters, GpPhases *phases, GpError *error)
 {
@@ -101,5 +114,6 @@ GpResult gp_fast_run(GpFast *fast, const GpList *list, int lanes, bool timed, Gp
             stages->add_counts(fast->tiles[i], counters, phases);
     }
     gp_free(group_of);
+    forget_indices(fast);
     return result;
 }

@@ -9,8 +9,6 @@ typedef struct FastTileMemory FastTileMemory;
 
 typedef struct FastStages {
     int lanes;
-    /* As gp_vertex_range. */
-    void (*vertex_range)(const GpGeometry *geometry, uint32_t *first, uint32_t *count);
     /* Shades vertices [first, first + count) of a draw (counted from its first vertex). */
     void (*shade_vertices)(const FastDraw *draw, uint32_t first, uint32_t count);
     /* Bins a range of a pass's primitives, or as many as there is memory for: culls, clips where it

@@ -12,7 +12,7 @@ BEGIN {
     layer("1", "format format_srgb pool surface")
     layer("2", "state compare packet texture texture_address texture_filter program profile " \
                "shader geometry")
-    layer("3", "input_assembly vertex_stage clip viewport setup scissor raster interpolate " \
+    layer("3", "index_range input_assembly vertex_stage clip viewport setup scissor raster interpolate " \
                "pixel_stage texture_read alpha_test depth_stencil blend output")
     layer("4", "list list_check needs trace isa reference reference_draw device glasspipe")
 

@@ -24,6 +24,7 @@ typedef struct Batch {
     itg right[3], down[3]; /* what `inside` gains a pixel further */
     itg gain[3];           /* both, in the low and the high half */
     dbl base, step[2];     /* of depth */
+    flt nearest;           /* no pixel's depth is below */
     flt inverse_area, ratio[2];
 } Batch;
 

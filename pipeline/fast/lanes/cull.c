@@ -115,37 +115,55 @@ GP_INLINE unsigned lanes_alone(const Batch *b, unsigned *none)
     return msk_bits(large | outside) & ~*none;
 }
 
-/* The tiles that triangles touch: columns x0..x1 and rows y0..y1. */
+/* The tiles that primitives touch: columns x0..x1 and rows y0..y1. */
 typedef struct TileBoxes {
     itg x0, y0, x1, y1;
+    itg first; /* number of the tile at (x0, y0) */
 } TileBoxes;
 
-GP_INLINE TileBoxes tile_boxes(const Batch *b)
+GP_INLINE TileBoxes tile_boxes(const FastPass *pass, itg x0, itg y0, itg x1, itg y1)
 {
     const int bits = __builtin_ctz(FAST_TILE);
-    return (TileBoxes){ b->x0 >> bits, b->y0 >> bits, b->x1 >> bits, b->y1 >> bits };
+    TileBoxes t = { .x0 = x0 >> bits, .y0 = y0 >> bits, .x1 = x1 >> bits, .y1 = y1 >> bits };
+    t.first = t.y0 * (int32_t)pass->tiles_x + t.x0;
+    return t;
 }
 
-/* Neighbours mostly touch the same few tiles: bins them as one group a tile. */
+/* Those that touch no tile but their first. */
+GP_INLINE unsigned in_one_tile(const TileBoxes *tiles)
+{
+    return msk_bits((msk)(((tiles->x0 ^ tiles->x1) | (tiles->y0 ^ tiles->y1)) == 0));
+}
+
+/* One of the triangles from `first` on, of which the tile may have others. */
+GP_INLINE void add_to_group(FastRange *range, uint32_t tile, uint32_t first, unsigned lane)
+{
+    FastHits *last = fast_last_group(range, tile);
+    if (last->first == first)
+        last->lanes |= lane;
+    else
+        fast_add_to_tile(range, tile, (FastHits){ first, lane });
+}
+
+/* Neighbours mostly touch the same few tiles: bins them as one group a tile. Those in one tile come
+ * first, all of a tile at once. */
 GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t first, unsigned lanes,
                             const TileBoxes *tiles)
 {
-    const itg one = (itg)(tiles->x0 == tiles->x1) & (itg)(tiles->y0 == tiles->y1);
-    int32_t box[4][GP_LANES];
+    int32_t box[5][GP_LANES];
     __builtin_memcpy(box, tiles, sizeof box);
-    for (unsigned left = lanes; left;) {
-        int lane = __builtin_ctz(left);
-        left &= left - 1;
+    const unsigned one = lanes & in_one_tile(tiles);
+    for (unsigned left = one; left;) {
+        const int32_t tile = box[4][__builtin_ctz(left)];
+        const unsigned in = one & msk_bits((msk)(tiles->first == tile));
+        fast_add_to_tile(range, (uint32_t)tile, (FastHits){ first, in });
+        left -= left & in; /* in a register for numbers: those for masks have no short way to it */
+    }
+    for (unsigned left = lanes - one; left; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
         for (int32_t y = box[1][lane]; y <= box[3][lane]; y++)
-            for (int32_t x = box[0][lane]; x <= box[2][lane]; x++) {
-                uint32_t tile = (uint32_t)y * pass->tiles_x + (uint32_t)x;
-                if (fast_last_group(range, tile)->first == first)
-                    continue; /* with an earlier lane */
-                itg in = (itg)(tiles->x0 <= x) & (itg)(tiles->x1 >= x) & (itg)(tiles->y0 <= y) &
-                         (itg)(tiles->y1 >= y);
-                fast_add_to_tile(range, tile, (FastHits){ first, lanes & msk_bits(in) });
-                left &= ~msk_bits(in & one);
-            }
+            for (int32_t x = box[0][lane]; x <= box[2][lane]; x++)
+                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, first, left & -left);
     }
 }
 
@@ -164,7 +182,7 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
             fast_bin_triangle(pass, d, range, first + (uint32_t)__builtin_ctz(left));
         return;
     }
-    const TileBoxes tiles = tile_boxes(&b);
+    const TileBoxes tiles = tile_boxes(pass, b.x0, b.y0, b.x1, b.y1);
     bin_together(pass, range, first, left, &tiles);
 }
 
@@ -182,11 +200,16 @@ static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range
         outside |= (unsigned)(fast_outside(&d->positions[vertex[lane]]) != 0) << lane;
     }
     Sprites s = place_sprites(d, vertex, &d->rect);
+    const TileBoxes tiles = tile_boxes(pass, s.x0, s.y0, s.x1, s.y1);
+    const unsigned one = in_one_tile(&tiles);
     unsigned left = s.drawn & ~outside & (unsigned)((1u << count) - 1);
-    for (; left; left &= left - 1) {
-        uint32_t lane = (uint32_t)__builtin_ctz(left);
-        fast_bin_box(pass, range, first + lane,
-                     &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
+    for (; left; left &= left - 1) { /* neighbours rarely meet, and in each tile order counts */
+        const uint32_t lane = (uint32_t)__builtin_ctz(left);
+        if (one >> lane & 1)
+            fast_add_to_tile(range, (uint32_t)tiles.first[lane], (FastHits){ first + lane, 1 });
+        else
+            fast_bin_box(pass, range, first + lane,
+                         &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
     }
 }
 

@@ -155,6 +155,12 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
     const int32_t first_x = quads ? coverage->x0 & ~1 : coverage->x0;
     const int32_t first_y = quads ? coverage->y0 & ~1 : coverage->y0;
     const EarlyTest early = early_test(f, t);
+    if (coverage->whole && early == EARLY_NONE && d->route == FAST_ORDERED && !quads &&
+        !d->needs.clip_planes) {
+        const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
+        FAST(queue_box)(f->tile, f->number, &box);
+        return;
+    }
     const DepthPlane plane = depth_plane(f->tile, t);
     const LaneGains gains = lane_gains(t, coverage, quads);
     for (int32_t y = first_y; y <= coverage->y1; y += high)
@@ -165,7 +171,7 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
             if (d->needs.clip_planes)
                 live = inside_clip_planes(f->tile, t, gains.column + x, gains.row + y, live);
             flt z = early == EARLY_NONE ? flt_set(0) : depth_at(&plane, &gains, x, y);
-            route_lanes(f, early, quads, x, y, live, z);
+            route_lanes(f, early, d->route, quads, x, y, live, z);
         }
 }
 

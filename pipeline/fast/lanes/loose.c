@@ -19,8 +19,10 @@ bool FAST(mix_takes)(const FastMix *mix, int32_t x, int32_t y, unsigned live)
 
 void FAST(mix_begin)(FastMix *mix, uint32_t record)
 {
-    /* what is left over at the end repeats a live triangle */
-    *mix = (FastMix){ .record = itg_set((int32_t)record), .at = itg_set(-1), .packed = true };
+    /* what is left over at the end repeats a live triangle, outside the tile */
+    *mix = (FastMix){ .record = itg_set((int32_t)record),
+                      .at = itg_set((int32_t)fast_at(0, FAST_TILE)),
+                      .packed = true };
 }
 
 void FAST(mix_add)(FastMix *mix, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth,
@@ -38,54 +40,22 @@ void FAST(mix_add)(FastMix *mix, uint32_t record, int32_t x, int32_t y, unsigned
     mix->live = (1u << to) - 1;
 }
 
-/* --- in and out of the spare row ---------------------------------------------------------------- */
-
-static void gather(uint32_t *plane, const FastMix *mix)
-{
-    uint32_t *spare = plane + fast_at(0, FAST_TILE);
-    const int count = __builtin_popcount(mix->live);
-    for (int i = 0; i < count; i++)
-        spare[i] = plane[mix->at[i]];
-}
-
-static void scatter(uint32_t *plane, const FastMix *mix)
-{
-    const uint32_t *spare = plane + fast_at(0, FAST_TILE);
-    const int count = __builtin_popcount(mix->live);
-    for (int i = 0; i < count; i++)
-        plane[mix->at[i]] = spare[i];
-}
-
-static void move_color(Tile *tile, const FastMix *mix, void move(uint32_t *, const FastMix *))
-{
-    for (int t = 0; t < tile->targets; t++) {
-        const GpFormat format = tile->pass->pass->color[t].surface->format;
-        const int channels = gp_format_info(format)->channels;
-        for (int c = 0; c < (format == GP_A8R8G8B8 ? 1 : channels); c++)
-            move((uint32_t *)(void *)tile->planes[t]->channel[c], mix);
-    }
-}
-
-void FAST(gather_color)(Tile *tile, const FastMix *mix)
-{
-    move_color(tile, mix, gather);
-}
-
-void FAST(scatter_color)(Tile *tile, const FastMix *mix)
-{
-    move_color(tile, mix, scatter);
-}
+/* --- depth, in and out of the spare row --------------------------------------------------------- */
 
 void FAST(gather_depth)(Tile *tile, const FastMix *mix)
 {
-    gather(tile->depth, mix);
-    for (int i = 0; i < __builtin_popcount(mix->live); i++)
+    const int count = __builtin_popcount(mix->live);
+    for (int i = 0; i < count; i++) {
+        tile->depth[fast_at(i, FAST_TILE)] = tile->depth[mix->at[i]];
         tile->stencil[fast_at(i, FAST_TILE)] = tile->stencil[mix->at[i]];
+    }
 }
 
 void FAST(scatter_depth)(Tile *tile, const FastMix *mix)
 {
-    scatter(tile->depth, mix);
-    for (int i = 0; i < __builtin_popcount(mix->live); i++)
+    const int count = __builtin_popcount(mix->live);
+    for (int i = 0; i < count; i++) {
+        tile->depth[mix->at[i]] = tile->depth[fast_at(i, FAST_TILE)];
         tile->stencil[mix->at[i]] = tile->stencil[fast_at(i, FAST_TILE)];
+    }
 }

@@ -1,5 +1,5 @@
-/* Mixes of ordered draws. Their pixels are tested and merged as a row of their own, below the tile's
- * last: gathered there before, and scattered afterwards. */
+/* Mixes of ordered draws. Where depth comes late, their pixels are tested as a row of their own, below
+ * the tile's last: gathered there before, and scattered afterwards. */
 #ifndef GP_FAST_LOOSE_H
 #define GP_FAST_LOOSE_H
 
@@ -12,8 +12,6 @@ void FAST(mix_begin)(FastMix *mix, uint32_t record);
 void FAST(mix_add)(FastMix *mix, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth,
                    float *mix_depth);
 
-void FAST(gather_color)(Tile *tile, const FastMix *mix);
-void FAST(scatter_color)(Tile *tile, const FastMix *mix);
 void FAST(gather_depth)(Tile *tile, const FastMix *mix);
 void FAST(scatter_depth)(Tile *tile, const FastMix *mix);
 

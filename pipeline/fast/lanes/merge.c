@@ -108,6 +108,7 @@ GP_INLINE flt clamped(flt v)
 /* A block's shaded patches on their way into one target. */
 typedef struct Merge {
     const FastPatch *patches;
+    const FastMix *mixes; /* of the same numbers */
     const unsigned *live; /* of each patch */
     int count;
     const flt *color; /* of the first patch; `stride` vectors further the next */
@@ -115,6 +116,36 @@ typedef struct Merge {
     float constant[4]; /* as the target clamps it */
     FastPlanes *planes;
 } Merge;
+
+GP_INLINE itg load_pixels(const Merge *m, int p, const void *plane)
+{
+    if (m->patches[p].mixed)
+        return itg_gather(plane, m->mixes[p].at * 4);
+    return load_patch(plane, &m->patches[p]);
+}
+
+GP_INLINE void store_pixels(const Merge *m, int p, void *plane, itg words)
+{
+    if (!m->patches[p].mixed) {
+        store_patch(plane, &m->patches[p], m->live[p], words);
+        return;
+    }
+    const itg *at = &m->mixes[p].at;
+    for (unsigned live = m->live[p]; live; live &= live - 1) {
+        const int lane = __builtin_ctz(live);
+        ((uint32_t *)plane)[(*at)[lane]] = (uint32_t)words[lane];
+    }
+}
+
+/* Zeros that are added leave an 8-bit target's codes as they are: each is what its value is stored as. */
+GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
+{
+    if (blend->op != GP_BLEND_ADD || blend->src != GP_ONE || blend->dst != GP_ONE ||
+        blend->alpha_op != GP_BLEND_OFF)
+        return false;
+    itg bits = (itg)color[0] | (itg)color[1] | (itg)color[2] | (itg)color[3];
+    return !msk_any((msk)(bits != 0));
+}
 
 GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
 {
@@ -126,12 +157,11 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
     memcpy(o.constant, m->constant, sizeof o.constant);
     const flt *color = m->color;
     for (int p = 0; p < m->count; p++, color += m->stride) {
-        const FastPatch *patch = &m->patches[p];
-        if (!m->live[p])
+        if (!m->live[p] || adds_nothing(blend, color))
             continue;
         itg before = itg_set(0);
         if (blend->op != GP_BLEND_OFF || kept)
-            before = load_patch(m->planes->packed, patch);
+            before = load_pixels(m, p, m->planes->packed);
         itg word;
         if (blend->op != GP_BLEND_OFF) {
             flt result[4];
@@ -145,7 +175,7 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
             word = word_of_any(color);
         if (kept)
             word = (word & (int32_t)~kept) | (before & (int32_t)kept);
-        store_patch(m->planes->packed, patch, m->live[p], word);
+        store_pixels(m, p, m->planes->packed, word);
     }
 }
 
@@ -158,7 +188,6 @@ GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge
     Operands o;
     memcpy(o.constant, m->constant, sizeof o.constant);
     for (int p = 0; p < m->count; p++, color += m->stride) {
-        const FastPatch *patch = &m->patches[p];
         if (!m->live[p])
             continue;
         flt result[4] = { color[0], color[1], color[2], color[3] };
@@ -167,15 +196,14 @@ GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge
             for (int c = 0; c < 4; c++) {
                 o.source[c] = is_float ? color[c] : clamped(color[c]);
                 o.target[c] =
-                    c < channels ? (flt)load_patch(m->planes->channel[c], patch) : flt_set(1);
+                    c < channels ? (flt)load_pixels(m, p, m->planes->channel[c]) : flt_set(1);
             }
             blend_lanes(blend, &o, result);
         }
         GP_UNROLL
         for (int c = 0; c < channels; c++)
             if (!(blend->keep >> c & 1))
-                store_patch(m->planes->channel[c], patch, m->live[p],
-                            (itg)through(format, result[c]));
+                store_pixels(m, p, m->planes->channel[c], (itg)through(format, result[c]));
     }
 }
 
@@ -211,7 +239,11 @@ void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches
 {
     const GpState *state = &d->draw->state;
     const int written = gp_program_targets(d->draw->program);
-    Merge m = { .patches = patches, .live = live, .count = count, .stride = 4 * written };
+    Merge m = { .patches = patches,
+                .mixes = tile->mixes,
+                .live = live,
+                .count = count,
+                .stride = 4 * written };
     for (int t = 0; t < written && t < tile->targets; t++) {
         GpFormat format = d->pass->color[t].surface->format;
         m.color = color + 4 * t;

@@ -218,11 +218,8 @@ void FAST(shade_mixes)(Tile *tile, const FastDraw *d, const FastMix *mixes, int 
         if (program->uses_face)
             set_faces(tile, &mixes[p], tile->face + p * GP_LANES);
     }
-    FAST(run_pixel_shader)(tile, d, count);
-    const int targets = gp_program_targets(program);
-    const flt *color = (const flt *)(const void *)tile->color;
-    for (int p = 0; p < count; p++) {
+    FAST(run_pixel_shader)(tile, d, NULL, count);
+    for (int p = 0; p < count; p++)
         tile->fragments_shaded += (uint64_t)__builtin_popcount(mixes[p].live);
-        FAST(write_mix)(tile, d, &mixes[p], color + p * targets * 4);
-    }
+    FAST(write_mixes)(tile, d, mixes, count, (const flt *)(const void *)tile->color);
 }

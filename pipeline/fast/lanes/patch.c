@@ -99,34 +99,77 @@ static void perspective_shares(const FastRecord *r, int count, RunShares *shares
     }
 }
 
+/* Up to four components of a run at once: more of them would leave no registers for shares. */
+enum { AT_ONCE = 4 };
+
+GP_INLINE void blend_components(const FastRecord *r, const flt share[2][FAST_BLOCK],
+                                const uint8_t *component, int components, int count, int stride,
+                                flt *in)
+{
+    flt v0[AT_ONCE], to1[AT_ONCE], to2[AT_ONCE];
+    GP_UNROLL
+    for (int i = 0; i < components; i++) {
+        v0[i] = flt_set(r->corner[0][component[i]]);
+        to1[i] = flt_set(r->corner[1][component[i]]) - v0[i];
+        to2[i] = flt_set(r->corner[2][component[i]]) - v0[i];
+    }
+    for (int p = 0; p < count; p++, in += stride) {
+        const flt l1 = share[0][p], l2 = share[1][p];
+        GP_UNROLL
+        for (int i = 0; i < components; i++)
+            in[component[i]] = v0[i] + (l1 * to1[i] + l2 * to2[i]);
+    }
+}
+
+static void blend_run(const FastRecord *r, const flt share[2][FAST_BLOCK], uint64_t components,
+                      int count, int stride, flt *in)
+{
+    while (components) {
+        uint8_t component[AT_ONCE];
+        int found = 0;
+        for (; components && found < AT_ONCE; components &= components - 1)
+            component[found++] = (uint8_t)__builtin_ctzll(components);
+        if (found == AT_ONCE)
+            blend_components(r, share, component, AT_ONCE, count, stride, in);
+        else
+            for (int i = 0; i < found; i++)
+                blend_components(r, share, component + i, 1, count, stride, in);
+    }
+}
+
+static void repeat_run(const FastRecord *r, uint64_t components, int count, int stride, flt *in)
+{
+    for (; components; components &= components - 1) {
+        const int c = __builtin_ctzll(components);
+        for (int p = 0; p < count; p++)
+            in[c + p * stride] = flt_set(r->corner[0][c]);
+    }
+}
+
 /* A run: patches of one triangle and one shape. What does not change in it is found once. */
 static void interpolate_run(const Tile *tile, const FastDraw *d, const FastPatch *patches,
                             int count, flt *in)
 {
     const FastRecord *r = &tile->records[patches->record];
     const int stride = d->modes.components;
+    /* where both ratios are 1, so is w, and the shares are the same */
+    const bool flat_on = r->ratio1 == 1.0f && r->ratio2 == 1.0f;
+    uint64_t by[3] = { 0 }; /* components of each mode */
+    for (uint64_t left = d->needs.varyings; left; left &= left - 1)
+        by[d->modes.mode[__builtin_ctzll(left)]] |= left & -left;
+    if (flat_on) {
+        by[GP_LINEAR_SCREEN] |= by[GP_PERSPECTIVE];
+        by[GP_PERSPECTIVE] = 0;
+    }
     RunShares shares;
     for (int i = 0; i < 2; i++)
         screen_shares(tile, r, i, patches, count, shares.screen[i]);
-    /* where both ratios are 1, so is w, and the shares are the same */
-    const bool flat_on = r->ratio1 == 1.0f && r->ratio2 == 1.0f;
-    if (!flat_on)
+    if (by[GP_PERSPECTIVE])
         perspective_shares(r, count, &shares);
-    for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
-        const int c = __builtin_ctzll(left);
-        const GpInterpolation mode = d->modes.mode[c];
-        const flt v0 = flt_set(r->corner[0][c]);
-        const flt to1 = flt_set(r->corner[1][c]) - v0, to2 = flt_set(r->corner[2][c]) - v0;
-        const flt(*share)[FAST_BLOCK] =
-            flat_on || mode == GP_LINEAR_SCREEN ? shares.screen : shares.perspective;
-        flt *value = in + c;
-        if (mode == GP_FLAT)
-            for (int p = 0; p < count; p++, value += stride)
-                *value = v0;
-        else
-            for (int p = 0; p < count; p++, value += stride)
-                *value = v0 + (share[0][p] * to1 + share[1][p] * to2);
-    }
+    blend_run(r, (const flt(*)[FAST_BLOCK])shares.perspective, by[GP_PERSPECTIVE], count, stride,
+              in);
+    blend_run(r, (const flt(*)[FAST_BLOCK])shares.screen, by[GP_LINEAR_SCREEN], count, stride, in);
+    repeat_run(r, by[GP_FLAT], count, stride, in);
 }
 
 /* Patches from `first` on that share a triangle and a shape. */
@@ -237,40 +280,24 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPatch *patch
     return live;
 }
 
-/* Merges patches in order: a mix by itself, the others as many at once as there are. */
-static void merge_in_order(Tile *tile, const FastDraw *d, const FastPatch *patches,
-                           const unsigned *live, int count)
-{
-    const int stride = 4 * gp_program_targets(d->draw->program);
-    const flt *color = (const flt *)(const void *)tile->color;
-    for (int p = 0, end; p < count; p = end) {
-        const bool mixed = patches[p].mixed;
-        for (end = p + 1; end < count && !mixed && !patches[end].mixed;)
-            end++;
-        if (mixed)
-            FAST(gather_color)(tile, &tile->mixes[p]);
-        FAST(merge_patches)(tile, d, patches + p, live + p, end - p, color + p * stride);
-        if (mixed)
-            FAST(scatter_color)(tile, &tile->mixes[p]);
-    }
-}
-
 /* Shades patches whose inputs are there. */
 static void shade_inputs(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
                          const float *depths)
 {
     unsigned live[FAST_BLOCK];
     place_patches(tile, d->draw->program, patches, count);
-    FAST(run_pixel_shader)(tile, d, count);
+    FAST(run_pixel_shader)(tile, d, patches, count);
     const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
+    uint32_t fragments = 0;
     for (int p = 0; p < count; p++) {
-        tile->fragments_shaded += (uint64_t)__builtin_popcount(patches[p].live);
+        fragments += (uint32_t)__builtin_popcount(patches[p].live);
         live[p] = late ? late_tests(tile, d, &patches[p], p, depths) : patches[p].live;
     }
+    tile->fragments_shaded += fragments;
     if (FAST(only_adds)(tile, d))
         FAST(add_patches)(tile, d, patches, live, count, (const flt *)(const void *)tile->color);
     else if (d->needs.color)
-        merge_in_order(tile, d, patches, live, count);
+        FAST(merge_patches)(tile, d, patches, live, count, (const flt *)(const void *)tile->color);
 }
 
 void FAST(shade_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
@@ -291,16 +318,22 @@ static FastPatch *new_patch(Tile *tile)
 
 /* Field by field: a patch put together elsewhere would be stored in bytes and copied in words, for
  * which a processor must wait. */
-static void queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, int32_t wide,
-                  flt depth)
+GP_INLINE void set_patch(FastPatch *patch, uint32_t record, int32_t x, int32_t y, unsigned live,
+                         int32_t wide)
 {
-    FastPatch *patch = new_patch(tile);
     patch->record = record;
     patch->live = live;
     patch->x = (uint8_t)x;
     patch->y = (uint8_t)y;
     patch->wide = (uint8_t)wide;
     patch->mixed = false;
+}
+
+static void queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, int32_t wide,
+                  flt depth)
+{
+    FastPatch *patch = new_patch(tile);
+    set_patch(patch, record, x, y, live, wide);
     if (tile->draw->late_depth)
         flt_store(tile->patch_depth + (patch - tile->patches) * GP_LANES, depth);
 }
@@ -336,6 +369,23 @@ void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned
 void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
 {
     queue(tile, record, x, y, live, 0, depth);
+}
+
+void FAST(queue_box)(Tile *tile, uint32_t record, const FastBox *box)
+{
+    const int32_t x0 = box->x0, end = box->x1 + 1;
+    uint32_t count = tile->patch_count; /* in a register, as the ends are */
+    for (int32_t y = box->y0, y1 = box->y1; y <= y1; y++)
+        for (int32_t x = x0; x < end; x += GP_LANES) {
+            if (count == FAST_BLOCK) {
+                tile->patch_count = count;
+                FAST(flush_patches)(tile);
+                count = 0;
+            }
+            const unsigned live = end - x < GP_LANES ? (1u << (end - x)) - 1 : ALL_LANES;
+            set_patch(&tile->patches[count++], record, x, y, live, GP_LANES);
+        }
+    tile->patch_count = count;
 }
 
 void FAST(flush_patches)(Tile *tile)

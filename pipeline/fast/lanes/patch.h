@@ -18,15 +18,19 @@ GP_INLINE itg lane_row(int32_t wide)
     return lane_numbers() * share[wide] >> 8;
 }
 
-/* Of each lane, from the patch's first pixel; `wide` as in FastPatch. */
+/* Of each lane, from the patch's first pixel; `wide` as in FastPatch. Most are whole rows. */
 GP_INLINE itg patch_columns(int32_t wide)
 {
     itg lane = lane_numbers();
+    if (wide == GP_LANES)
+        return lane;
     return wide ? lane - lane_row(wide) * wide : (lane >> 2 << 1) + (lane & 1);
 }
 
 GP_INLINE itg patch_rows(int32_t wide)
 {
+    if (wide == GP_LANES)
+        return itg_set(0);
     return wide ? lane_row(wide) : lane_numbers() >> 1 & 1;
 }
 

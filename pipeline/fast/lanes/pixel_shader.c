@@ -3,9 +3,12 @@
 
 #include "pipeline/fast/sampler.h"
 
-void FAST(run_pixel_shader)(Tile *tile, const FastDraw *d, int count)
+void FAST(run_pixel_shader)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count)
 {
     const GpProgram *program = d->draw->program;
+    tile->shaded = patches;
+    for (unsigned left = program->local_reads; left; left &= left - 1)
+        FAST(begin_local)(tile, d->draw->textures, __builtin_ctz(left));
     GpShaderCall call = {
         .uniforms = d->draw->uniforms,
         .packets = count,

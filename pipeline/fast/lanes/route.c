@@ -6,8 +6,8 @@ static EarlyTest early_test(const Tile *tile, const FastDraw *d)
     const GpDepthState *depth = &d->draw->state.depth;
     if (!d->wants_depth)
         return EARLY_NONE;
-    if (d->late_depth || d->needs.stencil || !depth->write ||
-        (depth->test != GP_LESS && depth->test != GP_LESS_EQUAL))
+    const bool nearer = depth->test == GP_LESS || depth->test == GP_LESS_EQUAL;
+    if (!nearer || !(depth->write || d->late_depth) || d->needs.stencil || d->needs.shader_depth)
         return EARLY_ANY;
     return tile->depth_format == GP_D32F ? EARLY_NEARER_FLOAT : EARLY_NEARER_UNORM;
 }

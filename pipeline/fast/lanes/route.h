@@ -7,12 +7,15 @@
 
 /* What is tested before the shader. The usual test, where nearer pixels pass and are written and
  * nothing looks at the stencil, is short enough to stand inside the loops over pixels; it may only
- * be asked where depth is a number. */
+ * be asked where depth is a number.
+ *
+ * Where tests come late, the usual one is also asked early, without writing: what is stored only
+ * comes nearer while fragments of the draw wait, so one that fails now would fail then too. */
 typedef enum EarlyTest {
     EARLY_NONE,         /* nothing looks at depth or stencil, early or late */
     EARLY_NEARER_FLOAT, /* the usual, for D32F */
     EARLY_NEARER_UNORM, /* for D16 and D24 */
-    EARLY_ANY,          /* all else; and where tests come late, which takes depth along */
+    EARLY_ANY,          /* all else; where tests come late, none */
 } EarlyTest;
 
 /* What all triangles of a batch share, and the one at work. */
@@ -43,22 +46,23 @@ GP_INLINE itg nearer_codes(const Filler *f, EarlyTest early, flt z)
  * the draw's route.
  * in   early: the filler's, or EARLY_ANY in its place; z: not clamped; matters unless EARLY_NONE
  * returns the lanes that passed */
-GP_INLINE msk route_lanes(const Filler *f, EarlyTest early, bool quads, int32_t x, int32_t y,
-                          msk live, flt z)
+GP_INLINE msk route_lanes(const Filler *f, EarlyTest early, FastRoute route, bool quads, int32_t x,
+                          int32_t y, msk live, flt z)
 {
     Tile *tile = f->tile;
     const uint32_t at = fast_at(x, y);
     if (early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM) {
         itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
-        live &= (msk)(code - f->allowance < stored); /* codes are not negative */
-        store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
+        live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
+        if (route != FAST_ORDERED || !f->d->late_depth)
+            store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
     } else if (early == EARLY_ANY && !f->d->late_depth)
         live = FAST(test_depth_stencil)(tile, f->d, at, quads, live, z, f->front);
 
-    if (f->d->route == FAST_VISIBLE) {
+    if (route == FAST_VISIBLE) {
         itg seen = load_lanes(tile->seen + at, quads);
         store_lanes(tile->seen + at, quads, itg_select(live, itg_set((int32_t)f->number), seen));
-    } else if (f->d->route == FAST_ORDERED) {
+    } else if (route == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);
         if (lanes && quads)
             FAST(queue_quads)(tile, f->number, x, y, lanes, z);

@@ -4,20 +4,28 @@
 
 #include <string.h>
 
-/* A part of the tile in which most pixels are the draw's goes through the shader as it is. */
-enum { DENSE = GP_LANES * 5 / 8 };
+enum {
+    DENSE = GP_LANES * 5 / 8, /* a part of the tile with so many pixels is shaded as it is */
 
-/* --- what waits for the shader ------------------------------------------------------------------ */
+    CELL_HIGH = 2, /* cells are GP_LANES pixels wide: two rows, or two patches of quads */
+    CELLS_ACROSS = FAST_TILE / GP_LANES,
+};
+
+/* --- what waits for the shader ------------------------------------------------------------------- */
 
 /* Blocks that fill up with what is seen of one draw. */
 typedef struct Collector {
     Tile *tile;
     const FastDraw *d;
-    int patches;    /* of one triangle each */
-    int mixes;      /* of several */
-    FastMix packed; /* one that fills up with what is sparse, and how far it has */
-    int lanes;
+    int patches; /* of one triangle each */
+    int mixes;   /* of several */
+
+    /* pixels of sparse parts, to be packed; a place is x, y << 8 and whether it lives */
+    uint32_t sparse;
+    uint32_t record[2 * GP_LANES], place[2 * GP_LANES];
 } Collector;
+
+enum { PLACE_LIVES = 1 << 16 };
 
 static void shade_collected_mixes(Collector *c)
 {
@@ -33,25 +41,35 @@ static void add_mix(Collector *c, FastMix mix)
         shade_collected_mixes(c);
 }
 
-static void add_packed(Collector *c)
+GP_INLINE itg load_words(const uint32_t *from)
 {
-    if (c->lanes)
-        add_mix(c, c->packed);
-    c->lanes = 0;
+    return (itg)flt_load((const float *)(const void *)from);
 }
 
-static void pack_pixel(Collector *c, uint32_t record, int32_t x, int32_t y, bool live)
+/* Lanes that stay empty repeat the first. */
+static void add_packed(Collector *c)
 {
-    if (c->lanes == 0) /* lanes that stay empty repeat the first */
-        c->packed = (FastMix){
-            .record = itg_set((int32_t)record), .x = itg_set(x), .y = itg_set(y), .packed = true
-        };
-    c->packed.record[c->lanes] = (int32_t)record;
-    c->packed.x[c->lanes] = x;
-    c->packed.y[c->lanes] = y;
-    c->packed.live |= (unsigned)live << c->lanes;
-    if (++c->lanes == GP_LANES)
-        add_packed(c);
+    const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
+    itg record = itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0]));
+    itg place = itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]));
+    add_mix(c, (FastMix){ .record = record,
+                          .x = place & 255,
+                          .y = place >> 8 & 255,
+                          .live = msk_bits(filled & (msk)((place & PLACE_LIVES) != 0)),
+                          .packed = true });
+}
+
+static void pack(Collector *c, unsigned lanes, itg record, itg place)
+{
+    itg_compress(c->record + c->sparse, lanes, record);
+    itg_compress(c->place + c->sparse, lanes, place);
+    c->sparse += (uint32_t)__builtin_popcount(lanes);
+    if (c->sparse < GP_LANES)
+        return;
+    add_packed(c);
+    c->sparse -= GP_LANES;
+    memcpy(c->record, c->record + GP_LANES, sizeof(itg));
+    memcpy(c->place, c->place + GP_LANES, sizeof(itg));
 }
 
 static void shade_collected_patches(Collector *c)
@@ -69,7 +87,7 @@ static void add_patch(Collector *c, FastPatch patch)
         shade_collected_patches(c);
 }
 
-/* --- collecting --------------------------------------------------------------------------------- */
+/* --- collecting ---------------------------------------------------------------------------------- */
 
 static void collect_row(Collector *c, const FastPatch *row, itg seen, msk mine)
 {
@@ -83,10 +101,7 @@ static void collect_row(Collector *c, const FastPatch *row, itg seen, msk mine)
                               .y = patch_y(row),
                               .live = live });
     else
-        for (; live; live &= live - 1) {
-            int32_t x = row->x + __builtin_ctz(live);
-            pack_pixel(c, c->tile->seen[fast_at(x, row->y)], x, row->y, true);
-        }
+        pack(c, live, seen, patch_x(row) | patch_y(row) << 8 | PLACE_LIVES);
 }
 
 /* In every lane the greatest of its quad. */
@@ -96,12 +111,12 @@ static itg quad_greatest(itg a)
     return itg_greater(a, GP_QUAD_SHUFFLE(a, 2, 3, 0, 1));
 }
 
+/* Quads stay together: there are whole ones only. */
 static void pack_quads(Collector *c, const FastMix *mix)
 {
-    for (int quad = 0; quad < GP_LANES; quad += 4)
-        for (int lane = quad; lane < quad + 4 && (mix->live >> quad & 15); lane++)
-            pack_pixel(c, (uint32_t)mix->record[lane], mix->x[lane], mix->y[lane],
-                       mix->live >> lane & 1);
+    unsigned any = (mix->live | mix->live >> 1 | mix->live >> 2 | mix->live >> 3) & 0x1111;
+    itg lives = mask_of(mix->live) & PLACE_LIVES;
+    pack(c, any * 15, mix->record, mix->x | mix->y << 8 | lives);
 }
 
 /* Whole quads, for shaders that look at their neighbours: a quad is shaded once for every triangle
@@ -126,47 +141,114 @@ static void collect_quads(Collector *c, const FastPatch *quads, itg seen, msk mi
     }
 }
 
-static void collect_seen(Collector *c, uint32_t first, uint32_t end)
+/* --- runs ---------------------------------------------------------------------------------------- */
+
+static uint32_t run_end(const Tile *tile, uint32_t run)
+{
+    return run + 1 < tile->run_count ? tile->runs[run + 1].first_record : tile->record_count;
+}
+
+static void number_records(Tile *tile)
+{
+    memset(tile->run_of, 0, tile->record_count * sizeof *tile->run_of);
+    for (uint32_t run = 1; run < tile->run_count; run++)
+        for (uint32_t record = tile->runs[run].first_record; record < run_end(tile, run); record++)
+            tile->run_of[record] = (uint16_t)run;
+    for (uint32_t run = 0; run < tile->run_count; run++)
+        tile->runs[run].cells = 0;
+}
+
+/* Lanes that do not show a record from first to end. */
+GP_INLINE itg without(itg seen, int32_t first, int32_t end)
+{
+    return seen & ((seen < first) | (seen >= end));
+}
+
+/* Adds a cell to every run that it shows. */
+static uint16_t sort_cell(Tile *tile, int32_t x, int32_t y, uint16_t count)
+{
+    const uint32_t *row[CELL_HIGH] = { tile->seen + fast_at(x, y), tile->seen + fast_at(x, y + 1) };
+    itg upper = load_words(row[0]), lower = load_words(row[1]);
+    for (;;) {
+        const unsigned up = msk_bits(upper != 0), down = msk_bits(lower != 0);
+        if (!(up | down))
+            return count;
+        const uint32_t record = up ? row[0][__builtin_ctz(up)] : row[1][__builtin_ctz(down)];
+        const uint32_t run = tile->run_of[record];
+        tile->cells[++count].x = (uint8_t)x;
+        tile->cells[count].y = (uint8_t)y;
+        tile->cells[count].next = tile->runs[run].cells;
+        tile->runs[run].cells = count;
+        const int32_t first = (int32_t)tile->runs[run].first_record;
+        const int32_t end = (int32_t)run_end(tile, run);
+        upper = without(upper, first, end);
+        lower = without(lower, first, end);
+    }
+}
+
+/* In one scan of the tile, however many runs there are. The last cell comes first: lists grow at
+ * their front. */
+static void sort_cells(Tile *tile)
+{
+    uint16_t count = 0;
+    const int32_t rows = (tile->height + CELL_HIGH - 1) / CELL_HIGH;
+    for (int32_t cell = rows * CELLS_ACROSS; cell-- > 0;)
+        count =
+            sort_cell(tile, cell % CELLS_ACROSS * GP_LANES, cell / CELLS_ACROSS * CELL_HIGH, count);
+}
+
+static void collect_part(Collector *c, const FastPatch *part, uint32_t run)
 {
     const Tile *tile = c->tile;
-    const bool quads = c->d->needs.quads;
-    const int wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
-    for (int32_t y = 0; y < tile->height; y += high)
-        for (int32_t x = 0; x < tile->width; x += wide) {
-            const FastPatch part = { .x = (uint8_t)x,
-                                     .y = (uint8_t)y,
-                                     .wide = quads ? 0 : GP_LANES };
-            itg seen = load_patch(tile->seen, &part);
-            msk mine = (seen >= (int32_t)first) & (seen < (int32_t)end);
-            if (!msk_bits(mine))
-                continue;
-            if (quads)
-                collect_quads(c, &part, seen, mine);
-            else
-                collect_row(c, &part, seen, mine);
+    itg seen = load_patch(tile->seen, part);
+    msk mine =
+        (seen >= (int32_t)tile->runs[run].first_record) & (seen < (int32_t)run_end(tile, run));
+    if (!msk_bits(mine))
+        return;
+    if (part->wide)
+        collect_row(c, part, seen, mine);
+    else
+        collect_quads(c, part, seen, mine);
+}
+
+static void shade_run(Tile *tile, uint32_t run)
+{
+    Collector c = { .tile = tile, .d = &tile->pass->draws[tile->runs[run].draw] };
+    const bool quads = c.d->needs.quads;
+    const int across = quads ? QUADS_WIDE : 0, down = quads ? 0 : 1;
+    for (uint32_t at = tile->runs[run].cells; at; at = tile->cells[at].next)
+        for (int i = 0; i < 2; i++) {
+            FastPatch part = { .x = (uint8_t)(tile->cells[at].x + i * across),
+                               .y = (uint8_t)(tile->cells[at].y + i * down),
+                               .wide = quads ? 0 : GP_LANES };
+            collect_part(&c, &part, run);
         }
+    if (c.sparse)
+        add_packed(&c);
+    shade_collected_mixes(&c);
+    shade_collected_patches(&c);
+}
+
+static bool is_visible(const Tile *tile, uint32_t run)
+{
+    return tile->pass->draws[tile->runs[run].draw].route == FAST_VISIBLE;
 }
 
 void FAST(flush_seen)(Tile *tile)
 {
-    bool shown = false;
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
     FAST(settle_backdrop)(tile);
-    for (uint32_t i = 0; i < tile->run_count; i++) {
-        uint32_t first = tile->runs[i].first_record;
-        uint32_t end =
-            i + 1 < tile->run_count ? tile->runs[i + 1].first_record : tile->record_count;
-        Collector collector = { .tile = tile, .d = &tile->pass->draws[tile->runs[i].draw] };
-        if (first == end || collector.d->route != FAST_VISIBLE)
-            continue;
-        shown = true;
-        collect_seen(&collector, first, end);
-        add_packed(&collector);
-        shade_collected_mixes(&collector);
-        shade_collected_patches(&collector);
-    }
-    if (shown)
+    bool any = false;
+    for (uint32_t run = 0; run < tile->run_count; run++)
+        any |= is_visible(tile, run);
+    if (any) {
+        number_records(tile);
+        sort_cells(tile);
+        for (uint32_t run = 0; run < tile->run_count; run++)
+            if (tile->runs[run].cells)
+                shade_run(tile, run);
         memset(tile->seen, 0, sizeof tile->seen);
+    }
     tile->record_count = FAST_NO_RECORD + 1;
     tile->run_count = tile->wide_count = 0;
     fast_turn_to(tile, before);

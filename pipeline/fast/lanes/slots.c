@@ -1,17 +1,13 @@
 /* Slots: the targets of a group inside a tile. Each is loaded or cleared when a pass first needs it,
  * read and drawn to by any number of passes, and stored once, after the last. */
 #include "pipeline/fast/group.h"
+#include "pipeline/fast/lanes/patch.h"
+#include "pipeline/fast/lanes/through.h"
 #include "pipeline/fast/lanes/transfer.h"
 
 #include "pipeline/texture_read.h"
 
 #include <string.h>
-
-static uint8_t *row_of(const Tile *tile, const GpSurface *surface, int32_t y)
-{
-    return gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
-                            (uint32_t)tile->x0, (uint32_t)(tile->y0 + y));
-}
 
 static void fill_words(uint32_t *plane, int32_t height, uint32_t word)
 {
@@ -50,13 +46,10 @@ static void spell_out(Tile *tile, int slot)
 /* Makes the planes hold the content. */
 static void hold_color(Tile *tile, int slot)
 {
-    const GpSurface *surface = tile->slots->color[slot];
     if (tile->color_state[slot].cleared)
         spell_out(tile, slot);
-    for (int32_t y = 0; !tile->color_state[slot].held && y < tile->height; y++)
-        FAST(load_colors)
-    (surface->format, row_of(tile, surface, y), tile->width, &tile->color_slot[slot],
-     fast_at(0, y));
+    else if (!tile->color_state[slot].held)
+        FAST(load_tile)(tile, tile->slots->color[slot], &tile->color_slot[slot]);
     tile->color_state[slot].held = true;
     tile->color_state[slot].cleared = false;
 }
@@ -78,11 +71,8 @@ static void begin_color(Tile *tile, const FastPass *pass, int target, bool touch
 
 static void hold_depth(Tile *tile, int slot)
 {
-    const GpSurface *surface = tile->slots->depth[slot];
-    for (int32_t y = 0; !tile->depth_state[slot].held && y < tile->height; y++)
-        FAST(load_depths)
-    (surface->format, row_of(tile, surface, y), tile->width, &tile->depth_slot[slot],
-     fast_at(0, y));
+    if (!tile->depth_state[slot].held)
+        FAST(load_tile)(tile, tile->slots->depth[slot], &tile->depth_slot[slot]);
     tile->depth_state[slot].held = true;
 }
 
@@ -136,21 +126,8 @@ void FAST(begin_pass)(Tile *tile, const FastPass *pass, bool touched)
 
 static void store_color(Tile *tile, int slot)
 {
-    const GpSurface *surface = tile->slots->color[slot];
     hold_color(tile, slot);
-    for (int32_t y = 0; y < tile->height; y++)
-        FAST(store_colors)
-    (surface->format, row_of(tile, surface, y), tile->width, &tile->color_slot[slot],
-     fast_at(0, y));
-}
-
-static void store_depth(Tile *tile, int slot)
-{
-    const GpSurface *surface = tile->slots->depth[slot];
-    for (int32_t y = 0; y < tile->height; y++)
-        FAST(store_depths)
-    (surface->format, row_of(tile, surface, y), tile->width, &tile->depth_slot[slot],
-     fast_at(0, y));
+    FAST(store_tile)(tile, tile->slots->color[slot], &tile->color_slot[slot]);
 }
 
 void FAST(store_slots)(Tile *tile)
@@ -160,76 +137,98 @@ void FAST(store_slots)(Tile *tile)
             store_color(tile, slot);
     for (int slot = 0; slot < FAST_DEPTH_SLOTS; slot++)
         if (tile->depth_state[slot].written)
-            store_depth(tile, slot);
+            FAST(store_tile)(tile, tile->slots->depth[slot], &tile->depth_slot[slot]);
 }
 
 /* --- reading in place ----------------------------------------------------------------------------- */
 
-/* Where a packet's pixels are in the tile's planes. */
+static void begin_local_color(Tile *tile, int slot, FastLocal *local)
+{
+    FastPlanes *planes = &tile->color_slot[slot];
+    const int channels = gp_format_info(local->format)->channels;
+    const bool cleared = tile->color_state[slot].cleared;
+    if (!cleared)
+        hold_color(tile, slot);
+    for (int c = 0; c < 4; c++) {
+        local->same[c] = cleared ? tile->color_state[slot].color[c] : 1;
+        if (!cleared && c < channels)
+            local->plane[c] = local->format == GP_A8R8G8B8
+                                  ? planes->packed
+                                  : (const uint32_t *)(const void *)planes->channel[c];
+    }
+}
+
+void FAST(begin_local)(Tile *tile, const GpTexture *textures, int number)
+{
+    const GpSurface *surface = textures[number].surface;
+    const int color = fast_color_slot(tile->slots, surface);
+    const int depth = fast_depth_slot(tile->slots, surface);
+    FastLocal *local = &tile->local[number];
+    *local = (FastLocal){ .format = surface->format, .same = { 1, 1, 1, 1 } };
+    if (color >= 0)
+        begin_local_color(tile, color, local);
+    else if (depth >= 0) {
+        hold_depth(tile, depth);
+        local->plane[0] = tile->depth_slot[depth].depth;
+    } else
+        local->format = GP_FORMAT_NONE;
+}
+
+/* Where a packet's pixels are in the tile. */
 typedef struct Places {
+    const FastPatch *patch; /* or NULL, and where each lane is: */
     itg at;
     msk inside; /* the surface: helper pixels may lie past its edge */
-    bool row;   /* side by side */
 } Places;
 
-static itg words_at(const void *plane, const Places *places)
+static bool is_inside(const Tile *tile, const FastPatch *patch)
 {
-    if (places->row)
-        return (itg)flt_load((const float *)plane + places->at[0]);
-    return itg_gather(plane, places->at * 4);
+    const int32_t rows = patch->wide == GP_LANES ? 1 : patch->wide ? GP_LANES : 2;
+    return patch->x + GP_LANES <= tile->width && patch->y + rows <= tile->height;
 }
 
-static void read_color_slot(const FastPlanes *planes, GpFormat format, const Places *places,
-                            flt texel[4])
+static Places find_places(const Tile *tile, const GpShaderCall *call, int packet)
 {
-    static const uint8_t shift[4] = { 16, 8, 0, 24 }; /* of r g b a in A8R8G8B8's word */
-    const int channels = gp_format_info(format)->channels;
-    itg packed = format == GP_A8R8G8B8 ? words_at(planes->packed, places) : itg_set(0);
-    for (int c = 0; c < 4; c++)
-        texel[c] = c >= channels           ? flt_set(1)
-                   : format == GP_A8R8G8B8 ? flt_from_itg(packed >> shift[c] & 255) / 255.0f
-                                           : (flt)words_at(planes->channel[c], places);
+    const FastPatch *patch = tile->shaded ? &tile->shaded[packet] : NULL;
+    if (patch && !patch->mixed && is_inside(tile, patch))
+        return (Places){ .patch = patch, .inside = itg_set(-1) };
+    const float *pixel = call->pixel + 2 * packet * GP_LANES;
+    const itg x = itg_from_flt(flt_load(pixel)) - tile->x0;
+    const itg y = itg_from_flt(flt_load(pixel + GP_LANES)) - tile->y0;
+    return (Places){ .at = y * FAST_PITCH + x,
+                     .inside = (msk)(x < tile->width) & (msk)(y < tile->height) };
 }
 
-/* Both operands of the division are exact, as in gp_float_from_unorm. */
-static void read_depth_slot(const FastDepthPlanes *planes, GpFormat format, const Places *places,
-                            flt texel[4])
+GP_INLINE flt read_channel(const FastLocal *local, int c, const Places *places)
 {
-    itg code = words_at(planes->depth, places);
-    texel[0] = format == GP_D32F ? (flt)code
-                                 : flt_from_itg(code) / (format == GP_D16 ? 65535.0f : 16777215.0f);
-    texel[1] = texel[2] = texel[3] = flt_set(1);
+    static const int byte[4] = { RED_BYTE, GREEN_BYTE, BLUE_BYTE, ALPHA_BYTE };
+    if (!local->plane[c])
+        return flt_set(local->same[c]);
+    itg words = places->patch ? load_patch(local->plane[c], places->patch)
+                              : itg_gather((const uint8_t *)local->plane[c], places->at * 4);
+    switch (local->format) { /* the divisions' operands are exact, as in gp_float_from_unorm */
+    case GP_A8R8G8B8:
+        return flt_unpack_unorm8(words, byte[c]);
+    case GP_D16:
+        return flt_from_itg(words) / 65535.0f;
+    case GP_D24S8:
+        return flt_from_itg(words) / 16777215.0f;
+    default:
+        return (flt)words;
+    }
 }
 
 void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
 {
-    Tile *tile = call->local;
-    const GpSurface *surface = call->textures[slot].surface;
-    const int color = fast_color_slot(tile->slots, surface);
-    const int depth = fast_depth_slot(tile->slots, surface);
-    if (color < 0 && depth < 0) {
+    const Tile *tile = call->local;
+    const FastLocal *local = &tile->local[slot];
+    if (local->format == GP_FORMAT_NONE) {
         gp_read_local_plain(call, slot, packet, lanes, texel);
         return;
     }
-    const float *pixel = call->pixel + 2 * packet * GP_LANES;
-    const itg x = itg_from_flt(flt_load(pixel)) - tile->x0;
-    const itg y = itg_from_flt(flt_load(pixel + GP_LANES)) - tile->y0;
-    Places places = { .at = y * FAST_PITCH + x,
-                      .inside = (msk)(x < tile->width) & (msk)(y < tile->height) };
-    places.row = msk_bits((msk)(places.at == places.at[0] + lane_numbers())) ==
-                 (unsigned)((1ull << GP_LANES) - 1);
-    flt value[4];
-    if (color >= 0 && tile->color_state[color].cleared) {
-        for (int c = 0; c < 4; c++)
-            value[c] = flt_set(tile->color_state[color].color[c]);
-    } else if (color >= 0) {
-        hold_color(tile, color);
-        read_color_slot(&tile->color_slot[color], surface->format, &places, value);
-    } else {
-        hold_depth(tile, depth);
-        read_depth_slot(&tile->depth_slot[depth], surface->format, &places, value);
-    }
-    for (int c = 0; c < 4; c++)
+    const Places places = find_places(tile, call, packet);
+    GP_UNROLL
+    for (int c = 0; c < 4; c++) /* outside: 0, as the model reads */
         flt_store(texel + c * GP_LANES,
-                  (flt)((itg)value[c] & places.inside)); /* outside: 0, as the model reads */
+                  (flt)((itg)read_channel(local, c, &places) & places.inside));
 }

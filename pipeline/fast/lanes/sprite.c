@@ -27,17 +27,28 @@ static bool inside_clip_planes(const FastDraw *d, uint32_t vertex)
     return true;
 }
 
+/* A point's vertex, counted from the draw's first. */
+GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
+{
+    const uint32_t at = primitive - d->first_primitive;
+    return (d->draw->geometry.indices ? d->draw->geometry.indices[at] : at) - d->first_vertex;
+}
+
+void FAST(ask_for_points)(const FastDraw *d, const FastHits *hits)
+{
+    for (uint32_t lanes = hits->lanes; lanes; lanes &= lanes - 1) {
+        const uint32_t vertex = vertex_of(d, hits->first + (uint32_t)__builtin_ctz(lanes));
+        __builtin_prefetch(&d->positions[vertex]);
+        __builtin_prefetch(d->varyings + (size_t)vertex * d->stride);
+    }
+}
+
 static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count, Batch *batch)
 {
     const FastDraw *d = tile->draw;
     const GpRect rect = FAST(tile_rect)(tile, d);
-    const uint32_t *indices = d->draw->geometry.indices;
-    GP_UNROLL
-    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
-        uint32_t at = primitives[lane < count ? lane : 0] - d->first_primitive;
-        batch->vertex[lane] = (indices ? indices[at] : at) - d->first_vertex;
-        __builtin_prefetch(d->varyings + (size_t)batch->vertex[lane] * d->stride);
-    }
+    for (uint32_t lane = 0; lane < GP_LANES; lane++)
+        batch->vertex[lane] = vertex_of(d, primitives[lane < count ? lane : 0]);
     Sprites s = place_sprites(d, batch->vertex, &rect);
     s.drawn &= (1u << count) - 1;
     for (unsigned left = d->needs.clip_planes ? s.drawn : 0; left; left &= left - 1)
@@ -65,22 +76,16 @@ GP_INLINE flt along(itg pixel, int32_t start, float per_step)
     return flt_from_itg(pixel * GP_SUBPIXELS - start) * per_step;
 }
 
-GP_INLINE void set_inputs(const FastDraw *d, const float *varying, flt u, flt v, flt *in)
-{
-    for (int c = 0; c < d->modes.components; c++)
-        in[c] = flt_set(varying[c]);
-    if (d->modes.sprite >= 0) {
-        in[d->modes.sprite] = u;
-        in[d->modes.sprite + 1] = v;
-    }
-}
-
 void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *d, const FastRecord *r, itg x,
                               itg y, flt *in)
 {
     const FastWide *wide = &tile->wide[r->wide];
-    set_inputs(d, r->corner[0], along(x, wide->sprite.left, wide->sprite.per_step),
-               along(y, wide->sprite.top, wide->sprite.per_step), in);
+    for (int c = 0; c < d->modes.components; c++)
+        in[c] = flt_set(r->corner[0][c]);
+    if (d->modes.sprite >= 0) {
+        in[d->modes.sprite] = along(x, wide->sprite.left, wide->sprite.per_step);
+        in[d->modes.sprite + 1] = along(y, wide->sprite.top, wide->sprite.per_step);
+    }
 }
 
 /* A sprite on its way into the queue. */
@@ -88,53 +93,87 @@ typedef struct Queuer {
     Tile *tile;
     const FastDraw *d;
     uint32_t record;
+    FastBox box;
     int32_t left, top;
     float per_step, z;
     const float *varying;
 } Queuer;
 
-/* `live` lanes of a patch from (x, y) on, and where they are in the sprite. */
-GP_INLINE void queue(const Queuer *q, int32_t x, int32_t y, int32_t wide, unsigned live, flt u,
-                     flt v)
+/* Room in the queue for so many patches, of a block at most. */
+GP_INLINE void make_room(Tile *tile, int32_t patches)
+{
+    if ((int32_t)tile->patch_count + patches > FAST_BLOCK)
+        FAST(flush_patches)(tile);
+}
+
+/* A patch, where there is room for one, if any of its pixels pass the early tests. */
+GP_INLINE void queue_patch(const Queuer *q, int32_t x, int32_t y, int32_t wide, unsigned live)
 {
     Tile *tile = q->tile;
-    const FastDraw *d = q->d;
-    if (tile->patch_count == FAST_BLOCK)
-        FAST(flush_patches)(tile);
-    const uint32_t number = tile->patch_count;
-    FastPatch *patch = &tile->patches[number]; /* piece by piece: a copy would wait for its parts */
-    patch->record = q->record;
+    FastPatch *patch = &tile->patches[tile->patch_count];
+    patch->record = q->record; /* piece by piece: a copy would wait for its parts */
     patch->live = live;
     patch->x = (uint8_t)x;
     patch->y = (uint8_t)y;
     patch->wide = (uint8_t)wide;
     patch->mixed = false;
-    if (d->wants_depth && !d->late_depth)
-        patch->live = FAST(test_patch)(tile, d, patch, live, flt_set(q->z));
-    if (!patch->live)
-        return;
-    tile->patch_count++;
-    if (d->late_depth)
-        flt_store(tile->patch_depth + number * GP_LANES, flt_set(q->z));
-    set_inputs(d, q->varying, u, v,
-               (flt *)(void *)tile->in + number * (uint32_t)d->modes.components);
+    if (q->d->late_depth)
+        flt_store(tile->patch_depth + tile->patch_count * GP_LANES, flt_set(q->z));
+    else if (q->d->wants_depth)
+        patch->live = FAST(test_patch)(tile, q->d, patch, live, flt_set(q->z));
+    tile->patch_count += patch->live != 0;
+}
+
+/* Inputs of the sprite's patches from number `first` of the queue on: of one shape, one below
+ * the other, so that they share u. */
+GP_INLINE void set_inputs(const Queuer *q, uint32_t first, flt u, itg row)
+{
+    Tile *tile = q->tile;
+    const GpVaryingModes *modes = &q->d->modes;
+    const int stride = modes->components, count = (int)(tile->patch_count - first);
+    const FastPatch *patches = tile->patches + first;
+    flt *const in = (flt *)(void *)tile->in + first * (uint32_t)stride;
+    for (int c = 0; c < stride; c++) {
+        const flt value = flt_set(q->varying[c]);
+        flt *to = in + c;
+        for (int p = 0; p < count; p += FAST_AHEAD) {
+            GP_UNROLL
+            for (int k = 0; k < FAST_AHEAD; k++, to += stride)
+                *to = value;
+        }
+    }
+    flt *place = in + modes->sprite;
+    for (int p = 0; modes->sprite >= 0 && p < count; p++, place += stride) {
+        place[0] = u;
+        place[1] = along(row + patches[p].y, q->top, q->per_step);
+    }
 }
 
 /* A box that is narrower than a patch: as many rows at once as have room. */
-static void queue_packed(const Queuer *q, const FastBox *box)
+static void queue_packed(const Queuer *q)
 {
+    Tile *tile = q->tile;
+    const FastBox *box = &q->box;
     const int32_t wide = box->x1 - box->x0 + 1, rows = GP_LANES / wide;
+    const int32_t most = rows * FAST_BLOCK; /* rows of a full queue */
     const itg row = patch_rows(wide);
     const flt u = along(patch_columns(wide) + box->x0, q->left, q->per_step);
-    for (int32_t y = box->y0; y <= box->y1; y += rows) {
-        int32_t below = box->y1 - y + 1, pixels = (below < rows ? below : rows) * wide;
-        queue(q, box->x0, y, wide, (1u << pixels) - 1, u, along(row + y, q->top, q->per_step));
+    for (int32_t top = box->y0; top <= box->y1; top += most) {
+        const int32_t end = box->y1 < top + most ? box->y1 + 1 : top + most;
+        make_room(tile, (end - top + rows - 1) / rows);
+        const uint32_t first = tile->patch_count;
+        for (int32_t y = top; y < end; y += rows) {
+            const int32_t pixels = (end - y < rows ? end - y : rows) * wide;
+            queue_patch(q, box->x0, y, wide, (1u << pixels) - 1);
+        }
+        set_inputs(q, first, u, row);
     }
 }
 
 /* Any box, by rows or by quads. */
-static void queue_box(const Queuer *q, const FastBox *box)
+static void queue_box(const Queuer *q)
 {
+    const FastBox *box = &q->box;
     const bool quads = q->d->needs.quads;
     const int32_t across = quads ? QUADS_WIDE : GP_LANES, down = quads ? 2 : 1;
     const int32_t wide = quads ? 0 : GP_LANES;
@@ -144,34 +183,36 @@ static void queue_box(const Queuer *q, const FastBox *box)
             const itg px = column + x, py = row + y;
             unsigned live = msk_bits((msk)(px >= box->x0) & (msk)(px <= box->x1) &
                                      (msk)(py >= box->y0) & (msk)(py <= box->y1));
+            make_room(q->tile, 1);
+            const uint32_t first = q->tile->patch_count;
             if (live)
-                queue(q, x, y, wide, live, along(px, q->left, q->per_step),
-                      along(py, q->top, q->per_step));
+                queue_patch(q, x, y, wide, live);
+            set_inputs(q, first, along(px, q->left, q->per_step), row);
         }
 }
 
-static void queue_sprite(Tile *tile, const Batch *batch, int lane, uint32_t record)
+static void queue_sprite(Tile *tile, const Batch *batch, uint32_t lane, uint32_t record)
 {
     const FastDraw *d = tile->draw;
     const Sprites *s = &batch->at;
-    const FastBox box = { s->x0[lane], s->y0[lane], s->x1[lane], s->y1[lane] };
     const Queuer queuer = { .tile = tile,
                             .d = d,
                             .record = record,
+                            .box = { s->x0[lane], s->y0[lane], s->x1[lane], s->y1[lane] },
                             .left = s->left[lane],
                             .top = s->top[lane],
                             .per_step = batch->per_step[lane],
                             .z = s->z[lane],
                             .varying = d->varyings + (size_t)batch->vertex[lane] * d->stride };
-    if (box.x1 - box.x0 < GP_LANES - 1 && !d->needs.quads)
-        queue_packed(&queuer, &box);
+    if (queuer.box.x1 - queuer.box.x0 < GP_LANES - 1 && !d->needs.quads)
+        queue_packed(&queuer);
     else
-        queue_box(&queuer, &box);
+        queue_box(&queuer);
 }
 
 /* --- seen, or only tested ------------------------------------------------------------------------- */
 
-static void fill_rows(Tile *tile, const Batch *batch, int lane)
+static void fill_rows(Tile *tile, const Batch *batch, uint32_t lane)
 {
     const FastDraw *d = tile->draw;
     const Sprites *s = &batch->at;
@@ -194,7 +235,8 @@ static void fill_rows(Tile *tile, const Batch *batch, int lane)
         for (int32_t x = s->x0[lane]; x <= s->x1[lane]; x += GP_LANES) {
             int32_t pixels = s->x1[lane] - x + 1;
             unsigned live = (1u << (pixels < GP_LANES ? pixels : GP_LANES)) - 1;
-            route_lanes(&filler, filler.early, false, x, y, mask_of(live), flt_set(s->z[lane]));
+            route_lanes(&filler, filler.early, d->route, false, x, y, mask_of(live),
+                        flt_set(s->z[lane]));
         }
 }
 
@@ -209,8 +251,8 @@ static void fill_batch(Tile *tile, const uint32_t *primitives, uint32_t count)
         record = tile->record_count++;
         tile->records[record] = (FastRecord){ .face = 1.0f, .kind = FAST_SPRITE };
     }
-    for (unsigned left = batch.at.drawn; left; left &= left - 1) {
-        int lane = __builtin_ctz(left);
+    for (unsigned drawn = batch.at.drawn; drawn; drawn &= drawn - 1) {
+        const uint32_t lane = (uint32_t)__builtin_ctz(drawn);
         if (d->route == FAST_ORDERED)
             queue_sprite(tile, &batch, lane, record);
         else

@@ -29,7 +29,8 @@ GP_INLINE Sprites place_sprites(const FastDraw *d, const uint32_t vertex[GP_LANE
         record[lane] = &d->positions[vertex[lane]];
     lanes_load4(record, position);
 
-    Sprites s = { .z = (flt)position[2] };
+    Sprites s;
+    s.z = (flt)position[2];
     flt size = (flt)position[3];
     const flt most = flt_set((float)GP_MAX_POINT_SIZE);
     size = flt_select((msk)(size > 0.0f), size, flt_set(0)); /* NaN to 0 */

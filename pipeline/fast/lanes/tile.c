@@ -80,15 +80,32 @@ static void draw_waiting(Tile *tile, Waiting *waiting)
     waiting->count = 0;
 }
 
+/* Points are drawn as soon as there is a batch of them, and another whose vertices are on their way: so
+ * memory brings vertices, and the next groups, while there is work. */
+static void let_points_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
+{
+    FAST(ask_for_points)(tile->draw, hits);
+    if (waiting->count < 2 * GP_LANES)
+        return;
+    FAST(fill_sprites)(tile, waiting->primitive, GP_LANES);
+    waiting->count -= GP_LANES;
+    memmove(waiting->primitive, waiting->primitive + GP_LANES,
+            waiting->count * sizeof *waiting->primitive);
+}
+
 /* Primitives of the present draw: their indices are wanted soon. */
 static void let_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
 {
-    const FastDraw *d = tile->draw;
-    if (d->draw->geometry.indices)
-        __builtin_prefetch(d->draw->geometry.indices + 3 * (hits->first - d->first_primitive));
+    const GpGeometry *geometry = &tile->draw->draw->geometry;
     itg_compress(waiting->primitive + waiting->count, hits->lanes,
                  lane_numbers() + (int32_t)hits->first);
     waiting->count += (uint32_t)__builtin_popcount(hits->lanes);
+    if (geometry->primitive == GP_POINTS) {
+        let_points_wait(tile, hits, waiting);
+        return;
+    }
+    if (geometry->indices)
+        __builtin_prefetch(geometry->indices + 3 * (hits->first - tile->draw->first_primitive));
     if (waiting->count >= WAITING)
         draw_waiting(tile, waiting);
 }
@@ -137,6 +154,23 @@ static bool is_touched(const FastPass *pass, uint32_t number)
     return false;
 }
 
+/* The bins of passes to come are wanted soon: the heads of one, the first chunk of the one before it, the
+ * second of the next. Many a pass has no more in a tile. */
+GP_INLINE void ask_for_bins(const FastGroup *group, uint32_t next, uint32_t number)
+{
+    const FastRange *range[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        if (next + i >= group->pass_count || !group->passes[next + i].ready_count)
+            return;
+        range[i] = &group->passes[next + i].ranges[0];
+    }
+    __builtin_prefetch(&range[2]->head[number]);
+    __builtin_prefetch(&range[1]->chunks[range[1]->head[number]]);
+    const uint32_t first = range[0]->head[number];
+    if (first)
+        __builtin_prefetch(&range[0]->chunks[range[0]->chunks[first].next]);
+}
+
 static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
 {
     const bool touched = is_touched(pass, number);
@@ -166,7 +200,7 @@ static void clear_tile(const Tile *tile, const FastGroup *group)
                           tile->y0 + tile->height - 1 };
     for (uint32_t p = 0; p < group->pass_count; p++)
         if (group->passes[p].clears)
-            fast_clear_box(group->passes[p].pass, &box);
+            fast_clear_box(group->passes[p].pass, &box, true);
 }
 
 static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *tile)
@@ -189,8 +223,10 @@ static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *t
         tile->mark = fast_clock_ms();
     tile->phase = FAST_TRANSFER;
     FAST(begin_slots)(tile, &group->slots);
-    for (uint32_t p = 0; p < group->pass_count; p++)
+    for (uint32_t p = 0; p < group->pass_count; p++) {
+        ask_for_bins(group, p + 1, number);
         draw_pass(tile, &group->passes[p], number);
+    }
     FAST(store_slots)(tile);
     fast_turn_to(tile, FAST_TRANSFER);
 }
@@ -200,7 +236,6 @@ static size_t tile_bytes(void)
     return sizeof(FastTileMemory);
 }
 
-void FAST(vertex_range)(const GpGeometry *geometry, uint32_t *first, uint32_t *count);
 static void start_counting(FastTileMemory *tile, bool timed)
 {
     tile->fragments_shaded = 0;
@@ -224,7 +259,6 @@ void FAST(bin_range)(const FastPass *pass, FastRange *range);
 
 const FastStages STAGES_PASTE(GP_LANES) = {
     .lanes = GP_LANES,
-    .vertex_range = FAST(vertex_range),
     .shade_vertices = FAST(shade_vertices),
     .bin_range = FAST(bin_range),
     .draw_tile = draw_tile,

@@ -31,6 +31,7 @@ enum {
     FAST_PITCH = FAST_TILE + 16, /* a row of the tile, with room for a packet that runs over */
     FAST_PIXELS = FAST_PITCH * (FAST_TILE + 1),
     FAST_BLOCK = 32,        /* patches or mixes of one call of a shader */
+    FAST_AHEAD = 4,         /* patches whose inputs may be written at once, past the last too */
     FAST_RECORDS = 1 << 14, /* triangles that a tile remembers before it shades what it sees */
     FAST_WIDES = 1 << 12,
     FAST_RUNS = 1 << 10,
@@ -109,6 +110,13 @@ typedef struct FastDepthPlanes {
     _Alignas(64) uint8_t stencil[FAST_PIXELS];
 } FastDepthPlanes;
 
+/* What a shader's slot reads in place. */
+typedef struct FastLocal {
+    GpFormat format;          /* GP_FORMAT_NONE: a surface that no slot of the tile holds */
+    const uint32_t *plane[4]; /* of each channel, NULL where all pixels have the same: */
+    float same[4];
+} FastLocal;
+
 typedef enum FastPhase { FAST_RASTER, FAST_SHADING, FAST_TRANSFER, FAST_PHASES } FastPhase;
 
 struct FastTileMemory {
@@ -135,6 +143,10 @@ struct FastTileMemory {
     uint32_t backdrop;     /* record that is seen wherever the one in `seen` is older */
     uint32_t patch_count;
 
+    /* the block in the shader */
+    const FastPatch *shaded; /* NULL: mixes */
+    FastLocal local[GP_MAX_SAMPLERS];
+
     /* the group's surfaces, as far as this tile has come to need them */
     const FastSlots *slots;
     struct {
@@ -158,13 +170,20 @@ struct FastTileMemory {
     FastWide wide[FAST_WIDES];
     struct {
         uint32_t first_record, draw;
-    } runs[FAST_RUNS]; /* which records belong to which draw */
+        uint16_t cells; /* what is seen of it: a list */
+    } runs[FAST_RUNS];  /* which records belong to which draw */
     uint32_t run_count;
+    uint16_t run_of[FAST_RECORDS]; /* while what is seen is shaded */
+    struct {
+        uint8_t x, y;
+        uint16_t next; /* 0: the last */
+    } cells[1 +
+            FAST_TILE * FAST_TILE]; /* parts of the tile, once for each run that is seen there */
 
     _Alignas(64) FastLaneRuns lane_runs;
 
     /* a block's values: [packet][component][lane] */
-    _Alignas(64) float in[FAST_BLOCK * GP_MAX_VARYINGS * GP_LANES];
+    _Alignas(64) float in[(FAST_BLOCK + FAST_AHEAD) * GP_MAX_VARYINGS * GP_LANES];
     _Alignas(64) float color[FAST_BLOCK * GP_MAX_TARGETS * 4 * GP_LANES];
     _Alignas(64) float pixel[FAST_BLOCK * 2 * GP_LANES];
     _Alignas(64) float face[FAST_BLOCK * GP_LANES];
@@ -219,8 +238,9 @@ GP_INLINE FastPhase fast_turn_to(Tile *tile, FastPhase phase)
  * Primitives are those of the pass. */
 void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count);
 
-/* The same for any number of points. */
+/* The same for any number of points; whose vertices are better asked for some time before. */
 void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count);
+void FAST(ask_for_points)(const FastDraw *draw, const FastHits *hits);
 
 /* Rasterizes one set-up triangle into the tile, by the route of its draw. */
 void FAST(fill_triangle)(Tile *tile, const GpTriangle *triangle);
@@ -239,6 +259,9 @@ void FAST(reserve_records)(Tile *tile, uint32_t count);
 void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
 void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
 
+/* Queues every pixel of a box in the tile, by rows, of an ordered draw without depth. */
+void FAST(queue_box)(Tile *tile, uint32_t record, const FastBox *box);
+
 /* Shades the queued patches, all of the tile's present draw, and merges them in their order. */
 void FAST(flush_patches)(Tile *tile);
 
@@ -253,8 +276,9 @@ void FAST(settle_backdrop)(Tile *tile);
 void FAST(flush_seen)(Tile *tile);
 
 /* Runs the pixel shader over `count` packets whose inputs are in tile->in, and whose tile->pixel
- * and tile->face are set where the program uses them. */
-void FAST(run_pixel_shader)(Tile *tile, const FastDraw *draw, int count);
+ * and tile->face are set where the program uses them. Patches: the packets', or NULL where they are
+ * mixes. */
+void FAST(run_pixel_shader)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count);
 
 /* Blends and writes shaded patches, of patch i the lanes live[i]; color is [patch][target][channel]. */
 void FAST(merge_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
@@ -266,9 +290,6 @@ bool FAST(only_adds)(const Tile *tile, const FastDraw *draw);
 void FAST(add_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
                        const unsigned *live, int count, const flt *color);
 
-/* Writes one shaded mix of a draw that replaces everything. */
-void FAST(write_mix)(Tile *tile, const FastDraw *draw, const FastMix *mix, const flt *color);
-
 /* Starts a tile with nothing in its slots; stores those that were written. */
 void FAST(begin_slots)(Tile *tile, const FastSlots *slots);
 void FAST(store_slots)(Tile *tile);
@@ -276,7 +297,9 @@ void FAST(store_slots)(Tile *tile);
 /* Clears what the pass clears, and points to its targets; loads them where the pass will draw. */
 void FAST(begin_pass)(Tile *tile, const FastPass *pass, bool touched);
 
-/* gp_load_local, from slots or surfaces: the call's `local` is the tile. */
+/* gp_load_local, from slots or surfaces: the call's `local` is the tile. Each slot that the program
+ * reads is made ready before a block's call. */
+void FAST(begin_local)(Tile *tile, const GpTexture *textures, int slot);
 void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel);
 
 #endif

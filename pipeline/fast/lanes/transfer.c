@@ -8,7 +8,7 @@ typedef uint16_t half_lanes __attribute__((vector_size(2 * GP_LANES)));
 
 enum { LARGEST_TEXEL = 16 };
 
-/* --- memory ----------------------------------------------------------------------------------------- */
+/* --- memory -------------------------------------------------------------------------------------- */
 
 GP_INLINE itg load_words(const void *from)
 {
@@ -20,6 +20,14 @@ GP_INLINE itg load_words(const void *from)
 GP_INLINE void store_words(void *to, itg words)
 {
     memcpy(to, &words, sizeof words);
+}
+
+GP_INLINE void put_words(void *to, itg words, bool streams)
+{
+    if (streams)
+        itg_stream(to, words);
+    else
+        store_words(to, words);
 }
 
 GP_INLINE itg load_halves(const void *from)
@@ -48,7 +56,7 @@ GP_INLINE void store_bytes(void *to, itg words)
     memcpy(to, &bytes, sizeof bytes);
 }
 
-/* --- numbers --------------------------------------------------------------------------------------- */
+/* --- numbers ------------------------------------------------------------------------------------- */
 
 /* gp_float_from_half. */
 GP_INLINE itg from_half(itg half)
@@ -77,173 +85,183 @@ GP_INLINE itg canonical(itg bits)
     return itg_select((itg)((bits & 0x7fffffff) > 0x7f800000), itg_set(0x7fc00000), bits);
 }
 
-/* --- colour ---------------------------------------------------------------------------------------- */
+/* --- GP_LANES texels ----------------------------------------------------------------------------- */
 
-static void load_whole(GpFormat format, const uint8_t *from, int32_t count, FastPlanes *planes,
-                       uint32_t at)
+GP_INLINE void load_color(GpFormat format, const uint8_t *texel, FastPlanes *planes, uint32_t at)
 {
-    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
-        float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
-                                    planes->channel[2] + at, planes->channel[3] + at };
-        const uint8_t *texel = from + (size_t)x * gp_format_info(format)->bytes;
-        itg v[4];
-        switch (format) {
-        case GP_A8R8G8B8:
-            store_words(planes->packed + at, load_words(texel));
-            break;
-        case GP_R8:
-            flt_store(channel[0], flt_from_itg(load_bytes(texel)) / 255.0f);
-            break;
-        case GP_G16R16F:
-            v[0] = load_words(texel);
-            store_words(channel[0], from_half(v[0] & 0xffff));
-            store_words(channel[1], from_half((itg)((utg)v[0] >> 16)));
-            break;
-        case GP_A16B16G16R16F:
-            v[0] = load_words(texel);
-            v[1] = load_words(texel + sizeof(itg));
-            v[2] = itg_evens(v[0], v[1]);
-            v[3] = itg_odds(v[0], v[1]);
-            store_words(channel[0], from_half(v[2] & 0xffff));
-            store_words(channel[1], from_half((itg)((utg)v[2] >> 16)));
-            store_words(channel[2], from_half(v[3] & 0xffff));
-            store_words(channel[3], from_half((itg)((utg)v[3] >> 16)));
-            break;
-        case GP_R32F:
-            store_words(channel[0], load_words(texel));
-            break;
-        default: /* GP_A32B32G32R32F: r b r b ..., g a g a ... of each half, then r r ... */
-            for (int i = 0; i < 4; i++)
-                v[i] = load_words(texel + (size_t)i * sizeof(itg));
-            for (int odd = 0; odd < 2; odd++) {
-                itg low = odd ? itg_odds(v[0], v[1]) : itg_evens(v[0], v[1]);
-                itg high = odd ? itg_odds(v[2], v[3]) : itg_evens(v[2], v[3]);
-                store_words(channel[odd], itg_evens(low, high));
-                store_words(channel[odd + 2], itg_odds(low, high));
-            }
+    float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
+                                planes->channel[2] + at, planes->channel[3] + at };
+    itg v[4];
+    switch (format) {
+    case GP_A8R8G8B8:
+        store_words(planes->packed + at, load_words(texel));
+        break;
+    case GP_R8:
+        flt_store(channel[0], flt_from_itg(load_bytes(texel)) / 255.0f);
+        break;
+    case GP_G16R16F:
+        v[0] = load_words(texel);
+        store_words(channel[0], from_half(v[0] & 0xffff));
+        store_words(channel[1], from_half((itg)((utg)v[0] >> 16)));
+        break;
+    case GP_A16B16G16R16F:
+        v[0] = load_words(texel);
+        v[1] = load_words(texel + sizeof(itg));
+        v[2] = itg_evens(v[0], v[1]);
+        v[3] = itg_odds(v[0], v[1]);
+        store_words(channel[0], from_half(v[2] & 0xffff));
+        store_words(channel[1], from_half((itg)((utg)v[2] >> 16)));
+        store_words(channel[2], from_half(v[3] & 0xffff));
+        store_words(channel[3], from_half((itg)((utg)v[3] >> 16)));
+        break;
+    case GP_R32F:
+        store_words(channel[0], load_words(texel));
+        break;
+    default: /* GP_A32B32G32R32F: r b r b ..., g a g a ... of each half, then r r ... */
+        for (int i = 0; i < 4; i++)
+            v[i] = load_words(texel + (size_t)i * sizeof(itg));
+        for (int odd = 0; odd < 2; odd++) {
+            itg low = odd ? itg_odds(v[0], v[1]) : itg_evens(v[0], v[1]);
+            itg high = odd ? itg_odds(v[2], v[3]) : itg_evens(v[2], v[3]);
+            store_words(channel[odd], itg_evens(low, high));
+            store_words(channel[odd + 2], itg_odds(low, high));
         }
     }
 }
 
-static void store_whole(GpFormat format, uint8_t *to, int32_t count, const FastPlanes *planes,
-                        uint32_t at)
+GP_INLINE void load_depth(GpFormat format, const uint8_t *texel, FastDepthPlanes *planes,
+                          uint32_t at)
 {
-    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
-        uint8_t *texel = to + (size_t)x * gp_format_info(format)->bytes;
-        const float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
-                                          planes->channel[2] + at, planes->channel[3] + at };
-        itg rg, ba, low, high;
-        switch (format) {
-        case GP_A8R8G8B8:
-            store_words(texel, load_words(planes->packed + at));
-            break;
-        case GP_R8: /* nearest: the float is within 2^-24 of code / 255 */
-            store_bytes(texel, itg_from_flt(flt_load(channel[0]) * 255.0f + 0.5f));
-            break;
-        case GP_G16R16F:
-            rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
-            store_words(texel, rg);
-            break;
-        case GP_A16B16G16R16F:
-            rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
-            ba = to_half(load_words(channel[2])) | to_half(load_words(channel[3])) << 16;
-            store_words(texel, itg_zip_low(rg, ba));
-            store_words(texel + sizeof(itg), itg_zip_high(rg, ba));
-            break;
-        case GP_R32F:
-            store_words(texel, canonical(load_words(channel[0])));
-            break;
-        default: /* GP_A32B32G32R32F */
-            for (int half = 0; half < 2; half++) {
-                itg v[4];
-                for (int c = 0; c < 4; c++)
-                    v[c] = canonical(load_words(channel[c]));
-                low = half ? itg_zip_high(v[0], v[2]) : itg_zip_low(v[0], v[2]);
-                high = half ? itg_zip_high(v[1], v[3]) : itg_zip_low(v[1], v[3]);
-                store_words(texel + (size_t)(2 * half) * sizeof(itg), itg_zip_low(low, high));
-                store_words(texel + (size_t)(2 * half + 1) * sizeof(itg), itg_zip_high(low, high));
-            }
+    itg code = format == GP_D16 ? load_halves(texel) : load_words(texel);
+    if (format == GP_D24S8)
+        store_bytes(planes->stencil + at, code & 255);
+    store_words(planes->depth + at, format == GP_D24S8 ? (itg)((utg)code >> 8) : code);
+}
+
+GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *planes, uint32_t at,
+                           bool streams)
+{
+    const float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
+                                      planes->channel[2] + at, planes->channel[3] + at };
+    itg rg, ba, v[4];
+    switch (format) {
+    case GP_A8R8G8B8:
+        put_words(texel, load_words(planes->packed + at), streams);
+        break;
+    case GP_R8: /* nearest: the float is within 2^-24 of code / 255 */
+        store_bytes(texel, itg_from_flt(flt_load(channel[0]) * 255.0f + 0.5f));
+        break;
+    case GP_G16R16F:
+        rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
+        put_words(texel, rg, streams);
+        break;
+    case GP_A16B16G16R16F:
+        rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
+        ba = to_half(load_words(channel[2])) | to_half(load_words(channel[3])) << 16;
+        put_words(texel, itg_zip_low(rg, ba), streams);
+        put_words(texel + sizeof(itg), itg_zip_high(rg, ba), streams);
+        break;
+    case GP_R32F:
+        put_words(texel, canonical(load_words(channel[0])), streams);
+        break;
+    default: /* GP_A32B32G32R32F */
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            v[c] = canonical(load_words(channel[c]));
+        GP_UNROLL
+        for (int half = 0; half < 2; half++) {
+            itg low = half ? itg_zip_high(v[0], v[2]) : itg_zip_low(v[0], v[2]);
+            itg high = half ? itg_zip_high(v[1], v[3]) : itg_zip_low(v[1], v[3]);
+            uint8_t *to = texel + (size_t)(2 * half) * sizeof(itg);
+            put_words(to, itg_zip_low(low, high), streams);
+            put_words(to + sizeof(itg), itg_zip_high(low, high), streams);
         }
     }
+}
+
+GP_INLINE void store_depth(GpFormat format, uint8_t *texel, const FastDepthPlanes *planes,
+                           uint32_t at, bool streams)
+{
+    itg code = load_words(planes->depth + at);
+    if (format == GP_D24S8)
+        code = code << 8 | load_bytes(planes->stencil + at);
+    if (format == GP_D16)
+        store_halves(texel, code);
+    else
+        put_words(texel, code, streams);
+}
+
+/* --- the rows of a tile -------------------------------------------------------------------------- */
+
+/* The tile's part of a surface. */
+typedef struct Rows {
+    uint8_t *texels;
+    size_t pitch, bytes; /* from row to row, of a texel */
+    int32_t width, height;
+    bool streams; /* stores go past the caches */
+} Rows;
+
+static Rows rows_of(const Tile *tile, const GpSurface *surface)
+{
+    const GpLevel *level = &surface->level[0];
+    Rows rows = { .pitch = level->pitch, .width = tile->width, .height = tile->height };
+    rows.bytes = gp_format_info(surface->format)->bytes;
+    rows.texels = gp_surface_texel(level, rows.bytes, (uint32_t)tile->x0, (uint32_t)tile->y0);
+    rows.streams = fast_is_past_caches(surface) && level->pitch % sizeof(itg) == 0;
+    return rows;
+}
+
+GP_INLINE void load_texels(GpFormat format, const uint8_t *texel, void *planes, uint32_t at)
+{
+    if (format == GP_D16 || format == GP_D24S8 || format == GP_D32F)
+        load_depth(format, texel, planes, at);
+    else
+        load_color(format, texel, planes, at);
+}
+
+GP_INLINE void store_texels(GpFormat format, uint8_t *texel, const void *planes, uint32_t at,
+                            bool streams)
+{
+    if (format == GP_D16 || format == GP_D24S8 || format == GP_D32F)
+        store_depth(format, texel, planes, at, streams);
+    else
+        store_color(format, texel, planes, at, streams);
 }
 
 /* What is left of a row goes by way of a buffer that is wide enough for all lanes. */
 
-void FAST(load_colors)(GpFormat format, const uint8_t *texels, int32_t count, FastPlanes *planes,
-                       uint32_t at)
+void FAST(load_tile)(const Tile *tile, const GpSurface *surface, void *planes)
 {
-    const size_t bytes = gp_format_info(format)->bytes;
-    const int32_t whole = count / GP_LANES * GP_LANES;
-    load_whole(format, texels, whole, planes, at);
-    if (whole == count)
-        return;
-    uint8_t rest[GP_LANES * LARGEST_TEXEL] = { 0 };
-    memcpy(rest, texels + (size_t)whole * bytes, (size_t)(count - whole) * bytes);
-    load_whole(format, rest, GP_LANES, planes, at + (uint32_t)whole);
-}
-
-void FAST(store_colors)(GpFormat format, uint8_t *texels, int32_t count, const FastPlanes *planes,
-                        uint32_t at)
-{
-    const size_t bytes = gp_format_info(format)->bytes;
-    const int32_t whole = count / GP_LANES * GP_LANES;
-    store_whole(format, texels, whole, planes, at);
-    if (whole == count)
-        return;
-    uint8_t rest[GP_LANES * LARGEST_TEXEL];
-    store_whole(format, rest, GP_LANES, planes, at + (uint32_t)whole);
-    memcpy(texels + (size_t)whole * bytes, rest, (size_t)(count - whole) * bytes);
-}
-
-/* --- depth ----------------------------------------------------------------------------------------- */
-
-static void load_whole_depths(GpFormat format, const uint8_t *from, int32_t count,
-                              FastDepthPlanes *planes, uint32_t at)
-{
-    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
-        itg code = format == GP_D16 ? load_halves(from + 2 * x) : load_words(from + 4 * x);
-        if (format == GP_D24S8)
-            store_bytes(planes->stencil + at, code & 255);
-        store_words(planes->depth + at, format == GP_D24S8 ? (itg)((utg)code >> 8) : code);
+    const Rows rows = rows_of(tile, surface);
+    const int32_t whole = rows.width / GP_LANES * GP_LANES;
+    const size_t rest = (size_t)(rows.width - whole) * rows.bytes;
+    uint8_t buffer[GP_LANES * LARGEST_TEXEL] = { 0 };
+    for (int32_t y = 0; y < rows.height; y++) {
+        const uint8_t *from = rows.texels + (size_t)y * rows.pitch;
+        for (int32_t x = 0; x < whole; x += GP_LANES, from += GP_LANES * rows.bytes)
+            load_texels(surface->format, from, planes, fast_at(x, y));
+        if (!rest)
+            continue;
+        memcpy(buffer, from, rest);
+        load_texels(surface->format, buffer, planes, fast_at(whole, y));
     }
 }
 
-static void store_whole_depths(GpFormat format, uint8_t *to, int32_t count,
-                               const FastDepthPlanes *planes, uint32_t at)
+void FAST(store_tile)(const Tile *tile, const GpSurface *surface, const void *planes)
 {
-    for (int32_t x = 0; x < count; x += GP_LANES, at += GP_LANES) {
-        itg code = load_words(planes->depth + at);
-        if (format == GP_D24S8)
-            code = code << 8 | load_bytes(planes->stencil + at);
-        if (format == GP_D16)
-            store_halves(to + 2 * x, code);
-        else
-            store_words(to + 4 * x, code);
+    const Rows rows = rows_of(tile, surface);
+    const int32_t whole = rows.width / GP_LANES * GP_LANES;
+    const size_t rest = (size_t)(rows.width - whole) * rows.bytes;
+    uint8_t buffer[GP_LANES * LARGEST_TEXEL];
+    for (int32_t y = 0; y < rows.height; y++) {
+        uint8_t *to = rows.texels + (size_t)y * rows.pitch;
+        for (int32_t x = 0; x < whole; x += GP_LANES, to += GP_LANES * rows.bytes)
+            store_texels(surface->format, to, planes, fast_at(x, y), rows.streams);
+        if (!rest)
+            continue;
+        store_texels(surface->format, buffer, planes, fast_at(whole, y), false);
+        memcpy(to, buffer, rest);
     }
-}
-
-void FAST(load_depths)(GpFormat format, const uint8_t *texels, int32_t count,
-                       FastDepthPlanes *planes, uint32_t at)
-{
-    const size_t bytes = gp_format_info(format)->bytes;
-    const int32_t whole = count / GP_LANES * GP_LANES;
-    load_whole_depths(format, texels, whole, planes, at);
-    if (whole == count)
-        return;
-    uint8_t rest[GP_LANES * LARGEST_TEXEL] = { 0 };
-    memcpy(rest, texels + (size_t)whole * bytes, (size_t)(count - whole) * bytes);
-    load_whole_depths(format, rest, GP_LANES, planes, at + (uint32_t)whole);
-}
-
-void FAST(store_depths)(GpFormat format, uint8_t *texels, int32_t count,
-                        const FastDepthPlanes *planes, uint32_t at)
-{
-    const size_t bytes = gp_format_info(format)->bytes;
-    const int32_t whole = count / GP_LANES * GP_LANES;
-    store_whole_depths(format, texels, whole, planes, at);
-    if (whole == count)
-        return;
-    uint8_t rest[GP_LANES * LARGEST_TEXEL];
-    store_whole_depths(format, rest, GP_LANES, planes, at + (uint32_t)whole);
-    memcpy(texels + (size_t)whole * bytes, rest, (size_t)(count - whole) * bytes);
+    if (rows.streams)
+        lanes_stream_end();
 }

@@ -18,34 +18,6 @@ typedef struct Block {
     _Alignas(64) float size[PACKETS * GP_LANES];
 } Block;
 
-/* --- their numbers -------------------------------------------------------------------------------- */
-
-void FAST(vertex_range)(const GpGeometry *geometry, uint32_t *first, uint32_t *count)
-{
-    const uint32_t corners = geometry->primitive == GP_TRIANGLES ? 3 : 1;
-    const uint32_t used = gp_geometry_primitives(geometry) * corners;
-    if (!geometry->indices || used < GP_LANES) {
-        gp_vertex_range(geometry, first, count);
-        return;
-    }
-    itg low = itg_set(INT32_MAX), high = itg_set(INT32_MIN);
-    for (uint32_t i = 0; i < used; i += GP_LANES) {
-        uint32_t at = i < used - GP_LANES ? i : used - GP_LANES; /* the end is read twice */
-        itg number;
-        memcpy(&number, (const uint8_t *)(geometry->indices + at), sizeof number);
-        number ^= INT32_MIN; /* the order of unsigned numbers as that of signed ones */
-        low = itg_lesser(low, number);
-        high = itg_greater(high, number);
-    }
-    int32_t least = low[0], most = high[0];
-    for (int lane = 1; lane < GP_LANES; lane++) {
-        least = low[lane] < least ? low[lane] : least;
-        most = high[lane] > most ? high[lane] : most;
-    }
-    *first = (uint32_t)least ^ 0x80000000u;
-    *count = (uint32_t)most - (uint32_t)least + 1;
-}
-
 /* --- inputs -------------------------------------------------------------------------------------- */
 
 /* Four floats of a packet's vertices, whether the stream has as many or not: what lies behind a
