@@ -80,6 +80,7 @@ IO      := $(call object,$(filter-out \
 SHADERS := $(call object,$(wildcard shaders_c/*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(wildcard apps/*.c)))
 SUPPORT := $(call object,$(wildcard tests/support/*.c))
+TRUTH   := $(call object,$(wildcard tests/truth/*.c))
 TEST_SHADERS := $(call object,$(wildcard tests/shaders/*.c))
 GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
 DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
@@ -91,6 +92,7 @@ IO_A    := $(BUILD)/lib/libglasspipe_io.a
 APPS_A  := $(BUILD)/obj/apps.a
 SHADERS_A := $(BUILD)/obj/shaders.a
 SUPPORT_A := $(BUILD)/obj/support.a
+TRUTH_A   := $(BUILD)/obj/truth.a
 
 # Test programs, by their source's name. The golden frames need nothing but the core and the
 # shaders, so that they can be drawn on a processor that has no libraries.
@@ -191,6 +193,8 @@ $(SHADERS_A): $(SHADERS)
 	$(archive)
 $(SUPPORT_A): $(SUPPORT) $(TEST_SHADERS)
 	$(archive)
+$(TRUTH_A): $(TRUTH)
+	$(archive)
 
 $(CORE_SO): $(CORE)
 	@mkdir -p $(@D)
@@ -213,8 +217,8 @@ run: all
 # --- tests
 
 define test_program
-$(BUILD)/test/$(basename $(notdir $(1))): $(call object,$(1)) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) \
-                                          $(IO_A) $(CORE_A)
+$(BUILD)/test/$(basename $(notdir $(1))): $(call object,$(1)) $(SUPPORT_A) $(APPS_A) $(TRUTH_A) \
+                                          $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $$(@D)
 	$$(call say,LINK,$$@)$$(LINK) $$^ -lcmocka $$(LIBS) -o $$@
 endef
@@ -362,7 +366,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+OBJECTS := $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(TRUTH) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d)

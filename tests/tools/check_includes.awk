@@ -94,10 +94,14 @@ function check_project(from, to)
         if (to != allowed && to != own)
             complain("a shader includes its own header and " allowed ", not " to)
     } else if (area(from) == "apps") {
-        if (area(to) == "tests" || (area(to) == "pipeline" && known(unit_name(to)) !~ /^[0124]$/))
-            complain("apps include glasspipe.h, io, shaders_c, not " to)
+        if ((area(to) == "tests" && to !~ /^tests\/truth\//) || \
+            (area(to) == "pipeline" && known(unit_name(to)) !~ /^[0124]$/))
+            complain("apps include glasspipe.h, io, shaders_c, tests/truth, not " to)
         if (from ~ /\/tech_/ && area(to) == "io")
             complain("a technique reads no files: " to)
+    } else if (from ~ /^tests\/truth\//) {
+        if (to !~ /^tests\/truth\/|^apps\/camera\.h$|^pipeline\/(base|pool)\.h$/)
+            complain("the truth shares no arithmetic with what it judges: " to)
     }
 }
 

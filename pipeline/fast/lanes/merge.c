@@ -201,8 +201,8 @@ GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge
             blend_lanes(blend, &o, result);
         }
         GP_UNROLL
-        for (int c = 0; c < channels; c++)
-            if (!(blend->keep >> c & 1))
+        for (int c = 0; c < 4; c++)
+            if (c < channels && !(blend->keep >> c & 1))
                 store_pixels(m, p, m->planes->channel[c], (itg)through(format, result[c]));
     }
 }
