@@ -105,7 +105,7 @@ GP_INLINE flt clamped(flt v)
 
 /* --- targets ------------------------------------------------------------------------------------- */
 
-/* A block's shaded patches on their way into one target. */
+/* Shaded patches on their way into one target. Whole ones are rows with all lanes alive. */
 typedef struct Merge {
     const FastPatch *patches;
     const FastMix *mixes; /* of the same numbers */
@@ -117,17 +117,25 @@ typedef struct Merge {
     FastPlanes *planes;
 } Merge;
 
-GP_INLINE itg load_pixels(const Merge *m, int p, const void *plane)
+GP_INLINE itg load_pixels(const Merge *m, bool whole, int p, const void *plane)
 {
-    if (m->patches[p].mixed)
+    const FastPatch *patch = &m->patches[p];
+    if (whole)
+        return load_lanes((const uint32_t *)plane + fast_at(patch->x, patch->y), false);
+    if (patch->mixed)
         return itg_gather(plane, m->mixes[p].at * 4);
-    return load_patch(plane, &m->patches[p]);
+    return load_patch(plane, patch);
 }
 
-GP_INLINE void store_pixels(const Merge *m, int p, void *plane, itg words)
+GP_INLINE void store_pixels(const Merge *m, bool whole, int p, void *plane, itg words)
 {
-    if (!m->patches[p].mixed) {
-        store_patch(plane, &m->patches[p], m->live[p], words);
+    const FastPatch *patch = &m->patches[p];
+    if (whole) {
+        store_lanes((uint32_t *)plane + fast_at(patch->x, patch->y), false, words);
+        return;
+    }
+    if (!patch->mixed) {
+        store_patch(plane, patch, m->live[p], words);
         return;
     }
     const itg *at = &m->mixes[p].at;
@@ -147,7 +155,7 @@ GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
     return !msk_any((msk)(bits != 0));
 }
 
-GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
+GP_INLINE void merge_words(const GpBlend *blend, const Merge *m, bool whole)
 {
     static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
     uint32_t kept = 0;
@@ -161,7 +169,7 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
             continue;
         itg before = itg_set(0);
         if (blend->op != GP_BLEND_OFF || kept)
-            before = load_pixels(m, p, m->planes->packed);
+            before = load_pixels(m, whole, p, m->planes->packed);
         itg word;
         if (blend->op != GP_BLEND_OFF) {
             flt result[4];
@@ -175,12 +183,12 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *m)
             word = word_of_any(color);
         if (kept)
             word = (word & (int32_t)~kept) | (before & (int32_t)kept);
-        store_pixels(m, p, m->planes->packed, word);
+        store_pixels(m, whole, p, m->planes->packed, word);
     }
 }
 
 /* Formats other than A8R8G8B8. */
-GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *m)
+GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
 {
     const bool is_float = format != GP_R8;
     const int channels = format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
@@ -195,15 +203,15 @@ GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge
             GP_UNROLL
             for (int c = 0; c < 4; c++) {
                 o.source[c] = is_float ? color[c] : clamped(color[c]);
-                o.target[c] =
-                    c < channels ? (flt)load_pixels(m, p, m->planes->channel[c]) : flt_set(1);
+                o.target[c] = c < channels ? (flt)load_pixels(m, whole, p, m->planes->channel[c])
+                                           : flt_set(1);
             }
             blend_lanes(blend, &o, result);
         }
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             if (c < channels && !(blend->keep >> c & 1))
-                store_pixels(m, p, m->planes->channel[c], (itg)through(format, result[c]));
+                store_pixels(m, whole, p, m->planes->channel[c], (itg)through(format, result[c]));
     }
 }
 
@@ -220,18 +228,55 @@ static bool is_blend(const GpBlend *blend, const GpBlend *known)
 }
 
 /* The same code for any blend, and for each of those that are common. */
-static void merge_words_by(const GpBlend *blend, const Merge *m)
+GP_INLINE void merge_words_by(const GpBlend *blend, const Merge *m, bool whole)
 {
     if (is_blend(blend, &replace))
-        merge_words(&replace, m);
+        merge_words(&replace, m, whole);
     else if (is_blend(blend, &add))
-        merge_words(&add, m);
+        merge_words(&add, m, whole);
     else if (is_blend(blend, &over))
-        merge_words(&over, m);
+        merge_words(&over, m, whole);
     else if (is_blend(blend, &under))
-        merge_words(&under, m);
+        merge_words(&under, m, whole);
     else
-        merge_words(blend, m);
+        merge_words(blend, m, whole);
+}
+
+GP_INLINE void merge_channels_by(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+{
+    if (format == GP_A16B16G16R16F && is_blend(blend, &add))
+        merge_channels(&add, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A16B16G16R16F && is_blend(blend, &under))
+        merge_channels(&under, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A32B32G32R32F && is_blend(blend, &add))
+        merge_channels(&add, GP_A32B32G32R32F, m, whole);
+    else
+        merge_channels(blend, format, m, whole);
+}
+
+GP_INLINE void merge_by(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+{
+    if (format == GP_A8R8G8B8)
+        merge_words_by(blend, m, whole);
+    else
+        merge_channels_by(blend, format, m, whole);
+}
+
+/* The same code for any patches, and for whole ones, which need neither masks nor shapes. */
+static void merge_target(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+{
+    if (whole)
+        merge_by(blend, format, m, true);
+    else
+        merge_by(blend, format, m, false);
+}
+
+static bool are_whole(const FastPatch *patches, const unsigned *live, int count)
+{
+    for (int p = 0; p < count; p++)
+        if (patches[p].wide != GP_LANES || live[p] != ALL_LANES || patches[p].mixed)
+            return false;
+    return true;
 }
 
 void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches,
@@ -239,6 +284,7 @@ void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches
 {
     const GpState *state = &d->draw->state;
     const int written = gp_program_targets(d->draw->program);
+    const bool whole = are_whole(patches, live, count);
     Merge m = { .patches = patches,
                 .mixes = tile->mixes,
                 .live = live,
@@ -252,15 +298,6 @@ void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches
             float k = state->blend_constant[c];
             m.constant[c] = gp_format_info(format)->is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
         }
-        if (format == GP_A8R8G8B8)
-            merge_words_by(&state->blend[t], &m);
-        else if (format == GP_A16B16G16R16F && is_blend(&state->blend[t], &add))
-            merge_channels(&add, GP_A16B16G16R16F, &m);
-        else if (format == GP_A16B16G16R16F && is_blend(&state->blend[t], &under))
-            merge_channels(&under, GP_A16B16G16R16F, &m);
-        else if (format == GP_A32B32G32R32F && is_blend(&state->blend[t], &add))
-            merge_channels(&add, GP_A32B32G32R32F, &m);
-        else
-            merge_channels(&state->blend[t], format, &m);
+        merge_target(&state->blend[t], format, &m, whole);
     }
 }
