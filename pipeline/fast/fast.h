@@ -20,11 +20,15 @@
  *
  * Inside a tile triangles are set up GP_LANES at a time (lanes/batch.c): tiny ones are filled pixel by
  * pixel (lanes/fill_tiny.c), small ones two rows of quads at a time (lanes/fill_small.c), large ones
- * row by row (lanes/fill_large.c); point sprites have a short way of their own (lanes/sprite.c). Where nothing looks at the colour that was there
- * before, a fragment that passes its tests only leaves the number of its triangle (a *record*); what
- * is still seen at the end is shaded once, in packets of pixels from any triangles (lanes/seen.c). Where
- * it does look, because it blends, discards or brings its own depth, fragments are queued in order and
- * shaded a block of patches at a time (lanes/patch.c).
+ * row by row (lanes/fill_large.c); point sprites have a short way of their own (lanes/sprite.c).
+ *
+ * Where nothing looks at the colour that was there before, a fragment that passes its tests only
+ * leaves the number of its triangle (a *record*). What is still seen at the end is shaded once: rows
+ * of one triangle as patches, all else as mixes of pixels of any triangles (lanes/seen.c, lanes/mix.c,
+ * lanes/write.c). Where it does look, because it blends, discards or brings its own depth, fragments
+ * are queued in order and shaded a block of patches at a time (lanes/patch.c), loose pixels of small
+ * triangles side by side (lanes/loose.c).
+ *
  * lanes/depth.c and lanes/merge.c are the output end, lanes/sample.c the texture unit.
  *
  * Every value is a function of per-triangle constants and the pixel's position, in the operations
