@@ -4,6 +4,7 @@
 
 #include <pthread.h>
 #include <stdatomic.h>
+#include <unistd.h>
 
 typedef struct Worker {
     GpPool *pool;
@@ -11,12 +12,14 @@ typedef struct Worker {
     pthread_t thread;
 } Worker;
 
-/* Looks at a word that is about to change before a thread sleeps: some ten microseconds, about what
- * waking it again takes. The phases of a frame follow each other faster than that. */
-enum { LOOKS = 400 };
+/* Looks at a word that is about to change before a thread sleeps. The phases of a frame follow each
+ * other within the tenth of a millisecond that the longer wait takes; waking a thread takes as long.
+ * Where threads are more than processors, whoever looks is in the way of one that works. */
+enum { LOOKS = 4000, LOOKS_IF_CROWDED = 200 };
 
 struct GpPool {
     int threads;
+    int looks; /* of a worker, before it sleeps */
     Worker *workers; /* number 0 has no thread of its own */
     pthread_mutex_t mutex;
     pthread_cond_t work_came, work_done;
@@ -59,7 +62,7 @@ static void *work(void *argument)
     GpPool *pool = worker->pool;
     unsigned seen = 0;
     for (;;) {
-        for (int look = 0; look < LOOKS && atomic_load(&pool->called) == seen; look++)
+        for (int look = 0; look < pool->looks && atomic_load(&pool->called) == seen; look++)
             pause_briefly();
         pthread_mutex_lock(&pool->mutex);
         while (pool->round == seen && !pool->stop)
@@ -108,6 +111,7 @@ GpResult gp_pool_create(int threads, GpPool **pool, GpError *error)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %d threads", threads);
     }
     p->threads = threads;
+    p->looks = threads <= sysconf(_SC_NPROCESSORS_ONLN) ? LOOKS : LOOKS_IF_CROWDED;
     p->workers = workers;
     pthread_mutex_init(&p->mutex, NULL);
     pthread_cond_init(&p->work_came, NULL);
@@ -151,7 +155,7 @@ static void close_round(GpPool *pool)
     pthread_mutex_lock(&pool->mutex);
     pool->open = false;
     pthread_mutex_unlock(&pool->mutex);
-    for (int look = 0; look < LOOKS && atomic_load(&pool->inside); look++)
+    for (int look = 0; look < pool->looks && atomic_load(&pool->inside); look++)
         pause_briefly();
     if (!atomic_load(&pool->inside))
         return;
