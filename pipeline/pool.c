@@ -19,7 +19,7 @@ enum { LOOKS = 4000, LOOKS_IF_CROWDED = 200 };
 
 struct GpPool {
     int threads;
-    int looks; /* of a worker, before it sleeps */
+    int looks;       /* of a worker, before it sleeps */
     Worker *workers; /* number 0 has no thread of its own */
     pthread_mutex_t mutex;
     pthread_cond_t work_came, work_done;
