@@ -118,7 +118,7 @@ typedef struct FastHits {
 #define FAST_CUT_FLAG 0x80000000u
 
 /* Some groups of one tile; chunks of a tile are linked in order. */
-enum { FAST_CHUNK = 7 }; /* fills 64 bytes */
+enum { FAST_CHUNK = 15 }; /* fills 128 bytes, with what comes before them */
 typedef struct FastChunk {
     uint32_t count;
     uint32_t next; /* chunk number, 0: the last */
