@@ -201,6 +201,15 @@ GP_INLINE unsigned msk_bits(msk mask)
 #endif
 }
 
+/* The mask whose bits msk_bits would give. */
+GP_INLINE msk mask_of(unsigned bits)
+{
+    itg bit;
+    for (int lane = 0; lane < GP_LANES; lane++)
+        bit[lane] = 1 << lane;
+    return (msk)((itg_set((int32_t)bits) & bit) != 0);
+}
+
 /* --- fours of lanes -------------------------------------------------------------------------------- */
 
 /* The same shuffle in every four lanes: indices 0..3 take from a, 4..7 from b. */
@@ -500,8 +509,7 @@ GP_INLINE itg itg_pack_unorm8(const flt v[4])
 }
 
 /* Byte i of each word as code / 255, correctly rounded (R23). Written to base 256 the quotient is
- * 0.ccc...; the first bit that 24 cannot hold is c's own leading one, so it is always rounded up. The
- * twin's two parts of 1/255 are exact to twice a float's precision, which serves all 256 codes. */
+ * 0.ccc...; the first bit that 24 cannot hold is c's own leading one, so it is always rounded up. */
 GP_INLINE flt flt_unpack_unorm8(itg word, int i)
 {
 #ifdef GP_AVX512_LANES
@@ -511,8 +519,7 @@ GP_INLINE flt flt_unpack_unorm8(itg word, int i)
     __m512i cccc = _mm512_shuffle_epi8((__m512i)word, _mm512_broadcast_i32x4(repeated));
     return (flt)_mm512_cvt_roundepu32_ps(cccc, UP) * 0x1p-32f;
 #else
-    flt code = flt_from_itg((itg)((utg)word >> 8 * i & 255));
-    return code * 0x1.01p-8f + code * 0x1.01010102p-24f;
+    return flt_from_unorm8((itg)((utg)word >> 8 * i & 255));
 #endif
 }
 
@@ -590,15 +597,11 @@ GP_INLINE void piece_add(float *to, const float *from, unsigned live, bool halve
         sum = _mm256_mask_cvtph_ps(before, lanes, _mm256_maskz_cvtps_ph(0xff, sum, NEAREST));
     _mm256_storeu_ps(to, sum);
 #else
-    itg bit;
-    GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++)
-        bit[lane] = 1 << lane;
     const flt before = flt_load(to);
     flt sum = before + flt_load(from);
     if (halves)
         sum = flt_through_half(sum);
-    flt_store(to, flt_select((msk)((itg_set((int32_t)live) & bit) != 0), sum, before));
+    flt_store(to, flt_select(mask_of(live), sum, before));
 #endif
 }
 

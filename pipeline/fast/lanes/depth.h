@@ -17,18 +17,24 @@ GP_INLINE itg depth_codes(GpFormat format, flt z)
     return __builtin_convertvector(__builtin_convertvector(safe, dbl) * scale + 0.5, itg);
 }
 
-/* Codes are below 2^31, so signed comparison is right. */
-GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
+/* Lanes in which a test accepts how two numbers compare. */
+GP_INLINE msk accepted_lanes(GpCompare test, msk less, msk equal, msk greater)
 {
-    msk less = (msk)(a < b), equal = (msk)(a == b);
     msk accepted = itg_set(0);
     if (gp_compare_accepts(test, GP_IS_LESS))
         accepted |= less;
     if (gp_compare_accepts(test, GP_IS_EQUAL))
         accepted |= equal;
     if (gp_compare_accepts(test, GP_IS_GREATER))
-        accepted |= ~(less | equal);
+        accepted |= greater;
     return accepted;
+}
+
+/* Codes are below 2^31, so signed comparison is right. */
+GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
+{
+    msk less = (msk)(a < b), equal = (msk)(a == b);
+    return accepted_lanes(test, less, equal, ~(less | equal));
 }
 
 /* Any depth and stencil state, on the lanes of a row or of quads from one place of the tile on.

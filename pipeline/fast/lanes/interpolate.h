@@ -9,24 +9,20 @@ typedef struct Shares {
     flt screen[2], perspective[2];
 } Shares;
 
-GP_INLINE Shares shares_of(flt edge1, flt edge2, flt inverse_area, flt ratio1, flt ratio2)
+/* Perspective-correct shares from those on the screen; ratios: 1/w of corners 1 and 2 over that of 0. */
+GP_INLINE void correct_shares(flt share1, flt share2, flt ratio1, flt ratio2, flt perspective[2])
 {
-    Shares s;
-    s.screen[0] = edge1 * inverse_area;
-    s.screen[1] = edge2 * inverse_area;
-    flt rw = 1.0f + (s.screen[0] * (ratio1 - 1.0f) + s.screen[1] * (ratio2 - 1.0f));
+    flt rw = 1.0f + (share1 * (ratio1 - 1.0f) + share2 * (ratio2 - 1.0f));
     flt w = 1.0f / rw;
-    s.perspective[0] = s.screen[0] * ratio1 * w;
-    s.perspective[1] = s.screen[1] * ratio2 * w;
-    return s;
+    perspective[0] = share1 * ratio1 * w;
+    perspective[1] = share2 * ratio2 * w;
 }
 
-GP_INLINE flt blend_corners(GpInterpolation mode, const Shares *shares, flt v0, flt v1, flt v2)
+GP_INLINE Shares shares_of(flt edge1, flt edge2, flt inverse_area, flt ratio1, flt ratio2)
 {
-    if (mode == GP_FLAT)
-        return v0;
-    const flt *s = mode == GP_LINEAR_SCREEN ? shares->screen : shares->perspective;
-    return v0 + (s[0] * (v1 - v0) + s[1] * (v2 - v0));
+    Shares s = { .screen = { edge1 * inverse_area, edge2 * inverse_area } };
+    correct_shares(s.screen[0], s.screen[1], ratio1, ratio2, s.perspective);
+    return s;
 }
 
 #endif

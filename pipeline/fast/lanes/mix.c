@@ -143,7 +143,7 @@ static Shares mixed_shares(const Tile *tile, const FastMix *mix, const Spread *s
                      spread_flt(runs->ratio1, spread), spread_flt(runs->ratio2, spread));
 }
 
-/* As blend_corners, whose differences are at hand. */
+/* v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
 static void interpolate_triangles(const Tile *tile, const FastDraw *d, const FastMix *mix,
                                   const Spread *spread, flt *in)
 {

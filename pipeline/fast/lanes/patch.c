@@ -92,10 +92,10 @@ static void perspective_shares(const FastRecord *r, int count, RunShares *shares
 {
     const flt ratio1 = flt_set(r->ratio1), ratio2 = flt_set(r->ratio2);
     for (int p = 0; p < count; p++) {
-        flt l1 = shares->screen[0][p], l2 = shares->screen[1][p];
-        flt w = 1.0f / (1.0f + (l1 * (ratio1 - 1.0f) + l2 * (ratio2 - 1.0f)));
-        shares->perspective[0][p] = l1 * ratio1 * w;
-        shares->perspective[1][p] = l2 * ratio2 * w;
+        flt both[2];
+        correct_shares(shares->screen[0][p], shares->screen[1][p], ratio1, ratio2, both);
+        shares->perspective[0][p] = both[0];
+        shares->perspective[1][p] = both[1];
     }
 }
 
@@ -227,13 +227,7 @@ static void place_patches(Tile *tile, const GpProgram *program, const FastPatch 
 static msk compare_lanes(GpCompare test, flt a, float b)
 {
     msk less = (msk)(a < b), equal = (msk)(a == b), greater = (msk)(a > b);
-    msk accepted = itg_set(0);
-    if (gp_compare_accepts(test, GP_IS_LESS))
-        accepted |= less;
-    if (gp_compare_accepts(test, GP_IS_EQUAL))
-        accepted |= equal;
-    if (gp_compare_accepts(test, GP_IS_GREATER))
-        accepted |= greater;
+    msk accepted = accepted_lanes(test, less, equal, greater);
     if (gp_compare_accepts(test, GP_IS_UNORDERED))
         accepted |= ~(less | equal | greater);
     return accepted;

@@ -21,17 +21,16 @@ GP_INLINE itg lane_row(int32_t wide)
 /* Of each lane, from the patch's first pixel; `wide` as in FastPatch. Most are whole rows. */
 GP_INLINE itg patch_columns(int32_t wide)
 {
-    itg lane = lane_numbers();
-    if (wide == GP_LANES)
-        return lane;
-    return wide ? lane - lane_row(wide) * wide : (lane >> 2 << 1) + (lane & 1);
+    if (!wide || wide == GP_LANES)
+        return lane_columns(!wide);
+    return lane_numbers() - lane_row(wide) * wide;
 }
 
 GP_INLINE itg patch_rows(int32_t wide)
 {
-    if (wide == GP_LANES)
-        return itg_set(0);
-    return wide ? lane_row(wide) : lane_numbers() >> 1 & 1;
+    if (!wide || wide == GP_LANES)
+        return lane_rows(!wide);
+    return lane_row(wide);
 }
 
 GP_INLINE itg patch_x(const FastPatch *patch)

@@ -203,15 +203,6 @@ GP_INLINE itg lane_numbers(void)
     return numbers;
 }
 
-/* The mask whose bits msk_bits would give. */
-GP_INLINE msk mask_of(unsigned bits)
-{
-    itg bit;
-    for (int lane = 0; lane < GP_LANES; lane++)
-        bit[lane] = 1 << lane;
-    return (msk)((itg_set((int32_t)bits) & bit) != 0);
-}
-
 /* a * b - c * d modulo 2^32: right wherever it fits, which is all that is asked; lanes whose triangle
  * is too large for it are found by its size and taken alone. */
 GP_INLINE itg cross_lanes(itg a, itg b, itg c, itg d)

@@ -43,13 +43,6 @@ GP_INLINE void store_halves(void *to, itg words)
     memcpy(to, &halves, sizeof halves);
 }
 
-GP_INLINE itg load_bytes(const void *from)
-{
-    byte_lanes bytes;
-    memcpy(&bytes, from, sizeof bytes);
-    return __builtin_convertvector(bytes, itg);
-}
-
 GP_INLINE void store_bytes(void *to, itg words)
 {
     byte_lanes bytes = __builtin_convertvector(words, byte_lanes);
@@ -97,7 +90,7 @@ GP_INLINE void load_color(GpFormat format, const uint8_t *texel, FastPlanes *pla
         store_words(planes->packed + at, load_words(texel));
         break;
     case GP_R8:
-        flt_store(channel[0], flt_from_itg(load_bytes(texel)) / 255.0f);
+        flt_store(channel[0], flt_from_unorm8(itg_load_bytes(texel)));
         break;
     case GP_G16R16F:
         v[0] = load_words(texel);
@@ -184,7 +177,7 @@ GP_INLINE void store_depth(GpFormat format, uint8_t *texel, const FastDepthPlane
 {
     itg code = load_words(planes->depth + at);
     if (format == GP_D24S8)
-        code = code << 8 | load_bytes(planes->stencil + at);
+        code = code << 8 | itg_load_bytes(planes->stencil + at);
     if (format == GP_D16)
         store_halves(texel, code);
     else
