@@ -311,6 +311,36 @@ GP_INLINE void lanes_load4(const void *const record[GP_LANES], itg word[4])
     lanes_transpose4(row, word);
 }
 
+/* The same for eight words. */
+GP_INLINE void lanes_load8(const void *const record[GP_LANES], itg word[8])
+{
+#if defined GP_X86_LANES && GP_LANES == 16 && defined __AVX512F__
+    itg row[8]; /* two whole records each: 0 and 4, 1 and 5, ... 8 and 12, 9 and 13, ... */
+    GP_UNROLL
+    for (int k = 0; k < 8; k++) {
+        const int first = k < 4 ? k : k + 4;
+        __m512i low = _mm512_castsi256_si512(_mm256_loadu_si256(record[first]));
+        row[k] = (itg)_mm512_inserti64x4(low, _mm256_loadu_si256(record[first + 4]), 1);
+    }
+    itg block[8]; /* words 0..3 and 4..7 of four records, and then of the next four */
+    lanes_transpose4(row, block);
+    lanes_transpose4(row + 4, block + 4);
+    GP_UNROLL
+    for (int i = 0; i < 4; i++) {
+        __m512i low = (__m512i)block[i], high = (__m512i)block[4 + i];
+        word[i] = (itg)_mm512_shuffle_i32x4(low, high, _MM_SHUFFLE(2, 0, 2, 0));
+        word[4 + i] = (itg)_mm512_shuffle_i32x4(low, high, _MM_SHUFFLE(3, 1, 3, 1));
+    }
+#else
+    const void *upper[GP_LANES];
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        upper[lane] = (const uint8_t *)record[lane] + 16;
+    lanes_load4(record, word);
+    lanes_load4(upper, word + 4);
+#endif
+}
+
 /* The way back: the record of each lane, `stride` bytes after that of the lane before. */
 GP_INLINE void lanes_store4(void *record, size_t stride, const itg word[4])
 {
@@ -521,6 +551,12 @@ GP_INLINE flt flt_unpack_unorm8(itg word, int i)
 #else
     return flt_from_unorm8((itg)((utg)word >> 8 * i & 255));
 #endif
+}
+
+/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. */
+GP_INLINE flt flt_through_unorm8(flt v)
+{
+    return flt_from_unorm8(itg_unorm8(v));
 }
 
 /* The value that a store and a load of a half leave (R27); of a NaN its upper bits, quiet. */

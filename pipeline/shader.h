@@ -18,6 +18,10 @@
  * allocation, no branches on lane values (select instead). Loops have constant bounds, and may be left
  * where no lane changes any more: while (.. && any(mask)).
  *
+ * #define GP_SHADER_PAIRS before the include where pixel shaders are long chains of arithmetic, each
+ * step waiting for the one before: two packets then go through side by side. It changes no bit, costs
+ * registers, and gains nothing across texture reads.
+ *
  * #define GP_SHADER_SW before the include for the software profiles, in which rcp(0) and rsq(0) are
  * infinite instead of the largest float.
  */
@@ -244,9 +248,10 @@ GP_INLINE flt gp_saturate_lanes(flt a)
 {
     return flt_lesser(flt_greater(a, flt_set(0)), flt_set(1)); /* NaN to 0 */
 }
+/* Of the bits, so that choosing between a and -a becomes choosing a sign. */
 GP_INLINE flt gp_negate_lanes(flt a)
 {
-    return -a;
+    return (flt)((itg)a ^ INT32_MIN);
 }
 
 GP_MAP2(gp_add, gp_add_lanes)
@@ -336,9 +341,9 @@ GP_INLINE flt rcp(flt a)
 {
     return math_rcp(a);
 }
-GP_INLINE flt rsq(flt a)
+GP_INLINE flt gp_rsq_lanes(flt a)
 {
-    return math_rsq(flt_abs(a));
+    return math_rsq(a);
 }
 #else
 #define GP_LARGEST 3.40282346638528859812e+38f
@@ -346,11 +351,15 @@ GP_INLINE flt rcp(flt a)
 {
     return math_between(math_rcp(a), -GP_LARGEST, GP_LARGEST);
 }
-GP_INLINE flt rsq(flt a)
+GP_INLINE flt gp_rsq_lanes(flt a)
 {
-    return flt_lesser(flt_set(GP_LARGEST), math_rsq(flt_abs(a))); /* NaN passes */
+    return flt_lesser(flt_set(GP_LARGEST), math_rsq(a)); /* NaN passes */
 }
 #endif
+GP_INLINE flt rsq(flt a)
+{
+    return gp_rsq_lanes(flt_abs(a));
+}
 
 GP_INLINE flt exp_(flt a) /* 2^a */
 {
@@ -385,17 +394,18 @@ GP_INLINE flt sgn(flt a) /* -1, 0, 1; NaN gives 0 */
     return flt_select(a > 0.0f, flt_set(1), flt_select(a < 0.0f, flt_set(-1), flt_set(0)));
 }
 
+/* A sum of squares has no sign to take away: NaN's means nothing. */
 GP_INLINE float2 gp_nrm2(float2 v)
 {
-    return mul(v, rsq(dp2(v, v)));
+    return mul(v, gp_rsq_lanes(dp2(v, v)));
 }
 GP_INLINE float3 gp_nrm3(float3 v)
 {
-    return mul(v, rsq(dp3(v, v)));
+    return mul(v, gp_rsq_lanes(dp3(v, v)));
 }
 GP_INLINE float4 gp_nrm4(float4 v) /* by the length of xyz; w is scaled too */
 {
-    return mul(v, rsq(v.x * v.x + v.y * v.y + v.z * v.z));
+    return mul(v, gp_rsq_lanes(v.x * v.x + v.y * v.y + v.z * v.z));
 }
 #define nrm(v)             _Generic((v), float2 : gp_nrm2, float3 : gp_nrm3, float4 : gp_nrm4)(v)
 
@@ -600,6 +610,36 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
                                __attribute__((unused)) OUT *out,                                   \
                                __attribute__((unused)) flt *point_size)
 
+GP_INLINE void gp_end_packet(const GpInvocation *gp)
+{
+    if (gp->call->depth)
+        ((flt *)(void *)gp->call->depth)[gp->packet] = gp->depth;
+    if (gp->call->killed)
+        ((msk *)(void *)gp->call->killed)[gp->packet] = gp->killed;
+}
+
+#ifndef GP_SHADER_PAIRS
+#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+    for (int k = 0; k < call->packets; k++) {                                                      \
+        GpInvocation invocation = { .call = call, .packet = k };                                   \
+        name##_body(&invocation, (const U *)call->uniforms, in + k, out + k);                      \
+        gp_end_packet(&invocation);                                                                \
+    }
+#else
+#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+    for (int k = 0; k < call->packets; k += 2) {                                                   \
+        const int l = k + 1 < call->packets ? k + 1 : k; /* the odd last one, once more */         \
+        GpInvocation left = { .call = call, .packet = k }, right = { .call = call, .packet = l };  \
+        OUT left_out, right_out;                                                                   \
+        name##_body(&left, (const U *)call->uniforms, in + k, &left_out);                          \
+        name##_body(&right, (const U *)call->uniforms, in + l, &right_out);                        \
+        out[k] = left_out;                                                                         \
+        out[l] = right_out;                                                                        \
+        gp_end_packet(&left);                                                                      \
+        gp_end_packet(&right);                                                                     \
+    }
+#endif
+
 #define pixel_shader_targets(name, U, IN, OUT)                                                     \
     enum {                                                                                         \
         name##_in = sizeof(IN) / sizeof(flt),                                                      \
@@ -611,14 +651,7 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
     {                                                                                              \
         const IN *in = (const IN *)(const void *)call->in;                                         \
         OUT *out = (OUT *)(void *)call->color;                                                     \
-        for (int k = 0; k < call->packets; k++) {                                                  \
-            GpInvocation invocation = { .call = call, .packet = k };                               \
-            name##_body(&invocation, (const U *)call->uniforms, in + k, out + k);                  \
-            if (call->depth)                                                                       \
-                ((flt *)(void *)call->depth)[k] = invocation.depth;                                \
-            if (call->killed)                                                                      \
-                ((msk *)(void *)call->killed)[k] = invocation.killed;                              \
-        }                                                                                          \
+        GP_PIXEL_PACKETS(name, U, OUT)                                                             \
     }                                                                                              \
     GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \
                                __attribute__((unused)) const U *c,                                 \

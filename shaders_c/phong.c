@@ -1,5 +1,6 @@
 /* Blinn-Phong lighting per pixel: Blinn, "Models of light reflection for computer synthesized
  * pictures", SIGGRAPH 1977. */
+#define GP_SHADER_PAIRS /* three square roots, one after the other, and a power */
 #include "pipeline/shader.h"
 #include "shaders_c/phong.h"
 

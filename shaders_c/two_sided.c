@@ -3,6 +3,7 @@
  * maps are Williams', "Casting curved shadows on curved surfaces", SIGGRAPH 1978; comparing before
  * filtering is Reeves, Salesin and Cook's, "Rendering antialiased shadows with depth maps",
  * SIGGRAPH 1987. */
+#define GP_SHADER_PAIRS /* three square roots, one after the other, and a power */
 #include "pipeline/shader.h"
 #include "shaders_c/two_sided.h"
 

@@ -19,15 +19,19 @@
  * targets, and the group goes on from there.
  *
  * Inside a tile triangles are set up GP_LANES at a time (lanes/batch.c): tiny ones are filled pixel by
- * pixel (lanes/fill_tiny.c), small ones two rows of quads at a time (lanes/fill_small.c), large ones
- * row by row (lanes/fill_large.c); point sprites have a short way of their own (lanes/sprite.c).
+ * pixel (lanes/fill_tiny.c), small ones some rows at a time (lanes/fill_small.c), large ones row by
+ * row (lanes/fill_large.c); those behind the farthest depths around them are left out before
+ * (lanes/farthest.c), and where depth is all that a pass leaves, the facing that is nearer comes first
+ * for it. Point sprites have a short way of their own (lanes/sprite.c).
  *
  * Where nothing looks at the colour that was there before, a fragment that passes its tests only
  * leaves the number of its triangle (a *record*). What is still seen at the end is shaded once: rows
  * of one triangle as patches, all else as mixes of pixels of any triangles (lanes/seen.c, lanes/mix.c,
  * lanes/write.c). Where it does look, because it blends, discards or brings its own depth, fragments
- * are queued in order and shaded a block of patches at a time (lanes/patch.c), loose pixels of small
- * triangles side by side (lanes/loose.c).
+ * are queued in order and shaded a block of patches at a time (lanes/patch.c): the loose pixels of tiny
+ * triangles side by side (lanes/fill_loose.c), boxes that lie one on the other as layers, all of them on
+ * a few pixels before the next pixels (lanes/layers.c). Where it only discards, and nearer fragments
+ * hide others, large triangles are filled front to back (lanes/front_to_back.c).
  *
  * lanes/depth.c and lanes/merge.c are the output end, lanes/sample.c the texture unit.
  *

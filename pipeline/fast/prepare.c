@@ -34,6 +34,16 @@ static FastRoute choose_route(const FastDraw *d)
     return FAST_VISIBLE;
 }
 
+/* Only nearer fragments pass, and what survives the shader replaces all that was there. */
+static bool nearest_wins(const FastDraw *d)
+{
+    const GpState *state = &d->draw->state;
+    const bool nearer = state->depth.test == GP_LESS || state->depth.test == GP_LESS_EQUAL;
+    return d->route == FAST_ORDERED && d->late_depth && nearer && state->depth.write &&
+           !d->needs.stencil && !d->needs.shader_depth && replaces_everything(d->pass, d->draw) &&
+           d->draw->geometry.primitive != GP_POINTS;
+}
+
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
 {
     if (!raster->scissor)
@@ -81,6 +91,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->wants_depth = d->needs.depth_test || d->needs.depth_write || d->needs.stencil;
     d->late_depth = d->needs.late_depth;
     d->route = choose_route(d);
+    d->nearest_wins = nearest_wins(d);
     if (d->route == FAST_NOTHING)
         d->primitive_count = 0;
 
@@ -98,6 +109,8 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
     pass->block_count += fast_draw_blocks(d);
     pass->primitive_count += d->primitive_count;
+    for (uint64_t left = d->needs.varyings; left; left &= left - 1)
+        d->varyings_by[d->modes.mode[__builtin_ctzll(left)]] |= left & -left;
     return prepare_samplers(arena, d) && d->positions && d->varyings;
 }
 
@@ -138,6 +151,20 @@ static uint64_t varyings_read(FastCursor *at, const GpProgram *program)
     return at->read[i].varyings = gp_varyings_read(program);
 }
 
+/* Depth alone, which comes nearer only, ends up as the nearest, in whatever order. */
+static bool has_any_order(const FastPass *p)
+{
+    for (uint32_t i = 0; i < p->draw_count; i++) {
+        const FastDraw *d = &p->draws[i];
+        const GpCompare test = d->draw->state.depth.test;
+        if (d->route != FAST_NOTHING &&
+            (d->route != FAST_DEPTH_ONLY || d->needs.stencil || !d->draw->state.depth.write ||
+             (test != GP_LESS && test != GP_LESS_EQUAL)))
+            return false;
+    }
+    return true;
+}
+
 /* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least; moves the
  * cursor behind it. */
 static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
@@ -165,6 +192,7 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
     }
     p->range_size = range_size(p->primitive_count, gp_pool_threads(fast->pool));
     p->range_count = (p->primitive_count + p->range_size - 1) / p->range_size;
+    p->sides = has_any_order(p) ? 2 : 1;
     return true;
 }
 

@@ -28,6 +28,11 @@ static void unpack_unorm8(const uint32_t *word, int byte, float *v)
                              : flt_unpack_unorm8(words, 3));
 }
 
+static void through_unorm8(const float *v, float *result)
+{
+    flt_store(result, flt_through_unorm8(flt_load(v)));
+}
+
 static void through_half(const float *v, float *result)
 {
     flt_store(result, flt_through_half(flt_load(v)));
@@ -36,5 +41,5 @@ static void through_half(const float *v, float *result)
 #define CODE_PASTE_(lanes) channels_code##lanes
 #define CODE_PASTE(lanes)  CODE_PASTE_(lanes)
 
-const ChannelsCode CODE_PASTE(GP_LANES) = { GP_LANES,    GP_ISA_NAME,   unorm8_code,
-                                            pack_unorm8, unpack_unorm8, through_half };
+const ChannelsCode CODE_PASTE(GP_LANES) = { GP_LANES,      GP_ISA_NAME,    unorm8_code, pack_unorm8,
+                                            unpack_unorm8, through_unorm8, through_half };

@@ -12,6 +12,7 @@ typedef struct ChannelsCode {
     void (*unorm8_code)(const float *v, uint8_t *code);  /* of 0 to 1 */
     void (*pack_unorm8)(const float *v, uint32_t *word); /* the same v in all four bytes */
     void (*unpack_unorm8)(const uint32_t *word, int byte, float *v);
+    void (*through_unorm8)(const float *v, float *result); /* of 0 to 1 */
     void (*through_half)(const float *v, float *result);
 } ChannelsCode;
 

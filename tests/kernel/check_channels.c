@@ -1,5 +1,5 @@
 /* Channels of texels in lanes, at every lane width, against pipeline/format.h: every one of the 2^32
- * floats to a code of eight bits and through a half, every code back to a float.
+ * floats to a code of eight bits and back, and through a half, every code back to a float.
  *
  * One line a width with the first difference, if any, then the count of passed and failed widths.
  * An argument N looks at every Nth float only. Exit status 1 on a failure.
@@ -52,15 +52,15 @@ static bool check_codes(const ChannelsCode *code)
 }
 
 static bool check_float(const ChannelsCode *code, float v, uint8_t clamped, uint32_t word,
-                        float half)
+                        float unorm, float half)
 {
     uint32_t expected = gp_unorm_from_float(v, 8);
     bool packs = is_nan(v) || v <= 2; /* no more is promised */
     if (clamped == expected && (!packs || word == expected * 0x01010101u) &&
-        same_bits(half, half_of(v)))
+        same_bits(unorm, gp_float_from_unorm(expected, 8)) && same_bits(half, half_of(v)))
         return true;
-    printf("FAILED %s: %a gives code %u, word %08x, half %a\n", code->isa, (double)v, clamped, word,
-           (double)half);
+    printf("FAILED %s: %a gives code %u, word %08x, back %a, half %a\n", code->isa, (double)v,
+           clamped, word, (double)unorm, (double)half);
     return false;
 }
 
@@ -69,7 +69,7 @@ static bool check_width(const ChannelsCode *code, uint64_t step)
     if (!check_codes(code))
         return false;
     for (uint64_t bits = 0; bits < UINT64_C(1) << 32; bits += step * (uint64_t)code->lanes) {
-        float v[WIDEST], clamped[WIDEST], half[WIDEST];
+        float v[WIDEST], clamped[WIDEST], unorm[WIDEST], half[WIDEST];
         uint8_t unorm8[WIDEST];
         uint32_t word[WIDEST];
         for (int lane = 0; lane < code->lanes; lane++) {
@@ -78,9 +78,10 @@ static bool check_width(const ChannelsCode *code, uint64_t step)
         }
         code->unorm8_code(clamped, unorm8);
         code->pack_unorm8(v, word);
+        code->through_unorm8(clamped, unorm);
         code->through_half(v, half);
         for (int lane = 0; lane < code->lanes; lane++)
-            if (!check_float(code, v[lane], unorm8[lane], word[lane], half[lane]))
+            if (!check_float(code, v[lane], unorm8[lane], word[lane], unorm[lane], half[lane]))
                 return false;
     }
     printf("ok     %s\n", code->isa);

@@ -5,6 +5,9 @@
  * their gains into 16. */
 enum { FITS = 1 << 14 };
 
+/* Tiny triangles that are worth a look at all of a batch. */
+enum { WORTH_IT = GP_LANES / 4 };
+
 /* Corners of the batch's triangles: x and y from the tile's first centre, in sub-pixels; z, rw. */
 typedef struct Corners {
     itg at[3][4];
@@ -18,16 +21,14 @@ void FAST(find_corners)(const FastDraw *d, const uint32_t *primitives, uint32_t 
     corners->primitives = primitives;
     corners->count = count < GP_LANES ? count : GP_LANES;
     for (uint32_t lane = 0; lane < GP_LANES; lane++) {
-        uint32_t at = 3 * (primitives[lane < count ? lane : 0] - d->first_primitive);
+        const uint32_t at = 3 * (primitives[lane < count ? lane : 0] - d->first_primitive);
+        const uint32_t made[3] = { at, at + 1, at + 2 }, *number = indices ? indices + at : made;
+        GP_UNROLL
         for (uint32_t k = 0; k < 3; k++) {
-            uint32_t number = (indices ? indices[at + k] : at + k) - d->first_vertex;
-            corners->corner[k][lane] = &d->positions[number];
-            __builtin_prefetch(&d->positions[number]);
+            corners->corner[k][lane] = &d->positions[number[k] - d->first_vertex];
+            __builtin_prefetch(corners->corner[k][lane]);
         }
     }
-    /* and the indices of the two batches after it, some four triangles a cache line */
-    for (uint32_t i = GP_LANES; indices && i < 3 * GP_LANES && i < count; i += 4)
-        __builtin_prefetch(&indices[3 * (primitives[i] - d->first_primitive)]);
 }
 
 static void load_corners(const Tile *tile, const BatchCorners *from, Corners *corners)
@@ -139,23 +140,29 @@ static double depth_offset(const GpRasterState *raster, const Batch *b, int lane
     return offset + (by_x > by_y ? by_x : by_y) * (double)raster->slope_depth_bias;
 }
 
-/* As gp_setup_triangle: in binary64, from binary32 values. Returns the lanes where depth is a number:
- * states are finite, and nothing that binary32 holds overflows here. */
-static unsigned set_depth(const FastDraw *d, const Corners *corners, Batch *b)
+/* Returns the lanes where depth is a number: states are finite, and nothing that binary32 holds
+ * overflows in set_depth. */
+static unsigned set_nearest(const FastDraw *d, const Corners *corners, Batch *b)
+{
+    flt z0 = (flt)corners->at[0][2], z1 = (flt)corners->at[1][2], z2 = (flt)corners->at[2][2];
+    /* pixels lie between the corners, but for the rounding of a few binary64 operations */
+    flt sizes = flt_abs(z0) + flt_abs(z1) + flt_abs(z2);
+    b->nearest = flt_lesser(z0, flt_lesser(z1, z2)) - sizes * 0x1p-20f;
+    if (d->needs.depth_bias)
+        b->nearest = flt_set(-__builtin_inff());
+    return msk_bits((msk)((z0 + z1 + z2) * 0.0f == 0.0f));
+}
+
+/* As gp_setup_triangle: in binary64, from binary32 values. */
+static void set_depth(const FastDraw *d, const Corners *corners, Batch *b)
 {
     flt z0 = (flt)corners->at[0][2], z1 = (flt)corners->at[1][2], z2 = (flt)corners->at[2][2];
     dbl base = __builtin_convertvector(z0, dbl), area = dbl_from_itg(corners->area2);
     b->step[0] = (__builtin_convertvector(z1, dbl) - base) / area;
     b->step[1] = (__builtin_convertvector(z2, dbl) - base) / area;
     b->base = base + 0.0; /* what adding an offset of 0 does */
-    /* pixels lie between the corners, but for the rounding of a few binary64 operations */
-    flt sizes = flt_abs(z0) + flt_abs(z1) + flt_abs(z2);
-    b->nearest = flt_lesser(z0, flt_lesser(z1, z2)) - sizes * 0x1p-20f;
-    if (d->needs.depth_bias)
-        b->nearest = flt_set(-__builtin_inff());
     for (int lane = 0; d->needs.depth_bias && lane < GP_LANES; lane++)
         b->base[lane] += depth_offset(&d->draw->state.raster, b, lane);
-    return msk_bits((msk)((z0 + z1 + z2) * 0.0f == 0.0f));
 }
 
 /* What interpolation needs besides the edges (R16). */
@@ -166,39 +173,47 @@ static void set_shading(const Corners *corners, Batch *b)
         b->ratio[k] = (flt)corners->at[k + 1][3] / (flt)corners->at[0][3];
 }
 
-void FAST(set_up_batch)(const Tile *tile, const BatchCorners *found, Batch *b)
+void FAST(set_up_batch)(const Filler *f, const BatchCorners *found, Batch *b)
 {
-    const FastDraw *d = tile->draw;
+    const Tile *tile = f->tile;
+    const FastDraw *d = f->d;
     const GpRect rect = FAST(tile_rect)(tile, d);
     const bool quads = d->route == FAST_ORDERED && d->needs.quads;
     const unsigned wanted = (1u << found->count) - 1;
     Corners corners;
     unsigned large;
     load_corners(tile, found, &corners);
-    unsigned drawn = wanted & set_boxes(tile, &rect, quads, &corners, b, &large);
+    unsigned drawn = wanted & set_boxes(tile, &rect, quads, &corners, b, &large) & ~large;
+    const unsigned numbers = d->wants_depth ? set_nearest(d, &corners, b) : wanted;
+    if (is_usual(f->early))
+        drawn &= ~hidden_boxes(f, drawn & numbers, b->x, b->y, b->width, b->height, b->nearest);
+    b->primitives = found->primitives;
+    b->alone = wanted & (large | (drawn & ~numbers));
+    b->small = drawn & numbers;
+    b->tiny = 0;
+    if (!b->small)
+        return;
     set_facing(&corners, b);
     set_edges(&corners, b);
 
-    b->primitives = found->primitives;
-    b->alone = wanted & large;
-    b->small = drawn & ~large;
     b->tiny = b->small & msk_bits((msk)((b->width | b->height) < 4));
+    if (__builtin_popcount(b->tiny) < WORTH_IT) /* among larger ones */
+        b->tiny = 0;
     if (b->tiny) {
         cover_tiny(b);
         unsigned empty = b->tiny & msk_bits((msk)(b->covered == 0));
         b->small &= ~empty;
         b->tiny &= ~empty;
     }
-    if (d->wants_depth && b->small) {
-        b->alone |= b->small & ~set_depth(d, &corners, b);
-        b->small &= ~b->alone;
-    }
+    if (d->wants_depth && b->small)
+        set_depth(d, &corners, b);
     /* no room here for clip distances, nor for quads that start left of or above what is allowed */
     if (d->needs.clip_planes || (quads && ((rect.x0 | rect.y0) & 1))) {
         b->alone |= b->small;
         b->small = 0;
     }
-    b->tiny = d->route == FAST_ORDERED || d->needs.stencil ? 0 : b->tiny & b->small;
+    const bool apart = d->route == FAST_ORDERED ? d->wants_depth || quads : d->needs.stencil;
+    b->tiny = apart ? 0 : b->tiny & b->small;
     b->small &= ~b->tiny;
     if (d->route != FAST_DEPTH_ONLY && (b->tiny | b->small))
         set_shading(&corners, b);
@@ -208,23 +223,22 @@ void FAST(write_record)(const FastDraw *d, const Batch *b, uint32_t lane, FastRe
 {
     const bool front = b->front >> lane & 1;
     const uint32_t x = (uint32_t)b->x[lane], y = (uint32_t)b->y[lane];
-    uint32_t a[3], down[3], c[3];
+    int32_t c[3];
     for (int i = 1; i < 3; i++) {
-        a[i] = (uint32_t)b->right[i][lane] * GP_SUBPIXELS;
-        down[i] = (uint32_t)b->down[i][lane] * GP_SUBPIXELS;
-        c[i] = (uint32_t)b->edge[i][lane] - (a[i] * x + down[i] * y);
+        const int32_t gain = b->gain[i][lane];
+        c[i] = (int32_t)((uint32_t)b->edge[i][lane] - ((uint32_t)fast_gain_right(gain) * x +
+                                                       (uint32_t)fast_gain_down(gain) * y));
     }
-    *record = (FastRecord){ .c1 = (int32_t)c[1],
-                            .a1 = (int32_t)a[1],
-                            .b1 = (int32_t)down[1],
-                            .c2 = (int32_t)c[2],
-                            .a2 = (int32_t)a[2],
-                            .b2 = (int32_t)down[2],
-                            .inverse_area = b->inverse_area[lane],
-                            .ratio1 = b->ratio[0][lane],
-                            .ratio2 = b->ratio[1][lane],
-                            .face = front ? 1.0f : -1.0f,
-                            .kind = FAST_SMALL };
+    record->c1 = c[1];
+    record->gain1 = b->gain[1][lane];
+    record->c2 = c[2];
+    record->gain2 = b->gain[2][lane];
+    record->inverse_area = b->inverse_area[lane];
+    record->ratio1 = b->ratio[0][lane];
+    record->ratio2 = b->ratio[1][lane];
+    record->kind = FAST_SMALL;
+    record->face = front ? 1.0f : -1.0f;
+    record->wide = 0;
     const uint32_t *indices = d->draw->geometry.indices;
     const uint32_t at = 3 * (b->primitives[lane] - d->first_primitive);
     const uint32_t order[3] = { at, at + (front ? 1 : 2), at + (front ? 2 : 1) };

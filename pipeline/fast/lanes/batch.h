@@ -2,7 +2,7 @@
 #ifndef GP_FAST_BATCH_H
 #define GP_FAST_BATCH_H
 
-#include "pipeline/fast/lanes/route.h"
+#include "pipeline/fast/lanes/farthest.h"
 
 /* Where the corners of a batch's triangles are; beyond `count` the first triangle's stand in. */
 typedef struct BatchCorners {
@@ -34,15 +34,16 @@ void FAST(find_corners)(const FastDraw *draw, const uint32_t *primitives, uint32
                         BatchCorners *corners);
 
 /* Sets up triangles of the present draw. */
-void FAST(set_up_batch)(const Tile *tile, const BatchCorners *corners, Batch *batch);
+void FAST(set_up_batch)(const Filler *filler, const BatchCorners *corners, Batch *batch);
 
 /* What shading needs of a lane's triangle. */
 void FAST(write_record)(const FastDraw *draw, const Batch *batch, uint32_t lane,
                         FastRecord *record);
 
 /* The triangles of `lanes`, in their order: tiny ones of which nothing is ordered and no stencil is
- * touched; and any whose edges fit into 32 bits. */
+ * touched; those that are ordered, without depth or quads; and any whose edges fit into 32 bits. */
 void FAST(fill_tiny)(const Filler *filler, const Batch *batch, unsigned lanes);
+void FAST(fill_loose)(const Filler *filler, const Batch *batch, unsigned lanes);
 void FAST(fill_small)(const Filler *filler, const Batch *batch, unsigned lanes);
 
 #endif

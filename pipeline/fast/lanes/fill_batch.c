@@ -25,21 +25,26 @@ static unsigned run_of(unsigned kind, unsigned left)
     return left & ~others & (others - 1);
 }
 
-static void fill_batch(Tile *tile, const BatchCorners *corners)
+static void fill_batch(const Filler *filler, const BatchCorners *corners)
 {
+    Tile *tile = filler->tile;
     Batch batch;
-    FAST(set_up_batch)(tile, corners, &batch);
+    FAST(set_up_batch)(filler, corners, &batch);
     unsigned left = batch.tiny | batch.small | batch.alone;
     if (!left)
         return;
-    FAST(reserve_records)(tile, GP_LANES);
-    const Filler filler = FAST(filler)(tile);
     while (left) {
         unsigned tiny = run_of(batch.tiny, left), small = run_of(batch.small, left);
-        if (tiny)
-            FAST(fill_tiny)(&filler, &batch, tiny);
+        if (tiny | small) {
+            FAST(fill_kept)(tile);
+            FAST(reserve_records)(tile, GP_LANES);
+        }
+        if (tiny && tile->draw->route == FAST_ORDERED)
+            FAST(fill_loose)(filler, &batch, tiny);
+        else if (tiny)
+            FAST(fill_tiny)(filler, &batch, tiny);
         else if (small)
-            FAST(fill_small)(&filler, &batch, small);
+            FAST(fill_small)(filler, &batch, small);
         else
             fill_alone(tile, batch.primitives[__builtin_ctz(left)]);
         left &= ~(tiny | small ? tiny | small : left & -left);
@@ -48,6 +53,9 @@ static void fill_batch(Tile *tile, const BatchCorners *corners)
 
 void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count)
 {
+    const Filler filler = FAST(filler)(tile);
+    if (is_usual(filler.early))
+        renew_farthest(tile, count);
     BatchCorners corners[2]; /* those of the next batch are found while this one is filled */
     FAST(find_corners)(tile->draw, primitives, count, &corners[0]);
     for (uint32_t batch = 0; count; batch++) {
@@ -56,6 +64,6 @@ void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count
         count -= present->count;
         if (count)
             FAST(find_corners)(tile->draw, primitives, count, &corners[~batch & 1]);
-        fill_batch(tile, present);
+        fill_batch(&filler, present);
     }
 }

@@ -147,7 +147,8 @@ static msk inside_clip_planes(const Tile *tile, const GpTriangle *t, itg x, itg 
 
 /* --- filling ---------------------------------------------------------------------------------- */
 
-static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage)
+static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage,
+                         int32_t nearest)
 {
     const FastDraw *d = f->d;
     const bool quads = d->route == FAST_ORDERED && d->needs.quads;
@@ -166,6 +167,9 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
     for (int32_t y = first_y; y <= coverage->y1; y += high)
         for (int32_t x = first_x; x <= coverage->x1; x += wide) {
             msk live = covered(coverage, &gains, x, y);
+            if (nearest) /* worth finding only where much is hidden: 0 elsewhere */
+                live &= (msk)(nearest - f->allowance <
+                              load_lanes(f->tile->depth + fast_at(x, y), quads));
             if (!msk_bits(live))
                 continue;
             if (d->needs.clip_planes)
@@ -184,6 +188,14 @@ static bool hides_tile(const Filler *f, const Coverage *coverage)
 }
 
 void FAST(fill_triangle)(Tile *tile, const GpTriangle *t)
+{
+    if (tile->draw->nearest_wins)
+        FAST(keep_triangle)(tile, t);
+    else
+        FAST(fill_large)(tile, t, 0);
+}
+
+void FAST(fill_large)(Tile *tile, const GpTriangle *t, int32_t nearest)
 {
     const FastDraw *d = tile->draw;
     Coverage coverage;
@@ -213,5 +225,5 @@ void FAST(fill_triangle)(Tile *tile, const GpTriangle *t)
     if (hides_tile(&filler, &coverage))
         tile->backdrop = filler.number;
     else
-        fill_covered(&filler, t, &coverage);
+        fill_covered(&filler, t, &coverage, nearest);
 }

@@ -1,6 +1,9 @@
-/* Small triangles: two rows of quads at a time, down the columns of their boxes. */
+/* Small triangles: some rows at a time, down the columns of their boxes. */
 #include "pipeline/fast/lanes/batch.h"
 #include "pipeline/fast/lanes/patch.h"
+
+/* Pixels across a column of rows: many boxes have no more than four. */
+enum { WIDE = GP_LANES / 2, NARROW = 4 };
 
 /* GP_LANES doubles, in two vectors of a register's width. */
 typedef double dbl_half __attribute__((vector_size(4 * GP_LANES)));
@@ -18,14 +21,16 @@ GP_INLINE Doubles doubles_from_itg(itg a)
 
 GP_INLINE flt flt_from_doubles(Doubles a)
 {
-    dbl wide;
-    __builtin_memcpy(&wide, &a, sizeof wide);
-    return __builtin_convertvector(wide, flt);
+    typedef float flt_half __attribute__((vector_size(2 * GP_LANES)));
+    const flt_half low = __builtin_convertvector(a.part[0], flt_half);
+    const flt_half high = __builtin_convertvector(a.part[1], flt_half);
+    return __builtin_shufflevector(low, high, LANES_IN_ORDER);
 }
 
-/* Edges at the pixels of a patch. They go down the column two rows at a time: integers, which stay
- * below 2^53 in binary64 too, so that adding is exact. */
+/* Edges at the pixels of a patch of some rows, or of quads where `wide` is 0. They go down the column
+ * a patch at a time: integers, which stay below 2^53 in binary64 too, so that adding is exact. */
 typedef struct Column {
+    int32_t wide, rows;
     itg inside[3], inside_gain[3];
     itg beyond, below; /* negative right of, and below the box */
     Doubles edge[2];   /* 1 and 2 */
@@ -33,19 +38,24 @@ typedef struct Column {
 } Column;
 
 /* The column that begins `left` pixels from the box's first. */
-GP_INLINE Column column_at(const Batch *b, uint32_t lane, int32_t left)
+GP_INLINE Column column_at(const Batch *b, uint32_t lane, int32_t left, int32_t wide)
 {
-    const itg column = lane_columns(true) + left, row = lane_rows(true);
-    Column c = { .beyond = b->width[lane] - column, .below = b->height[lane] - row };
+    const int32_t rows = wide ? GP_LANES / wide : 2;
+    const itg column = (wide ? lane_numbers() % wide : lane_columns(true)) + left;
+    const itg row = wide ? lane_numbers() / wide : lane_rows(true);
+    Column c = { .wide = wide,
+                 .rows = rows,
+                 .beyond = b->width[lane] - column,
+                 .below = b->height[lane] - row };
     GP_UNROLL
     for (int i = 0; i < 3; i++) {
         itg gained = itg_dot2(itg_set(b->gain[i][lane]), column | row << 16);
         c.inside[i] = b->inside[i][lane] + gained;
-        c.inside_gain[i] = itg_set(2 * b->down[i][lane]);
+        c.inside_gain[i] = itg_set(rows * b->down[i][lane]);
         if (i == 0)
             continue;
         c.edge[i - 1] = doubles_from_itg(b->edge[i][lane] + (gained << GP_SUBPIXEL_BITS));
-        c.edge_gain[i - 1] = (double)(2 * GP_SUBPIXELS * b->down[i][lane]);
+        c.edge_gain[i - 1] = (double)(rows * GP_SUBPIXELS * b->down[i][lane]);
     }
     return c;
 }
@@ -64,7 +74,7 @@ GP_INLINE void go_down(Column *c)
     GP_UNROLL
     for (int i = 0; i < 4; i++)
         c->edge[i / 2].part[i % 2] += c->edge_gain[i / 2];
-    c->below -= 2;
+    c->below -= c->rows;
 }
 
 GP_INLINE flt depth_of(const Batch *b, uint32_t lane, const Column *c)
@@ -77,27 +87,81 @@ GP_INLINE flt depth_of(const Batch *b, uint32_t lane, const Column *c)
     return flt_from_doubles(z);
 }
 
-/* Returns the lanes that passed. Steps of which none can, by the triangle's nearest `code`, go no
- * further; but where depth is all, going on is cheaper than a branch that is hard to foresee. */
-GP_INLINE msk fill_triangle(const Filler *f, EarlyTest early, FastRoute route, const Batch *b,
-                            uint32_t lane, int32_t code)
+/* One triangle at work. */
+typedef struct Work {
+    const Filler *f;
+    EarlyTest early;
+    FastRoute route;
+    const Batch *b;
+    uint32_t lane;
+    int32_t code; /* its nearest one, where the test is the usual one */
+} Work;
+
+/* By the triangle's nearest code. */
+GP_INLINE msk can_pass(const Work *w, itg stored)
 {
-    const bool nearer = early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM;
-    const int32_t x = b->x[lane], right = x + b->width[lane];
-    const int32_t top = b->y[lane], bottom = top + b->height[lane];
+    return (msk)(w->code - w->f->allowance < stored);
+}
+
+/* The usual test, where nothing is ordered. Steps of which nothing can be seen go no further; but
+ * where depth is all, going on is cheaper than a branch that is hard to foresee. */
+GP_INLINE msk fill_rows(const Work *w, const Column *c, int32_t x, int32_t y, msk live)
+{
+    Tile *tile = w->f->tile;
+    const uint32_t at = fast_at(x, y);
+    const itg stored = load_rows(tile->depth + at, c->wide);
+    if (w->route == FAST_VISIBLE) {
+        live &= can_pass(w, stored);
+        if (!msk_any(live))
+            return live;
+    }
+    const itg code = nearer_codes(w->f, w->early, depth_of(w->b, w->lane, c));
+    live &= (code - w->f->allowance - stored) >> 31; /* codes are not negative */
+    store_rows(tile->depth + at, c->wide, itg_select(live, code, stored));
+    if (w->route == FAST_VISIBLE) {
+        const itg number = itg_set((int32_t)w->f->number);
+        const itg seen = load_rows(tile->seen + at, c->wide);
+        store_rows(tile->seen + at, c->wide, itg_select(live, number, seen));
+    }
+    return live;
+}
+
+/* Any tests, any route. */
+GP_INLINE msk fill_quads(const Work *w, const Column *c, int32_t x, int32_t y, msk live)
+{
+    if (is_usual(w->early))
+        live &= can_pass(w, load_lanes(w->f->tile->depth + fast_at(x, y), true));
+    if (w->route != FAST_DEPTH_ONLY && !msk_any(live))
+        return live;
+    flt z = w->early == EARLY_NONE ? flt_set(0) : depth_of(w->b, w->lane, c);
+    return route_lanes(w->f, w->early, w->route, true, x, y, live, z);
+}
+
+GP_INLINE msk fill_column(const Work *w, int32_t left, int32_t wide)
+{
+    const Batch *b = w->b;
+    const int32_t top = b->y[w->lane], bottom = top + b->height[w->lane];
     msk passed = itg_set(0);
-    for (int32_t left = x; left <= right; left += QUADS_WIDE) {
-        Column c = column_at(b, lane, left - x);
-        for (int32_t y = top; y <= bottom; y += 2, go_down(&c)) {
-            msk live = covered(&c);
-            if (nearer && route != FAST_DEPTH_ONLY)
-                live &= (msk)(code - f->allowance <
-                              load_lanes(f->tile->depth + fast_at(left, y), true));
-            if (route != FAST_DEPTH_ONLY && !msk_any(live))
-                continue;
-            flt z = early == EARLY_NONE ? flt_set(0) : depth_of(b, lane, &c);
-            passed |= route_lanes(f, early, route, true, left, y, live, z);
-        }
+    Column c = column_at(b, w->lane, left - b->x[w->lane], wide);
+    for (int32_t y = top; y <= bottom; y += c.rows, go_down(&c))
+        passed |=
+            wide ? fill_rows(w, &c, left, y, covered(&c)) : fill_quads(w, &c, left, y, covered(&c));
+    return passed;
+}
+
+/* Returns the lanes that passed. */
+GP_INLINE msk fill_triangle(const Work *w)
+{
+    const bool rows = w->route != FAST_ORDERED && is_usual(w->early);
+    const int32_t right = w->b->x[w->lane] + w->b->width[w->lane];
+    msk passed = itg_set(0);
+    for (int32_t left = w->b->x[w->lane]; left <= right; left += WIDE) {
+        if (!rows)
+            passed |= fill_column(w, left, 0);
+        else if (NARROW < WIDE && right - left < NARROW)
+            passed |= fill_column(w, left, NARROW);
+        else
+            passed |= fill_column(w, left, WIDE);
     }
     return passed;
 }
@@ -105,8 +169,7 @@ GP_INLINE msk fill_triangle(const Filler *f, EarlyTest early, FastRoute route, c
 GP_INLINE void fill(Filler f, EarlyTest early, FastRoute route, const Batch *b, unsigned lanes)
 {
     Tile *tile = f.tile;
-    const bool nearer = early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM;
-    const itg codes = nearer ? nearer_codes(&f, early, b->nearest) : itg_set(0);
+    const itg codes = is_usual(early) ? nearer_codes(&f, early, b->nearest) : itg_set(0);
     for (; lanes; lanes &= lanes - 1) {
         uint32_t lane = (uint32_t)__builtin_ctz(lanes);
         FastRecord *record = &tile->records[tile->record_count];
@@ -114,7 +177,8 @@ GP_INLINE void fill(Filler f, EarlyTest early, FastRoute route, const Batch *b, 
         f.front = b->front >> lane & 1;
         if (route == FAST_ORDERED)
             FAST(write_record)(f.d, b, lane, record);
-        msk passed = fill_triangle(&f, early, route, b, lane, codes[lane]);
+        const Work work = { &f, early, route, b, lane, codes[lane] };
+        msk passed = fill_triangle(&work);
         if (route == FAST_DEPTH_ONLY || !msk_any(passed))
             continue;
         if (route == FAST_VISIBLE)
@@ -131,7 +195,7 @@ void FAST(fill_small)(const Filler *f, const Batch *b, unsigned lanes)
     else if (f->early == EARLY_NEARER_FLOAT && route == FAST_VISIBLE)
         fill(*f, EARLY_NEARER_FLOAT, FAST_VISIBLE, b, lanes);
     else if (f->early == EARLY_NEARER_FLOAT)
-        fill(*f, EARLY_NEARER_FLOAT, route, b, lanes);
+        fill(*f, EARLY_NEARER_FLOAT, FAST_ORDERED, b, lanes);
     else if (f->early == EARLY_NEARER_UNORM)
         fill(*f, EARLY_NEARER_UNORM, route, b, lanes);
     else if (f->early == EARLY_NONE)

@@ -97,12 +97,6 @@ GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4
     }
 }
 
-/* To [0, 1], NaN to 0. */
-GP_INLINE flt clamped(flt v)
-{
-    return flt_lesser(flt_greater(v, flt_set(0)), flt_set(1));
-}
-
 /* --- targets ------------------------------------------------------------------------------------- */
 
 /* Shaded patches on their way into one target. Whole ones are rows with all lanes alive. */
@@ -111,37 +105,42 @@ typedef struct Merge {
     const FastMix *mixes; /* of the same numbers */
     const unsigned *live; /* of each patch */
     int count;
+    int layers;       /* patches are [layer][pixels]; those of all layers lie on the same pixels */
     const flt *color; /* of the first patch; `stride` vectors further the next */
     int stride;
     float constant[4]; /* as the target clamps it */
     FastPlanes *planes;
 } Merge;
 
-GP_INLINE itg load_pixels(const Merge *m, bool whole, int p, const void *plane)
+/* The place of a patch's first pixel. */
+GP_INLINE uint32_t place_of(const Merge *m, int p)
 {
-    const FastPatch *patch = &m->patches[p];
-    if (whole)
-        return load_lanes((const uint32_t *)plane + fast_at(patch->x, patch->y), false);
-    if (patch->mixed)
-        return itg_gather(plane, m->mixes[p].at * 4);
-    return load_patch(plane, patch);
+    return fast_at(m->patches[p].x, m->patches[p].y);
 }
 
-GP_INLINE void store_pixels(const Merge *m, bool whole, int p, void *plane, itg words)
+GP_INLINE itg load_pixels(const Merge *m, bool whole, int p, uint32_t at, const void *plane)
 {
-    const FastPatch *patch = &m->patches[p];
+    if (whole)
+        return load_lanes((const uint32_t *)plane + at, false);
+    if (m->patches[p].mixed)
+        return itg_gather(plane, m->mixes[p].at * 4);
+    return load_patch(plane, &m->patches[p]);
+}
+
+GP_INLINE void store_pixels(const Merge *m, bool whole, int p, uint32_t at, void *plane, itg words)
+{
     if (whole) {
-        store_lanes((uint32_t *)plane + fast_at(patch->x, patch->y), false, words);
+        store_lanes((uint32_t *)plane + at, false, words);
         return;
     }
-    if (!patch->mixed) {
-        store_patch(plane, patch, m->live[p], words);
+    if (!m->patches[p].mixed) {
+        store_patch(plane, &m->patches[p], m->live[p], words);
         return;
     }
-    const itg *at = &m->mixes[p].at;
+    const itg *to = &m->mixes[p].at;
     for (unsigned live = m->live[p]; live; live &= live - 1) {
         const int lane = __builtin_ctz(live);
-        ((uint32_t *)plane)[(*at)[lane]] = (uint32_t)words[lane];
+        ((uint32_t *)plane)[(*to)[lane]] = (uint32_t)words[lane];
     }
 }
 
@@ -155,8 +154,9 @@ GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
     return !msk_any((msk)(bits != 0));
 }
 
-GP_INLINE void merge_words(const GpBlend *blend, const Merge *m, bool whole)
+GP_INLINE void merge_words(const GpBlend *blend, const Merge *from, bool whole)
 {
+    const Merge copy = *from, *m = &copy; /* which no store can change */
     static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
     uint32_t kept = 0;
     for (int c = 0; c < 4; c++)
@@ -167,9 +167,10 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *m, bool whole)
     for (int p = 0; p < m->count; p++, color += m->stride) {
         if (!m->live[p] || adds_nothing(blend, color))
             continue;
+        const uint32_t at = place_of(m, p);
         itg before = itg_set(0);
         if (blend->op != GP_BLEND_OFF || kept)
-            before = load_pixels(m, whole, p, m->planes->packed);
+            before = load_pixels(m, whole, p, at, m->planes->packed);
         itg word;
         if (blend->op != GP_BLEND_OFF) {
             flt result[4];
@@ -183,13 +184,52 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *m, bool whole)
             word = word_of_any(color);
         if (kept)
             word = (word & (int32_t)~kept) | (before & (int32_t)kept);
-        store_pixels(m, whole, p, m->planes->packed, word);
+        store_pixels(m, whole, p, at, m->planes->packed, word);
     }
 }
 
-/* Formats other than A8R8G8B8. */
-GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+/* Both factors are shares of one whole, and so is what they leave of numbers up to 1: of the operations
+ * none rounds past 1. */
+static bool is_average(const GpBlend *blend)
 {
+    return blend->op == GP_BLEND_ADD && blend->src == GP_SRC_ALPHA &&
+           blend->dst == GP_INV_SRC_ALPHA && blend->alpha_op == GP_BLEND_OFF;
+}
+
+/* Several whole layers: between them pixels stay what reading their codes back gives. */
+GP_INLINE void merge_layers(const GpBlend *blend, const Merge *from)
+{
+    const Merge copy = *from, *m = &copy;
+    const int pixels = m->count / m->layers;
+    flt target[FAST_BLOCK / 2][4];
+    for (int p = 0; p < pixels; p++)
+        colors_of(load_pixels(m, true, p, place_of(m, p), m->planes->packed), target[p]);
+    Operands o;
+    memcpy(o.constant, m->constant, sizeof o.constant);
+    const flt *color = m->color;
+    for (int k = 0; k < m->layers; k++)
+        for (int p = 0; p < pixels; p++, color += m->stride) {
+            flt result[4];
+            GP_UNROLL
+            for (int c = 0; c < 4; c++) {
+                o.source[c] = clamped(color[c]);
+                o.target[c] = target[p][c];
+            }
+            blend_lanes(blend, &o, result);
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                if (!(blend->keep >> c & 1))
+                    target[p][c] =
+                        flt_through_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
+        }
+    for (int p = 0; p < pixels; p++)
+        store_pixels(m, true, p, place_of(m, p), m->planes->packed, word_of(target[p]));
+}
+
+/* Formats other than A8R8G8B8. */
+GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *from, bool whole)
+{
+    const Merge copy = *from, *m = &copy;
     const bool is_float = format != GP_R8;
     const int channels = format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
     const flt *color = m->color;
@@ -198,20 +238,23 @@ GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge
     for (int p = 0; p < m->count; p++, color += m->stride) {
         if (!m->live[p])
             continue;
+        const uint32_t at = place_of(m, p);
         flt result[4] = { color[0], color[1], color[2], color[3] };
         if (blend->op != GP_BLEND_OFF) {
             GP_UNROLL
             for (int c = 0; c < 4; c++) {
                 o.source[c] = is_float ? color[c] : clamped(color[c]);
-                o.target[c] = c < channels ? (flt)load_pixels(m, whole, p, m->planes->channel[c])
-                                           : flt_set(1);
+                o.target[c] = c < channels
+                                  ? (flt)load_pixels(m, whole, p, at, m->planes->channel[c])
+                                  : flt_set(1);
             }
             blend_lanes(blend, &o, result);
         }
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             if (c < channels && !(blend->keep >> c & 1))
-                store_pixels(m, whole, p, m->planes->channel[c], (itg)through(format, result[c]));
+                store_pixels(m, whole, p, at, m->planes->channel[c],
+                             (itg)through(format, result[c]));
     }
 }
 
@@ -227,10 +270,20 @@ static bool is_blend(const GpBlend *blend, const GpBlend *known)
            (blend->op == GP_BLEND_OFF || (blend->src == known->src && blend->dst == known->dst));
 }
 
+static void merge_layers_by(const GpBlend *blend, const Merge *m)
+{
+    if (is_blend(blend, &over))
+        merge_layers(&over, m);
+    else
+        merge_layers(blend, m);
+}
+
 /* The same code for any blend, and for each of those that are common. */
 GP_INLINE void merge_words_by(const GpBlend *blend, const Merge *m, bool whole)
 {
-    if (is_blend(blend, &replace))
+    if (whole && m->layers > 1 && blend->op != GP_BLEND_OFF)
+        merge_layers_by(blend, m);
+    else if (is_blend(blend, &replace))
         merge_words(&replace, m, whole);
     else if (is_blend(blend, &add))
         merge_words(&add, m, whole);
@@ -273,10 +326,10 @@ static void merge_target(const GpBlend *blend, GpFormat format, const Merge *m, 
 
 static bool are_whole(const FastPatch *patches, const unsigned *live, int count)
 {
+    unsigned other = 0; /* without branches: mostly all are, or the first is not */
     for (int p = 0; p < count; p++)
-        if (patches[p].wide != GP_LANES || live[p] != ALL_LANES || patches[p].mixed)
-            return false;
-    return true;
+        other |= (live[p] ^ ALL_LANES) | (patches[p].wide ^ GP_LANES) | patches[p].mixed;
+    return !other;
 }
 
 void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches,
@@ -289,7 +342,8 @@ void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches
                 .mixes = tile->mixes,
                 .live = live,
                 .count = count,
-                .stride = 4 * written };
+                .layers = tile->layer_count ? (int)tile->layer_count : 1,
+                .stride = tile->layers_alike ? 0 : 4 * written };
     for (int t = 0; t < written && t < tile->targets; t++) {
         GpFormat format = d->pass->color[t].surface->format;
         m.color = color + 4 * t;

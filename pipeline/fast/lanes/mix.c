@@ -8,6 +8,9 @@
 /* Without shuffles by variable indices it is faster to fetch each lane's triangle by itself. */
 enum { LANES_SHARE = GP_LANES > 4 };
 
+/* The first words of a record. */
+enum { EDGE, GAIN, INVERSE_AREA = 4, RATIO, KIND = 7 };
+
 /* Where in the runs the lanes of a mix find their values. */
 typedef struct Spread {
     uint32_t first;
@@ -20,7 +23,7 @@ static Spread add_runs(const FastMix *mix, FastLaneRuns *runs)
     itg left = itg_shift_in(mix->record, 0);
     unsigned starts = LANES_SHARE ? msk_bits(mix->record != left) | 1 : (1u << GP_LANES) - 1;
     Spread spread = { runs->count, itg_running_sum((itg)mask_of(starts) & 1) - 1 };
-    itg_compress(runs->offset + runs->count, starts, mix->record * (int32_t)sizeof(FastRecord));
+    itg_compress(runs->record + runs->count, starts, mix->record);
     runs->count += (uint32_t)__builtin_popcount(starts);
     return spread;
 }
@@ -30,55 +33,45 @@ GP_INLINE void keep_lanes(void *to, itg lanes)
     __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
-GP_INLINE void load_words(const FastRecord *const record[GP_LANES], int first, itg word[4])
+static void fetch_words(const FastRecord *records, FastLaneRuns *runs)
 {
-    const void *from[GP_LANES];
-    GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++)
-        from[lane] = (const int32_t *)(const void *)record[lane] + first;
-    lanes_load4(from, word);
+    msk wide = itg_set(0);
+    for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
+        const void *from[GP_LANES];
+        itg word[8];
+        GP_UNROLL
+        for (uint32_t lane = 0; lane < GP_LANES; lane++)
+            from[lane] = &records[runs->record[at + lane]];
+        lanes_load8(from, word);
+        GP_UNROLL
+        for (int i = 0; i < 8; i++)
+            keep_lanes(runs->word[i] + at, word[i]);
+        wide |= (msk)(word[KIND] == FAST_WIDE);
+    }
+    runs->wide = msk_bits(wide);
 }
 
-/* A step of one pixel is that of a sub-pixel, which fits into 16 bits, times 256. */
-GP_INLINE itg step_halves(itg right, itg down)
+/* Four or eight components of the corners, from `first` on, of which some are wanted. */
+GP_INLINE void fetch_components(const FastRecord *records, int first, int components,
+                                unsigned wanted, FastLaneRuns *runs)
 {
-    return (right >> GP_SUBPIXEL_BITS & 0xffff) | down >> GP_SUBPIXEL_BITS << 16;
-}
-
-GP_INLINE void fetch_edges(const FastRecord *const record[GP_LANES], uint32_t at,
-                           FastLaneRuns *runs)
-{
-    itg a[4], b[4], c[4]; /* c1 a1 b1 c2, a2 b2 inverse_area ratio1, ratio2 face kind wide */
-    load_words(record, 0, a);
-    load_words(record, 4, b);
-    load_words(record, 8, c);
-    keep_lanes(runs->edge[0] + at, a[0]);
-    keep_lanes(runs->step[0] + at, step_halves(a[1], a[2]));
-    keep_lanes(runs->edge[1] + at, a[3]);
-    keep_lanes(runs->step[1] + at, step_halves(b[0], b[1]));
-    keep_lanes(runs->inverse_area + at, b[2]);
-    keep_lanes(runs->ratio1 + at, b[3]);
-    keep_lanes(runs->ratio2 + at, c[0]);
-    runs->wide |= msk_bits(c[2] == FAST_WIDE) != 0;
-}
-
-GP_INLINE void fetch_corners(const FastRecord *const record[GP_LANES], uint32_t at, uint64_t wanted,
-                             FastLaneRuns *runs)
-{
-    for (int first = 0; first < GP_MAX_VARYINGS && wanted >> first; first += 4) {
-        if (!(wanted >> first & 15))
-            continue;
-        itg v[3][4];
+    for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
+        itg v[3][8];
         GP_UNROLL
         for (int k = 0; k < 3; k++) {
             const void *from[GP_LANES];
             GP_UNROLL
-            for (int lane = 0; lane < GP_LANES; lane++)
-                from[lane] = record[lane]->corner[k] + first;
-            lanes_load4(from, v[k]);
+            for (uint32_t lane = 0; lane < GP_LANES; lane++)
+                from[lane] = records[runs->record[at + lane]].corner[k] + first;
+            if (components > 4)
+                lanes_load8(from, v[k]);
+            else
+                lanes_load4(from, v[k]);
         }
         GP_UNROLL
-        for (int i = 0; i < 4; i++) {
+        for (int i = 0; i < components; i++) {
+            if (!(wanted >> i & 1))
+                continue;
             flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
             flt_store(runs->corner[first + i][1] + at, (flt)v[1][i] - (flt)v[0][i]);
             flt_store(runs->corner[first + i][2] + at, (flt)v[2][i] - (flt)v[0][i]);
@@ -86,18 +79,16 @@ GP_INLINE void fetch_corners(const FastRecord *const record[GP_LANES], uint32_t 
     }
 }
 
-static void fetch_runs(const Tile *tile, uint64_t wanted, FastLaneRuns *runs)
+static void fetch_runs(const FastRecord *records, uint64_t wanted, FastLaneRuns *runs)
 {
-    const uint8_t *records = (const uint8_t *)tile->records;
-    runs->wide = false;
-    keep_lanes(runs->offset + runs->count, itg_set((int32_t)runs->offset[0]));
-    for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
-        const FastRecord *record[GP_LANES];
-        GP_UNROLL
-        for (uint32_t lane = 0; lane < GP_LANES; lane++)
-            record[lane] = (const FastRecord *)(const void *)(records + runs->offset[at + lane]);
-        fetch_edges(record, at, runs);
-        fetch_corners(record, at, wanted, runs);
+    keep_lanes(runs->record + runs->count, itg_set((int32_t)runs->record[0]));
+    fetch_words(records, runs);
+    for (int first = 0; first < GP_MAX_VARYINGS && wanted >> first; first += 8) {
+        const unsigned eight = wanted >> first & 0xff;
+        if (eight >> 4)
+            fetch_components(records, first, 8, eight, runs);
+        else if (eight)
+            fetch_components(records, first, 4, eight, runs);
     }
 }
 
@@ -108,7 +99,7 @@ GP_INLINE itg spread_itg(const void *values, const Spread *spread)
     return LANES_SHARE ? itg_pick(all, spread->run) : all;
 }
 
-GP_INLINE flt spread_flt(const float *values, const Spread *spread)
+GP_INLINE flt spread_flt(const void *values, const Spread *spread)
 {
     return (flt)spread_itg(values, spread);
 }
@@ -127,36 +118,66 @@ static void set_wide_edges(const Tile *tile, const FastMix *mix, flt edge[2])
     }
 }
 
-static Shares mixed_shares(const Tile *tile, const FastMix *mix, const Spread *spread)
+static void set_shares(const Tile *tile, const FastMix *mix, const Spread *spread, int p,
+                       BlockShares *shares)
 {
     const FastLaneRuns *runs = &tile->lane_runs;
     const itg place = mix->x | mix->y << 16;
     flt edge[2];
     GP_UNROLL
     for (int i = 0; i < 2; i++) {
-        utg moved = (utg)itg_dot2(spread_itg(runs->step[i], spread), place) << GP_SUBPIXEL_BITS;
-        edge[i] = flt_from_itg((itg)((utg)spread_itg(runs->edge[i], spread) + moved));
+        itg first = spread_itg(runs->word[EDGE + 2 * i], spread);
+        itg gained = itg_dot2(spread_itg(runs->word[GAIN + 2 * i], spread), place);
+        edge[i] = flt_from_itg((itg)((utg)first + ((utg)gained << GP_SUBPIXEL_BITS)));
     }
     if (runs->wide)
         set_wide_edges(tile, mix, edge);
-    return shares_of(edge[0], edge[1], spread_flt(runs->inverse_area, spread),
-                     spread_flt(runs->ratio1, spread), spread_flt(runs->ratio2, spread));
+    GP_UNROLL
+    for (int i = 0; i < 2; i++)
+        shares->screen[i][p] = edge[i] * spread_flt(runs->word[INVERSE_AREA], spread);
+    correct_shares(shares, p, spread_flt(runs->word[RATIO], spread),
+                   spread_flt(runs->word[RATIO + 1], spread));
 }
 
 /* v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
-static void interpolate_triangles(const Tile *tile, const FastDraw *d, const FastMix *mix,
-                                  const Spread *spread, flt *in)
+static void interpolate_component(const float corner[3][FAST_LANE_RUNS], const Spread *spread,
+                                  const flt *s1, const flt *s2, int count, int stride, flt *in)
 {
-    const Shares shares = mixed_shares(tile, mix, spread);
+    for (int p = 0; p < count; p++)
+        in[p * stride] =
+            spread_flt(corner[0], &spread[p]) +
+            (s1[p] * spread_flt(corner[1], &spread[p]) + s2[p] * spread_flt(corner[2], &spread[p]));
+}
+
+static void repeat_component(const float *corner, const Spread *spread, int count, int stride,
+                             flt *in)
+{
+    for (int p = 0; p < count; p++)
+        in[p * stride] = spread_flt(corner, &spread[p]);
+}
+
+static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastMix *mixes, int count,
+                                  flt *in)
+{
+    const int stride = d->modes.components;
+    FastLaneRuns *runs = &tile->lane_runs;
+    Spread spread[FAST_BLOCK];
+    BlockShares shares;
+    runs->count = 0;
+    for (int p = 0; p < count; p++)
+        spread[p] = add_runs(&mixes[p], runs);
+    fetch_runs(tile->records, d->needs.varyings, runs);
+    for (int p = 0; p < count; p++)
+        set_shares(tile, &mixes[p], &spread[p], p, &shares);
     for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
         const int c = __builtin_ctzll(left);
-        const float(*corner)[FAST_LANE_RUNS] = tile->lane_runs.corner[c];
         const bool screen = d->modes.mode[c] == GP_LINEAR_SCREEN;
-        const flt *s = screen ? shares.screen : shares.perspective;
-        flt value = spread_flt(corner[0], spread);
-        if (d->modes.mode[c] != GP_FLAT)
-            value += s[0] * spread_flt(corner[1], spread) + s[1] * spread_flt(corner[2], spread);
-        in[c] = value;
+        const flt *s1 = screen ? shares.screen[0] : shares.perspective[0];
+        const flt *s2 = screen ? shares.screen[1] : shares.perspective[1];
+        if (d->modes.mode[c] == GP_FLAT)
+            repeat_component(runs->corner[c][0], spread, count, stride, in + c);
+        else
+            interpolate_component(runs->corner[c], spread, s1, s2, count, stride, in + c);
     }
 }
 
@@ -196,13 +217,7 @@ void FAST(interpolate_mixes)(Tile *tile, const FastDraw *d, const FastMix *mixes
             interpolate_sprites(tile, d, &mixes[p], in + p * components);
         return;
     }
-    Spread spread[FAST_BLOCK];
-    tile->lane_runs.count = 0;
-    for (int p = 0; p < count; p++)
-        spread[p] = add_runs(&mixes[p], &tile->lane_runs);
-    fetch_runs(tile, d->needs.varyings, &tile->lane_runs);
-    for (int p = 0; p < count; p++)
-        interpolate_triangles(tile, d, &mixes[p], &spread[p], in + p * components);
+    interpolate_triangles(tile, d, mixes, count, in);
 }
 
 void FAST(shade_mixes)(Tile *tile, const FastDraw *d, const FastMix *mixes, int count)
@@ -211,7 +226,7 @@ void FAST(shade_mixes)(Tile *tile, const FastDraw *d, const FastMix *mixes, int 
     flt *pixel = (flt *)(void *)tile->pixel;
     FAST(interpolate_mixes)(tile, d, mixes, count, (flt *)(void *)tile->in);
     for (int p = 0; p < count; p++) {
-        if (program->uses_pixel || program->local_reads) {
+        if (program->uses_pixel) {
             pixel[2 * p] = flt_from_itg(mixes[p].x + tile->x0);
             pixel[2 * p + 1] = flt_from_itg(mixes[p].y + tile->y0);
         }

@@ -4,20 +4,10 @@
 #include "pipeline/compare.h"
 #include "pipeline/fast/lanes/depth.h"
 #include "pipeline/fast/lanes/interpolate.h"
-#include "pipeline/fast/lanes/loose.h"
 #include "pipeline/fast/lanes/mix.h"
 #include "pipeline/fast/lanes/sprite.h"
 
-/* A row with no more live pixels of a small triangle goes into a mix. */
-enum { LOOSE = GP_LANES / 4 };
-
 /* --- edges -------------------------------------------------------------------------------------- */
-
-/* An edge function in this tile, in 32 bits, in units of `unit`, a power of two. */
-typedef struct Edge {
-    int32_t c, a, b;
-    float unit;
-} Edge;
 
 /* Whether c + a x + b y fits wherever in the tile a lane may be: it is greatest at a corner. */
 static bool fits_everywhere(int64_t c, int64_t a, int64_t b)
@@ -32,7 +22,7 @@ static bool fits_everywhere(int64_t c, int64_t a, int64_t b)
 
 /* The edges of a large triangle are often small in one tile, or have zeros at the end: those of
  * rectangles along the pixels have fifteen. */
-static bool narrow_edge(const FastWide *wide, int i, Edge *edge)
+bool FAST(narrow_edge)(const FastWide *wide, int i, Edge *edge)
 {
     int64_t c = wide->edge.c[i], a = wide->edge.a[i], b = wide->edge.b[i];
     int zeros = c | a | b ? __builtin_ctzll((uint64_t)(c | a | b)) : 0;
@@ -44,60 +34,83 @@ static bool narrow_edge(const FastWide *wide, int i, Edge *edge)
     return true;
 }
 
-/* The scale is exact, so the product is that of the whole edge. */
-static void small_shares(const Edge *edge, float inverse_area, const FastPatch *patches, int count,
-                         flt *share)
+/* Both edges in 32 bits, where they fit. */
+static bool narrow_edges(const Tile *tile, const FastRecord *r, Edge edge[2])
 {
-    const flt scale = flt_set(inverse_area * edge->unit);
-    const itg across = patch_columns(patches->wide) * edge->a + patch_rows(patches->wide) * edge->b;
+    edge[0] = (Edge){ r->c1, fast_gain_right(r->gain1), fast_gain_down(r->gain1), 1 };
+    edge[1] = (Edge){ r->c2, fast_gain_right(r->gain2), fast_gain_down(r->gain2), 1 };
+    const FastWide *wide = &tile->wide[r->wide];
+    return r->kind == FAST_SMALL ||
+           (FAST(narrow_edge)(wide, 0, &edge[0]) && FAST(narrow_edge)(wide, 1, &edge[1]));
+}
+
+/* --- barycentrics -------------------------------------------------------------------------------- */
+
+GP_INLINE void set_shares(const FastRecord *r, bool perspective, int p, const flt screen[2],
+                          BlockShares *shares)
+{
+    shares->screen[0][p] = screen[0];
+    shares->screen[1][p] = screen[1];
+    if (perspective)
+        correct_shares(shares, p, flt_set(r->ratio1), flt_set(r->ratio2));
+}
+
+/* The scale is exact, so the product is that of the whole edge. */
+GP_INLINE void small_shares(const FastRecord *r, const Edge edge[2], bool perspective,
+                            const FastPatch *patches, int count, BlockShares *shares)
+{
+    const itg column = patch_columns(patches->wide), row = patch_rows(patches->wide);
+    utg across[2];
+    flt scale[2];
+    GP_UNROLL
+    for (int i = 0; i < 2; i++) {
+        across[i] = (utg)(column * edge[i].a + row * edge[i].b) + (uint32_t)edge[i].c;
+        scale[i] = flt_set(r->inverse_area * edge[i].unit);
+    }
     for (int p = 0; p < count; p++) {
-        uint32_t first =
-            (uint32_t)edge->c + (uint32_t)edge->a * patches[p].x + (uint32_t)edge->b * patches[p].y;
-        share[p] = flt_from_itg((itg)((utg)across + first)) * scale;
+        flt screen[2];
+        GP_UNROLL
+        for (int i = 0; i < 2; i++) {
+            const uint32_t first =
+                (uint32_t)edge[i].a * patches[p].x + (uint32_t)edge[i].b * patches[p].y;
+            screen[i] = flt_from_itg((itg)(across[i] + first)) * scale[i];
+        }
+        set_shares(r, perspective, p, screen, shares);
     }
 }
 
 /* Edges that need more bits: exact in binary64, rounded once. */
-static void wide_shares(const FastWide *wide, int i, float inverse_area, const FastPatch *patches,
-                        int count, flt *share)
+GP_INLINE void wide_shares(const FastRecord *r, const FastWide *wide, bool perspective,
+                           const FastPatch *patches, int count, BlockShares *shares)
 {
-    const double a = (double)wide->edge.a[i], b = (double)wide->edge.b[i];
-    const dbl across = dbl_from_itg(patch_columns(patches->wide)) * a +
-                       dbl_from_itg(patch_rows(patches->wide)) * b;
+    const dbl column = dbl_from_itg(patch_columns(patches->wide));
+    const dbl row = dbl_from_itg(patch_rows(patches->wide));
     for (int p = 0; p < count; p++) {
-        double first = (double)wide->edge.c[i] + (a * patches[p].x + b * patches[p].y);
-        share[p] = __builtin_convertvector(first + across, flt) * inverse_area;
+        flt screen[2];
+        GP_UNROLL
+        for (int i = 0; i < 2; i++) {
+            const double a = (double)wide->edge.a[i], b = (double)wide->edge.b[i];
+            const double first = (double)wide->edge.c[i] + (a * patches[p].x + b * patches[p].y);
+            const dbl edge = first + (column * a + row * b);
+            screen[i] = __builtin_convertvector(edge, flt) * r->inverse_area;
+        }
+        set_shares(r, perspective, p, screen, shares);
     }
 }
 
-static void screen_shares(const Tile *tile, const FastRecord *r, int i, const FastPatch *patches,
-                          int count, flt *share)
+static void find_shares(const Tile *tile, const FastRecord *r, bool perspective,
+                        const FastPatch *patches, int count, BlockShares *shares)
 {
-    Edge edge = i == 0 ? (Edge){ r->c1, r->a1, r->b1, 1 } : (Edge){ r->c2, r->a2, r->b2, 1 };
-    const FastWide *wide = &tile->wide[r->wide];
-    if (r->kind == FAST_SMALL || narrow_edge(wide, i, &edge))
-        small_shares(&edge, r->inverse_area, patches, count, share);
+    Edge edge[2];
+    if (!narrow_edges(tile, r, edge))
+        wide_shares(r, &tile->wide[r->wide], perspective, patches, count, shares);
+    else if (perspective)
+        small_shares(r, edge, true, patches, count, shares);
     else
-        wide_shares(wide, i, r->inverse_area, patches, count, share);
+        small_shares(r, edge, false, patches, count, shares);
 }
 
 /* --- interpolation ------------------------------------------------------------------------------ */
-
-/* Shares of corners 1 and 2, of each patch of a run. */
-typedef struct RunShares {
-    flt screen[2][FAST_BLOCK], perspective[2][FAST_BLOCK];
-} RunShares;
-
-static void perspective_shares(const FastRecord *r, int count, RunShares *shares)
-{
-    const flt ratio1 = flt_set(r->ratio1), ratio2 = flt_set(r->ratio2);
-    for (int p = 0; p < count; p++) {
-        flt both[2];
-        correct_shares(shares->screen[0][p], shares->screen[1][p], ratio1, ratio2, both);
-        shares->perspective[0][p] = both[0];
-        shares->perspective[1][p] = both[1];
-    }
-}
 
 /* Up to four components of a run at once: more of them would leave no registers for shares. */
 enum { AT_ONCE = 4 };
@@ -129,11 +142,14 @@ static void blend_run(const FastRecord *r, const flt share[2][FAST_BLOCK], uint6
         int found = 0;
         for (; components && found < AT_ONCE; components &= components - 1)
             component[found++] = (uint8_t)__builtin_ctzll(components);
-        if (found == AT_ONCE)
-            blend_components(r, share, component, AT_ONCE, count, stride, in);
+        if (found == 1)
+            blend_components(r, share, component, 1, count, stride, in);
+        else if (found == 2)
+            blend_components(r, share, component, 2, count, stride, in);
+        else if (found == 3)
+            blend_components(r, share, component, 3, count, stride, in);
         else
-            for (int i = 0; i < found; i++)
-                blend_components(r, share, component + i, 1, count, stride, in);
+            blend_components(r, share, component, AT_ONCE, count, stride, in);
     }
 }
 
@@ -154,22 +170,14 @@ static void interpolate_run(const Tile *tile, const FastDraw *d, const FastPatch
     const int stride = d->modes.components;
     /* where both ratios are 1, so is w, and the shares are the same */
     const bool flat_on = r->ratio1 == 1.0f && r->ratio2 == 1.0f;
-    uint64_t by[3] = { 0 }; /* components of each mode */
-    for (uint64_t left = d->needs.varyings; left; left &= left - 1)
-        by[d->modes.mode[__builtin_ctzll(left)]] |= left & -left;
-    if (flat_on) {
-        by[GP_LINEAR_SCREEN] |= by[GP_PERSPECTIVE];
-        by[GP_PERSPECTIVE] = 0;
-    }
-    RunShares shares;
-    for (int i = 0; i < 2; i++)
-        screen_shares(tile, r, i, patches, count, shares.screen[i]);
-    if (by[GP_PERSPECTIVE])
-        perspective_shares(r, count, &shares);
-    blend_run(r, (const flt(*)[FAST_BLOCK])shares.perspective, by[GP_PERSPECTIVE], count, stride,
-              in);
-    blend_run(r, (const flt(*)[FAST_BLOCK])shares.screen, by[GP_LINEAR_SCREEN], count, stride, in);
-    repeat_run(r, by[GP_FLAT], count, stride, in);
+    const uint64_t perspective = flat_on ? 0 : d->varyings_by[GP_PERSPECTIVE];
+    const uint64_t screen =
+        (d->varyings_by[GP_PERSPECTIVE] ^ perspective) | d->varyings_by[GP_LINEAR_SCREEN];
+    BlockShares shares;
+    find_shares(tile, r, perspective != 0, patches, count, &shares);
+    blend_run(r, (const flt(*)[FAST_BLOCK])shares.perspective, perspective, count, stride, in);
+    blend_run(r, (const flt(*)[FAST_BLOCK])shares.screen, screen, count, stride, in);
+    repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);
 }
 
 /* Patches from `first` on that share a triangle and a shape. */
@@ -209,7 +217,7 @@ static void interpolate_patches(Tile *tile, const FastDraw *d, const FastPatch *
 static void place_patches(Tile *tile, const GpProgram *program, const FastPatch *patches, int count)
 {
     flt *pixel = (flt *)(void *)tile->pixel;
-    if (program->uses_pixel || program->local_reads)
+    if (program->uses_pixel)
         for (int p = 0; p < count; p++) {
             const FastMix *mix = &tile->mixes[p];
             itg x = patches[p].mixed ? mix->x : patch_x(&patches[p]);
@@ -265,18 +273,13 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPatch *patch
     if (d->late_depth && live) {
         bool replaced = d->draw->program->writes_depth;
         flt z = flt_load((replaced ? tile->shader_depth : depth) + p * GP_LANES);
-        if (patch->mixed)
-            FAST(gather_depth)(tile, &tile->mixes[p]);
         live = FAST(test_patch)(tile, d, patch, live, z);
-        if (patch->mixed)
-            FAST(scatter_depth)(tile, &tile->mixes[p]);
     }
     return live;
 }
 
-/* Shades patches whose inputs are there. */
-static void shade_inputs(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
-                         const float *depths)
+void FAST(shade_inputs)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
+                        const float *depths)
 {
     unsigned live[FAST_BLOCK];
     place_patches(tile, d->draw->program, patches, count);
@@ -298,66 +301,30 @@ void FAST(shade_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches
                          const float *depths)
 {
     interpolate_patches(tile, d, patches, count);
-    shade_inputs(tile, d, patches, count, depths);
+    FAST(shade_inputs)(tile, d, patches, count, depths);
 }
 
 /* --- the queue ---------------------------------------------------------------------------------- */
 
-static FastPatch *new_patch(Tile *tile)
+FastPatch *FAST(new_patch)(Tile *tile)
 {
-    if (tile->patch_count == FAST_BLOCK)
+    if (tile->patch_count == FAST_BLOCK || tile->layer_count)
         FAST(flush_patches)(tile);
     return &tile->patches[tile->patch_count++];
-}
-
-/* Field by field: a patch put together elsewhere would be stored in bytes and copied in words, for
- * which a processor must wait. */
-GP_INLINE void set_patch(FastPatch *patch, uint32_t record, int32_t x, int32_t y, unsigned live,
-                         int32_t wide)
-{
-    patch->record = record;
-    patch->live = live;
-    patch->x = (uint8_t)x;
-    patch->y = (uint8_t)y;
-    patch->wide = (uint8_t)wide;
-    patch->mixed = false;
 }
 
 static void queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, int32_t wide,
                   flt depth)
 {
-    FastPatch *patch = new_patch(tile);
+    FastPatch *patch = FAST(new_patch)(tile);
     set_patch(patch, record, x, y, live, wide);
     if (tile->draw->late_depth)
         flt_store(tile->patch_depth + (patch - tile->patches) * GP_LANES, depth);
 }
 
-/* A few pixels of a small triangle: into the mix that was queued last, if it can take them. The
- * triangles of a mix face one way. */
-static __attribute__((noinline)) void queue_loose(Tile *tile, uint32_t record, int32_t x, int32_t y,
-                                                  unsigned live, flt depth)
-{
-    FastPatch *patch = tile->patch_count ? &tile->patches[tile->patch_count - 1] : NULL;
-    FastMix *mix = patch ? &tile->mixes[patch - tile->patches] : NULL;
-    if (!patch || !patch->mixed ||
-        tile->records[patch->record].face != tile->records[record].face ||
-        !FAST(mix_takes)(mix, x, y, live)) {
-        patch = new_patch(tile);
-        *patch = (FastPatch){ .record = record, .y = FAST_TILE, .wide = GP_LANES, .mixed = true };
-        mix = tile->mixes + (patch - tile->patches);
-        FAST(mix_begin)(mix, record);
-    }
-    FAST(mix_add)
-    (mix, record, x, y, live, depth, tile->patch_depth + (patch - tile->patches) * GP_LANES);
-    patch->live = mix->live;
-}
-
 void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
 {
-    if (__builtin_popcount(live) <= LOOSE && tile->records[record].kind == FAST_SMALL)
-        queue_loose(tile, record, x, y, live, depth);
-    else
-        queue(tile, record, x, y, live, GP_LANES, depth);
+    queue(tile, record, x, y, live, GP_LANES, depth);
 }
 
 void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
@@ -365,31 +332,16 @@ void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsign
     queue(tile, record, x, y, live, 0, depth);
 }
 
-void FAST(queue_box)(Tile *tile, uint32_t record, const FastBox *box)
-{
-    const int32_t x0 = box->x0, end = box->x1 + 1;
-    uint32_t count = tile->patch_count; /* in a register, as the ends are */
-    for (int32_t y = box->y0, y1 = box->y1; y <= y1; y++)
-        for (int32_t x = x0; x < end; x += GP_LANES) {
-            if (count == FAST_BLOCK) {
-                tile->patch_count = count;
-                FAST(flush_patches)(tile);
-                count = 0;
-            }
-            const unsigned live = end - x < GP_LANES ? (1u << (end - x)) - 1 : ALL_LANES;
-            set_patch(&tile->patches[count++], record, x, y, live, GP_LANES);
-        }
-    tile->patch_count = count;
-}
-
 void FAST(flush_patches)(Tile *tile)
 {
     const int count = (int)tile->patch_count;
-    if (!count)
+    if (!count && !tile->layer_count)
         return;
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
-    if (tile->draw->draw->geometry.primitive == GP_POINTS) /* come with their inputs */
-        shade_inputs(tile, tile->draw, tile->patches, count, tile->patch_depth);
+    if (tile->layer_count)
+        FAST(shade_layers)(tile);
+    else if (tile->draw->draw->geometry.primitive == GP_POINTS) /* come with their inputs */
+        FAST(shade_inputs)(tile, tile->draw, tile->patches, count, tile->patch_depth);
     else
         FAST(shade_patches)(tile, tile->draw, tile->patches, count, tile->patch_depth);
     tile->patch_count = 0;

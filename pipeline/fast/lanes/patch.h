@@ -9,6 +9,19 @@ enum {
     QUADS_WIDE = GP_LANES / 2, /* pixels across a patch of quads */
 };
 
+/* Field by field: a patch put together elsewhere would be stored in bytes and copied in words, for
+ * which a processor must wait. */
+GP_INLINE void set_patch(FastPatch *patch, uint32_t record, int32_t x, int32_t y, unsigned live,
+                         int32_t wide)
+{
+    patch->record = record;
+    patch->live = live;
+    patch->x = (uint8_t)x;
+    patch->y = (uint8_t)y;
+    patch->wide = (uint8_t)wide;
+    patch->mixed = false;
+}
+
 /* Row of each lane where rows are `wide` pixels: lane / wide. Times 256 / wide and a bit more is the
  * same up to lane 15. */
 GP_INLINE itg lane_row(int32_t wide)
@@ -84,5 +97,21 @@ GP_INLINE void store_patch(void *plane, const FastPatch *patch, unsigned live, i
  * returns the lanes of `live` that pass */
 unsigned FAST(test_patch)(Tile *tile, const FastDraw *draw, const FastPatch *patch, unsigned live,
                           flt z);
+
+/* An edge function in this tile, in 32 bits, in units of `unit`, a power of two. */
+typedef struct Edge {
+    int32_t c, a, b;
+    float unit;
+} Edge;
+
+/* Room at the end of the queue. */
+FastPatch *FAST(new_patch)(Tile *tile);
+
+/* False where the edge needs more bits. */
+bool FAST(narrow_edge)(const FastWide *wide, int i, Edge *edge);
+
+/* Shades patches whose inputs are there. */
+void FAST(shade_inputs)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count,
+                        const float *depths);
 
 #endif

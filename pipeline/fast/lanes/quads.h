@@ -1,4 +1,5 @@
-/* Words of the tile in lanes: of a row, or of two rows as 2x2 quads side by side. */
+/* Words of the tile in lanes: of a row, of two rows as 2x2 quads side by side, or of some short rows
+ * one after the other. */
 #ifndef GP_FAST_QUADS_H
 #define GP_FAST_QUADS_H
 
@@ -11,15 +12,24 @@ typedef int32_t itg_half __attribute__((vector_size(2 * GP_LANES)));
 #define JOIN_ROWS(upper, lower) __builtin_shufflevector(upper, lower, 0, 1, 2, 3)
 #define UPPER_ROW(quads)        __builtin_shufflevector(quads, quads, 0, 1)
 #define LOWER_ROW(quads)        __builtin_shufflevector(quads, quads, 2, 3)
+#define LANES_IN_ORDER          0, 1, 2, 3
+#define LOWER_LANES             0, 1
+#define UPPER_LANES             2, 3
 #elif GP_LANES == 8
 #define JOIN_ROWS(upper, lower) __builtin_shufflevector(upper, lower, 0, 1, 4, 5, 2, 3, 6, 7)
 #define UPPER_ROW(quads)        __builtin_shufflevector(quads, quads, 0, 1, 4, 5)
 #define LOWER_ROW(quads)        __builtin_shufflevector(quads, quads, 2, 3, 6, 7)
+#define LANES_IN_ORDER          0, 1, 2, 3, 4, 5, 6, 7
+#define LOWER_LANES             0, 1, 2, 3
+#define UPPER_LANES             4, 5, 6, 7
 #else
 #define JOIN_ROWS(upper, lower)                                                                    \
     __builtin_shufflevector(upper, lower, 0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15)
 #define UPPER_ROW(quads) __builtin_shufflevector(quads, quads, 0, 1, 4, 5, 8, 9, 12, 13)
 #define LOWER_ROW(quads) __builtin_shufflevector(quads, quads, 2, 3, 6, 7, 10, 11, 14, 15)
+#define LANES_IN_ORDER   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+#define LOWER_LANES      0, 1, 2, 3, 4, 5, 6, 7
+#define UPPER_LANES      8, 9, 10, 11, 12, 13, 14, 15
 #endif
 
 /* Places of the lanes, from the first: columns and rows. */
@@ -56,6 +66,38 @@ GP_INLINE void store_lanes(uint32_t *to, bool quads, itg words)
         return;
     }
     __builtin_memcpy(to, &words, sizeof words);
+}
+
+/* Rows of `wide` pixels: four, or half of the lanes. */
+GP_INLINE itg load_rows(const uint32_t *from, int32_t wide)
+{
+    if (wide == 4) {
+        itg4 row[GP_LANES / 4];
+        GP_UNROLL
+        for (int r = 0; r < GP_LANES / 4; r++)
+            __builtin_memcpy(&row[r], from + r * FAST_PITCH, sizeof row[r]);
+        return itg_join_fours(row);
+    }
+    itg_half upper, lower;
+    __builtin_memcpy(&upper, from, sizeof upper);
+    __builtin_memcpy(&lower, from + FAST_PITCH, sizeof lower);
+    return __builtin_shufflevector(upper, lower, LANES_IN_ORDER);
+}
+
+GP_INLINE void store_rows(uint32_t *to, int32_t wide, itg words)
+{
+    if (wide == 4) {
+        itg4 row[GP_LANES / 4];
+        itg_split_fours(words, row);
+        GP_UNROLL
+        for (int r = 0; r < GP_LANES / 4; r++)
+            __builtin_memcpy(to + r * FAST_PITCH, &row[r], sizeof row[r]);
+        return;
+    }
+    itg_half upper = __builtin_shufflevector(words, words, LOWER_LANES);
+    itg_half lower = __builtin_shufflevector(words, words, UPPER_LANES);
+    __builtin_memcpy(to, &upper, sizeof upper);
+    __builtin_memcpy(to + FAST_PITCH, &lower, sizeof lower);
 }
 
 #endif

@@ -27,7 +27,7 @@ Filler FAST(filler)(Tile *tile)
 void FAST(reserve_records)(Tile *tile, uint32_t count)
 {
     /* an ordered draw's records are done with once its patches are shaded */
-    if (tile->draw->route == FAST_ORDERED && !tile->patch_count) {
+    if (tile->draw->route == FAST_ORDERED && !tile->patch_count && !tile->layer_count) {
         tile->record_count = FAST_NO_RECORD + 1;
         tile->wide_count = 0;
     }

@@ -18,6 +18,11 @@ typedef enum EarlyTest {
     EARLY_ANY,          /* all else; where tests come late, none */
 } EarlyTest;
 
+GP_INLINE bool is_usual(EarlyTest early)
+{
+    return early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM;
+}
+
 /* What all triangles of a batch share, and the one at work. */
 typedef struct Filler {
     Tile *tile;
@@ -51,7 +56,7 @@ GP_INLINE msk route_lanes(const Filler *f, EarlyTest early, FastRoute route, boo
 {
     Tile *tile = f->tile;
     const uint32_t at = fast_at(x, y);
-    if (early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM) {
+    if (is_usual(early)) {
         itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
         live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
         if (route != FAST_ORDERED || !f->d->late_depth)

@@ -5,7 +5,8 @@
 #include <string.h>
 
 enum {
-    DENSE = GP_LANES * 5 / 8, /* a part of the tile with so many pixels is shaded as it is */
+    TOGETHER = FAST_BLOCK / 2, /* mixes: all that they go through fits into a core's first cache */
+    DENSE = GP_LANES * 5 / 8,  /* a part of the tile with so many pixels is shaded as it is */
 
     CELL_HIGH = 2, /* cells are GP_LANES pixels wide: two rows, or two patches of quads */
     CELLS_ACROSS = FAST_TILE / GP_LANES,
@@ -27,6 +28,8 @@ typedef struct Collector {
 
 enum { PLACE_LIVES = 1 << 16 };
 
+typedef enum MixShape { ROW, QUADS, PACKED } MixShape;
+
 static void shade_collected_mixes(Collector *c)
 {
     if (c->mixes)
@@ -34,11 +37,18 @@ static void shade_collected_mixes(Collector *c)
     c->mixes = 0;
 }
 
-static void add_mix(Collector *c, FastMix mix)
+/* Field by field, as set_patch. */
+static void add_mix(Collector *c, itg record, itg x, itg y, unsigned live, MixShape shape)
 {
-    c->tile->mixes[c->mixes] = mix;
-    if (++c->mixes == FAST_BLOCK)
+    if (c->mixes == TOGETHER)
         shade_collected_mixes(c);
+    FastMix *mix = &c->tile->mixes[c->mixes++];
+    mix->record = record;
+    mix->x = x;
+    mix->y = y;
+    mix->live = live;
+    mix->packed = shape == PACKED;
+    mix->quads = shape == QUADS;
 }
 
 GP_INLINE itg load_words(const uint32_t *from)
@@ -52,11 +62,8 @@ static void add_packed(Collector *c)
     const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
     itg record = itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0]));
     itg place = itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]));
-    add_mix(c, (FastMix){ .record = record,
-                          .x = place & 255,
-                          .y = place >> 8 & 255,
-                          .live = msk_bits(filled & (msk)((place & PLACE_LIVES) != 0)),
-                          .packed = true });
+    const unsigned live = msk_bits(filled & (msk)((place & PLACE_LIVES) != 0));
+    add_mix(c, record, place & 255, place >> 8 & 255, live, PACKED);
 }
 
 static void pack(Collector *c, unsigned lanes, itg record, itg place)
@@ -80,11 +87,11 @@ static void shade_collected_patches(Collector *c)
 }
 
 /* The queue of ordered draws is empty here: its room serves. */
-static void add_patch(Collector *c, FastPatch patch)
+static void add_patch(Collector *c, uint32_t record, const FastPatch *place)
 {
-    c->tile->patches[c->patches++] = patch;
     if (c->patches == FAST_BLOCK)
         shade_collected_patches(c);
+    set_patch(&c->tile->patches[c->patches++], record, place->x, place->y, ALL_LANES, place->wide);
 }
 
 /* --- collecting ---------------------------------------------------------------------------------- */
@@ -94,12 +101,10 @@ static void collect_row(Collector *c, const FastPatch *row, itg seen, msk mine)
     unsigned live = msk_bits(mine);
     uint32_t some = c->tile->seen[fast_at(row->x + __builtin_ctz(live), row->y)];
     if (msk_bits(seen == (int32_t)some) == ALL_LANES)
-        add_patch(c, (FastPatch){ some, ALL_LANES, row->x, row->y, .wide = GP_LANES });
+        add_patch(c, some, row);
     else if (__builtin_popcount(live) >= DENSE)
-        add_mix(c, (FastMix){ .record = itg_select(mine, seen, itg_set((int32_t)some)),
-                              .x = patch_x(row),
-                              .y = patch_y(row),
-                              .live = live });
+        add_mix(c, itg_select(mine, seen, itg_set((int32_t)some)), patch_x(row), patch_y(row), live,
+                ROW);
     else
         pack(c, live, seen, patch_x(row) | patch_y(row) << 8 | PLACE_LIVES);
 }
@@ -112,11 +117,10 @@ static itg quad_greatest(itg a)
 }
 
 /* Quads stay together: there are whole ones only. */
-static void pack_quads(Collector *c, const FastMix *mix)
+static void pack_quads(Collector *c, itg record, itg x, itg y, unsigned live)
 {
-    unsigned any = (mix->live | mix->live >> 1 | mix->live >> 2 | mix->live >> 3) & 0x1111;
-    itg lives = mask_of(mix->live) & PLACE_LIVES;
-    pack(c, any * 15, mix->record, mix->x | mix->y << 8 | lives);
+    unsigned any = (live | live >> 1 | live >> 2 | live >> 3) & 0x1111;
+    pack(c, any * 15, record, x | y << 8 | (mask_of(live) & PLACE_LIVES));
 }
 
 /* Whole quads, for shaders that look at their neighbours: a quad is shaded once for every triangle
@@ -124,20 +128,20 @@ static void pack_quads(Collector *c, const FastMix *mix)
 static void collect_quads(Collector *c, const FastPatch *quads, itg seen, msk mine)
 {
     if (msk_bits(mine & (seen == seen[0])) == ALL_LANES) {
-        add_patch(c, (FastPatch){ (uint32_t)seen[0], ALL_LANES, quads->x, quads->y, .wide = 0 });
+        add_patch(c, (uint32_t)seen[0], quads);
         return;
     }
     const itg some = itg_set(seen[__builtin_ctz(msk_bits(mine))]);
-    FastMix mix = { .x = patch_x(quads), .y = patch_y(quads), .quads = true };
+    const itg x = patch_x(quads), y = patch_y(quads);
     for (itg left = seen & mine; msk_bits(left != 0); left &= ~mine) {
         itg record = quad_greatest(left);
         mine = (left == record) & (left != 0);
-        mix.live = msk_bits(mine);
-        mix.record = itg_select(record != 0, record, some);
-        if (__builtin_popcount(msk_bits(record != 0)) >= DENSE)
-            add_mix(c, mix);
+        const bool dense = __builtin_popcount(msk_bits(record != 0)) >= DENSE;
+        record = itg_select(record != 0, record, some);
+        if (dense)
+            add_mix(c, record, x, y, msk_bits(mine), QUADS);
         else
-            pack_quads(c, &mix);
+            pack_quads(c, record, x, y, msk_bits(mine));
     }
 }
 

@@ -174,41 +174,9 @@ void FAST(begin_local)(Tile *tile, const GpTexture *textures, int number)
         local->format = GP_FORMAT_NONE;
 }
 
-/* Where a packet's pixels are in the tile. */
-typedef struct Places {
-    const FastPatch *patch; /* or NULL, and where each lane is: */
-    itg at;
-    msk inside; /* the surface: helper pixels may lie past its edge */
-} Places;
-
-static bool is_inside(const Tile *tile, const FastPatch *patch)
+GP_INLINE flt decode(GpFormat format, itg words)
 {
-    const int32_t rows = patch->wide == GP_LANES ? 1 : patch->wide ? GP_LANES : 2;
-    return patch->x + GP_LANES <= tile->width && patch->y + rows <= tile->height;
-}
-
-static Places find_places(const Tile *tile, const GpShaderCall *call, int packet)
-{
-    const FastPatch *patch = tile->shaded ? &tile->shaded[packet] : NULL;
-    if (patch && !patch->mixed && is_inside(tile, patch))
-        return (Places){ .patch = patch, .inside = itg_set(-1) };
-    const float *pixel = call->pixel + 2 * packet * GP_LANES;
-    const itg x = itg_from_flt(flt_load(pixel)) - tile->x0;
-    const itg y = itg_from_flt(flt_load(pixel + GP_LANES)) - tile->y0;
-    return (Places){ .at = y * FAST_PITCH + x,
-                     .inside = (msk)(x < tile->width) & (msk)(y < tile->height) };
-}
-
-GP_INLINE flt read_channel(const FastLocal *local, int c, const Places *places)
-{
-    static const int byte[4] = { RED_BYTE, GREEN_BYTE, BLUE_BYTE, ALPHA_BYTE };
-    if (!local->plane[c])
-        return flt_set(local->same[c]);
-    itg words = places->patch ? load_patch(local->plane[c], places->patch)
-                              : itg_gather((const uint8_t *)local->plane[c], places->at * 4);
-    switch (local->format) { /* the divisions' operands are exact, as in gp_float_from_unorm */
-    case GP_A8R8G8B8:
-        return flt_unpack_unorm8(words, byte[c]);
+    switch (format) { /* the divisions' operands are exact, as in gp_float_from_unorm */
     case GP_D16:
         return flt_from_itg(words) / 65535.0f;
     case GP_D24S8:
@@ -218,17 +186,80 @@ GP_INLINE flt read_channel(const FastLocal *local, int c, const Places *places)
     }
 }
 
-void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
+/* Where a packet's pixels are in the tile. */
+typedef struct Places {
+    const FastPatch *patch; /* a row or quads; or NULL, and where each lane is: */
+    itg at;
+} Places;
+
+GP_INLINE itg load_places(const uint32_t *plane, const Places *places)
 {
-    const Tile *tile = call->local;
-    const FastLocal *local = &tile->local[slot];
-    if (local->format == GP_FORMAT_NONE) {
-        gp_read_local_plain(call, slot, packet, lanes, texel);
+    const FastPatch *patch = places->patch;
+    return patch ? load_lanes(plane + fast_at(patch->x, patch->y), !patch->wide)
+                 : itg_gather((const uint8_t *)plane, places->at * 4);
+}
+
+GP_INLINE void read_planes(const FastLocal *local, const Places *places, flt rgba[4])
+{
+    static const int byte[4] = { RED_BYTE, GREEN_BYTE, BLUE_BYTE, ALPHA_BYTE };
+    if (local->format == GP_A8R8G8B8 && local->plane[0]) {
+        const itg words = load_places(local->plane[0], places);
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            rgba[c] = flt_unpack_unorm8(words, byte[c]);
         return;
     }
-    const Places places = find_places(tile, call, packet);
     GP_UNROLL
-    for (int c = 0; c < 4; c++) /* outside: 0, as the model reads */
-        flt_store(texel + c * GP_LANES,
-                  (flt)((itg)read_channel(local, c, &places) & places.inside));
+    for (int c = 0; c < 4; c++)
+        rgba[c] = local->plane[c] ? decode(local->format, load_places(local->plane[c], places))
+                                  : flt_set(local->same[c]);
+}
+
+/* Rows and quads of which no pixel lies past the surface's edge. */
+static bool is_plain(const Tile *tile, const FastPatch *patch)
+{
+    const int32_t rows = patch->wide ? 1 : 2;
+    return !patch->mixed && (!patch->wide || patch->wide == GP_LANES) &&
+           patch->x + GP_LANES <= tile->width && patch->y + rows <= tile->height;
+}
+
+/* Some pixels are anywhere, or past the surface's edge, where the model reads 0: helpers. */
+static __attribute__((noinline)) void read_anywhere(Tile *tile, const GpShaderCall *call, int slot,
+                                                    int packet, float *texel)
+{
+    const FastPatch *patch = tile->shaded ? &tile->shaded[packet] : NULL;
+    const FastMix *mix = &tile->mixes[packet];
+    const itg x = patch && !patch->mixed ? patch_x(patch) : mix->x;
+    const itg y = patch && !patch->mixed ? patch_y(patch) : mix->y;
+    if (tile->local[slot].format == GP_FORMAT_NONE) {
+        flt *pixel = (flt *)(void *)tile->pixel + 2 * packet;
+        pixel[0] = flt_from_itg(x + tile->x0);
+        pixel[1] = flt_from_itg(y + tile->y0);
+        gp_read_local_plain(call, slot, packet, GP_LANES, texel);
+        return;
+    }
+    const Places places = { .at = y * FAST_PITCH + x };
+    const msk inside = (msk)(x < tile->width) & (msk)(y < tile->height);
+    flt rgba[4];
+    read_planes(&tile->local[slot], &places, rgba);
+    GP_UNROLL
+    for (int c = 0; c < 4; c++)
+        flt_store(texel + c * GP_LANES, (flt)((itg)rgba[c] & inside));
+}
+
+void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
+{
+    GP_ASSERT(lanes == GP_LANES);
+    Tile *tile = call->local;
+    const Places places = { .patch = tile->shaded ? &tile->shaded[packet] : NULL };
+    if (!places.patch || !is_plain(tile, places.patch) ||
+        tile->local[slot].format == GP_FORMAT_NONE) {
+        read_anywhere(tile, call, slot, packet, texel);
+        return;
+    }
+    flt rgba[4];
+    read_planes(&tile->local[slot], &places, rgba);
+    GP_UNROLL
+    for (int c = 0; c < 4; c++)
+        flt_store(texel + c * GP_LANES, rgba[c]);
 }

@@ -70,10 +70,10 @@ static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count,
 
 /* --- shaded in order ---------------------------------------------------------------------------- */
 
-/* The place of pixels along one axis of a sprite, 0..1. */
-GP_INLINE flt along(itg pixel, int32_t start, float per_step)
+/* The place of pixels, in sub-pixels, along one axis of a sprite, 0..1. */
+GP_INLINE flt along(itg subpixel, int32_t start, float per_step)
 {
-    return flt_from_itg(pixel * GP_SUBPIXELS - start) * per_step;
+    return flt_from_itg(subpixel - start) * per_step;
 }
 
 void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *d, const FastRecord *r, itg x,
@@ -83,9 +83,18 @@ void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *d, const FastRec
     for (int c = 0; c < d->modes.components; c++)
         in[c] = flt_set(r->corner[0][c]);
     if (d->modes.sprite >= 0) {
-        in[d->modes.sprite] = along(x, wide->sprite.left, wide->sprite.per_step);
-        in[d->modes.sprite + 1] = along(y, wide->sprite.top, wide->sprite.per_step);
+        in[d->modes.sprite] = along(x * GP_SUBPIXELS, wide->sprite.left, wide->sprite.per_step);
+        in[d->modes.sprite + 1] = along(y * GP_SUBPIXELS, wide->sprite.top, wide->sprite.per_step);
     }
+}
+
+static void set_packing(FastPacking *packing, int32_t wide)
+{
+    packing->wide = wide;
+    packing->rows = GP_LANES / wide;
+    packing->share = (1 << 16) / (uint32_t)packing->rows + 1;
+    packing->across = patch_columns(wide) * GP_SUBPIXELS;
+    packing->down = patch_rows(wide) * GP_SUBPIXELS;
 }
 
 /* A sprite on its way into the queue. */
@@ -124,49 +133,53 @@ GP_INLINE void queue_patch(const Queuer *q, int32_t x, int32_t y, int32_t wide, 
     tile->patch_count += patch->live != 0;
 }
 
-/* Inputs of the sprite's patches from number `first` of the queue on: of one shape, one below
- * the other, so that they share u. */
-GP_INLINE void set_inputs(const Queuer *q, uint32_t first, flt u, itg row)
+GP_INLINE void repeat_ahead(flt *to, int stride, int count, flt value)
 {
-    Tile *tile = q->tile;
-    const GpVaryingModes *modes = &q->d->modes;
-    const int stride = modes->components, count = (int)(tile->patch_count - first);
-    const FastPatch *patches = tile->patches + first;
-    flt *const in = (flt *)(void *)tile->in + first * (uint32_t)stride;
-    for (int c = 0; c < stride; c++) {
-        const flt value = flt_set(q->varying[c]);
-        flt *to = in + c;
-        for (int p = 0; p < count; p += FAST_AHEAD) {
-            GP_UNROLL
-            for (int k = 0; k < FAST_AHEAD; k++, to += stride)
-                *to = value;
-        }
-    }
-    flt *place = in + modes->sprite;
-    for (int p = 0; modes->sprite >= 0 && p < count; p++, place += stride) {
-        place[0] = u;
-        place[1] = along(row + patches[p].y, q->top, q->per_step);
+    for (int p = 0; p < count; p += FAST_AHEAD) {
+        GP_UNROLL
+        for (int k = 0; k < FAST_AHEAD; k++, to += stride)
+            *to = value;
     }
 }
 
-/* A box that is narrower than a patch: as many rows at once as have room. */
-static void queue_packed(const Queuer *q)
+/* Inputs of the sprite's patches from number `first` of the queue on: of one shape, one below
+ * the other, so that they share u. Places of the lanes are in sub-pixels. */
+GP_INLINE void set_inputs(const Queuer *q, uint32_t first, itg across, itg down)
+{
+    Tile *tile = q->tile;
+    const int stride = q->d->modes.components, sprite = q->d->modes.sprite;
+    const int count = (int)(tile->patch_count - first);
+    const FastPatch *patches = tile->patches + first;
+    flt *const in = (flt *)(void *)tile->in + first * (uint32_t)stride;
+    for (int c = 0; c < stride; c++) {
+        if (c == sprite)
+            c += 2;
+        if (c < stride)
+            repeat_ahead(in + c, stride, count, flt_set(q->varying[c]));
+    }
+    if (sprite < 0)
+        return;
+    flt *place = in + sprite;
+    repeat_ahead(place, stride, count, along(across, q->left, q->per_step));
+    for (int p = 0; p < count; p++, place += stride)
+        place[1] = along(down + patches[p].y * GP_SUBPIXELS, q->top, q->per_step);
+}
+
+static void queue_packed(const Queuer *q, const FastPacking *packing)
 {
     Tile *tile = q->tile;
     const FastBox *box = &q->box;
-    const int32_t wide = box->x1 - box->x0 + 1, rows = GP_LANES / wide;
+    const int32_t wide = packing->wide, rows = packing->rows;
     const int32_t most = rows * FAST_BLOCK; /* rows of a full queue */
-    const itg row = patch_rows(wide);
-    const flt u = along(patch_columns(wide) + box->x0, q->left, q->per_step);
     for (int32_t top = box->y0; top <= box->y1; top += most) {
         const int32_t end = box->y1 < top + most ? box->y1 + 1 : top + most;
-        make_room(tile, (end - top + rows - 1) / rows);
+        make_room(tile, (int32_t)((uint32_t)(end - top + rows - 1) * packing->share >> 16));
         const uint32_t first = tile->patch_count;
         for (int32_t y = top; y < end; y += rows) {
             const int32_t pixels = (end - y < rows ? end - y : rows) * wide;
             queue_patch(q, box->x0, y, wide, (1u << pixels) - 1);
         }
-        set_inputs(q, first, u, row);
+        set_inputs(q, first, packing->across + box->x0 * GP_SUBPIXELS, packing->down);
     }
 }
 
@@ -187,7 +200,7 @@ static void queue_box(const Queuer *q)
             const uint32_t first = q->tile->patch_count;
             if (live)
                 queue_patch(q, x, y, wide, live);
-            set_inputs(q, first, along(px, q->left, q->per_step), row);
+            set_inputs(q, first, px * GP_SUBPIXELS, row * GP_SUBPIXELS);
         }
 }
 
@@ -204,10 +217,14 @@ static void queue_sprite(Tile *tile, const Batch *batch, uint32_t lane, uint32_t
                             .per_step = batch->per_step[lane],
                             .z = s->z[lane],
                             .varying = d->varyings + (size_t)batch->vertex[lane] * d->stride };
-    if (queuer.box.x1 - queuer.box.x0 < GP_LANES - 1 && !d->needs.quads)
-        queue_packed(&queuer);
-    else
+    const int32_t wide = queuer.box.x1 - queuer.box.x0 + 1;
+    if (wide >= GP_LANES || d->needs.quads) {
         queue_box(&queuer);
+        return;
+    }
+    if (tile->packing.wide != wide)
+        set_packing(&tile->packing, wide);
+    queue_packed(&queuer, &tile->packing);
 }
 
 /* --- seen, or only tested ------------------------------------------------------------------------- */

@@ -4,10 +4,10 @@
 
 #include "pipeline/fast/lanes/tile.h"
 
-/* The value that a store and a load of an 8-bit channel leave. */
-GP_INLINE flt through_unorm8(flt v)
+/* To [0, 1], NaN to 0. */
+GP_INLINE flt clamped(flt v)
 {
-    return flt_unpack_unorm8(itg_pack_unorm8((flt[4]){ flt_lesser(flt_set(1), v) }), 0);
+    return flt_lesser(flt_greater(v, flt_set(0)), flt_set(1));
 }
 
 GP_INLINE flt through(GpFormat format, flt v)
@@ -15,7 +15,7 @@ GP_INLINE flt through(GpFormat format, flt v)
     switch (format) {
     case GP_A8R8G8B8:
     case GP_R8:
-        return through_unorm8(v);
+        return flt_through_unorm8(clamped(v));
     case GP_G16R16F:
     case GP_A16B16G16R16F:
         return flt_through_half(v);

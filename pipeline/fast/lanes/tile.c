@@ -1,5 +1,5 @@
 /* One tile: its primitives in submission order, from clear to store. */
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/farthest.h"
 
 #include "pipeline/fast/clear.h"
 
@@ -57,8 +57,10 @@ static void draw_cut(Tile *tile, const FastRange *range, uint32_t primitive)
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
+    FAST(fill_kept)(tile);
     FAST(flush_patches)(tile);
     tile->draw = &tile->pass->draws[number];
+    FAST(keep_farthest)(tile, tile->draw);
     tile->draw_number = number;
     if (tile->draw->route == FAST_ORDERED)
         FAST(flush_seen)(tile);
@@ -93,6 +95,15 @@ static void let_points_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
             waiting->count * sizeof *waiting->primitive);
 }
 
+/* Those of the first and the last triangle, and of one between them. */
+GP_INLINE void ask_for_indices(const uint32_t *indices, uint32_t lanes)
+{
+    const int first = __builtin_ctz(lanes), last = 31 - __builtin_clz(lanes);
+    __builtin_prefetch(indices + 3 * first);
+    __builtin_prefetch(indices + 3 * (first + last) / 2);
+    __builtin_prefetch(indices + 3 * last);
+}
+
 /* Primitives of the present draw: their indices are wanted soon. */
 static void let_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
 {
@@ -105,7 +116,8 @@ static void let_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
         return;
     }
     if (geometry->indices)
-        __builtin_prefetch(geometry->indices + 3 * (hits->first - tile->draw->first_primitive));
+        ask_for_indices(geometry->indices + 3 * (hits->first - tile->draw->first_primitive),
+                        hits->lanes);
     if (waiting->count >= WAITING)
         draw_waiting(tile, waiting);
 }
@@ -148,8 +160,9 @@ static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Wait
 /* Whether any primitive of the pass touches the tile. */
 static bool is_touched(const FastPass *pass, uint32_t number)
 {
+    const uint32_t second = (pass->sides - 1) * pass->tiles_x * pass->tiles_y;
     for (uint32_t r = 0; r < pass->ready_count; r++)
-        if (pass->ranges[r].head[number])
+        if (pass->ranges[r].head[number] | pass->ranges[r].head[number + second])
             return true;
     return false;
 }
@@ -171,6 +184,27 @@ GP_INLINE void ask_for_bins(const FastGroup *group, uint32_t next, uint32_t numb
         __builtin_prefetch(&range[0]->chunks[range[0]->chunks[first].next]);
 }
 
+/* One side of the pass's triangles. */
+static void draw_side(Tile *tile, const FastPass *pass, uint32_t number)
+{
+    Waiting waiting;
+    waiting.count = 0;
+    for (uint32_t r = 0; r < pass->ready_count; r++)
+        draw_range(tile, &pass->ranges[r], number, &waiting);
+    draw_waiting(tile, &waiting);
+}
+
+/* Where there are two sides, the nearer one comes first: of closed meshes it hides the other. */
+static void draw_sides(Tile *tile, const FastPass *pass, uint32_t number)
+{
+    const uint32_t tiles = pass->tiles_x * pass->tiles_y;
+    draw_side(tile, pass, number + pass->first_side * tiles);
+    if (pass->sides == 1)
+        return;
+    FAST(find_farthest)(tile);
+    draw_side(tile, pass, number + (1 - pass->first_side) * tiles);
+}
+
 static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
 {
     const bool touched = is_touched(pass, number);
@@ -178,16 +212,16 @@ static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
     if (!touched)
         return;
     tile->draw = NULL;
-    tile->patch_count = 0;
+    FAST(keep_farthest)(tile, NULL);
+    tile->patch_count = tile->layer_count = tile->kept_count = 0;
+    tile->layers_alike = false;
+    tile->packing.wide = 0;
     tile->record_count = FAST_NO_RECORD + 1;
     tile->backdrop = FAST_NO_RECORD;
     tile->wide_count = tile->run_count = 0;
-    Waiting waiting;
-    waiting.count = 0;
     fast_turn_to(tile, FAST_RASTER);
-    for (uint32_t r = 0; r < pass->ready_count; r++)
-        draw_range(tile, &pass->ranges[r], number, &waiting);
-    draw_waiting(tile, &waiting);
+    draw_sides(tile, pass, number);
+    FAST(fill_kept)(tile);
     FAST(flush_patches)(tile);
     FAST(flush_seen)(tile);
     fast_turn_to(tile, FAST_TRANSFER);

@@ -29,28 +29,43 @@ GP_INLINE dbl dbl_from_itg(itg a)
 
 enum {
     FAST_PITCH = FAST_TILE + 16, /* a row of the tile, with room for a packet that runs over */
-    FAST_PIXELS = FAST_PITCH * (FAST_TILE + 1),
+    FAST_PIXELS = FAST_PITCH * (FAST_TILE + 3),
     FAST_BLOCK = 32,        /* patches or mixes of one call of a shader */
+    FAST_LAYERS = 8,        /* boxes of one place that wait for each other */
+    FAST_KEPT = 64,         /* large triangles that wait to be sorted */
     FAST_AHEAD = 4,         /* patches whose inputs may be written at once, past the last too */
     FAST_RECORDS = 1 << 14, /* triangles that a tile remembers before it shades what it sees */
     FAST_WIDES = 1 << 12,
     FAST_RUNS = 1 << 10,
     FAST_NO_RECORD = 0,
+    FAST_FARTHEST = FAST_TILE * FAST_TILE / 64 < 16 ? 16 : FAST_TILE * FAST_TILE / 64,
 };
 
-/* What shading needs of a triangle or point in this tile. The first twelve words go into lanes four
- * at a time. */
+/* What shading needs of a triangle or point in this tile: a cache line, whose first eight words go
+ * into lanes together. */
 typedef struct FastRecord {
-    int32_t c1, a1, b1; /* edge 1: at the tile's first centre, and a pixel to the right and down; */
-    int32_t c2, a2, b2; /* edge 2. Modulo 2^32, where the triangle is small */
-    float inverse_area, ratio1;
-    float ratio2, face;
-    uint32_t kind;          /* FastKind */
+    _Alignas(64) int32_t c1; /* edge 1 at the tile's first centre, modulo 2^32, and what it gains */
+    int32_t gain1;           /* in a sub-pixel to the right (low half) and down (high half) */
+    int32_t c2, gain2;       /* edge 2. Both are those of small triangles only */
+    float inverse_area, ratio1, ratio2;
+    uint32_t kind; /* FastKind */
+    float face;
     uint32_t wide;          /* number of the wide edges */
     const float *corner[3]; /* varyings; of a point the first */
 } FastRecord;
 
 typedef enum FastKind { FAST_SMALL, FAST_WIDE, FAST_SPRITE } FastKind;
+
+/* What a small triangle's edge gains in a pixel to the right and in one down. */
+GP_INLINE int32_t fast_gain_right(int32_t gain)
+{
+    return (int16_t)gain * GP_SUBPIXELS;
+}
+
+GP_INLINE int32_t fast_gain_down(int32_t gain)
+{
+    return (gain >> 16) * GP_SUBPIXELS;
+}
 
 /* Edges of a triangle too large for 32 bits; or a sprite's corner, from the tile's first centre, in
  * sub-pixels, and 1 over its side. */
@@ -75,6 +90,14 @@ typedef struct FastPatch {
     bool mixed;    /* pixels of several small triangles, those of the mix of the same number */
 } FastPatch;
 
+/* Of sprites narrower than a patch: as many rows as have room go into one. Most have one width, so what
+ * follows from it is kept from sprite to sprite. */
+typedef struct FastPacking {
+    int32_t wide, rows; /* pixels a row, 0: not set; rows a patch */
+    uint32_t share;     /* times this and divided by 2^16 is divided by `rows`, up to 2^12 */
+    itg across, down;   /* of each lane, in sub-pixels */
+} FastPacking;
+
 /* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a patch, or
  * packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
 typedef struct FastMix {
@@ -89,13 +112,11 @@ typedef struct FastMix {
  * triangle, so its constants are fetched once for a run of lanes. */
 enum { FAST_LANE_RUNS = FAST_BLOCK * GP_LANES + GP_LANES }; /* with room to load past the last */
 typedef struct FastLaneRuns {
-    uint32_t count;
-    bool wide;                       /* some edges do not fit into 32 bits */
-    uint32_t offset[FAST_LANE_RUNS]; /* bytes from the tile's first record on */
-    int32_t edge[2][FAST_LANE_RUNS]; /* at the tile's first centre, and in sub-pixels: */
-    int32_t step[2][FAST_LANE_RUNS]; /* one to the right in the low half, one down in the high */
-    float inverse_area[FAST_LANE_RUNS], ratio1[FAST_LANE_RUNS], ratio2[FAST_LANE_RUNS];
+    _Alignas(64) uint32_t record[FAST_LANE_RUNS];
+    uint32_t word[8][FAST_LANE_RUNS];                 /* the first of the records */
     float corner[GP_MAX_VARYINGS][3][FAST_LANE_RUNS]; /* v0, v1 - v0, v2 - v0 */
+    uint32_t count;
+    bool wide; /* some edges do not fit into 32 bits */
 } FastLaneRuns;
 
 /* A colour target inside the tile: A8R8G8B8 as its words, all others by channel, as the floats that
@@ -109,6 +130,12 @@ typedef struct FastDepthPlanes {
     _Alignas(64) uint32_t depth[FAST_PIXELS]; /* codes */
     _Alignas(64) uint8_t stencil[FAST_PIXELS];
 } FastDepthPlanes;
+
+/* A large triangle that waits for others, and the codes of all its depths in the tile. */
+typedef struct FastKept {
+    GpTriangle triangle;
+    int32_t nearest, farthest;
+} FastKept;
 
 /* What a shader's slot reads in place. */
 typedef struct FastLocal {
@@ -142,6 +169,14 @@ struct FastTileMemory {
     uint32_t record_count; /* record 0 stands for none */
     uint32_t backdrop;     /* record that is seen wherever the one in `seen` is older */
     uint32_t patch_count;
+    uint32_t filled;      /* triangles, since the farthest depths were found */
+    uint32_t layer_count; /* while any layers wait, no patches do */
+    bool layers_alike;    /* all their pixels have one colour: that of the block's first packet */
+    FastBox layer_box;    /* in the tile */
+    uint32_t layer_record[FAST_LAYERS];
+
+    FastPacking packing;
+    uint32_t kept_count;
 
     /* the block in the shader */
     const FastPatch *shaded; /* NULL: mixes */
@@ -162,9 +197,12 @@ struct FastTileMemory {
     _Alignas(64) FastDepthPlanes depth_slot[FAST_DEPTH_SLOTS];
 
     _Alignas(64) uint32_t seen[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
+    _Alignas(64) int32_t farthest[FAST_FARTHEST];          /* codes: see farthest.h */
     _Alignas(64) FastPatch patches[FAST_BLOCK];            /* waiting for the shader, in order */
     _Alignas(64) float patch_depth[FAST_BLOCK * GP_LANES]; /* of patches whose tests come late */
     _Alignas(64) FastMix mixes[FAST_BLOCK];
+    FastKept kept[FAST_KEPT];
+    uint8_t kept_order[FAST_KEPT]; /* front to back, as far as it is free */
     uint32_t wide_count;
     _Alignas(64) FastRecord records[FAST_RECORDS];
     FastWide wide[FAST_WIDES];
@@ -233,8 +271,10 @@ void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count
 void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count);
 void FAST(ask_for_points)(const FastDraw *draw, const FastHits *hits);
 
-/* Rasterizes one set-up triangle into the tile, by the route of its draw. */
+/* Rasterizes one set-up triangle into the tile, by the route of its draw; now, or with those that are
+ * kept. Nearest: no depth's code is below. */
 void FAST(fill_triangle)(Tile *tile, const GpTriangle *triangle);
+void FAST(fill_large)(Tile *tile, const GpTriangle *triangle, int32_t nearest);
 
 /* The tile's part of what the draw may touch. */
 GpRect FAST(tile_rect)(const Tile *tile, const FastDraw *draw);
@@ -253,12 +293,20 @@ void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsign
 /* Queues every pixel of a box in the tile, by rows, of an ordered draw without depth. */
 void FAST(queue_box)(Tile *tile, uint32_t record, const FastBox *box);
 
+/* Shades the boxes that wait. */
+void FAST(shade_layers)(Tile *tile);
+
 /* Shades the queued patches, all of the tile's present draw, and merges them in their order. */
 void FAST(flush_patches)(Tile *tile);
 
 /* The same for patches that wait somewhere else, of any draw. Depths: [patch][lane], or NULL. */
 void FAST(shade_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count,
                          const float *depths);
+
+/* Where the nearest fragment of the draw wins: keeps a large triangle until others can be sorted with
+ * it; and fills those that are kept, front to back. Before any other fragment of the draw is made. */
+void FAST(keep_triangle)(Tile *tile, const GpTriangle *triangle);
+void FAST(fill_kept)(Tile *tile);
 
 /* Brings `seen` up to date with the backdrop. */
 void FAST(settle_backdrop)(Tile *tile);
