@@ -396,7 +396,7 @@ inline float4 gp_read(GpInvocation *, int slot, const Op &op, std::vector<Operan
 }
 
 constexpr Op TEXLD = { 1, 1, Op::all, Kind::texture, false, GP_LOD_IMPLICIT };
-constexpr Op TEXLDP = { 1, 3, Op::all, Kind::texture, false, GP_LOD_IMPLICIT, true };
+constexpr Op TEXLDP = { 1, 3, Op::all, Kind::texture, false, GP_LOD_IMPLICIT };
 constexpr Op TEXLDB = { 1, 6, Op::all, Kind::texture, false, GP_LOD_BIAS };
 constexpr Op TEXLDL = { 2, 2, Op::all, Kind::texture, false, GP_LOD_EXPLICIT };
 constexpr Op TEXLDD = { 3, 3, Op::all, Kind::texture, true, GP_LOD_GRADIENT };

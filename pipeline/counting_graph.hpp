@@ -97,7 +97,6 @@ struct Op {
     Kind kind = Kind::arithmetic;
     bool gradient = false; /* dsx, dsy, texldd */
     GpLodMode mode = GP_LOD_IMPLICIT;
-    bool projected = false;
 };
 
 struct Node {
@@ -249,14 +248,6 @@ class Recorder
         return true;
     }
 
-    /* Texture coordinates u and v that are interpolants: their derivatives are known without the
-     * other pixels of the quad. */
-    bool has_plane(const Operand &coordinate) const
-    {
-        return kind_of(coordinate.part[0]) == Kind::input &&
-               kind_of(coordinate.part[1]) == Kind::input;
-    }
-
     /* Calls visit(part) for each operand component that the live components of a node read. */
     template <class Visit> void each_read(const Node &node, Visit visit)
     {
@@ -406,7 +397,6 @@ class Recorder
         bool from_quad = node.op.mode == GP_LOD_IMPLICIT || node.op.mode == GP_LOD_BIAS;
         counts->implicit_lod |= from_quad;
         counts->explicit_lod |= node.op.mode == GP_LOD_EXPLICIT;
-        counts->needs_quads |= from_quad && (node.op.projected || !has_plane(node.operands[0]));
         raise(counts->dependent_reads, node.order);
     }
 

@@ -148,7 +148,7 @@ typedef struct GpShaderCounts {
     uint16_t sampler_slots;   /* bit i: slot i is read by texld and its kin */
     uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
     bool gradients;           /* dsx, dsy or texldd appear */
-    bool needs_quads;         /* dsx, dsy, or an implicit-LOD read whose u or v is computed */
+    bool needs_quads;         /* dsx or dsy */
     bool implicit_lod;        /* texld, texldp or texldb appear */
     bool explicit_lod;        /* texldl appears */
     bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
@@ -172,8 +172,8 @@ typedef struct GpProgram {
     bool writes_point_size;     /* oPts is written */
     bool uses_pixel;            /* vPos is read */
     bool uses_face;             /* vFace is read */
-    bool uses_derivatives;      /* dsx, dsy, or an implicit-LOD read of computed coordinates: the
-                                    shader needs whole 2x2 quads */
+    bool uses_derivatives;      /* dsx or dsy: the shader needs whole 2x2 quads (levels of detail
+                                    ask for them where a texture has levels) */
 
     /* filled in by the program() macro */
     size_t uniform_bytes;

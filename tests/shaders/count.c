@@ -109,7 +109,7 @@ SHADER(order0)
 {
     return add(texld(0, in->uv), texldp(1, in->a));
 }
-PROGRAM(order0, .samplers = 3, .uses_derivatives = true)
+PROGRAM(order0, .samplers = 3)
 
 SHADER(swizzled)
 {
@@ -121,13 +121,13 @@ SHADER(order1)
 {
     return texld(0, add(in->uv, 0.5f));
 }
-PROGRAM(order1, .samplers = 1, .uses_derivatives = true)
+PROGRAM(order1, .samplers = 1)
 
 SHADER(order2)
 {
     return texld(1, xy(texld(0, add(in->uv, 0.5f))));
 }
-PROGRAM(order2, .samplers = 3, .uses_derivatives = true)
+PROGRAM(order2, .samplers = 3)
 
 /* Three reads one after the other, the first in the order of its coordinate. */
 GP_INLINE float4 chain(GpInvocation *gp, float4 coordinate)
@@ -141,13 +141,13 @@ SHADER(order3)
 {
     return chain(gp, mul(in->a, in->b));
 }
-PROGRAM(order3, .samplers = 1, .uses_derivatives = true)
+PROGRAM(order3, .samplers = 1)
 
 SHADER(order4)
 {
     return chain(gp, texld(0, mul(in->uv, 2)));
 }
-PROGRAM(order4, .samplers = 1, .uses_derivatives = true)
+PROGRAM(order4, .samplers = 1)
 
 GP_INLINE float4 multiply_add(float4 value, int times)
 {

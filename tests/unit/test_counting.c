@@ -144,17 +144,17 @@ static void dependent_reads_count_computed_coordinates_in_a_row(void **state)
     const struct {
         const GpProgram *program;
         int order;
-        bool needs_quads;
     } rows[] = {
-        { &count_order0, 0, true }, /* u / w has no plane, but is no dependent read */
-        { &count_swizzled, 1, false }, { &count_order1, 1, true }, { &count_order2, 2, true },
-        { &count_order3, 3, true },    { &count_order4, 4, true },
+        { &count_order0, 0 }, /* u / w is computed, but its read is not dependent */
+        { &count_swizzled, 1 }, { &count_order1, 1 }, { &count_order2, 2 },
+        { &count_order3, 3 },   { &count_order4, 4 },
     };
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         GpShaderCounts counts = pixel_counts(rows[i].program);
         assert_int_equal(counts.dependent_reads, rows[i].order);
-        assert_int_equal(counts.needs_quads, rows[i].needs_quads);
+        assert_false(counts.needs_quads); /* a texture with levels asks for them */
     }
+    assert_true(pixel_counts(&count_gradients).needs_quads);
 }
 
 static void constants_are_packed_four_a_register(void **state)
@@ -311,10 +311,10 @@ static void what_shaders_need_must_be_declared(void **state)
     p = count_facing;
     p.uses_face = false;
     assert_refused(&p, "program count_facing: uses_face is not declared, but a shader needs it");
-    p = count_order1;
+    p = count_gradients;
     p.uses_derivatives = false;
-    assert_refused(&p,
-                   "program count_order1: uses_derivatives is not declared, but a shader needs it");
+    assert_refused(
+        &p, "program count_gradients: uses_derivatives is not declared, but a shader needs it");
     p = count_order0;
     p.samplers = 1;
     assert_refused(&p, "program count_order0: slot 1 is read, but not declared in samplers");
