@@ -53,6 +53,9 @@ LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
 
 IS_CLANG := $(shell $(CC) --version | grep -i clang)
 
+# Shaders may share structs by headers; the counting lanes inside them are each object's own.
+COUNT_CXX += $(if $(IS_CLANG),,-Wno-subobject-linkage)
+
 # Keep gcc from spilling long shaders: it knows their pressure where it schedules them itself.
 SHADER_OPT ?= $(if $(IS_CLANG),,-fschedule-insns -fsched-pressure)
 
@@ -62,6 +65,8 @@ ISAS_x86_64  := 4:sse2: 8:avx2:-mavx2,-mno-fma \
                 16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw
 ISAS_aarch64 := 4:neon: 8:generic: 16:generic:
 ISAS ?= $(or $(ISAS_$(ARCH)),4:generic: 8:generic: 16:generic:)
+# Which widths there are, for the file that lists them.
+ALL_C += $(foreach isa,$(ISAS),-DGP_HAS_LANES$(firstword $(subst :, ,$(isa))))
 
 # --- what there is to build -----------------------------------------------------------------------
 
@@ -202,7 +207,7 @@ $(CORE_SO): $(CORE)
 	@ln -sf $(notdir $@).$(VERSION) $(@D)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
-$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(TRUTH_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -292,7 +297,7 @@ check: | packages
 # The peer is loaded when the program runs, which says "skipped" where there is none.
 PEER_TEST := $(BUILD)/test/check_peer
 PEER      := $(call object,$(wildcard tests/peer/*.c))
-$(PEER_TEST): $(PEER) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PEER_TEST): $(PEER) $(SUPPORT_A) $(APPS_A) $(TRUTH_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -302,7 +307,7 @@ check-peer: $(PEER_TEST)
 # The same work on llvmpipe and here, in turn, case by case: out/bench/peers.json and .svg.
 PEER_BENCH         := $(BUILD)/test/peer_bench
 PEER_BENCH_OBJECTS := $(call object,$(wildcard tests/peer/bench/*.c))
-$(PEER_BENCH): $(PEER_BENCH_OBJECTS) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PEER_BENCH): $(PEER_BENCH_OBJECTS) $(APPS_A) $(TRUTH_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 

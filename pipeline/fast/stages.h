@@ -22,7 +22,7 @@ typedef struct FastStages {
     void (*add_counts)(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases);
 } FastStages;
 
-/* The stages of a width: 4, 8 or 16. */
+/* The stages of a width that this build has: 4, 8 or 16. */
 const FastStages *fast_stages(int lanes);
 
 extern const FastStages fast_stages4, fast_stages8, fast_stages16;
