@@ -48,7 +48,7 @@ const BenchCase *bench_case_find(const char *name)
     return NULL;
 }
 
-void bench_picture_size(const BenchWork *work, uint32_t *width, uint32_t *height)
+void bench_picture_size(const Work *work, uint32_t *width, uint32_t *height)
 {
     const GpSurface *picture = work->color ? work->color : work->depth;
     *width = picture->width;
@@ -63,7 +63,7 @@ static float depth_at(const GpSurface *depth, uint32_t x, uint32_t y)
     return texel[0];
 }
 
-void bench_show(const BenchWork *work, uint8_t *rgba)
+void bench_show(const Work *work, uint8_t *rgba)
 {
     uint32_t width, height;
     bench_picture_size(work, &width, &height);

@@ -9,42 +9,24 @@
 #define APPS_BENCH_H
 
 #include "apps/camera.h"
-#include "pipeline/glasspipe.h"
+#include "apps/work.h"
 
 enum {
     BENCH_SIZE = 1024,      /* pixels a side */
     BENCH_SMALL_SIZE = 512, /* of sheets and vox_add */
-    BENCH_MAX_BLOCKS = 32,
-    BENCH_MAX_SURFACES = 12,
 };
-
-/* A case's frame and everything it refers to. Memory that runs short ends the program: a benchmark
- * has nothing better to do. */
-typedef struct BenchWork {
-    GpList list;
-    GpSurface *color; /* the picture; NULL: depth is */
-    GpSurface *depth; /* the picture's depth buffer, NULL: none */
-
-    /* private to bench_work.c */
-    GpPass *passes;
-    GpDraw *draws;
-    uint32_t pass_room, draw_count, draw_room;
-    void *blocks[BENCH_MAX_BLOCKS];
-    GpSurface *surfaces[BENCH_MAX_SURFACES];
-    int block_count, surface_count;
-} BenchWork;
 
 typedef struct BenchCase BenchCase;
 struct BenchCase {
     const char *name;
     /* Errors: GP_ERROR_IO and the like where the case needs a file that is not there. */
-    GpResult (*build)(const BenchCase *bench, BenchWork *work, GpError *error);
+    GpResult (*build)(const BenchCase *bench, Work *work, GpError *error);
     int variant;       /* the builder's own */
     double layers;     /* full pictures drawn in a frame, for rates; 0: no fill rate */
     double primitives; /* triangles or points in a frame, all passes */
     double flop;       /* per pixel; 0: not a case of arithmetic */
     /* Writes the picture as RGBA8, rows from the top; NULL: bench_show. */
-    void (*picture)(const BenchWork *work, uint8_t *rgba);
+    void (*picture)(const Work *work, uint8_t *rgba);
 };
 
 extern const BenchCase bench_cases[];
@@ -53,29 +35,26 @@ extern const size_t bench_case_count;
 /* The case of a name, or NULL. */
 const BenchCase *bench_case_find(const char *name);
 
-/* Frees all that a case has built, and zeroes it; a zeroed one is fine. */
-void bench_free(BenchWork *work);
-
 /* Size of the picture. */
-void bench_picture_size(const BenchWork *work, uint32_t *width, uint32_t *height);
+void bench_picture_size(const Work *work, uint32_t *width, uint32_t *height);
 
 /* The colour target clamped to eight bits; without one, (1 - depth) * 6 as grey where something was
  * drawn. Alpha is 255, or 0 where the depth buffer stayed clear. Rows from the top. */
-void bench_show(const BenchWork *work, uint8_t *rgba);
+void bench_show(const Work *work, uint8_t *rgba);
 
 /* FNV-1a, 32 bits, of a picture with its rows taken from the bottom up, as the peers do. */
 uint32_t bench_picture_hash(const uint8_t *rgba, uint32_t width, uint32_t height);
 
 /* --- builders: each may serve several cases ----------------------------------------------------- */
 
-typedef GpResult BenchBuild(const BenchCase *bench, BenchWork *work, GpError *error);
+typedef GpResult BenchBuild(const BenchCase *bench, Work *work, GpError *error);
 
 BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_build_lookup;
 BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
 BenchBuild bench_build_small, bench_build_voxels;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
 
-void bench_show_voxels(const BenchWork *work, uint8_t *rgba);
+void bench_show_voxels(const Work *work, uint8_t *rgba);
 
 /* What variants mean. */
 enum { FILL_CLEAR, FILL_OPAQUE, FILL_NO_DEPTH, FILL_BLEND, FILL_ADD_16F, FILL_ADD_32F };

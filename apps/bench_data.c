@@ -1,5 +1,5 @@
 /* Numbers, quads and textures of the benchmark cases: no files, the same bits everywhere. */
-#include "apps/bench_work.h"
+#include "apps/bench_data.h"
 
 #include <math.h>
 
@@ -17,6 +17,22 @@ double bench_sine(double radians)
     double sine, cosine;
     angle_sincos(radians * (180.0 / PI), &sine, &cosine);
     return sine;
+}
+
+const float bench_background[4] = BENCH_BACKGROUND;
+const float bench_black[4] = { 0 };
+const GpDepthState bench_depth_less = { .test = GP_LESS, .write = true };
+
+void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4])
+{
+    double identity[4][4], view[4][4], projection[4][4], to_eye[4][4], product[4][4];
+    matrix_identity(identity);
+    camera_view(camera, view);
+    camera_projection(camera, 1.0, projection);
+    matrix_multiply(view, world ? world : identity, to_eye);
+    matrix_multiply(projection, to_eye, product);
+    for (int i = 0; i < 16; i++)
+        clip[i / 4][i % 4] = (float)product[i / 4][i % 4];
 }
 
 /* --- quads --------------------------------------------------------------------------------------- */
@@ -59,12 +75,12 @@ void bench_corner_rotated(int quad, int corner, BenchCorner *out)
     out->value[1] = 0.5f * (s * x + c * y) + 0.5f + random_shift(quad, 1);
 }
 
-GpGeometry bench_quads(BenchWork *work, int count, GpSemantic semantic, BenchCornerFn *fill)
+GpGeometry bench_quads(Work *work, int count, GpSemantic semantic, BenchCornerFn *fill)
 {
     static const float places[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
     static const uint32_t turns[6] = { 0, 1, 2, 0, 2, 3 };
-    BenchCorner *corners = bench_alloc(work, (size_t)count * 4, sizeof *corners);
-    uint32_t *indices = bench_alloc(work, (size_t)count * 6, sizeof *indices);
+    BenchCorner *corners = work_alloc(work, (size_t)count * 4, sizeof *corners);
+    uint32_t *indices = work_alloc(work, (size_t)count * 6, sizeof *indices);
     for (int i = 0; i < count * 4; i++) {
         const float *place = places[i % 4];
         corners[i] = (BenchCorner){ .position = { place[0], place[1], 0.5f } };
@@ -93,10 +109,10 @@ static void set_texel(const GpSurface *surface, uint32_t x, uint32_t y, const ui
     texel[3] = (uint8_t)rgba[3];
 }
 
-GpSurface *bench_noise(BenchWork *work, bool mips)
+GpSurface *bench_noise(Work *work, bool mips)
 {
     const uint32_t size = 1024;
-    GpSurface *surface = bench_surface(work, GP_A8R8G8B8, size, mips ? GP_MAX_LEVELS : 1);
+    GpSurface *surface = work_surface(work, GP_A8R8G8B8, size, size, mips ? GP_MAX_LEVELS : 1);
     for (uint32_t y = 0; y < size; y++) {
         for (uint32_t x = 0; x < size; x++) {
             uint32_t fine = bench_hash(y * size + x);
@@ -113,10 +129,10 @@ GpSurface *bench_noise(BenchWork *work, bool mips)
     return surface;
 }
 
-GpSurface *bench_waves(BenchWork *work)
+GpSurface *bench_waves(Work *work)
 {
     const uint32_t size = 64;
-    GpSurface *surface = bench_surface(work, GP_A8R8G8B8, size, 1);
+    GpSurface *surface = work_surface(work, GP_A8R8G8B8, size, size, 1);
     for (uint32_t y = 0; y < size; y++) {
         for (uint32_t x = 0; x < size; x++) {
             uint32_t rgba[4] = { (uint32_t)(127.5 + 127.5 * bench_sine(x * 0.2)),

@@ -1,5 +1,5 @@
 /* Benchmark cases of points and of layers: sprites, sheets, depth peeling. */
-#include "apps/bench_work.h"
+#include "apps/bench_data.h"
 
 #include "shaders_c/layers.h"
 #include "shaders_c/soft_sprite.h"
@@ -14,10 +14,10 @@ static const GpBlend under_blend = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPH
 /* --- points -------------------------------------------------------------------------------------- */
 
 /* A spiral on the unit sphere, from top to bottom in equal steps, turning by the golden angle. */
-static const float *sphere_positions(BenchWork *work)
+static const float *sphere_positions(Work *work)
 {
     const double golden = 180 * (3 - sqrt(5.0));
-    float *positions = bench_alloc(work, POINT_COUNT, 3 * sizeof *positions), *p = positions;
+    float *positions = work_alloc(work, POINT_COUNT, 3 * sizeof *positions), *p = positions;
     for (int i = 0; i < POINT_COUNT; i++, p += 3) {
         double y = 1 - 2 * (i + 0.5) / POINT_COUNT, radius = sqrt(1 - y * y), sine, cosine;
         angle_sincos(fmod(golden * i, 360), &sine, &cosine);
@@ -28,7 +28,7 @@ static const float *sphere_positions(BenchWork *work)
     return positions;
 }
 
-GpResult bench_build_points(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_points(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)bench;
     (void)error;
@@ -43,11 +43,11 @@ GpResult bench_build_points(const BenchCase *bench, BenchWork *work, GpError *er
     bench_matrix(&camera, NULL, uniforms.mvp);
     GpGeometry points = bench_points(sphere_positions(work), POINT_COUNT);
 
-    bench_reserve(work, 1, 1);
-    work->color = bench_surface(work, GP_A32B32G32R32F, BENCH_SIZE, 1);
-    bench_pass(work, "points", work->color, NULL, bench_black);
-    GpDraw *draw = bench_draw(work, &soft_sprite_program,
-                              bench_copy(work, &uniforms, sizeof uniforms), &points);
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "points", work->color, NULL, bench_black);
+    GpDraw *draw =
+        work_draw(work, &soft_sprite_program, work_copy(work, &uniforms, sizeof uniforms), &points);
     draw->state.blend[0] = add_blend;
     return GP_OK;
 }
@@ -56,9 +56,9 @@ GpResult bench_build_points(const BenchCase *bench, BenchWork *work, GpError *er
 
 /* The points of all sheets, front sheet first. A sheet is a shaken grid of 64 by 64, widest in the
  * middle; z is the value, waves that move from sheet to sheet. */
-static const float *sheet_positions(BenchWork *work)
+static const float *sheet_positions(Work *work)
 {
-    float *positions = bench_alloc(work, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);
+    float *positions = work_alloc(work, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);
     const double pi = 3.14159265358979323846;
     for (int i = 0; i < SHEET_COUNT * SHEET_POINTS; i++) {
         int sheet = i / SHEET_POINTS, cell = i % SHEET_POINTS;
@@ -75,7 +75,7 @@ static const float *sheet_positions(BenchWork *work)
 
 /* Each sheet is drawn for itself and put under those before it. Pixels read the sheet at their own
  * place, so all passes are one group. */
-GpResult bench_build_sheets(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_sheets(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)bench;
     (void)error;
@@ -83,17 +83,17 @@ GpResult bench_build_sheets(const BenchCase *bench, BenchWork *work, GpError *er
     static const LayerUniforms unused = { { 0 } };
     const float *positions = sheet_positions(work);
     GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
-    bench_reserve(work, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
-    GpSurface *sheet = bench_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, 1);
-    work->color = bench_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, 1);
+    work_reserve(work, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
+    GpSurface *sheet = work_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+    work->color = work_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
     for (int i = 0; i < SHEET_COUNT; i++) {
         GpGeometry points = bench_points(positions + (size_t)i * SHEET_POINTS * 3, SHEET_POINTS);
-        bench_pass(work, "sheet", sheet, NULL, bench_black);
-        bench_draw(work, &sheet_sprite_program, &sprite, &points)->state.blend[0] = add_blend;
+        work_pass(work, "sheet", sheet, NULL, bench_black);
+        work_draw(work, &sheet_sprite_program, &sprite, &points)->state.blend[0] = add_blend;
 
-        GpPass *pass = bench_pass(work, "under", work->color, NULL, bench_black);
+        GpPass *pass = work_pass(work, "under", work->color, NULL, bench_black);
         pass->color[0].clear = i == 0;
-        GpDraw *draw = bench_draw(work, &layer_copy_program, &unused, &quad);
+        GpDraw *draw = work_draw(work, &layer_copy_program, &unused, &quad);
         draw->state.blend[0] = under_blend;
         draw->textures[0].surface = sheet;
     }
@@ -124,7 +124,7 @@ static PeelUniforms peel_model(int i)
 
 /* Layers alternate between two pairs of surfaces, so that each can read the depths of the one
  * before; after each, it is put under the layers so far. */
-GpResult bench_build_peel(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_peel(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)bench;
     static const LayerUniforms background = { { 0.10f, 0.12f, 0.15f } };
@@ -134,34 +134,34 @@ GpResult bench_build_peel(const BenchCase *bench, BenchWork *work, GpError *erro
     if (result)
         return result;
     GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
-    PeelUniforms *models = bench_alloc(work, PEEL_MODELS, sizeof *models);
+    PeelUniforms *models = work_alloc(work, PEEL_MODELS, sizeof *models);
     for (int i = 0; i < PEEL_MODELS; i++)
         models[i] = peel_model(i);
 
-    bench_reserve(work, 2 * PEEL_LAYERS + 1, PEEL_LAYERS * (PEEL_MODELS + 1) + 1);
+    work_reserve(work, 2 * PEEL_LAYERS + 1, PEEL_LAYERS * (PEEL_MODELS + 1) + 1);
     GpSurface *color[2], *depth[2];
     for (int i = 0; i < 2; i++) {
-        color[i] = bench_surface(work, GP_A8R8G8B8, BENCH_SIZE, 1);
-        depth[i] = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
+        color[i] = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+        depth[i] = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     }
-    GpSurface *layers = bench_surface(work, GP_A16B16G16R16F, BENCH_SIZE, 1);
+    GpSurface *layers = work_surface(work, GP_A16B16G16R16F, BENCH_SIZE, BENCH_SIZE, 1);
     for (int layer = 0; layer < PEEL_LAYERS; layer++) {
         int now = layer % 2;
-        bench_pass(work, "peel", color[now], depth[now], bench_black);
+        work_pass(work, "peel", color[now], depth[now], bench_black);
         for (int i = 0; i < PEEL_MODELS; i++) {
             const GpProgram *program = layer ? &peel_next_program : &peel_first_program;
-            GpDraw *draw = bench_draw(work, program, &models[i], &teapot);
+            GpDraw *draw = work_draw(work, program, &models[i], &teapot);
             draw->state.depth = bench_depth_less;
             draw->textures[0].surface = layer ? depth[!now] : NULL;
         }
-        GpPass *pass = bench_pass(work, "under", layers, NULL, bench_black);
+        GpPass *pass = work_pass(work, "under", layers, NULL, bench_black);
         pass->color[0].clear = layer == 0;
-        GpDraw *draw = bench_draw(work, &layer_premultiply_program, &background, &quad);
+        GpDraw *draw = work_draw(work, &layer_premultiply_program, &background, &quad);
         draw->state.blend[0] = under_blend;
         draw->textures[0].surface = color[now];
     }
-    work->color = bench_surface(work, GP_A8R8G8B8, BENCH_SIZE, 1);
-    bench_pass(work, "over background", work->color, NULL, bench_background);
-    bench_draw(work, &layer_background_program, &background, &quad)->textures[0].surface = layers;
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "over background", work->color, NULL, bench_background);
+    work_draw(work, &layer_background_program, &background, &quad)->textures[0].surface = layers;
     return GP_OK;
 }

@@ -1,5 +1,5 @@
 /* Meshes and point sets of the benchmark cases. */
-#include "apps/bench_work.h"
+#include "apps/bench_data.h"
 
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh.h"
@@ -43,19 +43,19 @@ static void normalize(GpMesh *mesh)
             (mesh->positions[i] - 0.5f * (low[i % 3] + high[i % 3])) * (2 / longest);
 }
 
-static GpGeometry keep_mesh(BenchWork *work, const GpMesh *mesh)
+static GpGeometry keep_mesh(Work *work, const GpMesh *mesh)
 {
-    BenchVertex *vertices = bench_alloc(work, mesh->vertex_count, sizeof *vertices);
+    BenchVertex *vertices = work_alloc(work, mesh->vertex_count, sizeof *vertices);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         memcpy(vertices[i].position, mesh->positions + 3 * i, sizeof vertices[i].position);
         memcpy(vertices[i].normal, mesh->normals + 3 * i, sizeof vertices[i].normal);
     }
     size_t index_bytes = (size_t)mesh->triangle_count * 3 * sizeof(uint32_t);
-    return mesh_of(vertices, mesh->vertex_count, bench_copy(work, mesh->indices, index_bytes),
+    return mesh_of(vertices, mesh->vertex_count, work_copy(work, mesh->indices, index_bytes),
                    mesh->triangle_count * 3);
 }
 
-GpResult bench_model(BenchWork *work, const char *name, uint32_t vertices, uint32_t triangles,
+GpResult bench_model(Work *work, const char *name, uint32_t vertices, uint32_t triangles,
                      GpGeometry *geometry, GpError *error)
 {
     char path[4096];
@@ -79,12 +79,12 @@ GpResult bench_model(BenchWork *work, const char *name, uint32_t vertices, uint3
 
 /* --- procedural ---------------------------------------------------------------------------------- */
 
-GpGeometry bench_torus(BenchWork *work, int around, int across)
+GpGeometry bench_torus(Work *work, int around, int across)
 {
     const double large = 0.85, small = 0.42;
     uint32_t quads = (uint32_t)(around * across);
-    BenchVertex *vertices = bench_alloc(work, quads, sizeof *vertices), *vertex = vertices;
-    uint32_t *indices = bench_alloc(work, (size_t)quads * 6, sizeof *indices), *index = indices;
+    BenchVertex *vertices = work_alloc(work, quads, sizeof *vertices), *vertex = vertices;
+    uint32_t *indices = work_alloc(work, (size_t)quads * 6, sizeof *indices), *index = indices;
     for (int u = 0; u < around; u++) {
         double sin_u, cos_u;
         angle_sincos(360.0 * u / around, &sin_u, &cos_u);

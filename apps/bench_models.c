@@ -1,5 +1,5 @@
 /* Benchmark cases of triangle meshes. */
-#include "apps/bench_work.h"
+#include "apps/bench_data.h"
 
 #include "shaders_c/depth_only.h"
 #include "shaders_c/placed.h"
@@ -16,13 +16,13 @@ static const Camera torus_camera = {
     .eye = { 0, 0, 3.6 }, .up = { 0, 1, 0 }, .fovy = 42, .near = 0.5, .far = 10
 };
 
-static GpResult load_bunny(BenchWork *work, GpGeometry *geometry, GpError *error)
+static GpResult load_bunny(Work *work, GpGeometry *geometry, GpError *error)
 {
     return bench_model(work, "meshes/bunny.ply", BUNNY_VERTICES, BUNNY_TRIANGLES, geometry, error);
 }
 
 /* A million triangles. */
-static GpGeometry big_torus(BenchWork *work)
+static GpGeometry big_torus(Work *work)
 {
     return bench_torus(work, 1000, 500);
 }
@@ -42,7 +42,7 @@ static void to_float(double m[4][4], float out[4][4])
 /* --- one mesh ------------------------------------------------------------------------------------ */
 
 /* The mesh of a case and its place in the world. */
-static GpResult choose_model(const BenchCase *bench, BenchWork *work, GpGeometry *geometry,
+static GpResult choose_model(const BenchCase *bench, Work *work, GpGeometry *geometry,
                              double world[4][4], GpError *error)
 {
     matrix_identity(world);
@@ -53,7 +53,7 @@ static GpResult choose_model(const BenchCase *bench, BenchWork *work, GpGeometry
     return GP_OK;
 }
 
-GpResult bench_build_depth(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_depth(const BenchCase *bench, Work *work, GpError *error)
 {
     GpGeometry geometry;
     DepthOnlyUniforms uniforms;
@@ -64,11 +64,11 @@ GpResult bench_build_depth(const BenchCase *bench, BenchWork *work, GpError *err
     bench_matrix(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world,
                  uniforms.mvp);
 
-    bench_reserve(work, 1, 1);
-    work->depth = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    bench_pass(work, "depth", NULL, work->depth, NULL);
-    GpDraw *draw = bench_draw(work, &depth_only_program,
-                              bench_copy(work, &uniforms, sizeof uniforms), &geometry);
+    work_reserve(work, 1, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "depth", NULL, work->depth, NULL);
+    GpDraw *draw = work_draw(work, &depth_only_program, work_copy(work, &uniforms, sizeof uniforms),
+                             &geometry);
     draw->state.depth = bench_depth_less;
     return GP_OK;
 }
@@ -88,7 +88,7 @@ static TwoSidedUniforms lit_by(const Camera *camera, double world[4][4])
     return uniforms;
 }
 
-GpResult bench_build_lit(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_lit(const BenchCase *bench, Work *work, GpError *error)
 {
     GpGeometry geometry;
     double world[4][4];
@@ -98,19 +98,19 @@ GpResult bench_build_lit(const BenchCase *bench, BenchWork *work, GpError *error
     TwoSidedUniforms uniforms =
         lit_by(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world);
 
-    bench_reserve(work, 1, 1);
-    work->color = bench_surface(work, GP_A8R8G8B8, BENCH_SIZE, 1);
-    work->depth = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    bench_pass(work, "lit", work->color, work->depth, bench_background);
-    GpDraw *draw = bench_draw(work, &two_sided_program,
-                              bench_copy(work, &uniforms, sizeof uniforms), &geometry);
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "lit", work->color, work->depth, bench_background);
+    GpDraw *draw =
+        work_draw(work, &two_sided_program, work_copy(work, &uniforms, sizeof uniforms), &geometry);
     draw->state.depth = bench_depth_less;
     if (bench->variant == MODEL_BUNNY_CULLED)
         draw->state.raster.cull = GP_CULL_CW; /* outsides turn counter-clockwise */
     return GP_OK;
 }
 
-GpResult bench_build_maps(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_maps(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)bench;
     GpGeometry bunny;
@@ -120,16 +120,16 @@ GpResult bench_build_maps(const BenchCase *bench, BenchWork *work, GpError *erro
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
     bench_matrix(&bunny_camera, NULL, uniforms.mvp);
 
-    bench_reserve(work, 1, 1);
-    work->color = bench_surface(work, GP_A32B32G32R32F, BENCH_SIZE, 1);
-    work->depth = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    GpPass *pass = bench_pass(work, "maps", work->color, work->depth, bench_background);
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    GpPass *pass = work_pass(work, "maps", work->color, work->depth, bench_background);
     for (int i = 1; i < GP_MAX_TARGETS; i++) {
         pass->color[i] = pass->color[0];
-        pass->color[i].surface = bench_surface(work, GP_A32B32G32R32F, BENCH_SIZE, 1);
+        pass->color[i].surface = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     }
-    GpDraw *draw = bench_draw(work, &surface_maps_program,
-                              bench_copy(work, &uniforms, sizeof uniforms), &bunny);
+    GpDraw *draw =
+        work_draw(work, &surface_maps_program, work_copy(work, &uniforms, sizeof uniforms), &bunny);
     draw->state.depth = bench_depth_less;
     return GP_OK;
 }
@@ -161,7 +161,7 @@ static const struct {
     [SHADOW_PCF] = { &two_sided_pcf_program, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
 };
 
-GpResult bench_build_shadow(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_shadow(const BenchCase *bench, Work *work, GpError *error)
 {
     GpGeometry geometry[2];
     GpResult result = load_bunny(work, &geometry[0], error);
@@ -177,19 +177,19 @@ GpResult bench_build_shadow(const BenchCase *bench, BenchWork *work, GpError *er
     lit.bias = 0.002f;
     lit.map_size = BENCH_SIZE;
 
-    bench_reserve(work, 2, 4);
-    GpSurface *map = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    work->color = bench_surface(work, GP_A8R8G8B8, BENCH_SIZE, 1);
-    work->depth = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    bench_pass(work, "map", NULL, map, NULL);
-    const void *uniforms = bench_copy(work, &from_light, sizeof from_light);
+    work_reserve(work, 2, 4);
+    GpSurface *map = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "map", NULL, map, NULL);
+    const void *uniforms = work_copy(work, &from_light, sizeof from_light);
     for (int i = 0; i < 2; i++)
-        bench_draw(work, &depth_only_program, uniforms, &geometry[i])->state.depth =
+        work_draw(work, &depth_only_program, uniforms, &geometry[i])->state.depth =
             bench_depth_less;
-    bench_pass(work, "lit", work->color, work->depth, bench_background);
-    uniforms = bench_copy(work, &lit, sizeof lit);
+    work_pass(work, "lit", work->color, work->depth, bench_background);
+    uniforms = work_copy(work, &lit, sizeof lit);
     for (int i = 0; i < 2; i++) {
-        GpDraw *draw = bench_draw(work, shadows[bench->variant].program, uniforms, &geometry[i]);
+        GpDraw *draw = work_draw(work, shadows[bench->variant].program, uniforms, &geometry[i]);
         draw->state.depth = bench_depth_less;
         draw->textures[0] = (GpTexture){ map, shadows[bench->variant].sampler };
     }
@@ -211,23 +211,23 @@ static void place_small(uint32_t i, float place[4])
     place[3] = 0.02f;
 }
 
-GpResult bench_build_small(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_small(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)bench;
     (void)error;
-    PlacedUniforms *uniforms = bench_alloc(work, SMALL_DRAWS, sizeof *uniforms);
+    PlacedUniforms *uniforms = work_alloc(work, SMALL_DRAWS, sizeof *uniforms);
     GpGeometry torus = bench_torus(work, 5, 5);
-    bench_reserve(work, 1, SMALL_DRAWS);
-    work->color = bench_surface(work, GP_A8R8G8B8, BENCH_SIZE, 1);
-    work->depth = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    bench_pass(work, "small", work->color, work->depth, bench_background);
+    work_reserve(work, 1, SMALL_DRAWS);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "small", work->color, work->depth, bench_background);
     for (uint32_t i = 0; i < SMALL_DRAWS; i++) {
         uniforms[i] = (PlacedUniforms){ .light = BENCH_LIGHT,
                                         .albedo = BENCH_ALBEDO,
                                         .ambient = BENCH_AMBIENT };
         bench_matrix(&small_camera, NULL, uniforms[i].mvp);
         place_small(i, uniforms[i].place);
-        bench_draw(work, &placed_program, &uniforms[i], &torus)->state.depth = bench_depth_less;
+        work_draw(work, &placed_program, &uniforms[i], &torus)->state.depth = bench_depth_less;
     }
     return GP_OK;
 }
@@ -238,20 +238,21 @@ static const Camera voxel_camera = {
     .eye = { 0, 0, 1.15 }, .up = { 0, 1, 0 }, .height = 2.6, .near = 0.5, .far = 1.8
 };
 
-GpResult bench_build_voxels(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_voxels(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)bench;
     (void)error;
     GpGeometry torus = big_torus(work);
-    bench_reserve(work, 2, 2);
+    work_reserve(work, 2, 2);
     for (int half = 0; half < 2; half++) {
         SlabBitsUniforms uniforms = { .first_slab = (float)(4 * half) };
         bench_matrix(&voxel_camera, NULL, uniforms.mvp);
-        GpPass *pass = bench_pass(work, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
-        GpDraw *draw = bench_draw(work, &slab_bits_program,
-                                  bench_copy(work, &uniforms, sizeof uniforms), &torus);
+        GpPass *pass = work_pass(work, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
+        GpDraw *draw = work_draw(work, &slab_bits_program,
+                                 work_copy(work, &uniforms, sizeof uniforms), &torus);
         for (int i = 0; i < GP_MAX_TARGETS; i++) {
-            GpSurface *slab = bench_surface(work, GP_A8R8G8B8, BENCH_SMALL_SIZE, 1);
+            GpSurface *slab =
+                work_surface(work, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
             pass->color[i] = (GpColorTarget){ .surface = slab, .clear = true };
             draw->state.blend[i] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
         }
@@ -261,7 +262,7 @@ GpResult bench_build_voxels(const BenchCase *bench, BenchWork *work, GpError *er
 }
 
 /* Red and green: bits set in the column's nearer and farther half; blue: the sum of its bytes. */
-void bench_show_voxels(const BenchWork *work, uint8_t *rgba)
+void bench_show_voxels(const Work *work, uint8_t *rgba)
 {
     for (uint32_t i = 0; i < BENCH_SMALL_SIZE * BENCH_SMALL_SIZE; i++) {
         uint8_t *pixel = rgba + 4 * (size_t)i, code[4];

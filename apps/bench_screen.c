@@ -1,5 +1,5 @@
 /* Benchmark cases of full-screen quads: fill rates, texture rates and arithmetic. */
-#include "apps/bench_work.h"
+#include "apps/bench_data.h"
 
 #include "shaders_c/arithmetic.h"
 #include "shaders_c/blit.h"
@@ -7,12 +7,12 @@
 #include "shaders_c/scaled_color.h"
 
 /* One pass over an eight-bit target with a depth buffer. */
-static void begin_screen(BenchWork *work, uint32_t draws)
+static void begin_screen(Work *work, uint32_t draws)
 {
-    bench_reserve(work, 1, draws);
-    work->color = bench_surface(work, GP_A8R8G8B8, BENCH_SIZE, 1);
-    work->depth = bench_surface(work, GP_D32F, BENCH_SIZE, 1);
-    bench_pass(work, "screen", work->color, work->depth, bench_background);
+    work_reserve(work, 1, draws);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "screen", work->color, work->depth, bench_background);
 }
 
 /* --- fill ---------------------------------------------------------------------------------------- */
@@ -47,36 +47,36 @@ static const Fill fills[] = {
                        .blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE } },
 };
 
-GpResult bench_build_fill(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_fill(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)error;
     const Fill *fill = &fills[bench->variant];
-    bench_reserve(work, 1, 1);
-    work->color = bench_surface(work, fill->format, BENCH_SIZE, 1);
-    work->depth = fill->depth ? bench_surface(work, GP_D32F, BENCH_SIZE, 1) : NULL;
-    bench_pass(work, "fill", work->color, work->depth,
-               fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, fill->format, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = fill->depth ? work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
+    work_pass(work, "fill", work->color, work->depth,
+              fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
     if (!fill->quads)
         return GP_OK;
 
     ScaledColorUniforms uniforms = { .scale = fill->scale };
     GpGeometry quads = bench_quads(work, FILL_QUADS, GP_COLOR, bench_corner_color);
-    GpDraw *draw = bench_draw(work, &scaled_color_program,
-                              bench_copy(work, &uniforms, sizeof uniforms), &quads);
+    GpDraw *draw =
+        work_draw(work, &scaled_color_program, work_copy(work, &uniforms, sizeof uniforms), &quads);
     draw->state.blend[0] = fill->blend;
     return GP_OK;
 }
 
 /* --- textures ------------------------------------------------------------------------------------ */
 
-GpResult bench_build_texture(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_texture(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)error;
     bool mips = bench->variant == TEXTURE_TRILINEAR;
     begin_screen(work, 1);
     GpGeometry quads = bench_quads(work, TEXTURE_QUADS, GP_TEXCOORD0,
                                    mips ? bench_corner_rotated : bench_corner_shifted);
-    GpDraw *draw = bench_draw(work, &blit_program, NULL, &quads);
+    GpDraw *draw = work_draw(work, &blit_program, NULL, &quads);
     draw->textures[0] = (GpTexture){
         .surface = bench_noise(work, mips),
         .sampler = { .min = GP_LINEAR,
@@ -94,14 +94,14 @@ static void corner_nearer(int quad, int corner, BenchCorner *out)
     out->position[2] = (z + 1) * 0.5f;
 }
 
-GpResult bench_build_lookup(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_lookup(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)error;
     bool dependent = bench->variant == LOOKUP_DEPENDENT;
     begin_screen(work, 1);
     GpGeometry quads = bench_quads(work, LOOKUP_QUADS, GP_TEXCOORD0,
                                    dependent ? bench_corner_shifted : corner_nearer);
-    GpDraw *draw = bench_draw(work, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
+    GpDraw *draw = work_draw(work, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
     draw->textures[0].surface = bench_noise(work, false);
     if (dependent)
         draw->textures[1] = (GpTexture){ .surface = bench_waves(work),
@@ -113,7 +113,7 @@ GpResult bench_build_lookup(const BenchCase *bench, BenchWork *work, GpError *er
 
 /* --- arithmetic ---------------------------------------------------------------------------------- */
 
-GpResult bench_build_arithmetic(const BenchCase *bench, BenchWork *work, GpError *error)
+GpResult bench_build_arithmetic(const BenchCase *bench, Work *work, GpError *error)
 {
     (void)error;
     static const ArithmeticUniforms uniforms = {
@@ -127,6 +127,6 @@ GpResult bench_build_arithmetic(const BenchCase *bench, BenchWork *work, GpError
     };
     begin_screen(work, 1);
     GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
-    bench_draw(work, programs[bench->variant], &uniforms, &quad);
+    work_draw(work, programs[bench->variant], &uniforms, &quad);
     return GP_OK;
 }

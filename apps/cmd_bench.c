@@ -1,10 +1,12 @@
 /* glasspipe bench: frames that other renderers can draw too, against the clock. */
 #include "apps/bench.h"
+#include "apps/bench_tables.h"
 #include "apps/commands.h"
 #include "apps/frame.h"
 #include "apps/json.h"
 #include "apps/meter.h"
 #include "apps/options.h"
+#include "apps/timing.h"
 #include "pipeline/io/image.h"
 
 #include <errno.h>
@@ -13,7 +15,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { MAX_CASES = 64, MAX_FRAMES = 100000, MIN_FRAMES = 20, KEY_IMAGES = 0x200, KEY_PHASES };
+enum { MAX_CASES = 64, MIN_FRAMES = 20, KEY_IMAGES = 0x200, KEY_PHASES, KEY_TABLE };
 
 typedef struct Bench {
     Options options; /* first: see options.h */
@@ -22,6 +24,7 @@ typedef struct Bench {
     const char *images; /* NULL: none written */
     double seconds;     /* for each case, after the first frame */
     bool list;
+    const BenchTable *table; /* NULL: cases are drawn */
 } Bench;
 
 /* clang-format off */
@@ -29,6 +32,8 @@ static const struct argp_option own_options[] = {
     { "list", 'l', NULL, 0, "List the cases", 0 },
     { "time", 't', "SECONDS", 0, "Draw each case for so long (default: 3)", 0 },
     { "images", KEY_IMAGES, "DIR", 0, "Write each case's picture to DIR/CASE.png", 0 },
+    { "table", KEY_TABLE, "NUMBER", 0, "Measure a table of the publications again, beside what was "
+      "printed: 4.1 or 4.2", 0 },
     { "phases", KEY_PHASES, NULL, 0, "Look at the clock inside tiles too: costs some time", 0 },
     { NULL, 0, NULL, 0, NULL, 0 },
 };
@@ -60,12 +65,19 @@ static error_t parse_bench(int key, char *text, struct argp_state *state)
     case KEY_IMAGES:
         bench->images = text;
         return 0;
+    case KEY_TABLE:
+        bench->table = bench_table_find(text);
+        if (!bench->table)
+            argp_error(state, "--table: there are 4.1 and 4.2, not '%s'", text);
+        return 0;
     case KEY_PHASES:
         bench->options.timed = true;
         return 0;
     case ARGP_KEY_ARG:
         return add_case(state, bench, text);
     case ARGP_KEY_END:
+        if (bench->table && bench->case_count)
+            argp_error(state, "--table draws scenes of its own, no cases");
         if (bench->options.width)
             argp_error(state, "--size: the cases have sizes of their own");
         for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)
@@ -92,6 +104,7 @@ static const struct argp parser = {
     "  glasspipe bench -l\n"
     "  glasspipe bench bunny_phong points -t 1 --threads 2\n"
     "  glasspipe bench --images out/bench\n"
+    "  glasspipe bench --table 4.1\n"
     "\n"
     "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
     "median "
@@ -106,70 +119,22 @@ static const struct argp parser = {
 
 typedef struct Times {
     double setup_ms, first_ms;
-    double ms, min_ms, cpu_ms; /* median and least wall time, mean processor time */
-    GpPhases phases;           /* sum */
-    double others;             /* processors that other processes kept busy; negative: unknown */
-    size_t frames;
+    Timing frames;  /* after the first */
+    double others;  /* processors that other processes kept busy; negative: unknown */
     double peak_mb; /* memory in use at most, less what was before the case: its data count */
 } Times;
-
-static int compare_doubles(const void *a, const void *b)
-{
-    const double *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
-}
-
-static double median(double *values, size_t count)
-{
-    qsort(values, count, sizeof *values, compare_doubles);
-    return (values[(count - 1) / 2] + values[count / 2]) / 2;
-}
-
-static void add_phases(GpPhases *sum, const GpPhases *phases)
-{
-    sum->prepare += phases->prepare;
-    sum->vertices += phases->vertices;
-    sum->bins += phases->bins;
-    sum->tiles += phases->tiles;
-    sum->raster += phases->raster;
-    sum->shading += phases->shading;
-    sum->transfer += phases->transfer;
-}
 
 /* Draws the first frame, then others until both the time is over and there are enough, but at most
  * twice the time. Where the first alone takes as long, it stands for all. */
 static GpResult measure(GpDevice *device, const GpList *list, double seconds, double *each,
                         Frame *frame, Times *times, GpError *error)
 {
-    double limit = seconds * 1e3, cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+    const TimingPlan plan = { .seconds = seconds,
+                              .least_frames = MIN_FRAMES,
+                              .most_seconds = 2 * seconds };
     GpResult result = frame_first(device, list, frame, error);
-    cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu_ms;
     times->first_ms = frame->first_ms;
-    double start = meter_clock_ms(CLOCK_MONOTONIC);
-    size_t count = 0;
-    if (frame->first_ms >= limit) {
-        each[count++] = frame->first_ms;
-        add_phases(&times->phases, &frame->phases);
-        start -= 2 * limit;
-    } else {
-        cpu_ms = 0;
-    }
-    while (!result && count < MAX_FRAMES) {
-        double spent = meter_clock_ms(CLOCK_MONOTONIC) - start;
-        if (count > 0 && spent >= (count < MIN_FRAMES ? 2 * limit : limit))
-            break;
-        result = frame_again(device, list, frame, error);
-        each[count++] = frame->ms;
-        cpu_ms += frame->cpu_ms;
-        add_phases(&times->phases, &frame->phases);
-    }
-    if (result)
-        return result;
-    times->ms = median(each, count);
-    times->min_ms = each[0];
-    times->cpu_ms = cpu_ms / (double)count;
-    times->frames = count;
-    return GP_OK;
+    return result ? result : timing_run(device, list, &plan, each, frame, &times->frames, error);
 }
 
 /* --- results ------------------------------------------------------------------------------------- */
@@ -204,16 +169,19 @@ static json_t *phases_json(const Bench *bench, const Times *times)
         double sum;
         bool inside;
     } rows[] = {
-        { "prepare", times->phases.prepare, false },  { "vertices", times->phases.vertices, false },
-        { "bins", times->phases.bins, false },        { "tiles", times->phases.tiles, false },
-        { "raster", times->phases.raster, true },     { "shading", times->phases.shading, true },
-        { "transfer", times->phases.transfer, true },
+        { "prepare", times->frames.phases.prepare, false },
+        { "vertices", times->frames.phases.vertices, false },
+        { "bins", times->frames.phases.bins, false },
+        { "tiles", times->frames.phases.tiles, false },
+        { "raster", times->frames.phases.raster, true },
+        { "shading", times->frames.phases.shading, true },
+        { "transfer", times->frames.phases.transfer, true },
     };
     json_t *object = json_object();
     for (size_t i = 0; i < GP_COUNT(rows); i++)
         if (!rows[i].inside || bench->options.timed)
             json_object_set_new(object, rows[i].name,
-                                json_real(rows[i].sum / (double)times->frames));
+                                json_real(rows[i].sum / times->frames.frames));
     return object;
 }
 
@@ -224,12 +192,12 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     snprintf(digits, sizeof digits, "%08x", hash);
     bool reference = bench->options.executor == GP_EXECUTOR_REFERENCE;
     double megapixels = (double)width * height * 1e-6;
-    json_t *object =
-        json_pack("{s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:s, s:I, s:f}", "case",
-                  drawn->name, "renderer", "glasspipe", "threads", frame->threads, "width",
-                  (int)width, "height", (int)height, "ms", times->ms, "min_ms", times->min_ms,
-                  "cpu_ms", times->cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
-                  (json_int_t)times->frames, "setup_ms", times->setup_ms);
+    json_t *object = json_pack(
+        "{s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:s, s:I, s:f}", "case", drawn->name,
+        "renderer", "glasspipe", "threads", frame->threads, "width", (int)width, "height",
+        (int)height, "ms", times->frames.ms, "min_ms", times->frames.min_ms, "cpu_ms",
+        times->frames.cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
+        (json_int_t)times->frames.frames, "setup_ms", times->setup_ms);
     if (drawn->layers > 0)
         json_object_set_new(object, "mpix", json_real(drawn->layers * megapixels));
     if (drawn->primitives > 1000)
@@ -250,7 +218,7 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     json_decref(object);
 }
 
-static int show_picture(const Bench *bench, const BenchCase *drawn, const BenchWork *work,
+static int show_picture(const Bench *bench, const BenchCase *drawn, const Work *work,
                         const Times *times, const Frame *frame)
 {
     uint32_t width, height;
@@ -273,13 +241,13 @@ static int show_picture(const Bench *bench, const BenchCase *drawn, const BenchW
 /* One device for each case, so that cases do not inherit memory from each other. */
 static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 {
-    BenchWork work = { .color = NULL };
+    Work work = { .color = NULL };
     GpError error = { "" };
     meter_reset_peak();
     double start = meter_clock_ms(CLOCK_MONOTONIC), before_mb = meter_peak_mb();
     if (drawn->build(drawn, &work, &error)) {
         notice(&bench->options, "%s: skipped: %s", drawn->name, error.text);
-        bench_free(&work);
+        work_free(&work);
         return EXIT_DONE;
     }
     GpDevice *device = NULL;
@@ -295,7 +263,7 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
                       : show_picture(bench, drawn, &work, &times, &frame);
     }
     gp_device_destroy(&device);
-    bench_free(&work);
+    work_free(&work);
     return code;
 }
 
@@ -308,7 +276,9 @@ int cmd_bench(int argc, char **argv)
             puts(bench_cases[i].name);
         return EXIT_DONE;
     }
-    double *each = gp_alloc(MAX_FRAMES, sizeof *each);
+    if (bench.table)
+        return bench_table_run(bench.table, &bench.options, bench.seconds);
+    double *each = gp_alloc(TIMING_MAX_FRAMES, sizeof *each);
     if (!each)
         return report(EXIT_INTERNAL, "out of memory");
     int code = EXIT_DONE;

@@ -1,15 +1,11 @@
 /* glasspipe render: a scene by its passes, to a picture. */
 #include "apps/commands.h"
-#include "apps/frame.h"
 #include "apps/json.h"
 #include "apps/options.h"
+#include "apps/output.h"
 #include "apps/passes.h"
 #include "apps/picture.h"
 #include "apps/scene.h"
-
-#include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
 
 typedef struct Render {
     Options options; /* first: see options.h */
@@ -78,50 +74,7 @@ static const struct argp parser = {
     NULL,
 };
 
-/* --- rendering
- * -------------------------------------------------------------------------------------- */
-
-/* Path of the picture that was not named: the scene's name with .png, in out/ where that exists. */
-static void default_output(const char *scene, char *path, size_t size)
-{
-    struct stat status;
-    bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
-    const char *slash = strrchr(scene, '/'), *name = slash ? slash + 1 : scene;
-    const char *dot = strrchr(name, '.');
-    int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
-    snprintf(path, size, "%s%.*s.png", out ? "out/" : "", length, name);
-}
-
-/* Renders, writes and reports. The picture is written and hashed before the second, timed frame. */
-static int render_frame(const Render *render, const char *output, GpDevice *device,
-                        const GpList *list, const GpSurface *surface)
-{
-    const Options *options = &render->options;
-    GpError error = { "" };
-    Frame frame;
-    GpResult result = frame_first(device, list, &frame, &error);
-    if (result)
-        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
-    uint64_t hash = gp_surface_hash(surface);
-    if (picture_write_surface(output, surface, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    notice(options, "wrote %s", output);
-    if (options->verbose)
-        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s", frame.first_ms,
-               (unsigned long long)frame.counters.primitives,
-               (unsigned long long)frame.counters.fragments_shaded, frame.isa);
-    if (!options->json) {
-        picture_print_hash(surface, hash);
-        return EXIT_DONE;
-    }
-    result = frame_again(device, list, &frame, &error);
-    if (result)
-        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
-    json_t *object = frame_json(&frame, hash, surface);
-    json_object_set_new(object, "file", json_string(output));
-    json_print(object);
-    return EXIT_DONE;
-}
+/* --- rendering ------------------------------------------------------------------------------- */
 
 static int render_scene(const Render *render, const char *output, GpDevice *device,
                         const Scene *scene)
@@ -135,7 +88,8 @@ static int render_scene(const Render *render, const char *output, GpDevice *devi
             return report(EXIT_USAGE, "--dump %s", error.text);
         list.pass_count = pass + 1;
     }
-    return render_frame(render, output, device, &list, surface);
+    return output_frame(&render->options, render->scene, output, device, &list, surface, false,
+                        NULL);
 }
 
 static int list_passes(const Render *render, const GpList *list)
@@ -160,7 +114,7 @@ int cmd_render(int argc, char **argv)
     /* Everything that can be refused without reading the scene is refused first. */
     GpError error = { "" };
     char path[4096];
-    default_output(render.scene, path, sizeof path);
+    output_default_path(render.scene, path, sizeof path);
     const char *output = render.output ? render.output : path;
     if (picture_check_path(output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);

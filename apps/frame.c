@@ -1,27 +1,22 @@
 #include "apps/frame.h"
 
 #include "apps/json.h"
+#include "apps/meter.h"
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <time.h>
 
 enum { COUNTED_BY_ALL = 6 };
 
-static double milliseconds(clockid_t clock)
-{
-    struct timespec time;
-    clock_gettime(clock, &time);
-    return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
-}
-
 GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError *error)
 {
-    double start = milliseconds(CLOCK_MONOTONIC);
+    double start = meter_clock_ms(CLOCK_MONOTONIC);
+    double cpu = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     GpResult result = gp_device_run(device, list, error);
     if (result)
         return result;
-    *frame = (Frame){ .first_ms = milliseconds(CLOCK_MONOTONIC) - start,
+    *frame = (Frame){ .first_ms = meter_clock_ms(CLOCK_MONOTONIC) - start,
+                      .first_cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu,
                       .counters = *gp_device_counters(device),
                       .phases = *gp_device_phases(device),
                       .isa = gp_device_isa(device),
@@ -32,12 +27,12 @@ GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError
 
 GpResult frame_again(GpDevice *device, const GpList *list, Frame *frame, GpError *error)
 {
-    double start = milliseconds(CLOCK_MONOTONIC), cpu = milliseconds(CLOCK_PROCESS_CPUTIME_ID);
+    double start = meter_clock_ms(CLOCK_MONOTONIC), cpu = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     GpResult result = gp_device_run(device, list, error);
     if (result)
         return result;
-    frame->ms = milliseconds(CLOCK_MONOTONIC) - start;
-    frame->cpu_ms = milliseconds(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    frame->ms = meter_clock_ms(CLOCK_MONOTONIC) - start;
+    frame->cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu;
     frame->phases = *gp_device_phases(device);
     return GP_OK;
 }

@@ -8,7 +8,8 @@
 
 /* Times in milliseconds, and what the device did for one frame. */
 typedef struct Frame {
-    double first_ms;   /* the first frame, which also touches all memory for the first time */
+    double first_ms; /* the first frame, which also touches all memory for the first time */
+    double first_cpu_ms;
     double ms, cpu_ms; /* a later one: wall clock, and processor time of all threads; 0: not run */
     GpCounters counters;
     GpPhases phases; /* of the last frame */

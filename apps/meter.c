@@ -4,6 +4,7 @@
 #include <malloc.h>
 #include <stdio.h>
 #include <sys/resource.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 double meter_clock_ms(clockid_t clock)
@@ -60,4 +61,19 @@ double meter_peak_mb(void)
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     return (double)usage.ru_maxrss / 1024;
+}
+
+void meter_machine(char *text, size_t size)
+{
+    char line[256], model[80] = "processor";
+    FILE *file = fopen("/proc/cpuinfo", "re");
+    while (file && fgets(line, sizeof line, file))
+        if (sscanf(line, "model name : %79[^\n]", model) == 1)
+            break;
+    if (file)
+        fclose(file);
+    struct utsname system;
+    uname(&system);
+    snprintf(text, size, "%ld x %s, %s %s", sysconf(_SC_NPROCESSORS_ONLN), model, system.sysname,
+             system.machine);
 }

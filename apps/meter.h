@@ -2,6 +2,7 @@
 #ifndef APPS_METER_H
 #define APPS_METER_H
 
+#include <stddef.h>
 #include <time.h>
 
 /* Milliseconds of a clock: CLOCK_MONOTONIC, CLOCK_PROCESS_CPUTIME_ID. */
@@ -24,5 +25,8 @@ void meter_reset_peak(void);
 
 /* Memory in use at most, in megabytes. */
 double meter_peak_mb(void);
+
+/* What figures were measured on: "2 x Intel(R) Xeon(R) Processor, Linux x86_64". */
+void meter_machine(char *text, size_t size);
 
 #endif

@@ -194,12 +194,25 @@ static GpImageType samples_of(GpFormat format)
     return info->is_float && info->bytes == 2 * info->channels ? GP_IMAGE_F16 : GP_IMAGE_U8;
 }
 
-GpResult picture_write_surface(const char *path, const GpSurface *surface, GpError *error)
+static void drop_alpha(Picture *picture)
+{
+    if (picture->channels != 4)
+        return;
+    size_t pixels = (size_t)picture->width * picture->height;
+    for (size_t i = 0; i < pixels; i++)
+        memmove(picture->values + 3 * i, picture->values + 4 * i, 3 * sizeof *picture->values);
+    picture->channels = 3;
+}
+
+GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
+                               GpError *error)
 {
     Picture picture = { .values = NULL };
     GpResult result = picture_of_surface(surface, &picture, error);
     if (result)
         return result;
+    if (opaque)
+        drop_alpha(&picture);
     result = write_picture(path, &picture, samples_of(surface->format), error);
     picture_free(&picture);
     return result;

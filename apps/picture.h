@@ -35,7 +35,9 @@ GpResult picture_write(const char *path, const Picture *picture, GpError *error)
 void picture_print_hash(const GpSurface *surface, uint64_t hash);
 
 /* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
- * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]. Errors as picture_write's. */
-GpResult picture_write_surface(const char *path, const GpSurface *surface, GpError *error);
+ * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.
+ * Errors as picture_write's. */
+GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
+                               GpError *error);
 
 #endif

@@ -7,16 +7,17 @@ _glasspipe()
     local command=${COMP_WORDS[1]}
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel bench help --help --version' \
+        mapfile -t COMPREPLY < <(compgen -W 'render shadow compare explain pixel bench chart help --help --version' \
             -- "$word")
         return
     fi
     case $before in
         --isa) mapfile -t COMPREPLY < <(compgen -W 'auto sse2 avx2 avx512 neon' -- "$word") ;;
         --executor) mapfile -t COMPREPLY < <(compgen -W 'reference fast' -- "$word") ;;
-        help) mapfile -t COMPREPLY < <(compgen -W 'render compare explain pixel bench' -- "$word") ;;
-        --size | --threads | --dump | --pass | --scale | --fail | --failpercent | --hardfail | \
-            --warn | --warnpercent | --hardwarn) ;;
+        help) mapfile -t COMPREPLY < <(compgen -W 'render shadow compare explain pixel bench chart' -- "$word") ;;
+        --size | --threads | -t | --time | --dump | --pass | --scale | --fail | --failpercent | --hardfail | \
+            --warn | --warnpercent | --hardwarn | --method | --filter | --map | --depth | --bias | --slope | \
+            --normal-offset | --casters | --fit | --facing | --outside | --error) ;;
         *)
             if [ "${word:0:1}" = - ]; then
                 local options

@@ -1,7 +1,7 @@
 /* Benchmark cases: they are the peers' by name and amount, valid, and their pictures are right where
  * mathematics says what is right. */
 #include "apps/bench.h"
-#include "apps/bench_work.h"
+#include "apps/bench_data.h"
 #include "shaders_c/surface_maps.h"
 #include "tests/support/unit.h"
 
@@ -10,14 +10,14 @@
 static const double pi = 3.14159265358979323846;
 
 /* Builds a case; skips the test where its mesh is not there. */
-static BenchWork build(const char *name)
+static Work build(const char *name)
 {
     const BenchCase *bench = bench_case_find(name);
     assert_non_null(bench);
-    BenchWork work = { .color = NULL };
+    Work work = { .color = NULL };
     GpError error = { "" };
     if (bench->build(bench, &work, &error)) {
-        bench_free(&work);
+        work_free(&work);
         skip();
     }
     return work;
@@ -36,14 +36,14 @@ static void run(const GpList *list)
 /* The picture of a case as RGBA8, to be freed with gp_free. */
 static uint8_t *picture_of(const char *name)
 {
-    BenchWork work = build(name);
+    Work work = build(name);
     run(&work.list);
     uint32_t width, height;
     bench_picture_size(&work, &width, &height);
     uint8_t *rgba = gp_alloc((size_t)width * height, 4);
     const BenchCase *bench = bench_case_find(name);
     (bench->picture ? bench->picture : bench_show)(&work, rgba);
-    bench_free(&work);
+    work_free(&work);
     return rgba;
 }
 
@@ -71,7 +71,7 @@ static void every_case_is_valid_and_draws_what_the_table_says(void **state)
 {
     (void)state;
     for (size_t i = 0; i < bench_case_count; i++) {
-        BenchWork work = { .color = NULL };
+        Work work = { .color = NULL };
         GpError error = { "" };
         if (bench_cases[i].build(&bench_cases[i], &work, &error) == GP_OK) {
             if (gp_list_check(&work.list, &error))
@@ -86,7 +86,7 @@ static void every_case_is_valid_and_draws_what_the_table_says(void **state)
             if (primitives != bench_cases[i].primitives)
                 fail_msg("%s: %g primitives", bench_cases[i].name, primitives);
         }
-        bench_free(&work);
+        work_free(&work);
     }
 }
 
@@ -96,11 +96,11 @@ static void layers_are_one_group(void **state)
     (void)state;
     static const char *const names[] = { "sheets", "peel" };
     for (size_t i = 0; i < GP_COUNT(names); i++) {
-        BenchWork work = build(names[i]);
+        Work work = build(names[i]);
         uint32_t *groups = gp_alloc(work.list.pass_count, sizeof *groups);
         assert_int_equal(gp_list_groups(&work.list, groups), 1);
         gp_free(groups);
-        bench_free(&work);
+        work_free(&work);
     }
 }
 
@@ -121,7 +121,7 @@ static void picture_hash_is_fnv_1a_from_the_bottom_up(void **state)
 static void torus_has_the_volume_of_a_torus(void **state)
 {
     (void)state;
-    BenchWork work = { .color = NULL };
+    Work work = { .color = NULL };
     GpGeometry torus = bench_torus(&work, 400, 200);
     const GpStream *stream = &torus.streams[GP_POSITION];
     double volume = 0;
@@ -138,7 +138,7 @@ static void torus_has_the_volume_of_a_torus(void **state)
     }
     double exact = 2 * pi * pi * 0.85 * 0.42 * 0.42;
     assert_true(fabs(volume / exact - 1) < 5e-4);
-    bench_free(&work);
+    work_free(&work);
 }
 
 static void rotated_corners_span_one_and_seven_tenths(void **state)
@@ -255,19 +255,19 @@ static void interpolated_depth_is_the_depth_buffers(void **state)
     const Camera camera = {
         .eye = { 0, 1, 2.5 }, .up = { 0, 1, 0 }, .fovy = 45, .near = 0.5, .far = 10
     };
-    BenchWork work = { .color = NULL };
+    Work work = { .color = NULL };
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
     bench_matrix(&camera, NULL, uniforms.mvp);
     GpGeometry torus = bench_torus(&work, 60, 30);
-    bench_reserve(&work, 1, 1);
-    GpSurface *depth = bench_surface(&work, GP_D32F, size, 1);
+    work_reserve(&work, 1, 1);
+    GpSurface *depth = work_surface(&work, GP_D32F, size, size, 1);
     GpSurface *targets[GP_MAX_TARGETS];
-    GpPass *pass = bench_pass(&work, "maps", NULL, depth, NULL);
+    GpPass *pass = work_pass(&work, "maps", NULL, depth, NULL);
     for (int i = 0; i < GP_MAX_TARGETS; i++) {
-        targets[i] = bench_surface(&work, GP_A32B32G32R32F, size, 1);
+        targets[i] = work_surface(&work, GP_A32B32G32R32F, size, size, 1);
         pass->color[i] = (GpColorTarget){ .surface = targets[i], .clear = true };
     }
-    bench_draw(&work, &surface_maps_program, &uniforms, &torus)->state.depth = bench_depth_less;
+    work_draw(&work, &surface_maps_program, &uniforms, &torus)->state.depth = bench_depth_less;
     run(&work.list);
 
     uint32_t covered = 0;
@@ -279,7 +279,7 @@ static void interpolated_depth_is_the_depth_buffers(void **state)
             assert_true(fabs((double)stored - (double)given) < 1.5e-7);
     }
     assert_true(covered > 10000);
-    bench_free(&work);
+    work_free(&work);
 }
 
 int main(void)

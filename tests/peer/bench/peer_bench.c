@@ -31,7 +31,7 @@ typedef struct PeerPicture {
 /* --- pictures --------------------------------------------------------------------------------- */
 
 /* A case with a picture of its own makes it from its surfaces, so these receive what was drawn. */
-static GpResult take_picture(Replay *replay, const BenchCase *drawn, const BenchWork *work,
+static GpResult take_picture(Replay *replay, const BenchCase *drawn, const Work *work,
                              PeerPicture *picture, GpError *error)
 {
     bench_picture_size(work, &picture->width, &picture->height);
@@ -88,7 +88,7 @@ static void print_line(const char *renderer, int threads, const BenchCase *drawn
 }
 
 /* Draws a case that has been built, in a context of its own. */
-static GpResult draw_case(const BenchCase *drawn, const BenchWork *work, const Options *options,
+static GpResult draw_case(const BenchCase *drawn, const Work *work, const Options *options,
                           GpError *error)
 {
     Gl gl;
@@ -118,7 +118,7 @@ static GpResult draw_case(const BenchCase *drawn, const BenchWork *work, const O
 /* Returns an exit status; a case without its data is left out with a message. */
 static int run_case(const BenchCase *drawn, const Options *options)
 {
-    BenchWork work = { .color = NULL };
+    Work work = { .color = NULL };
     GpError error = { "" };
     int status = EXIT_SUCCESS;
     if (drawn->build(drawn, &work, &error))
@@ -127,7 +127,7 @@ static int run_case(const BenchCase *drawn, const Options *options)
         fprintf(stderr, "peer_bench: %s: %s\n", drawn->name, error.text);
         status = EXIT_FAILURE;
     }
-    bench_free(&work);
+    work_free(&work);
     return status;
 }
 

@@ -1,0 +1,157 @@
+/* glasspipe chart: speed against accuracy of a technique's settings. */
+#include "apps/chart_run.h"
+#include "apps/commands.h"
+#include "apps/json.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+typedef struct ChartCommand {
+    Options options; /* first: see options.h */
+    const char *technique, *scene, *folder;
+    double seconds;
+} ChartCommand;
+
+/* clang-format off */
+static const struct argp_option own_options[] = {
+    { "output", 'o', "DIR", 0, "Write to the folder DIR, made where it does not exist "
+      "(default: out/charts where out/ exists, else charts)", 0 },
+    { "time", 't', "SECONDS", 0, "Draw each setting for so long (default: 0.3)", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+/* "shadow, voxelize" */
+static void list_techniques(char *list, size_t size)
+{
+    size_t used = 0;
+    snprintf(list, size, "none");
+    for (size_t i = 0; techniques[i] && used < size; i++)
+        used +=
+            (size_t)snprintf(list + used, size - used, "%s%s", i ? ", " : "", techniques[i]->name);
+}
+
+static void check_technique(struct argp_state *state, const ChartCommand *command)
+{
+    char list[256];
+    list_techniques(list, sizeof list);
+    if (!command->technique)
+        argp_error(state, "expected a technique (there are: %s)", list);
+    else if (!technique_find(command->technique))
+        argp_error(state, "no technique '%s' (there are: %s)", command->technique, list);
+}
+
+static error_t parse_chart(int key, char *text, struct argp_state *state)
+{
+    ChartCommand *command = state->input;
+    const char *slots[] = { command->technique, command->scene };
+    error_t result;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case 'o':
+        command->folder = text;
+        return 0;
+    case 't':
+        command->seconds = options_real(state, "--time", text);
+        return 0;
+    case ARGP_KEY_ARG:
+        result = options_positional(state, slots, GP_COUNT(slots), text);
+        command->technique = slots[0];
+        command->scene = slots[1];
+        return result;
+    case ARGP_KEY_END:
+        check_technique(state, command);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_frame, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    own_options,
+    parse_chart,
+    "TECHNIQUE [SCENE.json]",
+    "Examples:\n"
+    "  glasspipe chart shadow\n"
+    "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
+    "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
+    "\n"
+    "Draws a scene with every setting of a technique's sweep, measures time and distance from the "
+    "exact result, and writes a chart as SVG, CSV and JSON, and a page of all charts.\v"
+    "Without a scene, the technique's own is drawn. Printed are the best settings: nothing else "
+    "measured is both faster and more exact.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* --- results ---------------------------------------------------------------------------------- */
+
+static int print_best(const Chart *chart)
+{
+    const ChartPoint **best = gp_alloc(chart->count, sizeof(const ChartPoint *));
+    if (!best)
+        return report(EXIT_INTERNAL, "out of memory");
+    uint32_t count = chart_list_best(chart, best);
+    printf("%10s  %14s  setting\n", "ms", chart->error_name);
+    for (uint32_t i = 0; i < count; i++)
+        printf("%10.3f  %14.6g  %s: %s\n", best[i]->ms, best[i]->measured.error, best[i]->method,
+               best[i]->options);
+    gp_free(best);
+    return EXIT_DONE;
+}
+
+/* Writes the chart and the page, then reports. */
+static int finish(const ChartCommand *command, const ChartJob *job, const Chart *chart)
+{
+    char name[64], path[CHART_MAX_PATH];
+    GpError error = { "" };
+    chart_name(job->technique, job->scene, name, sizeof name);
+    if (snprintf(path, sizeof path, "%s/%s", job->folder, name) >= (int)sizeof path)
+        return report(EXIT_INTERNAL, "%.200s: the path is too long", job->folder);
+    if (chart_write(path, chart, &error) || chart_write_page(job->folder, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(&command->options, "wrote %s.svg, .csv, .json and %s/index.html", path, job->folder);
+    if (!command->options.json)
+        return print_best(chart);
+    json_t *object = chart_json(chart);
+    if (!object)
+        return report(EXIT_INTERNAL, "out of memory");
+    json_print(object);
+    return EXIT_DONE;
+}
+
+int cmd_chart(int argc, char **argv)
+{
+    ChartCommand command = { .seconds = 0.3 };
+    options_parse(&parser, argc, argv, &command);
+    const Technique *technique = technique_find(command.technique);
+    ChartJob job = { .technique = technique,
+                     .scene = command.scene ? command.scene : technique->scene,
+                     .folder = command.folder ? command.folder : chart_folder(),
+                     .seconds = command.seconds,
+                     .options = &command.options };
+    int code = options_device(&command.options, NULL, &job.device);
+    if (code)
+        return code;
+    Chart chart = { .points = NULL };
+    GpError error = { "" };
+    if (mkdir(job.folder, 0777) != 0 && errno != EEXIST)
+        code = report(EXIT_INTERNAL, "%s: %s", job.folder, strerror(errno));
+    else {
+        GpResult result = chart_run(&job, &chart, &error);
+        code =
+            result ? report(exit_of_run(result), "%s", error.text) : finish(&command, &job, &chart);
+    }
+    chart_free(&chart);
+    gp_device_destroy(&job.device);
+    return code;
+}

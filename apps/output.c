@@ -1,0 +1,52 @@
+#include "apps/output.h"
+
+#include "apps/commands.h"
+#include "apps/frame.h"
+#include "apps/json.h"
+#include "apps/picture.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+void output_default_path(const char *input, char *path, size_t size)
+{
+    struct stat status;
+    bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
+    const char *slash = strrchr(input, '/'), *name = slash ? slash + 1 : input;
+    const char *dot = strrchr(name, '.');
+    int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    snprintf(path, size, "%s%.*s.png", out ? "out/" : "", length, name);
+}
+
+/* The picture is written and hashed before the second, timed frame: a list that does not clear its
+ * targets draws over its first. */
+int output_frame(const Options *options, const char *input, const char *output, GpDevice *device,
+                 const GpList *list, const GpSurface *surface, bool opaque, json_t *more)
+{
+    GpError error = { "" };
+    Frame frame;
+    GpResult result = frame_first(device, list, &frame, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", input, error.text);
+    uint64_t hash = gp_surface_hash(surface);
+    if (picture_write_surface(output, surface, opaque, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(options, "wrote %s", output);
+    if (options->verbose)
+        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s", frame.first_ms,
+               (unsigned long long)frame.counters.primitives,
+               (unsigned long long)frame.counters.fragments_shaded, frame.isa);
+    if (!options->json) {
+        picture_print_hash(surface, hash);
+        return EXIT_DONE;
+    }
+    result = frame_again(device, list, &frame, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", input, error.text);
+    json_t *object = frame_json(&frame, hash, surface);
+    json_object_set_new(object, "file", json_string(output));
+    json_object_update(object, more);
+    json_print(object);
+    return EXIT_DONE;
+}

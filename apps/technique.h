@@ -1,0 +1,70 @@
+/* What every technique declares, so that its command, its chart and its benchmark are written once.
+ *
+ * tech_NAME.c turns a setting into passes. study_NAME.c declares the Technique: fields, sweep, truth,
+ * measure. Nothing else knows one technique from another.
+ */
+#ifndef APPS_TECHNIQUE_H
+#define APPS_TECHNIQUE_H
+
+#include "apps/settings.h"
+#include "apps/work.h"
+
+enum { TECHNIQUE_MAX_FIGURES = 8 };
+
+/* Settings of one colour in the chart: a text of options in which a value may be a list, a|b|c; all
+ * combinations are drawn. */
+typedef struct TechniqueSweep {
+    const char *method;  /* in the field's words: "hardware, 2x2"; NULL ends a table */
+    const char *options; /* "--method hardware --map 512|1024|2048 --slope 1|2" */
+} TechniqueSweep;
+
+/* How far a frame is from the truth. */
+typedef struct TechniqueError {
+    double error;                          /* what the chart's axis shows; 0: none */
+    double figures[TECHNIQUE_MAX_FIGURES]; /* as many as the technique names */
+} TechniqueError;
+
+typedef struct Technique {
+    const char *name;  /* as the command: "shadow" */
+    const char *title; /* of its chart: "Shadow maps: time against wrong pixels" */
+    const char *scene; /* that the chart draws where none is named: a path */
+
+    const SettingField *fields;
+    const void *defaults; /* a setting */
+    size_t setting_bytes;
+
+    const TechniqueSweep *sweep;
+    const char *error_name;     /* of the axis: "wrong pixels" */
+    const char *const *figures; /* names of further figures, NULL at the end: "acne", "leak" */
+
+    /* Reads what all settings share. size 0 x 0: the scene's own.
+     * errors as scene_load's; owns: the caller, until close */
+    GpResult (*open)(const char *path, uint32_t width, uint32_t height, void **scene,
+                     GpError *error);
+    void (*close)(void *scene);
+
+    /* The frame of a setting: its list, its picture in work->color.
+     * in   work: zeroed. errors GP_ERROR_INVALID: the setting does not go with the scene, with the
+     *      reason; *work is then empty */
+    GpResult (*build)(void *scene, const void *setting, Work *work, GpError *error);
+
+    /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
+     * none, with the reason */
+    GpResult (*find_truth)(void *scene, int threads, GpError *error);
+
+    /* Holds a frame that has been drawn against the truth. */
+    void (*measure)(const void *scene, const Work *work, TechniqueError *error);
+} Technique;
+
+/* All techniques, NULL at the end. */
+extern const Technique *const techniques[];
+
+/* The technique of a name, or NULL. */
+const Technique *technique_find(const char *name);
+
+/* All combinations of a sweep's options, each as text; the last list varies fastest.
+ * out     texts: as many as there is room for; NULL allowed where room is 0
+ * returns how many there are */
+size_t technique_expand(const char *options, char (*texts)[SETTING_MAX_TEXT], size_t room);
+
+#endif

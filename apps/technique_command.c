@@ -1,0 +1,206 @@
+#include "apps/technique_command.h"
+
+#include "apps/chart.h"
+#include "apps/commands.h"
+#include "apps/json.h"
+#include "apps/output.h"
+#include "apps/picture.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { KEY_ERROR = 0x200, KEY_CURVE, OWN_OPTIONS = 3 };
+
+typedef struct TechniqueArgs {
+    Options options; /* first: see options.h */
+    const Technique *technique;
+    void *setting;
+    const char *scene, *output, *curve;
+    bool is_set; /* a member of the setting was given */
+    bool has_error;
+    double error;
+} TechniqueArgs;
+
+/* --- options ---------------------------------------------------------------------------------- */
+
+/* clang-format off */
+static const struct argp_option own_options[OWN_OPTIONS + 1] = {
+    { "output", 'o', "FILE", 0, "Write the picture to FILE: .png, .exr, .pfm or .ppm "
+      "(default: out/NAME.png where out/ exists, else NAME.png)", 0 },
+    { "error", KEY_ERROR, "E", 0, "Take the cheapest setting of a stored chart whose error is at "
+      "most E, and say which", 0 },
+    { "curve", KEY_CURVE, "FILE", 0, "The chart for --error: JSON as `glasspipe chart' writes it "
+      "(default: the technique's in out/charts, or in charts)", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+static error_t set_member(struct argp_state *state, TechniqueArgs *args, int key, const char *text)
+{
+    const SettingField *fields = args->technique->fields, *field = setting_of_key(fields, key);
+    GpError error = { "" };
+    if (!field)
+        return ARGP_ERR_UNKNOWN;
+    if (setting_set(fields, args->setting, field->name, text, &error))
+        argp_error(state, "%s", error.text);
+    args->is_set = true;
+    return 0;
+}
+
+static error_t parse_technique(int key, char *text, struct argp_state *state)
+{
+    TechniqueArgs *args = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case 'o':
+        args->output = text;
+        return 0;
+    case KEY_ERROR:
+        args->error = options_real(state, "--error", text);
+        args->has_error = true;
+        return 0;
+    case KEY_CURVE:
+        args->curve = text;
+        return 0;
+    case ARGP_KEY_ARG:
+        return options_positional(state, &args->scene, 1, text);
+    case ARGP_KEY_END:
+        if (!args->scene)
+            argp_error(state, "expected a scene file");
+        if (args->has_error && args->is_set)
+            argp_error(state, "--error chooses the setting: no option of it can be given too");
+        if (args->curve && !args->has_error)
+            argp_error(state, "--curve is for --error");
+        return 0;
+    default:
+        return set_member(state, args, key, text);
+    }
+}
+
+static void parse(const TechniqueHelp *help, int argc, char **argv, TechniqueArgs *args)
+{
+    static const struct argp_child children[] = {
+        { &options_frame, 0, NULL, 0 },
+        { NULL, 0, NULL, 0 },
+    };
+    struct argp_option options[SETTING_MAX_FIELDS + OWN_OPTIONS + 1];
+    setting_options(args->technique->fields, options);
+    struct argp_option *end = options;
+    while (end->name)
+        end++;
+    memcpy(end, own_options, sizeof own_options);
+    const struct argp parser = { options,    parse_technique, help->arguments,
+                                 help->text, children,        options_help,
+                                 NULL };
+    options_parse(&parser, argc, argv, args);
+}
+
+/* --- a setting from a stored chart -------------------------------------------------------------- */
+
+static void default_curve(const Technique *technique, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s.json", chart_folder(), technique->name);
+}
+
+/* Says which setting was chosen, and why. */
+static void explain_choice(const TechniqueArgs *args, const Chart *chart, const ChartPoint *point)
+{
+    uint32_t enough = 0;
+    for (uint32_t i = 0; i < chart->count; i++)
+        enough += chart->points[i].measured.error <= args->error;
+    notice(&args->options,
+           "chose %s (%s): %g %s in %.2f ms, the fastest of %u settings of %u with at most %g",
+           point->options, point->method, point->measured.error, chart->error_name, point->ms,
+           enough, chart->count, args->error);
+    notice(&args->options, "measured on %s, %ux%u, %d threads, %s", chart->scene, chart->width,
+           chart->height, chart->threads, chart->machine);
+}
+
+static int choose(TechniqueArgs *args)
+{
+    char path[CHART_MAX_PATH];
+    GpError error = { "" };
+    Chart chart = { .points = NULL };
+    default_curve(args->technique, path, sizeof path);
+    const char *curve = args->curve ? args->curve : path;
+    GpResult result = chart_read(curve, &chart, &error);
+    if (result) {
+        report(0, "%s", error.text);
+        return report(exit_of_input(result), "--error needs a chart: `glasspipe chart %s' makes it",
+                      args->technique->name);
+    }
+    const ChartPoint *point = chart_choose(&chart, args->error);
+    int code = EXIT_DONE;
+    if (strcmp(chart.technique, args->technique->name) != 0)
+        code = report(EXIT_INPUT, "%s: a chart of %s", curve, chart.technique);
+    else if (!point)
+        code = report(EXIT_INPUT, "%s: no setting has at most %g %s", curve, args->error,
+                      chart.error_name);
+    else if (setting_parse(args->technique->fields, args->setting, point->options, &error))
+        code = report(EXIT_INPUT, "%s: %s", curve, error.text);
+    else
+        explain_choice(args, &chart, point);
+    chart_free(&chart);
+    return code;
+}
+
+/* --- the frame -------------------------------------------------------------------------------- */
+
+static int draw(const TechniqueArgs *args, const char *output, GpDevice *device, void *scene)
+{
+    const Technique *technique = args->technique;
+    GpError error = { "" };
+    Work work = { .color = NULL };
+    if (technique->build(scene, args->setting, &work, &error))
+        return report(EXIT_INPUT, "%s: %s", args->scene, error.text);
+    char setting[SETTING_MAX_TEXT];
+    setting_print(technique->fields, args->setting, technique->defaults, setting, sizeof setting);
+    json_t *more = json_pack("{s:s}", "setting", setting);
+    int code = output_frame(&args->options, args->scene, output, device, &work.list, work.color,
+                            true, more);
+    json_decref(more);
+    work_free(&work);
+    return code;
+}
+
+static int run(TechniqueArgs *args)
+{
+    GpError error = { "" };
+    char path[4096];
+    output_default_path(args->scene, path, sizeof path);
+    const char *output = args->output ? args->output : path;
+    if (picture_check_path(output, &error))
+        return report(EXIT_USAGE, "-o %s", error.text);
+    int code = args->has_error ? choose(args) : EXIT_DONE;
+    if (code)
+        return code;
+    GpDevice *device = NULL;
+    code = options_device(&args->options, NULL, &device);
+    if (code)
+        return code;
+    void *scene = NULL;
+    GpResult result = args->technique->open(args->scene, args->options.width, args->options.height,
+                                            &scene, &error);
+    if (result) {
+        code = report(exit_of_input(result), "%s", error.text);
+    } else {
+        code = draw(args, output, device, scene);
+        args->technique->close(scene);
+    }
+    gp_device_destroy(&device);
+    return code;
+}
+
+int technique_command(const Technique *technique, const TechniqueHelp *help, int argc, char **argv)
+{
+    TechniqueArgs args = { .technique = technique };
+    args.setting = gp_alloc(1, technique->setting_bytes);
+    if (!args.setting)
+        return report(EXIT_INTERNAL, "out of memory");
+    memcpy(args.setting, technique->defaults, technique->setting_bytes);
+    parse(help, argc, argv, &args);
+    int code = run(&args);
+    gp_free(args.setting);
+    return code;
+}

@@ -1,0 +1,32 @@
+/* Text that grows, for files that are made in memory and then written at once. */
+#ifndef APPS_TEXT_H
+#define APPS_TEXT_H
+
+#include "pipeline/base.h"
+
+/* A zeroed one is empty. Additions after memory ran out are dropped; text_write then says so. */
+typedef struct Text {
+    char *data; /* terminated; NULL where nothing was added */
+    size_t length, room;
+    bool failed;
+} Text;
+
+void text_add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* For the content and the quoted attributes of XML and HTML: & < > " ' are escaped, control
+ * characters, which XML cannot hold, become spaces. */
+void text_add_escaped(Text *text, const char *plain);
+
+/* Writes it to a file as gp_file_write does. errors those, and GP_ERROR_MEMORY */
+GpResult text_write(const char *path, const Text *text, GpError *error);
+
+void text_free(Text *text); /* zeroes it */
+
+/* The shortest decimal form that strtod restores to the same bits. */
+void text_of_number(double value, char text[32]);
+
+/* Copies what fits and ends; where that is not UTF-8, which JSON and XML want, `?` stands for its
+ * bytes beyond ASCII. */
+void text_copy(char *to, size_t size, const char *from);
+
+#endif
