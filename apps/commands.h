@@ -19,5 +19,7 @@ CommandFn cmd_compare;
 CommandFn cmd_explain;
 CommandFn cmd_pixel;
 CommandFn cmd_bench;
+CommandFn cmd_chart;
+CommandFn cmd_shadow;
 
 #endif

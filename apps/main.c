@@ -21,7 +21,9 @@ static const Command commands[] = {
     { "compare", cmd_compare, "A B", "compare two pictures" },
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
+    { "shadow", cmd_shadow, "SCENE.json", "a scene under shadow maps" },
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
+    { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
 };
 
 static void print_help(FILE *file)

@@ -11,7 +11,6 @@ enum {
     SCENE_MAX_PASSES = 64,
     SCENE_MAX_OBJECTS = 1024, /* in one pass */
     SCENE_MAX_SURFACES = 512,
-    SCENE_MAX_LIGHTS = 8,
     SCENE_MAX_IMAGES = 128,
 };
 
@@ -22,13 +21,6 @@ typedef struct SceneStore {
     uint32_t surface_count;
     GpPass passes[SCENE_MAX_PASSES];
 } SceneStore;
-
-typedef struct SceneLight {
-    double position[3]; /* world; for a direction: the direction towards the light, unit length */
-    bool directional;
-    float color[3];
-    float range; /* world units; 0: no end. Only programs that have many lights look at it */
-} SceneLight;
 
 /* What all objects of a pass see. */
 typedef struct SceneView {
@@ -56,7 +48,6 @@ typedef struct Loader {
     Scene *scene;
     SceneStore *store;
     SceneView view; /* the scene's, copied and changed by passes */
-    SceneLight lights[SCENE_MAX_LIGHTS];
     SceneImage images[SCENE_MAX_IMAGES];
     uint32_t image_count;
     uint64_t texels; /* bytes of all surfaces of passes */

@@ -24,7 +24,8 @@
 static char binary[PATH_MAX], man_pages[PATH_MAX];
 static char out[1 << 20], err[1 << 16]; /* what the last run printed */
 
-static const char *const commands[] = { "bench", "render", "compare", "explain", "pixel" };
+static const char *const commands[] = { "bench",   "chart", "render", "compare",
+                                        "explain", "pixel", "shadow" };
 
 static const char scene[] =
     "{ \"size\": [64, 48], \"background\": [0.25, 0.5, 0.75, 1],\n"
@@ -303,10 +304,46 @@ static void wrong_option_values_are_usage_errors_that_name_the_option(void **sta
     }
     expect_refused(2, "render", "expected a scene file");
     expect_refused(2, "explain", "expected a scene file");
+    expect_refused(2, "chart", "expected a technique");
+    expect_refused(2, "chart nothing", "no technique 'nothing'");
+    expect_refused(2, "chart nothing -t -1", "--time");
     expect_refused(2, "compare a.png", "expected two pictures");
     expect_refused(2, "compare a.png b.png --fail -1", "--fail");
     expect_refused(2, "compare a.png b.png --hardfail nan", "--hardfail");
     expect_refused(2, "compare a.png b.png --failpercent 1%", "--failpercent");
+    expect_files("scene.json");
+}
+
+static void wrong_settings_of_a_technique_are_usage_errors(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "--map 15", "--map: expected a whole number from 16 to 8192, not '15'" },
+        { "--map 8193", "--map" },
+        { "--map 1e3", "--map" },
+        { "--method soft", "--method: expected" },
+        { "--filter ''", "--filter" },
+        { "--depth d8", "--depth" },
+        { "--bias -1", "--bias" },
+        { "--bias nan", "--bias" },
+        { "--slope 65", "--slope" },
+        { "--normal-offset x", "--normal-offset" },
+        { "--fit", "fit" },
+        { "--error x", "--error" },
+        { "--error -1", "--error" },
+        { "--error 5 --map 512", "--error chooses the setting" },
+        { "--map 512 --error 5", "--error chooses the setting" },
+        { "--curve charts.json", "--curve is for --error" },
+        { "--frobnicate", "frobnicate" },
+        { "second.json", "second.json" },
+        { "-o picture.gif", "picture.gif" },
+    };
+    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "shadow scene.json %s", wrong[i][0]);
+        expect_refused(2, arguments, wrong[i][1]);
+    }
+    expect_refused(2, "shadow", "expected a scene file");
     expect_files("scene.json");
 }
 
@@ -353,6 +390,39 @@ static void bad_scenes_are_input_errors_that_name_the_file(void **state)
     expect_refused(3, "explain missing.json", "missing.json");
     expect_refused(3, "pixel missing.json 1 1", "missing.json");
     expect_refused(3, "render unknown.json", "frobnicate");
+}
+
+static void scenes_and_settings_that_do_not_go_together_are_input_errors(void **state)
+{
+    (void)state;
+    static const char cube[] = "\"objects\": [ { \"mesh\": \"builtin:cube\" } ]";
+    static const struct {
+        const char *lights, *options, *part;
+    } cases[] = {
+        { "[]", "", "the scene has no light" },
+        { "[ { \"position\": [1, 2, 3] } ]", "--method plain", "lights[0] shines to all sides" },
+        { "[ { \"position\": [1, 2, 3] } ]", "--map 2731", "at most 2730 texels" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--filter soft", "they need the plain method" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--depth r32f", "r32f is no depth format" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--method plain --depth d16", "in r32f" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--method plain --slope 1", "does not bias" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--error 5", "`glasspipe chart shadow' makes it" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--error 5 --curve none.json", "none.json" },
+    };
+    for (size_t i = 0; i < GP_COUNT(cases); i++) {
+        char text[400], arguments[256];
+        snprintf(text, sizeof text, "{ \"lights\": %s, %s }", cases[i].lights, cube);
+        write_file("lights.json", text);
+        snprintf(arguments, sizeof arguments, "shadow lights.json %s", cases[i].options);
+        expect_refused(3, arguments, cases[i].part);
+    }
+    write_file("toon.json", "{ \"objects\": [ { \"mesh\": \"builtin:cube\", "
+                            "\"material\": { \"program\": \"toon\" } } ] }");
+    expect_refused(3, "shadow toon.json", "objects[0]: program toon");
+    write_file("passes.json", "{ \"passes\": [ { \"name\": \"a\" }, { \"name\": \"b\" } ] }");
+    expect_refused(3, "shadow passes.json", "passes of its own");
+    expect_refused(3, "shadow missing.json", "missing.json");
+    expect_files("lights.json passes.json scene.json toon.json");
 }
 
 static void unreadable_pictures_are_input_errors(void **state)
@@ -419,6 +489,24 @@ static void threads_isa_and_executor_never_change_the_hash(void **state)
     }
     assert_int_equal(shell("glasspipe render scene.json -o b.png --size 65x48"), 0);
     expect_contains(out, " 65x48 ");
+}
+
+static void shadow_draws_the_same_bits_on_everything_and_tells_its_setting(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe shadow -q scene.json --map 64 -o a.png"), 0);
+    expect_matches(out, "^hash A8R8G8B8 64x48 [0-9a-f]{16}\n$");
+    static char first[sizeof out];
+    strcpy(first, out);
+    assert_int_equal(shell("glasspipe shadow -q scene.json --map=64 -o a.png --threads 3"), 0);
+    assert_string_equal(out, first);
+    assert_int_equal(shell("glasspipe shadow -q scene.json --map 64 --executor reference"), 0);
+    assert_string_equal(out, first);
+    assert_int_equal(shell("glasspipe shadow -q scene.json --map 65 -o a.png --json"), 0);
+    json_t *object = parse_output();
+    assert_string_equal(json_string_value(json_object_get(object, "setting")), "--map 65");
+    json_decref(object);
+    expect_files("a.png scene.json scene.png");
 }
 
 static void render_json_has_the_hash_times_and_counters(void **state)
@@ -675,13 +763,16 @@ int main(void)
         TEST(help_and_man_page_have_the_same_options),
         TEST(unknown_commands_are_usage_errors_with_a_suggestion),
         TEST(wrong_option_values_are_usage_errors_that_name_the_option),
+        TEST(wrong_settings_of_a_technique_are_usage_errors),
         TEST(an_unknown_isa_in_the_environment_is_a_usage_error),
         TEST(bad_outputs_are_refused_before_rendering),
         TEST(bad_scenes_are_input_errors_that_name_the_file),
+        TEST(scenes_and_settings_that_do_not_go_together_are_input_errors),
         TEST(unreadable_pictures_are_input_errors),
         TEST(render_writes_the_picture_and_prints_its_hash),
         TEST(render_names_its_picture_after_the_scene),
         TEST(threads_isa_and_executor_never_change_the_hash),
+        TEST(shadow_draws_the_same_bits_on_everything_and_tells_its_setting),
         TEST(render_json_has_the_hash_times_and_counters),
         TEST(passes_can_be_listed_and_dumped),
         TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),

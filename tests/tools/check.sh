@@ -45,7 +45,7 @@ same_hashes() {
     for list; do
         diff "$1" "$list" || { echo "$list differs from $1" && return 1; }
     done
-    echo "$(wc -l <"$1") scenes, the same in $# lists of builds and widths"
+    echo "$(wc -l <"$1") pictures, the same in $# lists of builds and widths"
     [ -s "$1" ]
 }
 
@@ -109,8 +109,8 @@ step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEED
 step aarch64 aarch64
 step exhaustive-mathematics exhaustive
 step differential configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 differential SEEDS=0..199999
-step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 TEST_SECONDS=3600 \
-    make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 test
+step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 GP_TEST_BUNNY_WINDOW=1 \
+    TEST_SECONDS=3600 make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 test
 for name in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 aarch64; do
     step "code-$name" sh tests/tools/check_code.sh "$out/$name"
 done

@@ -88,11 +88,14 @@ function check_project(from, to)
         if (area(to) != "io" && (area(to) != "pipeline" || known(unit_name(to)) > 2))
             complain("pipeline/io includes " to "; it may know layers 0 to 2")
     } else if (area(from) == "shaders_c") {
-        allowed = from ~ /\.h$/ ? "pipeline/program.h" : "pipeline/shader.h"
+        # NAME_surface.h is code that several shaders share; other headers are uniforms and programs
+        code = "\\.c$|_surface\\.h$"
+        allowed = from ~ code ? "pipeline/shader.h" : "pipeline/program.h"
         own = from
         sub(/\.c$/, ".h", own)
-        if (to != allowed && to != own)
-            complain("a shader includes its own header and " allowed ", not " to)
+        shared = area(to) == "shaders_c" && (from ~ /\.h$/) == (to !~ /_surface\.h$/)
+        if (to != allowed && to != own && !shared)
+            complain("a shader includes its own header, what shaders share and " allowed ", not " to)
     } else if (area(from) == "apps") {
         if ((area(to) == "tests" && to !~ /^tests\/truth\//) || \
             (area(to) == "pipeline" && known(unit_name(to)) !~ /^[0124]$/))

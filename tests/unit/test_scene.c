@@ -329,6 +329,48 @@ static void mistakes_are_named_with_path_and_line(void **state)
     refused("{ \"objects\": [ { \"mesh\": \"no/such/file.ply\" } ] }", "1: objects[0].mesh: ");
 }
 
+/* The light's members in "lights": [ { ... } ] must be refused with this message behind the line. */
+static void light_refused(const char *members, const char *expected)
+{
+    char text[400];
+    snprintf(text, sizeof text, "{ \"lights\": [ { %s } ] }", members);
+    refused(text, expected);
+}
+
+static void mistakes_in_lights_are_named(void **state)
+{
+    (void)state;
+#define SPOT "\"position\": [1, 2, 3], \"at\": [0, 0, 0]"
+    light_refused("\"position\": [1, 2, 3], \"at\": [0, 0]", "1: lights[0].at: expected 3 numbers");
+    light_refused("\"position\": [1, 2, 3], \"at\": [1, 2, 3]",
+                  "1: lights[0].at: the light looks at itself");
+    light_refused("\"direction\": [0, 0, 0]",
+                  "1: lights[0].direction: a direction has some length");
+    light_refused(SPOT ", \"cone\": 86", "1: lights[0].cone: expected a number in [0.1, 85]");
+    light_refused("\"position\": [1, 2, 3], \"cone\": 20", "1: lights[0].cone: a cone needs");
+    light_refused("\"direction\": [1, 2, 3], \"at\": [0, 0, 0], \"cone\": 20",
+                  "1: lights[0].cone: a cone needs");
+    light_refused(SPOT ", \"size\": -1", "1: lights[0].size: expected a number in [0, 1e+06]");
+    light_refused("\"position\": [1, 2, 3], \"size\": 1", "1: lights[0].size: a light with a size");
+    light_refused(SPOT ", \"shadow\": true", "1: lights[0].shadow: expected an object");
+    light_refused(SPOT ", \"shadow\": { \"bias\": 1 }", "1: lights[0].shadow.bias: unknown key");
+    light_refused(SPOT ", \"shadow\": { \"map\": 15 }",
+                  "1: lights[0].shadow.map: expected a whole number in [16, 8192]");
+    light_refused(SPOT ", \"shadow\": { \"format\": \"r32f\" }",
+                  "1: lights[0].shadow.format: expected one of auto, d16, d24, d32f");
+    light_refused(SPOT ", \"shadow\": { \"near\": 1 }",
+                  "1: lights[0].shadow: expected near < far, or neither");
+    light_refused(SPOT ", \"shadow\": { \"near\": 1, \"far\": 1 }",
+                  "1: lights[0].shadow: expected near < far, or neither");
+    light_refused(SPOT ", \"shadow\": { \"fovy\": 171 }",
+                  "1: lights[0].shadow.fovy: expected a number in [1, 170]");
+    light_refused("\"position\": [1, 2, 3], \"shadow\": { \"fovy\": 30 }",
+                  "1: lights[0].shadow.fovy: the light looks at nothing");
+    light_refused(SPOT ", \"shadow\": { \"height\": 2 }",
+                  "1: lights[0].shadow.height: only parallel rays have a height");
+#undef SPOT
+}
+
 static void what_is_not_json_is_refused_with_its_line(void **state)
 {
     (void)state;
@@ -434,6 +476,7 @@ int main(void)
         cmocka_unit_test(pictures_from_files_keep_their_bytes),
         cmocka_unit_test(the_size_can_be_overridden),
         cmocka_unit_test(mistakes_are_named_with_path_and_line),
+        cmocka_unit_test(mistakes_in_lights_are_named),
         cmocka_unit_test(what_is_not_json_is_refused_with_its_line),
         cmocka_unit_test(excess_is_refused),
         cmocka_unit_test(a_missing_file_is_an_io_error),

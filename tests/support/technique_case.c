@@ -1,0 +1,137 @@
+#include "tests/support/technique_case.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { THREADS = 2 };
+
+/* --- scenes ----------------------------------------------------------------------------------- */
+
+/* Writes a scene that is given as text to a file of its own. */
+static bool write_scene(const char *text, char *path)
+{
+    int handle = mkstemp(path);
+    FILE *file = handle < 0 ? NULL : fdopen(handle, "w");
+    if (!file)
+        return false;
+    for (const char *c = text; *c; c++)
+        fputc(*c == '\'' ? '"' : *c, file);
+    return fclose(file) == 0;
+}
+
+static GpResult open_scene(const Technique *technique, const char *scene, uint32_t width,
+                           uint32_t height, void **opened, GpError *error)
+{
+    char path[] = "/tmp/glasspipe-scene-XXXXXX";
+    if (scene[0] != '{')
+        return technique->open(scene, width, height, opened, error);
+    if (!write_scene(scene, path))
+        return gp_fail(error, GP_ERROR_IO, "%s: cannot be written", path);
+    GpResult result = technique->open(path, width, height, opened, error);
+    unlink(path);
+    return result;
+}
+
+/* --- a stage ---------------------------------------------------------------------------------- */
+
+GpResult technique_stage_open(const Technique *technique, const char *scene, uint32_t width,
+                              uint32_t height, TechniqueStage *stage, GpError *error)
+{
+    *stage = (TechniqueStage){ .technique = technique };
+    GpResult result =
+        gp_device_create(&(GpDeviceDesc){ .threads = THREADS }, &stage->device, error);
+    if (!result)
+        result = open_scene(technique, scene, width, height, &stage->scene, error);
+    if (!result)
+        result = technique->find_truth(stage->scene, THREADS, error);
+    if (result)
+        technique_stage_close(stage);
+    return result;
+}
+
+void technique_stage_close(TechniqueStage *stage)
+{
+    if (stage->scene)
+        stage->technique->close(stage->scene);
+    gp_device_destroy(&stage->device);
+    *stage = (TechniqueStage){ 0 };
+}
+
+GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Work *work,
+                              GpError *error)
+{
+    const Technique *technique = stage->technique;
+    void *setting = gp_alloc(1, technique->setting_bytes);
+    if (!setting)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory");
+    memcpy(setting, technique->defaults, technique->setting_bytes);
+    *work = (Work){ .color = NULL };
+    GpResult result = setting_parse(technique->fields, setting, options, error);
+    if (!result)
+        result = technique->build(stage->scene, setting, work, error);
+    if (!result)
+        result = gp_device_run(stage->device, &work->list, error);
+    if (result)
+        work_free(work);
+    gp_free(setting);
+    return result;
+}
+
+GpResult technique_stage_measure(const TechniqueStage *stage, const char *options,
+                                 TechniqueError *measured, GpError *error)
+{
+    Work work;
+    GpResult result = technique_stage_draw(stage, options, &work, error);
+    if (result)
+        return result;
+    stage->technique->measure(stage->scene, &work, measured);
+    work_free(&work);
+    return GP_OK;
+}
+
+double technique_figure(const Technique *technique, const TechniqueError *measured,
+                        const char *name)
+{
+    if (strcmp(name, "error") == 0)
+        return measured->error;
+    for (int i = 0; technique->figures[i]; i++)
+        if (strcmp(name, technique->figures[i]) == 0)
+            return measured->figures[i];
+    return (double)NAN;
+}
+
+/* --- tables ----------------------------------------------------------------------------------- */
+
+static GpResult check_case(const TechniqueStage *stage, const TechniqueCase *row, GpError *error)
+{
+    TechniqueError measured;
+    GpError reason = { "" };
+    GpResult result = technique_stage_measure(stage, row->options, &measured, &reason);
+    if (result)
+        return gp_fail(error, result, "%s: %s: %s", row->name, row->options, reason.text);
+    double figure = technique_figure(stage->technique, &measured, row->figure);
+    if (figure >= row->low && figure <= row->high)
+        return GP_OK;
+    return gp_fail(error, GP_ERROR_INVALID, "%s: %s: %s is %g, not in [%g, %g]", row->name,
+                   row->options, row->figure, figure, row->low, row->high);
+}
+
+GpResult technique_cases_check(const Technique *technique, const TechniqueCase *cases, size_t count,
+                               GpError *error)
+{
+    TechniqueStage stage = { .scene = NULL };
+    GpResult result = GP_OK;
+    for (size_t i = 0; i < count && !result; i++) {
+        if (i == 0 || strcmp(cases[i].scene, cases[i - 1].scene) != 0) {
+            technique_stage_close(&stage);
+            result = technique_stage_open(technique, cases[i].scene, 0, 0, &stage, error);
+        }
+        if (!result)
+            result = check_case(&stage, &cases[i], error);
+    }
+    technique_stage_close(&stage);
+    return result;
+}
