@@ -553,10 +553,20 @@ GP_INLINE flt flt_unpack_unorm8(itg word, int i)
 #endif
 }
 
-/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. */
+/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. Rounded
+ * toward zero no step crosses a multiple of 1/512 that it has not reached; behind 2^15 a float has room
+ * for code / 256 and no more. The rest is flt_from_unorm8. */
 GP_INLINE flt flt_through_unorm8(flt v)
 {
+#ifdef GP_AVX512_LANES
+    enum { TO_ZERO = _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC };
+    __m512 share = _mm512_mul_round_ps((__m512)v, _mm512_set1_ps(255.0f / 256.0f), TO_ZERO);
+    __m512 up = _mm512_add_round_ps(share, _mm512_set1_ps(0x1p-9f), TO_ZERO);
+    flt code = (flt)_mm512_add_round_ps(up, _mm512_set1_ps(0x1p15f), TO_ZERO) - 0x1p15f;
+    return code + code * 0x1.010102p-8f;
+#else
     return flt_from_unorm8(itg_unorm8(v));
+#endif
 }
 
 /* The value that a store and a load of a half leave (R27); of a NaN its upper bits, quiet. */
