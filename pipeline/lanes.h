@@ -574,7 +574,7 @@ GP_INLINE flt flt_through_half(flt v)
 {
 #ifdef GP_AVX512_LANES
     enum { NEAREST = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC };
-    return (flt)_mm512_cvtph_ps(_mm512_cvtps_ph((__m512)v, NEAREST));
+    return (flt)_mm512_cvtph_ps(_mm512_maskz_cvtps_ph(0xffff, (__m512)v, NEAREST)); /* all lanes */
 #else
     itg bits = (itg)v, sign = bits & INT32_MIN, size = bits & 0x7fffffff;
     itg normal = (size + 0xfff + (size >> 13 & 1)) & ~0x1fff;
