@@ -15,9 +15,9 @@ static const FastStages *const stages[] = {
 
 const FastStages *fast_stages(int lanes)
 {
-    for (size_t i = 0; i < GP_COUNT(stages); i++)
-        if (stages[i]->lanes == lanes)
-            return stages[i];
-    GP_ASSERT(!"a width that was compiled");
-    return NULL;
+    size_t i = 0;
+    while (i < GP_COUNT(stages) && stages[i]->lanes != lanes)
+        i++;
+    GP_ASSERT(i < GP_COUNT(stages));
+    return stages[i];
 }
