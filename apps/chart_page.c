@@ -165,7 +165,9 @@ static void add_file(const char *folder, const char *file, Text *contents, Text 
     text_add_escaped(contents, name);
     text_add(contents, "\">");
     text_add_escaped(contents, chart.title);
-    text_add(contents, "</a>\n");
+    text_add(contents, " (");
+    text_add_escaped(contents, chart.scene);
+    text_add(contents, ")</a>\n");
     add_chart(folder, &chart, name, sections);
     chart_free(&chart);
 }
