@@ -294,7 +294,7 @@ static void the_page_holds_all_charts_and_nothing_from_elsewhere(void **state)
     assert_int_equal(occurrences(page, "<table>"), 4);
     const char *first = strstr(page, "<h2>First"), *last = strstr(page, "<h2>Second &amp; last");
     assert_true(first && last && first < last);
-    assert_non_null(strstr(page, "<a href=\"#b\">Second &amp; last</a>"));
+    assert_non_null(strstr(page, "<a href=\"#b\">Second &amp; last ("));
     assert_non_null(strstr(page, "broken.json:1:"));
     assert_null(strstr(page, "script"));
     assert_null(strstr(page, "@import"));
