@@ -71,20 +71,13 @@ typedef struct Job {
 /* Milliseconds of a frame of a setting; 0 after a message. */
 static double measure_setting(const Job *job, void *scene, int column)
 {
-    const Technique *technique = job->table->technique;
     const TimingPlan plan = { job->seconds, LEAST_FRAMES, 2 * job->seconds };
     const char *options = job->table->options[column];
     GpError error = { "" };
     Work work = { .color = NULL };
     Frame frame;
     Timing timing = { .ms = 0 };
-    void *setting = gp_alloc(1, technique->setting_bytes);
-    if (!setting)
-        exit(report(EXIT_INTERNAL, "out of memory"));
-    memcpy(setting, technique->defaults, technique->setting_bytes);
-    GpResult result = setting_parse(technique->fields, setting, options, &error);
-    if (!result)
-        result = technique->build(scene, setting, &work, &error);
+    GpResult result = technique_build(job->table->technique, scene, options, &work, &error);
     if (!result)
         result = frame_first(job->device, &work.list, &frame, &error);
     if (!result)
@@ -92,7 +85,6 @@ static double measure_setting(const Job *job, void *scene, int column)
     if (result)
         report(EXIT_INPUT, "%s: %s", options, error.text);
     work_free(&work);
-    gp_free(setting);
     return timing.ms;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/study_shadow.h"
 
+#include "apps/scene_box.h"
 #include "apps/tech_shadow.h"
 #include "tests/truth/shadow_error.h"
 
@@ -130,14 +131,9 @@ static GpResult collect_triangles(const Scene *scene, TruthScene **made)
         return GP_ERROR_MEMORY;
     for (uint32_t i = 0; i < pass->draw_count; i++) {
         const GpGeometry *geometry = &pass->draws[i].geometry;
-        const GpStream *stream = &geometry->streams[GP_POSITION];
-        for (uint32_t j = 0; j < geometry->index_count; j++) {
-            float position[3];
-            memcpy(position, (const char *)stream->data + geometry->indices[j] * stream->stride,
-                   sizeof position);
-            for (int k = 0; k < 3; k++)
-                triangles[done + j / 3].corner[j % 3][k] = (double)position[k];
-        }
+        for (uint32_t j = 0; j < geometry->index_count; j++)
+            draw_position(&pass->draws[i], geometry->indices[j],
+                          triangles[done + j / 3].corner[j % 3]);
         done += geometry->index_count / 3;
     }
     GpResult result = truth_scene_create(triangles, count, made);

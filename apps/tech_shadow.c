@@ -43,7 +43,19 @@ static GpViewport map_viewport(const ShadowLamp *lamp, int side)
         GpViewport){ (float)(side / 2) * size, (float)(side % 2) * size, size, size, 0, 1, false };
 }
 
-void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, const GpDraw *object,
+/* Whether each object is drawn into a light's map; a map of all that the light shines at, as printed,
+ * has them all. */
+static const bool *find_casts(const ShadowBuild *build, const SceneLight *light)
+{
+    const GpPass *scene = &build->scene->list.passes[0];
+    bool *casts = work_alloc(build->work, scene->draw_count, sizeof *casts);
+    for (uint32_t i = 0; i < scene->draw_count; i++)
+        casts[i] = build->setting->fit == LIGHT_FIT_LIGHT ||
+                   !only_receives(build->scene, light, &scene->draws[i]);
+    return casts;
+}
+
+void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, uint32_t object,
                         const void *uniforms, const GpViewport *viewport, bool scissor)
 {
     /* Outsides turn counter-clockwise. */
@@ -51,13 +63,14 @@ void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, const 
         [SHADOW_NEAR_SIDES] = GP_CULL_CW, [SHADOW_FAR_SIDES] = GP_CULL_CCW
     };
     const ShadowSetting *setting = build->setting;
-    if (setting->fit != LIGHT_FIT_LIGHT && only_receives(build->scene, lamp->light, object))
+    const GpDraw *caster = &build->scene->list.passes[0].draws[object];
+    if (!lamp->casts[object])
         return;
     bool plain = setting->method == SHADOW_PLAIN;
     GpDraw *draw = work_draw(build->work, plain ? &shadow_map_program : &depth_only_program,
-                             uniforms, &object->geometry);
+                             uniforms, &caster->geometry);
     GpRasterState *raster = &draw->state.raster;
-    draw->name = object->name;
+    draw->name = caster->name;
     draw->viewport = *viewport;
     draw->state.depth = nearer;
     raster->slope_depth_bias = (float)shadow_slope(setting, lamp);
@@ -91,7 +104,7 @@ static void draw_map(const ShadowBuild *build, ShadowLamp *lamp)
         round_matrix(lamp->view[side].clip, clip);
         const void *uniforms = work_copy(work, clip, sizeof clip);
         for (uint32_t i = 0; i < scene->draw_count; i++)
-            shadow_draw_caster(build, lamp, &scene->draws[i], uniforms, &viewport, lamp->six_sides);
+            shadow_draw_caster(build, lamp, i, uniforms, &viewport, lamp->six_sides);
     }
 }
 
@@ -282,7 +295,8 @@ GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Wor
         const SceneLight *light = &scene->lights[i];
         ShadowLamp lamp = { .light = light,
                             .six_sides = shadow_has_six_sides(light),
-                            .size = shadow_map_size(setting, light) };
+                            .size = shadow_map_size(setting, light),
+                            .casts = find_casts(&build, light) };
         for (int side = 0; side < (lamp.six_sides ? 6 : 1); side++)
             lamp.view[side] = light_view(scene, lamp.light, side, (LightFit)setting->fit);
         draw_map(&build, &lamp);

@@ -170,7 +170,7 @@ static void draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, const uint32_
                                       .height = size };
         for (uint32_t i = 0; i < scene->draw_count; i++)
             if (may_see(clip[slot], &boxes[i]))
-                shadow_draw_caster(build, lamp, &scene->draws[i], clip[slot], &viewport, true);
+                shadow_draw_caster(build, lamp, i, clip[slot], &viewport, true);
     }
 }
 

@@ -14,6 +14,7 @@ typedef struct ShadowLamp {
     LightView view[6];
     uint32_t size; /* of a view, in texels */
     GpSurface *map;
+    const bool *casts; /* of each object of the scene: drawn into the map */
 
     /* adaptive */
     GpSurface *table, *atlas;     /* no atlas: no tile was asked for */
@@ -43,8 +44,8 @@ double shadow_bias(const ShadowSetting *setting, const ShadowLamp *lamp);
 
 /* An object as the light sees it, in a part of the map: a draw of the present pass, or none where the
  * object casts nothing.
- * in   uniforms: float[4][4], world to the part's clip space; belongs to the work */
-void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, const GpDraw *object,
+ * in   object: its number; uniforms: float[4][4], world to the part's clip space; belongs to the work */
+void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, uint32_t object,
                         const void *uniforms, const GpViewport *viewport, bool scissor);
 
 /* What a light and a material are to the programs. */

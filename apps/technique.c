@@ -18,6 +18,20 @@ const Technique *technique_find(const char *name)
     return NULL;
 }
 
+GpResult technique_build(const Technique *technique, void *scene, const char *options, Work *work,
+                         GpError *error)
+{
+    void *setting = gp_alloc(1, technique->setting_bytes);
+    if (!setting)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    memcpy(setting, technique->defaults, technique->setting_bytes);
+    GpResult result = setting_parse(technique->fields, setting, options, error);
+    if (!result)
+        result = technique->build(scene, setting, work, error);
+    gp_free(setting);
+    return result;
+}
+
 /* --- sweeps ----------------------------------------------------------------------------------- */
 
 /* A word of a sweep's text: what all combinations have, "--map=" or nothing, and the list. */

@@ -62,6 +62,11 @@ extern const Technique *const techniques[];
 /* The technique of a name, or NULL. */
 const Technique *technique_find(const char *name);
 
+/* Builds the frame of a setting that is given as a text of options, on top of the defaults.
+ * in   work: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *work is then empty */
+GpResult technique_build(const Technique *technique, void *scene, const char *options, Work *work,
+                         GpError *error);
+
 /* All combinations of a sweep's options, each as text; the last list varies fastest.
  * out     texts: as many as there is room for; NULL allowed where room is 0
  * returns how many there are */

@@ -63,20 +63,12 @@ void technique_stage_close(TechniqueStage *stage)
 GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Work *work,
                               GpError *error)
 {
-    const Technique *technique = stage->technique;
-    void *setting = gp_alloc(1, technique->setting_bytes);
-    if (!setting)
-        return gp_fail(error, GP_ERROR_MEMORY, "no memory");
-    memcpy(setting, technique->defaults, technique->setting_bytes);
     *work = (Work){ .color = NULL };
-    GpResult result = setting_parse(technique->fields, setting, options, error);
-    if (!result)
-        result = technique->build(stage->scene, setting, work, error);
+    GpResult result = technique_build(stage->technique, stage->scene, options, work, error);
     if (!result)
         result = gp_device_run(stage->device, &work->list, error);
     if (result)
         work_free(work);
-    gp_free(setting);
     return result;
 }
 
