@@ -56,7 +56,7 @@ static const struct argp parser = {
 static json_t *units_json(const GpPass *pass, const GpDraw *draw)
 {
     char text[4096];
-    GpNeeds needs = gp_draw_needs(pass, draw, gp_varyings_read(draw->program));
+    GpNeeds needs = gp_draw_needs(pass, draw, gp_pixel_facts(draw->program).varyings_read);
     gp_needs_explain(&needs, text, sizeof text);
     json_t *lines = json_array();
     char *rest = text;

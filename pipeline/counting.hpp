@@ -518,6 +518,8 @@ GpShaderCounts gp_count_pixel(const GpProgram &declared,
     outputs.push_back({ { invocation.depth }, -1 });
     GpShaderCounts counts = recorder.finish(outputs);
     counts.writes_depth = recorder.kind_of(invocation.depth) != Kind::unwritten;
+    if (!counts.writes_depth && !counts.discards)
+        counts.copied_slot = recorder.copied_slot(parts_of(out));
     return counts;
 }
 

@@ -192,6 +192,19 @@ class Recorder
         return counts;
     }
 
+    /* GpShaderCounts.copied_slot of a pixel shader whose targets hold this. */
+    int copied_slot(const std::vector<flt> &targets) const
+    {
+        if (targets.size() != 4)
+            return 0;
+        const Node &texel = nodes[size_t(targets[0].node)];
+        bool is_copy = texel.kind == Kind::texture && texel.operands.empty();
+        for (size_t i = 0; i < targets.size(); i++)
+            is_copy = is_copy && targets[i].node == targets[0].node && targets[i].component == i &&
+                      !targets[i].negated;
+        return is_copy ? 1 + texel.index : 0;
+    }
+
     /* Registers of the declared varyings (or inputs), cut out of all their components. */
     template <class Declaration>
     static std::vector<Register> split(const std::vector<flt> &parts, const Declaration &list)

@@ -101,6 +101,45 @@ GP_INLINE flt flt_greater(flt a, flt b)
 #endif
 }
 
+/* Whether the compiler knows that all lanes are one number, as flt_set makes them. */
+GP_INLINE bool flt_is_constant(flt a)
+{
+    const itg bits = (itg)a;
+    return __builtin_constant_p(bits[0]) && __builtin_constant_p(bits[GP_LANES - 1]) &&
+           a[0] == a[0];
+}
+
+/* The same for numbers: where b is NaN, a; where a is, b (R30). */
+GP_INLINE flt flt_lesser_number(flt a, flt b)
+{
+    if (flt_is_constant(b))
+        return flt_lesser(a, b);
+#if defined GP_X86_LANES && GP_LANES == 8 && defined __AVX__
+    __m256 x = (__m256)a, y = (__m256)b;
+    return (flt)_mm256_blendv_ps(_mm256_min_ps(x, y), x, _mm256_cmp_ps(y, y, _CMP_UNORD_Q));
+#elif defined GP_X86_LANES && GP_LANES == 16 && defined __AVX512F__
+    __m512 x = (__m512)a, y = (__m512)b;
+    return (flt)_mm512_mask_min_ps(x, _mm512_cmp_ps_mask(y, y, _CMP_ORD_Q), x, y);
+#else
+    return flt_select(b != b, a, flt_lesser(a, b));
+#endif
+}
+
+GP_INLINE flt flt_greater_number(flt a, flt b)
+{
+    if (flt_is_constant(b))
+        return flt_greater(a, b);
+#if defined GP_X86_LANES && GP_LANES == 8 && defined __AVX__
+    __m256 x = (__m256)a, y = (__m256)b;
+    return (flt)_mm256_blendv_ps(_mm256_max_ps(x, y), x, _mm256_cmp_ps(y, y, _CMP_UNORD_Q));
+#elif defined GP_X86_LANES && GP_LANES == 16 && defined __AVX512F__
+    __m512 x = (__m512)a, y = (__m512)b;
+    return (flt)_mm512_mask_max_ps(x, _mm512_cmp_ps_mask(y, y, _CMP_ORD_Q), x, y);
+#else
+    return flt_select(b != b, a, flt_greater(a, b));
+#endif
+}
+
 GP_INLINE itg itg_lesser(itg a, itg b)
 {
 #if defined GP_X86_LANES && GP_LANES == 8 && defined __AVX2__

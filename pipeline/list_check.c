@@ -4,21 +4,15 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Where the check is, for messages. */
-/* Programs that were found right, the last few: most lists have no more, and counting one's shaders
- * takes some microseconds. */
-typedef struct Checked {
-    const GpProgram *program[8];
-    unsigned count;
-} Checked;
-
 typedef struct Place {
     const GpList *list;
     uint32_t pass, draw;
     bool in_draw;
     int element; /* that a field's %d stands for */
-    struct Checked *checked;
+    GpCheckedPrograms *programs;
     GpIndexRanges *ranges;
     GpError *error;
 } Place;
@@ -113,12 +107,28 @@ static GpResult check_targets(const Place *place)
 
 /* --- programs and geometry ---------------------------------------------------------------------------- */
 
-static bool was_checked(const Checked *checked, const GpProgram *program)
+/* Counting one's shaders takes up to a tenth of a millisecond. */
+static int find_checked(const GpCheckedPrograms *programs, const GpProgram *program)
 {
-    for (size_t i = 0; i < GP_COUNT(checked->program); i++)
-        if (checked->program[i] == program)
-            return true;
-    return false;
+    for (int i = 0; i < GP_CHECKED_PROGRAMS; i++)
+        if (programs->at[i] == program &&
+            memcmp(&programs->program[i], program, sizeof *program) == 0)
+            return i;
+    return -1;
+}
+
+GpPixelFacts gp_checked_facts(const GpCheckedPrograms *programs, const GpProgram *program)
+{
+    const int at = find_checked(programs, program);
+    return at < 0 ? gp_pixel_facts(program) : programs->facts[at];
+}
+
+static void remember(GpCheckedPrograms *programs, const GpProgram *program)
+{
+    const unsigned at = programs->count++ % GP_CHECKED_PROGRAMS;
+    programs->at[at] = program;
+    memcpy(&programs->program[at], program, sizeof *program);
+    programs->facts[at] = gp_pixel_facts(program);
 }
 
 static GpResult check_program(const Place *place)
@@ -126,12 +136,11 @@ static GpResult check_program(const Place *place)
     const GpProgram *program = draw_at(place)->program;
     if (!program)
         return refuse(place, "program", "NULL");
-    Checked *checked = place->checked;
     GpError reason;
-    if (!was_checked(checked, program)) {
+    if (find_checked(place->programs, program) < 0) {
         if (gp_program_check(program, &reason))
             return refuse(place, "program", "%s", reason.text);
-        checked->program[checked->count++ % GP_COUNT(checked->program)] = program;
+        remember(place->programs, program);
     }
     if (program->uniform_bytes && !draw_at(place)->uniforms)
         return refuse(place, "uniforms", "NULL, but %s has %zu bytes of them", program->name,
@@ -335,7 +344,8 @@ static GpResult check_textures(const Place *place)
 
 /* --- the whole -------------------------------------------------------------------------------------------------- */
 
-GpResult gp_list_check_ranges(const GpList *list, GpIndexRanges *ranges, GpError *error)
+GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
+                             GpError *error)
 {
     static GpResult (*const draw_checks[])(const Place *) = {
         check_program,     check_geometry,    check_viewport, check_raster_state,
@@ -344,8 +354,7 @@ GpResult gp_list_check_ranges(const GpList *list, GpIndexRanges *ranges, GpError
     if (list->pass_count && !list->passes)
         return gp_fail(error, GP_ERROR_INVALID, "passes: NULL, but pass_count is %u",
                        list->pass_count);
-    Checked checked = { .count = 0 };
-    Place place = { .list = list, .checked = &checked, .ranges = ranges, .error = error };
+    Place place = { .list = list, .programs = programs, .ranges = ranges, .error = error };
     for (place.pass = 0; place.pass < list->pass_count; place.pass++) {
         place.in_draw = false;
         GpResult result = check_targets(&place);
@@ -364,6 +373,7 @@ GpResult gp_list_check_ranges(const GpList *list, GpIndexRanges *ranges, GpError
 
 GpResult gp_list_check(const GpList *list, GpError *error)
 {
+    GpCheckedPrograms programs = { .count = 0 };
     GpIndexRanges ranges = { .pool = NULL };
-    return gp_list_check_ranges(list, &ranges, error);
+    return gp_list_check_again(list, &programs, &ranges, error);
 }

@@ -9,14 +9,14 @@ static uint64_t all_components(int count)
     return count >= 64 ? ~(uint64_t)0 : ((uint64_t)1 << count) - 1;
 }
 
-uint64_t gp_varyings_read(const GpProgram *program)
+GpPixelFacts gp_pixel_facts(const GpProgram *program)
 {
     uint64_t all = all_components(program->varying_components);
     if (!program->count || !program->code[0]->pixel)
-        return all;
+        return (GpPixelFacts){ all, 0 };
     GpShaderCounts vertex, pixel;
     program->count(&vertex, &pixel);
-    return all & pixel.inputs_read;
+    return (GpPixelFacts){ all & pixel.inputs_read, pixel.copied_slot };
 }
 
 static bool needs_mip_levels(const GpDraw *draw)

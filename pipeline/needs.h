@@ -20,9 +20,14 @@ typedef struct GpNeeds {
     bool late_depth; /* depth and stencil must wait for the pixel shader */
 } GpNeeds;
 
-/* Components of the varyings that a program's pixel shader reads: counted where the counting build
- * is there (which takes some microseconds: ask once for a program), else all. */
-uint64_t gp_varyings_read(const GpProgram *program);
+/* What counting a pixel shader tells of it. */
+typedef struct GpPixelFacts {
+    uint64_t varyings_read; /* bit i: component i; all where the counting build is not there */
+    int copied_slot;        /* GpShaderCounts.copied_slot */
+} GpPixelFacts;
+
+/* Takes some microseconds: to be asked once for a program. */
+GpPixelFacts gp_pixel_facts(const GpProgram *program);
 
 /* The needs of a draw in its pass; both already checked.
  * in   varyings_read: of the draw's program */

@@ -147,10 +147,12 @@ typedef struct GpShaderCounts {
     uint64_t outputs_written; /* bit i: component i of the varyings or of the targets is written */
     uint16_t sampler_slots;   /* bit i: slot i is read by texld and its kin */
     uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
-    bool gradients;           /* dsx, dsy or texldd appear */
-    bool needs_quads;         /* dsx or dsy */
-    bool implicit_lod;        /* texld, texldp or texldb appear */
-    bool explicit_lod;        /* texldl appears */
+    int copied_slot;   /* 1 + the slot whose texel, read in place, is all that the pixel shader
+                                 gives, as it is; 0: it does something else */
+    bool gradients;    /* dsx, dsy or texldd appear */
+    bool needs_quads;  /* dsx or dsy */
+    bool implicit_lod; /* texld, texldp or texldb appear */
+    bool explicit_lod; /* texldl appears */
     bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
 } GpShaderCounts;
 

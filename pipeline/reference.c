@@ -290,7 +290,7 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
             const GpDraw *draw = &pass->draws[i];
             if (draw->program != program) { /* counting takes time: once for a run of draws */
                 program = draw->program;
-                varyings_read = gp_varyings_read(program);
+                varyings_read = gp_pixel_facts(program).varyings_read;
             }
             GpReferenceDraw d = begin_draw(reference, pass, draw, varyings_read, vertices);
             d.pass_number = p;

@@ -226,11 +226,11 @@ GP_INLINE flt gp_lrp_lanes(flt t, flt a, flt b)
 /* R30: where one operand is NaN the other is the result. */
 GP_INLINE flt gp_min_lanes(flt a, flt b)
 {
-    return flt_select(b != b, a, flt_lesser(a, b));
+    return flt_lesser_number(a, b);
 }
 GP_INLINE flt gp_max_lanes(flt a, flt b)
 {
-    return flt_select(b != b, a, flt_greater(a, b));
+    return flt_greater_number(a, b);
 }
 GP_INLINE flt gp_slt_lanes(flt a, flt b)
 {

@@ -6,14 +6,15 @@
 #include "pipeline/fast/fast.h"
 #include "pipeline/fast/frame.h"
 #include "pipeline/fast/stages.h"
-#include "pipeline/index_range.h"
+#include "pipeline/list_check.h"
 #include "pipeline/pool.h"
 
 struct GpFast {
     GpPool *pool;
     FastTileMemory **tiles; /* one a worker, made when first needed */
     int lanes;              /* that they were made for */
-    GpIndexRanges indices;  /* of the list, from its check to the end of its run */
+    GpCheckedPrograms programs;
+    GpIndexRanges indices; /* of the list, from its check to the end of its run */
     size_t vertex_limit, vertex_bytes;
     FastArena arena;   /* draws and shaded vertices of the group */
     FastRange *ranges; /* kept for the memory they hold */
@@ -27,12 +28,6 @@ typedef struct FastCursor {
     const GpList *list;
     const uint32_t *group_of; /* gp_list_groups */
     uint32_t pass, draw;
-    /* gp_varyings_read of the last few programs */
-    struct {
-        const GpProgram *program;
-        uint64_t varyings;
-    } read[8];
-    unsigned read_count;
 } FastCursor;
 
 /* Prepares passes of one group of the list, as many as there are slots and memory for, and moves the

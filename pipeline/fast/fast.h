@@ -22,7 +22,8 @@
  * pixel (lanes/fill_tiny.c), small ones some rows at a time (lanes/fill_small.c), large ones row by
  * row (lanes/fill_large.c); those behind the farthest depths around them are left out before
  * (lanes/farthest.c), and where depth is all that a pass leaves, the facing that is nearer comes first
- * for it. Point sprites have a short way of their own (lanes/sprite.c).
+ * for it. Point sprites have a short way of their own (lanes/sprite.c); where they only combine bits, their
+ * pixels share packets (lanes/pack_points.c).
  *
  * Where nothing looks at the colour that was there before, a fragment that passes its tests only
  * leaves the number of its triangle (a *record*). What is still seen at the end is shaded once: rows
@@ -33,7 +34,7 @@
  * a few pixels before the next pixels (lanes/layers.c). Where it only discards, and nearer fragments
  * hide others, large triangles are filled front to back (lanes/front_to_back.c).
  *
- * lanes/depth.c and lanes/merge.c are the output end, lanes/sample.c the texture unit.
+ * lanes/depth.c, lanes/merge.c and lanes/merge_bits.c are the output end, lanes/sample.c the texture unit.
  *
  * Every value is a function of per-triangle constants and the pixel's position, in the operations
  * that CONVENTIONS.md fixes; that is why all this moving about changes no bit. */

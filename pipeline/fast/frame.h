@@ -81,6 +81,8 @@ typedef struct FastDraw {
     bool late_depth;   /* the pixel shader comes before depth and stencil */
     bool wants_depth;  /* depth or stencil is touched at all */
     bool nearest_wins; /* ordered, but only equal depths need their order: see front_to_back.c */
+    bool packs_points; /* points on one pixel need not be kept apart: see pack_points.c */
+    int copied_slot; /* 1 + the slot whose words it brings, as they are, into its target's; or 0 */
     GpVaryingModes modes;
     uint64_t varyings_by[3]; /* components that are read, by GpInterpolation */
     GpViewport viewport;     /* resolved */
@@ -95,13 +97,23 @@ typedef struct FastDraw {
 
     /* shaded vertices, vertex first_vertex first */
     FastPosition *positions;
-    float *varyings; /* stride floats a vertex: varyings, then clip distances in use */
+    float *varyings; /* stride floats a vertex: varyings, then clip distances in use; none of points
+                         that are not on the screen */
     uint32_t stride; /* a multiple of 4 */
 } FastDraw;
 
 static inline uint32_t fast_draw_blocks(const FastDraw *draw)
 {
     return (draw->vertex_count + FAST_VERTEX_BLOCK - 1) / FAST_VERTEX_BLOCK;
+}
+
+/* Whether a blend combines the stored words of its target, whatever they stand for. (Logic serves
+ * colour and alpha alike.) */
+static inline bool fast_is_bitwise(const GpBlend *blend, GpFormat format)
+{
+    return format == GP_A8R8G8B8 &&
+           (blend->op == GP_BLEND_LOGIC_AND || blend->op == GP_BLEND_LOGIC_OR ||
+            blend->op == GP_BLEND_LOGIC_XOR);
 }
 
 /* A triangle that the clipper cut: its fan, as triangles of three corners of their own. */

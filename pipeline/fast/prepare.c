@@ -44,6 +44,17 @@ static bool nearest_wins(const FastDraw *d)
            d->draw->geometry.primitive != GP_POINTS;
 }
 
+/* Points of which nothing is asked but bits and where they are. */
+static bool packs_points(const FastDraw *d)
+{
+    const int written = gp_program_targets(d->draw->program);
+    for (int t = 0; t < written && d->pass->color[t].surface; t++)
+        if (!fast_is_bitwise(&d->draw->state.blend[t], d->pass->color[t].surface->format))
+            return false;
+    return d->draw->geometry.primitive == GP_POINTS && d->route == FAST_ORDERED &&
+           !d->wants_depth && !d->needs.quads && d->modes.sprite < 0;
+}
+
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
 {
     if (!raster->scissor)
@@ -68,17 +79,31 @@ static bool prepare_samplers(FastArena *arena, FastDraw *d)
     return d->samplers != NULL;
 }
 
+/* Whether all that a draw does is to bring words of one surface into another: unorm8 codes come
+ * through floats as they were. */
+static bool copies_words(const FastDraw *d, const GpPixelFacts *facts)
+{
+    const GpDraw *draw = d->draw;
+    const GpBlend *blend = &draw->state.blend[0];
+    const GpSurface *target = d->pass->color[0].surface;
+    if (!facts->copied_slot || d->route != FAST_ORDERED || d->wants_depth || d->late_depth ||
+        d->needs.alpha_test || !target || target->format != GP_A8R8G8B8)
+        return false;
+    const GpSurface *from = draw->textures[facts->copied_slot - 1].surface;
+    return from->format == GP_A8R8G8B8 && fast_is_bitwise(blend, target->format);
+}
+
 /* Appends a draw's work to that of its pass; false when memory is short.
- * in   varyings_read: by the draw's program (gp_varyings_read)
+ * in   facts: of the draw's program
  * out  d: of the pass's draws, the next */
 static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pass,
-                         const GpDraw *draw, uint64_t varyings_read, int lanes, FastDraw *d)
+                         const GpDraw *draw, GpPixelFacts facts, int lanes, FastDraw *d)
 {
     *d = (FastDraw){
         .pass = pass->pass,
         .draw = draw,
         .code = gp_program_code(draw->program, lanes),
-        .needs = gp_draw_needs(pass->pass, draw, varyings_read),
+        .needs = gp_draw_needs(pass->pass, draw, facts.varyings_read),
         .modes = gp_varying_modes(draw->program),
         .viewport = gp_viewport_resolve(&draw->viewport, pass->width, pass->height),
         .first_block = pass->block_count,
@@ -92,6 +117,8 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->late_depth = d->needs.late_depth;
     d->route = choose_route(d);
     d->nearest_wins = nearest_wins(d);
+    d->packs_points = packs_points(d);
+    d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;
     if (d->route == FAST_NOTHING)
         d->primitive_count = 0;
 
@@ -140,17 +167,6 @@ static bool has_room(const GpFast *fast)
     return fast->vertex_bytes < fast->vertex_limit;
 }
 
-static uint64_t varyings_read(FastCursor *at, const GpProgram *program)
-{
-    const unsigned room = GP_COUNT(at->read);
-    for (unsigned i = 0; i < room; i++)
-        if (at->read[i].program == program)
-            return at->read[i].varyings;
-    const unsigned i = at->read_count++ % room;
-    at->read[i].program = program;
-    return at->read[i].varyings = gp_varyings_read(program);
-}
-
 /* Depth alone, which comes nearer only, ends up as the nearest, in whatever order. */
 static bool has_any_order(const FastPass *p)
 {
@@ -181,8 +197,9 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
     while (p->draw_count < most && (p->draw_count == 0 || has_room(fast))) {
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
-        if (!prepare_draw(&fast->arena, &fast->indices, p, draw, varyings_read(at, draw->program),
-                          lanes, &p->draws[p->draw_count++]))
+        if (!prepare_draw(&fast->arena, &fast->indices, p, draw,
+                          gp_checked_facts(&fast->programs, draw->program), lanes,
+                          &p->draws[p->draw_count++]))
             return false;
         fast->vertex_bytes += fast->arena.taken - taken;
     }

@@ -78,7 +78,7 @@ static void forget_indices(GpFast *fast)
 GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error)
 {
     forget_indices(fast);
-    return gp_list_check_ranges(list, &fast->indices, error);
+    return gp_list_check_again(list, &fast->programs, &fast->indices, error);
 }
 
 static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stages,

@@ -224,24 +224,37 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
                   b.z);
 }
 
+/* Whether half of `lanes` begin in the tile of the first of them: neighbours of a mesh mostly do, of
+ * other points hardly ever. */
+static bool are_together(const TileBoxes *tiles, unsigned lanes)
+{
+    if (!lanes)
+        return false;
+    const itg first = itg_set(tiles->first[__builtin_ctz(lanes)]);
+    const unsigned same = lanes & msk_bits((msk)(tiles->first == first));
+    return 2 * __builtin_popcount(same) >= __builtin_popcount(lanes);
+}
+
 /* A run of points of one draw. */
 static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
                        uint32_t count)
 {
     const uint32_t *indices = d->draw->geometry.indices;
     uint32_t vertex[GP_LANES];
-    unsigned outside = 0;
     GP_UNROLL
     for (uint32_t lane = 0; lane < GP_LANES; lane++) {
         uint32_t at = first - d->first_primitive + (lane < count ? lane : 0);
         vertex[lane] = (indices ? indices[at] : at) - d->first_vertex;
-        outside |= (unsigned)(fast_outside(&d->positions[vertex[lane]]) != 0) << lane;
     }
     Sprites s = place_sprites(d, vertex, &d->rect);
     const TileBoxes tiles = tile_boxes(pass, s.x0, s.y0, s.x1, s.y1);
     const unsigned one = in_one_tile(&tiles);
-    unsigned left = s.drawn & ~outside & (unsigned)((1u << count) - 1);
-    for (; left; left &= left - 1) { /* neighbours rarely meet, and in each tile order counts */
+    unsigned left = s.drawn & (unsigned)((1u << count) - 1);
+    if (are_together(&tiles, left)) {
+        bin_together(pass, range, 0, first, left, &tiles);
+        return;
+    }
+    for (; left; left &= left - 1) { /* in each tile order counts */
         const uint32_t lane = (uint32_t)__builtin_ctz(left);
         if (one >> lane & 1)
             fast_add_to_tile(range, (uint32_t)tiles.first[lane], (FastHits){ first + lane, 1 });

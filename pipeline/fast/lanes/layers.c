@@ -217,7 +217,7 @@ static void merge_alike(Tile *tile, int count)
     (tile, d, tile->patches, live, count, (const flt *)(const void *)tile->color);
 }
 
-void FAST(shade_layers)(Tile *tile)
+static void shade_blocks(Tile *tile)
 {
     const FastDraw *d = tile->draw;
     const FastBox *box = &tile->layer_box;
@@ -242,6 +242,12 @@ void FAST(shade_layers)(Tile *tile)
         } else
             FAST(shade_patches)(tile, d, tile->patches, layers * count, NULL);
     }
-    tile->layer_count = 0;
     tile->layers_alike = false;
+}
+
+void FAST(shade_layers)(Tile *tile)
+{
+    if (!tile->draw->copied_slot || !FAST(copy_layers)(tile, tile->draw))
+        shade_blocks(tile);
+    tile->layer_count = 0;
 }

@@ -348,10 +348,15 @@ void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches
         GpFormat format = d->pass->color[t].surface->format;
         m.color = color + 4 * t;
         m.planes = tile->planes[t];
+        const GpBlend *blend = &state->blend[t];
+        if (fast_is_bitwise(blend, format)) {
+            FAST(merge_bits)(tile, blend, m.planes, patches, live, count, m.color, m.stride);
+            continue;
+        }
         for (int c = 0; c < 4; c++) {
             float k = state->blend_constant[c];
             m.constant[c] = gp_format_info(format)->is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
         }
-        merge_target(&state->blend[t], format, &m, whole);
+        merge_target(blend, format, &m, whole);
     }
 }

@@ -39,7 +39,8 @@ void FAST(ask_for_points)(const FastDraw *d, const FastHits *hits)
     for (uint32_t lanes = hits->lanes; lanes; lanes &= lanes - 1) {
         const uint32_t vertex = vertex_of(d, hits->first + (uint32_t)__builtin_ctz(lanes));
         __builtin_prefetch(&d->positions[vertex]);
-        __builtin_prefetch(d->varyings + (size_t)vertex * d->stride);
+        for (uint32_t c = 0; c < d->stride; c += 16)
+            __builtin_prefetch(d->varyings + (size_t)vertex * d->stride + c);
     }
 }
 
@@ -262,6 +263,10 @@ static void fill_batch(Tile *tile, const uint32_t *primitives, uint32_t count)
     const FastDraw *d = tile->draw;
     Batch batch;
     set_up(tile, primitives, count, &batch);
+    if (d->packs_points) {
+        FAST(pack_points)(tile, &batch.at, batch.vertex);
+        return;
+    }
     uint32_t record = 0;
     if (d->route == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
         FAST(reserve_records)(tile, 1);

@@ -47,6 +47,10 @@ GP_INLINE Sprites place_sprites(const FastDraw *d, const uint32_t vertex[GP_LANE
     return s;
 }
 
+/* Queues the fragments of sprites, whose boxes count from the tile's first pixel, of a draw that packs
+ * points. Vertices are those of all lanes, drawn or not. */
+void FAST(pack_points)(Tile *tile, const Sprites *sprites, const uint32_t vertex[GP_LANES]);
+
 /* Inputs of a pixel shader inside the sprite of a record. */
 void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *draw, const FastRecord *record,
                               itg x, itg y, flt *in);

@@ -91,8 +91,9 @@ static void let_points_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
         return;
     FAST(fill_sprites)(tile, waiting->primitive, GP_LANES);
     waiting->count -= GP_LANES;
-    memmove(waiting->primitive, waiting->primitive + GP_LANES,
-            waiting->count * sizeof *waiting->primitive);
+    for (uint32_t i = 0; i < waiting->count; i += GP_LANES)
+        memcpy(waiting->primitive + i, waiting->primitive + i + GP_LANES,
+               GP_LANES * sizeof *waiting->primitive);
 }
 
 /* Those of the first and the last triangle, and of one between them. */

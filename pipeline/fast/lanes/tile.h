@@ -329,6 +329,15 @@ bool FAST(only_adds)(const Tile *tile, const FastDraw *draw);
 void FAST(add_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
                        const unsigned *live, int count, const flt *color);
 
+/* The same for one target whose blend is bitwise. A patch of a mix may hold a pixel several times. */
+void FAST(merge_bits)(const Tile *tile, const GpBlend *blend, FastPlanes *planes,
+                      const FastPatch *patches, const unsigned *live, int count, const flt *color,
+                      int stride);
+
+/* All layers that wait, of a draw that copies words (FastDraw.copied_slot). False, and nothing done,
+ * where the tile does not hold the words that are copied. */
+bool FAST(copy_layers)(Tile *tile, const FastDraw *draw);
+
 /* Starts a tile with nothing in its slots; stores those that were written. */
 void FAST(begin_slots)(Tile *tile, const FastSlots *slots);
 void FAST(store_slots)(Tile *tile);

@@ -20,13 +20,17 @@ typedef struct Block {
 
 /* --- inputs -------------------------------------------------------------------------------------- */
 
+static size_t stride_of(const GpStream *stream)
+{
+    return stream->stride ? stream->stride : stream->components * sizeof(float);
+}
+
 /* Four floats of a packet's vertices, whether the stream has as many or not: what lies behind a
  * vertex is read with it, and out of a copy where that is the end of the stream. */
 GP_INLINE void load_floats(const GpStream *stream, uint32_t vertex_count,
                            const uint32_t vertex[GP_LANES], itg component[4])
 {
-    const size_t size = stream->components * sizeof(float);
-    const size_t stride = stream->stride ? stream->stride : size;
+    const size_t size = stream->components * sizeof(float), stride = stride_of(stream);
     const uint8_t *data = stream->data, *end = data + (vertex_count - 1) * stride + size;
     const void *record[GP_LANES];
     GP_UNROLL
@@ -70,6 +74,16 @@ static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
     }
 }
 
+/* A packet's records are wanted soon: blocks of them are read at once, between which memory would
+ * rest. */
+GP_INLINE void ask_for_records(const GpStream *stream, uint32_t vertex)
+{
+    const size_t stride = stride_of(stream), step = stride < 64 ? 64 : stride;
+    const uint8_t *from = (const uint8_t *)stream->data + vertex * stride;
+    for (size_t i = 0; i < GP_LANES * stride; i += step)
+        __builtin_prefetch(from + i);
+}
+
 /* Inputs of the block's vertices, by component and lane; the last vertex fills the last packet. */
 static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *block)
 {
@@ -82,6 +96,8 @@ static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *bloc
                 d->first_vertex + first + (done + lane < count ? done + lane : count - 1);
         for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
             fetch_input(&d->draw->geometry, &program->inputs[i], vertex, to);
+            ask_for_records(&d->draw->geometry.streams[program->inputs[i].semantic],
+                            vertex[0] + PACKETS * GP_LANES);
             to += program->inputs[i].components * GP_LANES;
         }
     }
@@ -117,7 +133,8 @@ static itg snap(flt pixels)
     return itg_from_flt((flt)((itg)rounded | sign));
 }
 
-static void place(const FastDraw *d, const flt position[4], flt size, FastPosition *to)
+/* Puts a packet of vertices on the screen; returns those that have a place there, and a size. */
+static msk place(const FastDraw *d, const flt position[4], flt size, FastPosition *to)
 {
     const GpViewport *v = &d->viewport;
     flt x = position[0], y = position[1], z = position[2], w = position[3];
@@ -138,6 +155,7 @@ static void place(const FastDraw *d, const flt position[4], flt size, FastPositi
     const itg words[4] = { itg_select(placed, fixed_x, FAST_NOWHERE + outside), fixed_y,
                            (itg)screen_z, (itg)last };
     lanes_store4(to, sizeof *to, words);
+    return placed & (msk)(size > 0.0f);
 }
 
 /* Varyings, with what follows them up to a multiple of four; then the distances from planes in use. */
@@ -162,6 +180,7 @@ static void keep_varyings(const FastDraw *d, const flt position[4], const float 
 void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
 {
     const GpProgram *program = d->draw->program;
+    const bool is_points = d->draw->geometry.primitive == GP_POINTS;
     Block block;
     for (uint32_t done = 0; done < count; done += PACKETS * GP_LANES) {
         uint32_t now = count - done < PACKETS * GP_LANES ? count - done : PACKETS * GP_LANES;
@@ -182,11 +201,14 @@ void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
         for (uint32_t p = 0; p < packets; p++) {
             const flt *position = (const flt *)(const void *)(block.position + p * 4 * GP_LANES);
             const uint32_t at = first + done + p * GP_LANES;
-            place(d, position,
-                  program->writes_point_size ? flt_load(block.size + p * GP_LANES) : flt_set(1),
-                  d->positions + at);
-            keep_varyings(d, position, block.varying + p * (uint32_t)d->modes.components * GP_LANES,
-                          d->varyings + (size_t)at * d->stride);
+            const msk seen =
+                place(d, position,
+                      program->writes_point_size ? flt_load(block.size + p * GP_LANES) : flt_set(1),
+                      d->positions + at);
+            if (!is_points || msk_any(seen)) /* of others nothing is read */
+                keep_varyings(d, position,
+                              block.varying + p * (uint32_t)d->modes.components * GP_LANES,
+                              d->varyings + (size_t)at * d->stride);
         }
     }
 }
