@@ -48,7 +48,7 @@ IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-s
 COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
 LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
 WITH_OIIO ?= 1
-IO_LIBS  ?= $(if $(WITH_OIIO),-lOpenImageIO -lOpenImageIO_Util) -lOpenMeshCore -lOpenMeshTools -ljansson
+IO_LIBS  ?= $(if $(WITH_OIIO),-lOpenImageIO -lOpenImageIO_Util) -lOpenMeshCore -lOpenMeshTools -ljansson -lz
 LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
 
 IS_CLANG := $(shell $(CC) --version | grep -i clang)
@@ -252,7 +252,7 @@ WIDTHS := $(filter $(VARIANTS),$(WIDTHS))
 GOLDEN_RESULTS = $(foreach width,$(WIDTHS),$(GOLDEN_TEST:%=%.$(width).tap))
 RESULTS  = $(DIFFERENTIAL_TEST).tap $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
-$(BUILD)/test/test_cli.tap: $(PROGRAM)
+$(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(wildcard tests/cli/test_*.c)): $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
 	$(call say,TEST,$(*F))$(RUN_TEST) $@ $*
 $(GOLDEN_RESULTS): $(GOLDEN_TEST) always

@@ -88,12 +88,14 @@ function check_project(from, to)
         if (area(to) != "io" && (area(to) != "pipeline" || known(unit_name(to)) > 2))
             complain("pipeline/io includes " to "; it may know layers 0 to 2")
     } else if (area(from) == "shaders_c") {
-        # NAME_surface.h is code that several shaders share; other headers are uniforms and programs
+        # NAME_surface.h is code that several shaders share, and may stand on other such code; other
+        # headers are uniforms and programs
         code = "\\.c$|_surface\\.h$"
         allowed = from ~ code ? "pipeline/shader.h" : "pipeline/program.h"
         own = from
         sub(/\.c$/, ".h", own)
-        shared = area(to) == "shaders_c" && (from ~ /\.h$/) == (to !~ /_surface\.h$/)
+        shared = area(to) == "shaders_c" && \
+            (from ~ /_surface\.h$/ || (from ~ /\.h$/) == (to !~ /_surface\.h$/))
         if (to != allowed && to != own && !shared)
             complain("a shader includes its own header, what shaders share and " allowed ", not " to)
     } else if (area(from) == "apps") {
@@ -114,6 +116,8 @@ function check_library(from, to)
         complain("only pipeline/lanes.h holds intrinsics")
     if (to ~ /^(OpenImageIO|OpenMesh)\// && area(from) != "io")
         complain("only pipeline/io knows " to)
+    if (to == "zlib.h" && area(from) !~ /^(io|tests)$/)
+        complain("only pipeline/io and tests know " to)
     if (area(from) == "shaders_c")
         complain("a shader includes no library: " to)
     if (to ~ /^(jansson|cmocka)\.h$/ && area(from) ~ /^(pipeline|fast)$/)
