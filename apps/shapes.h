@@ -47,6 +47,10 @@ void shape_compute_normals(Shape *shape);
 extern const char *const shape_names[];
 extern const char *const shape_point_names[];
 
+/* Control points of the teapot's bicubic patches, in rows. */
+enum { SHAPE_TEAPOT_PATCHES = 32 };
+void shape_teapot_control(float control[SHAPE_TEAPOT_PATCHES][4][4][3]);
+
 /* --- for the files that make shapes ---------------------------------------------------------- */
 
 typedef struct ShapePoint {

@@ -117,6 +117,49 @@ static const double spout[] = {
 };
 /* clang-format on */
 
+static void revolve_control(const double *profile, uint32_t quarter, float control[4][4][3])
+{
+    static const double quarter_x[4] = { 1, 1, 0.56, 0 }, quarter_y[4] = { 0, 0.56, 1, 1 };
+    static const double cosine[4] = { 1, 0, -1, 0 }, sine[4] = { 0, 1, 0, -1 };
+    const double c = cosine[quarter], s = sine[quarter];
+    for (int row = 0; row < 4; row++)
+        for (int i = 0; i < 4; i++) {
+            float *p = control[row][i];
+            p[0] = (float)(profile[2 * row] * (c * quarter_x[i] - s * quarter_y[i]));
+            p[1] = (float)profile[2 * row + 1];
+            p[2] = (float)(-profile[2 * row] * (s * quarter_x[i] + c * quarter_y[i]));
+        }
+}
+
+static void sweep_control(const double *rows, uint32_t side, float control[4][4][3])
+{
+    for (int row = 0; row < 4; row++)
+        for (int i = 0; i < 4; i++) {
+            const double *edge = rows + 5 * row + (i < 2 ? 0 : 2);
+            float *p = control[row][i];
+            p[0] = (float)edge[0];
+            p[1] = (float)edge[1];
+            p[2] = i % 3 == 0 ? 0.0f : (float)(side == 0 ? -rows[5 * row + 4] : rows[5 * row + 4]);
+        }
+}
+
+void shape_teapot_control(float control[SHAPE_TEAPOT_PATCHES][4][4][3])
+{
+    uint32_t n = 0;
+    for (uint32_t quarter = 0; quarter < 4; quarter++) {
+        for (int i = 0; i < 4; i++)
+            revolve_control(body + 6 * i, quarter, control[n++]);
+        for (int i = 0; i < 2; i++)
+            revolve_control(lid + 6 * i, quarter, control[n++]);
+    }
+    for (uint32_t side = 0; side < 2; side++)
+        for (int i = 0; i < 2; i++) {
+            sweep_control(handle + 15 * i, side, control[n++]);
+            sweep_control(spout + 15 * i, side, control[n++]);
+        }
+    GP_ASSERT(n == SHAPE_TEAPOT_PATCHES);
+}
+
 GpResult shape_teapot(Shape *shape)
 {
     static const ShapePatch patches[] = {

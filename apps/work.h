@@ -10,7 +10,7 @@
 #include "pipeline/glasspipe.h"
 
 enum {
-    WORK_MAX_BLOCKS = 256,
+    WORK_MAX_BLOCKS = 1024,
     WORK_MAX_SURFACES = 64,
 };
 
@@ -19,6 +19,8 @@ typedef struct Work {
     GpList list;
     GpSurface *color; /* the picture, whose alpha may be a measure of its own; NULL: depth is */
     GpSurface *depth; /* the picture's depth buffer, NULL: none */
+    const void
+        *made; /* what the technique has to say of its frame, in its own struct; NULL: nothing */
 
     /* private */
     GpPass *passes;

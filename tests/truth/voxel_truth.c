@@ -275,3 +275,57 @@ void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, 
             }
     }
 }
+
+/* --- distance --------------------------------------------------------------------------------- */
+
+static double square_to_segment(const double p[3], const double a[3], const double b[3])
+{
+    double along[3], from[3], off[3];
+    truth_subtract(b, a, along);
+    truth_subtract(p, a, from);
+    double length = truth_dot(along, along);
+    double t = length > 0 ? fmin(fmax(truth_dot(from, along) / length, 0), 1) : 0;
+    for (int k = 0; k < 3; k++)
+        off[k] = from[k] - t * along[k];
+    return truth_dot(off, off);
+}
+
+/* To the plane where the foot is inside all edges, else to the nearest edge. */
+static double square_to_triangle(const double p[3], const TruthTriangle *t)
+{
+    double normal[3], from[3], nearest = HUGE_VAL;
+    bool inside = true;
+    normal_of(t, normal);
+    for (int i = 0; i < 3; i++) {
+        const double *a = t->corner[i], *b = t->corner[(i + 1) % 3];
+        double edge[3], out[3];
+        truth_subtract(b, a, edge);
+        truth_subtract(p, a, from);
+        truth_cross(normal, edge, out);
+        inside = inside && truth_dot(out, from) >= 0;
+        nearest = fmin(nearest, square_to_segment(p, a, b));
+    }
+    double height = truth_dot(normal, from), square = truth_dot(normal, normal);
+    return inside && square > 0 ? height * height / square : nearest;
+}
+
+void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,
+                uint8_t *bits)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        int64_t first[3], last[3], at[3];
+        for (int k = 0; k < 3; k++) {
+            double low, high;
+            bounds(&triangles[i], k, &low, &high);
+            range(low - distance - 1, high + distance + 1, size, &first[k], &last[k]);
+        }
+        for (at[2] = first[2]; at[2] <= last[2]; at[2]++)
+            for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
+                for (at[0] = first[0]; at[0] <= last[0]; at[0]++) {
+                    const double middle[3] = { (double)at[0] + 0.5, (double)at[1] + 0.5,
+                                               (double)at[2] + 0.5 };
+                    if (square_to_triangle(middle, &triangles[i]) <= distance * distance)
+                        set_voxel(bits, size, at);
+                }
+    }
+}

@@ -49,6 +49,12 @@ void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, b
  *        by one rule from both sides. */
 void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, uint8_t *bits);
 
+/* Sets the voxels whose middle lies within `distance` of a triangle: those of which inside and outside
+ * are a matter of rounding.
+ * in/out bits: [voxel_bytes(size)] */
+void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,
+                uint8_t *bits);
+
 /* Number of bits that are set. */
 uint64_t voxel_count(const uint8_t *bits, uint32_t size);
 

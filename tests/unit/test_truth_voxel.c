@@ -111,6 +111,28 @@ static void thin_is_within_the_surface(void **state)
     }
 }
 
+/* Of a triangle in a plane z = 5.25: a quarter from the middles of voxels below it, and 3/4 above. */
+static void nearness_is_a_distance(void **state)
+{
+    (void)state;
+    const TruthTriangle t = { { { 3, 3, 5.25 }, { 9, 3, 5.25 }, { 3, 9, 5.25 } } };
+    const struct {
+        double distance;
+        uint32_t x, y, z;
+        bool near;
+    } known[] = {
+        { 0.26, 4, 4, 5, true },  { 0.24, 4, 4, 5, false }, { 0.76, 4, 4, 4, true },
+        { 0.74, 4, 4, 4, false }, { 0.55, 2, 4, 5, false }, /* beside an edge: sqrt(1/4 + 1/16) */
+        { 0.57, 2, 4, 5, true },  { 0.74, 2, 2, 5, false }, /* and a corner: sqrt(1/4 + 1/4 + 1/16) */
+        { 0.76, 2, 2, 5, true },
+    };
+    for (size_t i = 0; i < GP_COUNT(known); i++) {
+        memset(bits, 0, sizeof bits);
+        voxel_near(&t, 1, SIZE, known[i].distance, bits);
+        assert_int_equal(get(bits, SIZE, known[i].x, known[i].y, known[i].z), known[i].near);
+    }
+}
+
 static void read_mesh(const char *name, GpMesh *mesh)
 {
     char path[400];
@@ -167,6 +189,7 @@ int main(void)
         cmocka_unit_test(a_face_between_voxels_touches_both),
         cmocka_unit_test(overlap_agrees_with_points_of_the_triangle),
         cmocka_unit_test(thin_is_within_the_surface),
+        cmocka_unit_test(nearness_is_a_distance),
         cmocka_unit_test(known_meshes_have_known_counts),
     };
     return cmocka_run_group_tests_name("voxel truth", tests, NULL, NULL);

@@ -1,0 +1,76 @@
+#include "apps/voxel_lists.h"
+
+#include <math.h>
+
+enum { X, Y, Z };
+
+static const float rounding = 1.0f / 256;
+
+static void place(const VoxelModel *model, uint32_t corner, double q[3])
+{
+    const float *p = model->positions + 3 * (size_t)model->indices[corner];
+    for (int k = 0; k < 3; k++) {
+        const float *row = model->motion.to_voxels[k];
+        q[k] = (double)row[X] * (double)p[X] + (double)row[Y] * (double)p[Y] +
+               (double)row[Z] * (double)p[Z] + (double)row[3];
+    }
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    double x = a[X] - b[X], y = a[Y] - b[Y], z = a[Z] - b[Z];
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* However it turns, it is not longer than its longest edge. A twist moves what lies r from its axis
+ * by r times the angle, and r is no more than the diagonal of the volume's middle: at most so much
+ * longer does it make an edge. */
+static VoxelExtent any_extent(const VoxelModel *model, double q[3][3])
+{
+    double longest = fmax(distance(q[0], q[1]), fmax(distance(q[1], q[2]), distance(q[2], q[0])));
+    longest *= 1 + fabs((double)model->most_twist) * 1.5 * (double)model->motion.middle;
+    return (VoxelExtent){ -rounding, (float)longest + rounding, (float)longest, false };
+}
+
+static bool in_one(double low, double high)
+{
+    return floor(low - (double)rounding) == floor(high + (double)rounding);
+}
+
+static VoxelExtent still_extent(double q[3][3])
+{
+    double low[3], high[3];
+    for (int k = 0; k < 3; k++) {
+        low[k] = fmin(q[0][k], fmin(q[1][k], q[2][k]));
+        high[k] = fmax(q[0][k], fmax(q[1][k], q[2][k]));
+    }
+    return (VoxelExtent){ (float)low[Z] - rounding, (float)high[Z] + rounding,
+                          (float)fmax(high[X] - low[X], high[Y] - low[Y]),
+                          in_one(low[X], high[X]) && in_one(low[Y], high[Y]) };
+}
+
+void voxel_extents(const VoxelModel *model, VoxelExtent *extents)
+{
+    for (uint32_t i = 0; i < model->triangle_count; i++) {
+        double q[3][3];
+        for (uint32_t j = 0; j < 3; j++)
+            place(model, 3 * i + j, q[j]);
+        extents[i] = model->motions ? any_extent(model, q) : still_extent(q);
+    }
+}
+
+uint32_t *voxel_choose(Work *work, const VoxelExtent *extents, uint32_t triangles,
+                       VoxelChoice *choice, float about, uint32_t *count)
+{
+    uint32_t found = 0, done = 0;
+    for (uint32_t i = 0; i < triangles; i++)
+        found += choice(&extents[i], about);
+    *count = found;
+    if (!found)
+        return NULL;
+    uint32_t *list = work_alloc(work, found, sizeof *list);
+    for (uint32_t i = 0; i < triangles; i++)
+        if (choice(&extents[i], about))
+            list[done++] = i;
+    return list;
+}

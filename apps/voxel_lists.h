@@ -1,0 +1,25 @@
+/* Index lists of voxelization: which triangles a draw needs, found once for a model that stands still.
+ * That is the processor's part, as in the thesis (section 2.2); nothing here makes a voxel. */
+#ifndef APPS_VOXEL_LISTS_H
+#define APPS_VOXEL_LISTS_H
+
+#include "apps/tech_voxel.h"
+
+/* What a triangle may be drawn to, in voxels and with room for rounding. */
+typedef struct VoxelExtent {
+    float low, high; /* z; of a model that moves: round 0, its longest edge apart */
+    float side;      /* the longer side of its box in x and y */
+    bool in_column;  /* that box is certainly within one voxel's square */
+} VoxelExtent;
+
+/* out  extents: [model->triangle_count] */
+void voxel_extents(const VoxelModel *model, VoxelExtent *extents);
+
+typedef bool VoxelChoice(const VoxelExtent *extent, float about);
+
+/* The triangles that a choice takes, in order, and how many they are; NULL for none.
+ * owns   work */
+uint32_t *voxel_choose(Work *work, const VoxelExtent *extents, uint32_t triangles,
+                       VoxelChoice *choice, float about, uint32_t *count);
+
+#endif

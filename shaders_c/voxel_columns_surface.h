@@ -1,0 +1,244 @@
+/* What a triangle knows of the columns that it crosses. For shader files only.
+ *
+ * A column is the square [x, x+1] x [y, y+1] over all z. What of z meets the triangle there is
+ * bounded by its own ends, by its plane, and by the lines through its edges, as seen along y and
+ * along x: intervals, whose common part is exact where the edges seen along z admit the column.
+ * source Schwarz and Seidel, "Fast parallel surface and solid voxelization on GPUs", ACM TOG 29(6),
+ *        2010, sections 3 and 4.1: their tests of a box, solved for z
+ *
+ * All of that is linear in x and y, and is found once a triangle. Every bound is then moved until all
+ * three corners are within it: rounding may let a voxel in, but shuts none out. */
+#ifndef SHADERS_VOXEL_COLUMNS_SURFACE_H
+#define SHADERS_VOXEL_COLUMNS_SURFACE_H
+
+#include "shaders_c/voxel_columns.h"
+#include "shaders_c/voxel_motion_surface.h"
+#include "shaders_c/worksheet_surface.h"
+
+typedef struct Vertex {
+    float3 a, b, c;
+} Vertex;
+
+typedef struct CornerVertex {
+    Vertex triangle;
+    flt corner; /* 0 to 3, of the rectangle round it */
+} CornerVertex;
+
+/* In voxels, x and y from the middle of the first column, z from the slab's floor. */
+typedef struct Varying {
+    float4 place;  /* of the first column, in texels of the sheet; and how many columns, x and y */
+    float4 ends;   /* lowest and highest z; mirrors of the views along y and x, see View */
+    float4 plane;  /* z in the middle of the first column; rise a column in x and y; half its rise
+                      over a column, with what rounding adds */
+    float4 single; /* bounds of the views: along y, then along x */
+    float4 pair_x, pair_y;
+    float3 edge[3]; /* seen along z: positive, or 0, where the column lets the triangle in */
+} Varying;
+
+#define VOXEL_COLUMNS_VARYINGS                                                                     \
+    {                                                                                              \
+        { "place", 4, GP_FLAT }, { "ends", 4, GP_FLAT }, { "plane", 4, GP_FLAT },                  \
+            { "single", 4, GP_FLAT }, { "pair_x", 4, GP_FLAT }, { "pair_y", 4, GP_FLAT },          \
+            { "edge_ab", 3, GP_FLAT }, { "edge_bc", 3, GP_FLAT }, { "edge_ca", 3, GP_FLAT },       \
+    }
+
+#define STEEPEST 4194304.0f /* rise of one voxel's width: steeper counts as this */
+
+GP_INLINE flt least(flt a, flt b, flt c)
+{
+    return min(min(a, b), c);
+}
+
+GP_INLINE flt most(flt a, flt b, flt c)
+{
+    return max(max(a, b), c);
+}
+
+/* -1 or 1. */
+GP_INLINE flt side_of(flt a)
+{
+    return sel(a < 0.0f, bcast(-1), 1);
+}
+
+/* rise / run, but not steeper than STEEPEST, and 0 where both are 0. */
+GP_INLINE flt slope_of(flt rise, flt run)
+{
+    return rise * rcp(side_of(run) * max(abs_(run), abs_(rise) * (1.0f / STEEPEST)));
+}
+
+/* --- views along y and x: bounds of z by edges ------------------------------------------------------ */
+
+/* An edge as z = at + slope * t, where t is x (or y); opposite: how much higher the third corner is.
+ * above: the triangle is. */
+typedef struct Edge {
+    flt at, slope, opposite;
+    flt above; /* -1 or 1 */
+} Edge;
+
+/* A view: one edge bounds z from one side and two from the other. Mirrored, so that the one is always
+ * below: with z' = mirror * z, single <= z' <= both of pair; each is at + slope * t. */
+typedef struct View {
+    float2 single;
+    float4 pair;
+    flt mirror;
+} View;
+
+/* in   begin, end, third: corners of the triangle, (t, z) each; turn: positive where the triangle
+ *      turns from t towards z */
+GP_INLINE Edge see_edge(float2 begin, float2 end, float2 third, flt turn)
+{
+    flt run = end.x - begin.x, slope = slope_of(end.y - begin.y, run);
+    flt at = begin.y - slope * begin.x;
+    return (Edge){ at, slope, third.y - (at + slope * third.x), side_of(turn) * side_of(run) };
+}
+
+GP_INLINE Edge choose(msk which, Edge a, Edge b)
+{
+    return (Edge){ sel(which, a.at, b.at), sel(which, a.slope, b.slope),
+                   sel(which, a.opposite, b.opposite), sel(which, a.above, b.above) };
+}
+
+/* The end of the column's width that lets more in decides. */
+GP_INLINE float2 upper_bound(Edge edge, flt mirror, float reach)
+{
+    flt slope = mirror * edge.slope;
+    return vec2(mirror * edge.at + abs_(slope) * reach + max(mirror * edge.opposite, 0), slope);
+}
+
+GP_INLINE float2 lower_bound(Edge edge, flt mirror, float reach)
+{
+    flt slope = mirror * edge.slope;
+    return vec2(mirror * edge.at - abs_(slope) * reach + min(mirror * edge.opposite, 0), slope);
+}
+
+GP_INLINE View see_triangle(float2 a, float2 b, float2 c, flt turn, float reach)
+{
+    Edge ab = see_edge(a, b, c, turn), bc = see_edge(b, c, a, turn), ca = see_edge(c, a, b, turn);
+    msk alike_ab_bc = ab.above == bc.above, alike_ab_ca = ab.above == ca.above;
+    Edge single = choose(alike_ab_bc, ca, choose(alike_ab_ca, bc, ab));
+    float2 first =
+        upper_bound(choose((msk)alike_ab_bc | (msk)alike_ab_ca, ab, bc), single.above, reach);
+    float2 second = upper_bound(choose(alike_ab_bc, bc, ca), single.above, reach);
+    return (View){ lower_bound(single, single.above, reach),
+                   vec4(first.x, first.y, second.x, second.y), single.above };
+}
+
+GP_INLINE flt square_length(float3 a, float3 b)
+{
+    flt x = b.x - a.x, y = b.y - a.y; /* seen along z */
+    return x * x + y * y;
+}
+
+/* --- the plane, and edges seen along z ---------------------------------------------------------------- */
+
+GP_INLINE float3 cross_edges(float3 a, float3 b, float3 c)
+{
+    return crs(sub(b, a), sub(c, b));
+}
+
+GP_INLINE float4 see_plane(float3 a, float3 b, float3 c, float3 normal, float reach)
+{
+    flt steep = max(abs_(normal.x), abs_(normal.y)) * (1.0f / STEEPEST);
+    flt rcp_z = -side_of(normal.z) * rcp(max(abs_(normal.z), steep));
+    flt rise_x = normal.x * rcp_z, rise_y = normal.y * rcp_z;
+    flt at = a.z - rise_x * a.x - rise_y * a.y;
+    flt off_b = b.z - (at + rise_x * b.x + rise_y * b.y);
+    flt off_c = c.z - (at + rise_x * c.x + rise_y * c.y);
+    return vec4(at, rise_x, rise_y,
+                (abs_(rise_x) + abs_(rise_y)) * reach + max(abs_(off_b), abs_(off_c)));
+}
+
+/* (at, x, y): how far inside the edge a column's nearest corner is, times the edge's length. */
+GP_INLINE float3 see_from_above(float3 begin, float3 end, float3 third, flt turn, float reach)
+{
+    flt x = turn * (begin.y - end.y), y = turn * (end.x - begin.x);
+    flt at = -(x * begin.x + y * begin.y);
+    flt opposite = at + x * third.x + y * third.y;
+    return vec3(at + (abs_(x) + abs_(y)) * reach - min(opposite, 0), x, y);
+}
+
+/* --- vertices --------------------------------------------------------------------------------------- */
+
+/* The triangle in the slab that it is drawn into. */
+typedef struct Placed {
+    float3 a, b, c; /* corners, as in Varying */
+    float2 first;   /* column, in texels of the sheet */
+    flt side;       /* columns, where a square is to hold them; 0: none in this slab */
+} Placed;
+
+GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
+{
+    float3 p = into_voxels(&c->motion, in->a), q = into_voxels(&c->motion, in->b);
+    float3 r = into_voxels(&c->motion, in->c);
+    const float last = c->sheet.size - 1;
+    flt left = max(floor_(least(p.x, q.x, r.x) - VOXEL_MARGIN), 0);
+    flt top = max(floor_(least(p.y, q.y, r.y) - VOXEL_MARGIN), 0);
+    flt columns = min(floor_(most(p.x, q.x, r.x) + VOXEL_MARGIN), last) - left + 1.0f;
+    flt rows = min(floor_(most(p.y, q.y, r.y) + VOXEL_MARGIN), last) - top + 1.0f;
+    flt lowest = least(p.z, q.z, r.z), highest = min(most(p.z, q.z, r.z), last + 0.5f);
+    flt slab = floor_(max(lowest - VOXEL_MARGIN, 0) * (1.0f / 32)) + c->step;
+    flt floor = slab * 32.0f;
+
+    float2 origin = patch_origin(&c->sheet, slab);
+    float3 middle = vec3(left + 0.5f, top + 0.5f, floor);
+    msk there = (msk)(floor <= highest + VOXEL_MARGIN) & (msk)(columns > 0.0f) & (msk)(rows > 0.0f);
+    out->place = vec4(origin.x + left, origin.y + top, columns, rows);
+    out->ends = vec4(lowest - floor, highest - floor, 0, 0);
+    return (Placed){ .a = sub(p, middle),
+                     .b = sub(q, middle),
+                     .c = sub(r, middle),
+                     .first = vec2(origin.x + left, origin.y + top),
+                     .side = sel(there, max(columns, rows), 0) };
+}
+
+GP_INLINE void describe_triangle(float3 a, float3 b, float3 c, float reach, Varying *out)
+{
+    float3 normal = cross_edges(a, b, c);
+    View along_y = see_triangle(vec2(a.x, a.z), vec2(b.x, b.z), vec2(c.x, c.z), -normal.y, reach);
+    View along_x = see_triangle(vec2(a.y, a.z), vec2(b.y, b.z), vec2(c.y, c.z), normal.x, reach);
+    flt turn = side_of(normal.z);
+    out->ends.z = along_y.mirror;
+    out->ends.w = along_x.mirror;
+    out->plane = see_plane(a, b, c, normal, reach);
+    out->single = vec4(along_y.single.x, along_y.single.y, along_x.single.x, along_x.single.y);
+    out->pair_x = along_y.pair;
+    out->pair_y = along_x.pair;
+    out->edge[0] = see_from_above(a, b, c, turn, reach);
+    out->edge[1] = see_from_above(b, c, a, turn, reach);
+    out->edge[2] = see_from_above(c, a, b, turn, reach);
+}
+
+/* --- pixels ----------------------------------------------------------------------------------------- */
+
+typedef struct Interval {
+    flt low, high;
+} Interval;
+
+/* Keeps what a view admits at t. */
+GP_INLINE Interval within_view(Interval z, flt at, flt slope, float4 pair, flt mirror, flt t)
+{
+    flt above = at + slope * t, below = min(pair.x + pair.y * t, pair.z + pair.w * t);
+    msk upright = mirror > 0.0f;
+    return (Interval){ max(z.low, sel(upright, above, -below)),
+                       min(z.high, sel(upright, below, -above)) };
+}
+
+GP_INLINE Interval within(Interval z, flt middle, flt half)
+{
+    return (Interval){ max(z.low, middle - half), min(z.high, middle + half) };
+}
+
+GP_INLINE msk in_box(const Varying *in, flt x, flt y)
+{
+    return (msk)(x >= 0.0f) & (msk)(x < in->place.z) & (msk)(y >= 0.0f) & (msk)(y < in->place.w);
+}
+
+/* Whether the edges, seen along z, let the triangle into a column. */
+GP_INLINE msk in_edges(const Varying *in, flt x, flt y)
+{
+    return (msk)(least(in->edge[0].x + in->edge[0].y * x + in->edge[0].z * y,
+                       in->edge[1].x + in->edge[1].y * x + in->edge[1].z * y,
+                       in->edge[2].x + in->edge[2].y * x + in->edge[2].z * y) >= 0.0f);
+}
+
+#endif

@@ -1,0 +1,21 @@
+/* Each point sets the voxel that it lies in. */
+#include "shaders_c/voxel_points_surface.h"
+#include "shaders_c/voxel_points.h"
+
+typedef struct Vertex {
+    float3 position;
+} Vertex;
+
+vertex_shader(voxel_points_vs, VoxelPointsUniforms, Vertex, PointVarying)
+{
+    float3 place = mad(in->position, c->scale, u3(c->offset));
+    *position = set_voxel(&c->sheet, place, out, point_size);
+}
+
+pixel_shader(voxel_points_ps, VoxelPointsUniforms, PointVarying)
+{
+    return in->bit;
+}
+
+program(voxel_points_program, voxel_points_vs, voxel_points_ps, POINT_DECLARATIONS,
+        .inputs = { { GP_POSITION, 3 } }, POINT_VARYINGS)
