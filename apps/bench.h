@@ -2,7 +2,7 @@
  * and constants only, so that figures of different renderers compare.
  *
  * A case is built once into a list and then run again and again; each run clears what it draws to.
- * All cases draw what their namesakes of the peer programs draw: the same triangles to the same
+ * All cases but those of volumes draw what their namesakes of the peer programs draw: the same triangles to the same
  * pixels with the same arithmetic, in this project's spaces (0 <= z <= w, rows from the top).
  */
 #ifndef APPS_BENCH_H
@@ -53,6 +53,7 @@ BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_
 BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
 BenchBuild bench_build_small, bench_build_voxels;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
+BenchBuild bench_build_volume, bench_build_combine;
 
 void bench_show_voxels(const Work *work, uint8_t *rgba);
 
@@ -63,6 +64,8 @@ enum { ARITHMETIC_LOOP, ARITHMETIC_FLAT, ARITHMETIC_MANDELBROT };
 enum { LOOKUP_DEPENDENT, LOOKUP_DISCARD };
 enum { MODEL_BUNNY, MODEL_BUNNY_CULLED, MODEL_TORUS };
 enum { SHADOW_COMPARE, SHADOW_NEAREST, SHADOW_PCF };
+enum { VOLUME_CONSERVATIVE, VOLUME_THIN, VOLUME_SOLID, VOLUME_TWISTED, VOLUME_MILLION };
+enum { COMBINE_UNION, COMBINE_COLLISION };
 
 /* Amounts that the table of cases and the builders share. */
 enum {

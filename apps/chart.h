@@ -73,7 +73,8 @@ GpResult chart_read(const char *path, Chart *chart, GpError *error);
 void chart_draw(const Chart *chart, Text *svg);
 
 /* Writes FOLDER/index.html: all charts found there as JSON, each with the table of its front and
- * the pictures of it. A file that is no chart is named on the page, with the reason.
+ * the pictures of it, and the growth of techniques (growth.h). A file that is no chart is named on
+ * the page, with the reason.
  * errors GP_ERROR_IO, GP_ERROR_MEMORY */
 GpResult chart_write_page(const char *folder, GpError *error);
 

@@ -22,54 +22,32 @@ const char *chart_folder(void)
 
 void chart_name(const Technique *technique, const char *scene, char *name, size_t size)
 {
-    char own[256];
-    const char *slash = strrchr(scene, '/'), *base = slash ? slash + 1 : scene;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    snprintf(own, sizeof own, "%s_%.*s", technique->name, length, base);
+    char stem[128], own[256];
+    text_stem(scene, stem, sizeof stem);
+    snprintf(own, sizeof own, "%s_%s", technique->name, stem);
     text_copy(name, size, strcmp(scene, technique->scene) == 0 ? technique->name : own);
 }
 
 /* --- CSV -------------------------------------------------------------------------------------- */
 
-/* A field as RFC 4180 wants it: quoted where it holds a comma, a quote or a line's end. */
-static void add_field(Text *csv, const char *field, const char *end)
-{
-    if (!field[strcspn(field, ",\"\r\n")]) {
-        text_add(csv, "%s%s", field, end);
-        return;
-    }
-    text_add(csv, "\"");
-    for (; *field; field++)
-        text_add(csv, *field == '"' ? "\"\"" : "%c", *field);
-    text_add(csv, "\"%s", end);
-}
-
-static void add_number(Text *csv, double value)
-{
-    char number[32];
-    text_of_number(value, number);
-    text_add(csv, "%s,", number);
-}
-
 static void write_csv(const Chart *chart, Text *csv)
 {
     text_add(csv, "method,options,ms,min_ms,cpu_ms,frames,");
-    add_field(csv, chart->error_name, ",");
+    text_add_csv(csv, chart->error_name, ",");
     for (int i = 0; i < chart->figure_count; i++)
-        add_field(csv, chart->figures[i], ",");
+        text_add_csv(csv, chart->figures[i], ",");
     text_add(csv, "best\n");
     for (uint32_t k = 0; k < chart->count; k++) {
         const ChartPoint *point = &chart->points[k];
-        add_field(csv, point->method, ",");
-        add_field(csv, point->options, ",");
-        add_number(csv, point->ms);
-        add_number(csv, point->min_ms);
-        add_number(csv, point->cpu_ms);
-        add_number(csv, point->frames);
-        add_number(csv, point->measured.error);
+        text_add_csv(csv, point->method, ",");
+        text_add_csv(csv, point->options, ",");
+        text_add_csv_number(csv, point->ms);
+        text_add_csv_number(csv, point->min_ms);
+        text_add_csv_number(csv, point->cpu_ms);
+        text_add_csv_number(csv, point->frames);
+        text_add_csv_number(csv, point->measured.error);
         for (int i = 0; i < chart->figure_count; i++)
-            add_number(csv, point->measured.figures[i]);
+            text_add_csv_number(csv, point->measured.figures[i]);
         text_add(csv, "%d\n", point->best);
     }
 }
@@ -121,12 +99,9 @@ GpResult chart_write(const char *path, const Chart *chart, GpError *error)
     } files[] = { { "csv", write_csv }, { "json", write_json }, { "svg", chart_draw } };
     GpResult result = GP_OK;
     for (size_t i = 0; i < GP_COUNT(files) && !result; i++) {
-        char name[CHART_MAX_PATH];
         Text text = { .data = NULL };
-        if (snprintf(name, sizeof name, "%s.%s", path, files[i].extension) >= (int)sizeof name)
-            return gp_fail(error, GP_ERROR_IO, "%.200s: the path is too long", path);
         files[i].write(chart, &text);
-        result = text_write(name, &text, error);
+        result = text_write_as(path, files[i].extension, &text, error);
         text_free(&text);
     }
     return result;

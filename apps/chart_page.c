@@ -1,4 +1,5 @@
-/* All charts of a folder on one page that needs no other file: pictures are in it. */
+/* All charts of a folder, of accuracy and of growth, on one page that needs no other file: pictures
+ * are in it. */
 #include "apps/chart.h"
 
 #include "pipeline/io/file.h"
@@ -140,6 +141,41 @@ static void add_chart(const char *folder, const Chart *chart, const char *name, 
     gp_free(points);
 }
 
+/* --- growth ----------------------------------------------------------------------------------- */
+
+static void begin_line(const char *name, const char *title, Text *contents)
+{
+    text_add(contents, "<a href=\"#");
+    text_add_escaped(contents, name);
+    text_add(contents, "\">");
+    text_add_escaped(contents, title);
+}
+
+/* The picture as growth_write left it, and the technique's words on it, if there is one. */
+static void add_growth(const char *folder, const Technique *technique, Text *contents,
+                       Text *sections)
+{
+    char name[64], path[CHART_MAX_PATH];
+    GpFile file = { .data = NULL };
+    snprintf(name, sizeof name, "%s_growth", technique->name);
+    snprintf(path, sizeof path, "%s/%s.svg", folder, name);
+    if (!technique->growth || gp_file_read(path, &file, NULL))
+        return;
+    begin_line(name, technique->growth->title, contents);
+    text_add(contents, "</a>\n");
+    text_add(sections, "<section id=\"%s\">\n", name);
+    add_cell(sections, "h2", "", technique->growth->title);
+    text_add(sections, "\n%.*s", (int)file.size, file.data);
+    for (const char *const *text = technique->growth->text; *text; text++) {
+        add_cell(sections, "p", "", *text);
+        text_add(sections, "\n");
+    }
+    text_add(sections, "</section>\n");
+    gp_file_free(&file);
+}
+
+/* --- the page --------------------------------------------------------------------------------- */
+
 static int is_json(const struct dirent *entry)
 {
     const char *dot = strrchr(entry->d_name, '.');
@@ -161,10 +197,7 @@ static void add_file(const char *folder, const char *file, Text *contents, Text 
         text_add(sections, "\n");
         return;
     }
-    text_add(contents, "<a href=\"#");
-    text_add_escaped(contents, name);
-    text_add(contents, "\">");
-    text_add_escaped(contents, chart.title);
+    begin_line(name, chart.title, contents);
     text_add(contents, " (");
     text_add_escaped(contents, chart.scene);
     text_add(contents, ")</a>\n");
@@ -197,6 +230,8 @@ GpResult chart_write_page(const char *folder, GpError *error)
         free(entries[i]);
     }
     free(entries);
+    for (size_t i = 0; techniques[i]; i++)
+        add_growth(folder, techniques[i], &contents, &sections);
     join(&contents, &sections, &page);
     char path[CHART_MAX_PATH];
     snprintf(path, sizeof path, "%s/index.html", folder);

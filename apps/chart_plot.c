@@ -4,42 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* --- scales ----------------------------------------------------------------------------------- */
-
-double plot_place(const PlotScale *scale, double value)
-{
-    double share = log(value / scale->low) / log(scale->high / scale->low);
-    return scale->begin + share * (scale->end - scale->begin);
-}
-
-/* A scale of all values with some room at both ends; at least a factor of four. */
-static PlotScale scale_of(double low, double high, double begin, double end)
-{
-    if (!(low <= high))
-        low = high = 1;
-    double middle = sqrt(low) * sqrt(high), factor = pow(high / low, 0.56);
-    if (factor < 2)
-        factor = 2;
-    return (PlotScale){ middle / factor, middle * factor, begin, end };
-}
-
-double plot_next_tick(const PlotScale *scale, double value, bool *labelled)
-{
-    double decades = log10(scale->high / scale->low);
-    double from = value > 0 ? value * 1.001 : scale->low;
-    for (double power = pow(10, floor(log10(from))); power <= scale->high; power *= 10) {
-        for (int digit = 1; digit <= 9; digit++) {
-            double tick = digit * power;
-            if (tick < from || tick > scale->high)
-                continue;
-            bool round = digit == 1 || digit == 2 || digit == 5;
-            *labelled = decades < 1.2 || digit == 1 || (round && decades < 4);
-            return tick;
-        }
-    }
-    return 0;
-}
-
 /* --- points ----------------------------------------------------------------------------------- */
 
 /* Figures that are numbers, and such as a measurement can give. */
@@ -73,8 +37,8 @@ static void make_scales(Plot *plot, const Chart *chart)
         error[1] = fmax(error[1], point->measured.error);
     }
     double bottom = plot->box.bottom - (plot->has_zero ? ZERO_STRIP : 0);
-    plot->x = scale_of(ms[0], ms[1], plot->box.left, plot->box.right);
-    plot->y = scale_of(error[0], error[1], bottom, plot->box.top);
+    plot->x = plot_scale(ms[0], ms[1], plot->box.left, plot->box.right);
+    plot->y = plot_scale(error[0], error[1], bottom, plot->box.top);
     plot->zero_y = plot->box.bottom - ZERO_STRIP / 2.0;
 }
 
@@ -119,11 +83,6 @@ static void short_text(const Chart *chart, const ChartPoint *point, char text[SE
         snprintf(text, SETTING_MAX_TEXT, "%s", point->method);
 }
 
-static bool overlap(PlotBox a, PlotBox b)
-{
-    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
 static PlotBox label_box(const PlotLabel *label)
 {
     const double per_letter = 6.1, above = 10, below = 3;
@@ -143,8 +102,8 @@ static bool is_free(const Plot *plot, const PlotLabel *label)
         return false;
     for (uint32_t i = 0; i < plot->count; i++) {
         const PlotPoint *point = &plot->points[i];
-        if (overlap(box, (PlotBox){ point->x - radius, point->y - radius, point->x + radius,
-                                    point->y + radius }))
+        if (plot_overlap(box, (PlotBox){ point->x - radius, point->y - radius, point->x + radius,
+                                         point->y + radius }))
             return false;
     }
     for (uint32_t i = 0; i + 1 < plot->best_count; i++) {
@@ -152,12 +111,12 @@ static bool is_free(const Plot *plot, const PlotLabel *label)
         double y = plot_error_place(plot, plot->best[i]->measured.error);
         double next_x = plot_place(&plot->x, plot->best[i + 1]->ms);
         double next_y = plot_error_place(plot, plot->best[i + 1]->measured.error);
-        if (overlap(box, (PlotBox){ x, y - 1, next_x, y + 1 }) ||
-            overlap(box, (PlotBox){ next_x - 1, y, next_x + 1, next_y }))
+        if (plot_overlap(box, (PlotBox){ x, y - 1, next_x, y + 1 }) ||
+            plot_overlap(box, (PlotBox){ next_x - 1, y, next_x + 1, next_y }))
             return false;
     }
     for (uint32_t i = 0; i < plot->label_count; i++)
-        if (overlap(box, label_box(&plot->labels[i])))
+        if (plot_overlap(box, label_box(&plot->labels[i])))
             return false;
     return true;
 }

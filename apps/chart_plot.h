@@ -1,19 +1,9 @@
-/* The geometry of a chart's picture: logarithmic axes, their ticks, and where labels find room. */
+/* The geometry of a chart's picture: its points on their axes, and where labels find room. */
 #ifndef APPS_CHART_PLOT_H
 #define APPS_CHART_PLOT_H
 
 #include "apps/chart.h"
-
-/* In pixels of the picture, y downwards. */
-typedef struct PlotBox {
-    double left, top, right, bottom;
-} PlotBox;
-
-/* A range of values, all positive, onto a range of places. */
-typedef struct PlotScale {
-    double low, high;  /* values */
-    double begin, end; /* where they are */
-} PlotScale;
+#include "apps/plot_scale.h"
 
 /* A point that has a place. */
 typedef struct PlotPoint {
@@ -48,12 +38,7 @@ typedef struct Plot {
 GpResult plot_create(const Chart *chart, PlotBox box, Plot *plot);
 void plot_free(Plot *plot);
 
-/* Place of a value. */
-double plot_place(const PlotScale *scale, double value);
+/* Place of an error; that of none is in the strip. */
 double plot_error_place(const Plot *plot, double error);
-
-/* Next value above `value` (start with 0) that has a line of the grid; 0 where there is none.
- * out  labelled: whether its number is written */
-double plot_next_tick(const PlotScale *scale, double value, bool *labelled);
 
 #endif

@@ -33,7 +33,7 @@ static const struct argp_option own_options[] = {
     { "time", 't', "SECONDS", 0, "Draw each case for so long (default: 3)", 0 },
     { "images", KEY_IMAGES, "DIR", 0, "Write each case's picture to DIR/CASE.png", 0 },
     { "table", KEY_TABLE, "NUMBER", 0, "Measure a table of the publications again, beside what was "
-      "printed: 4.1 or 4.2", 0 },
+      "printed: 2.1, 2.2 (voxelization), 4.1 or 4.2 (shadows)", 0 },
     { "phases", KEY_PHASES, NULL, 0, "Look at the clock inside tiles too: costs some time", 0 },
     { NULL, 0, NULL, 0, NULL, 0 },
 };
@@ -47,6 +47,16 @@ static error_t add_case(struct argp_state *state, Bench *bench, const char *name
     if (bench->case_count == MAX_CASES)
         argp_error(state, "more than %d cases", MAX_CASES);
     bench->cases[bench->case_count++] = found;
+    return 0;
+}
+
+static error_t set_table(struct argp_state *state, Bench *bench, const char *id)
+{
+    char list[64];
+    bench_table_list(list, sizeof list);
+    bench->table = bench_table_find(id);
+    if (!bench->table)
+        argp_error(state, "--table: expected one of %s, not '%s'", list, id);
     return 0;
 }
 
@@ -66,10 +76,7 @@ static error_t parse_bench(int key, char *text, struct argp_state *state)
         bench->images = text;
         return 0;
     case KEY_TABLE:
-        bench->table = bench_table_find(text);
-        if (!bench->table)
-            argp_error(state, "--table: there are 4.1 and 4.2, not '%s'", text);
-        return 0;
+        return set_table(state, bench, text);
     case KEY_PHASES:
         bench->options.timed = true;
         return 0;
@@ -104,7 +111,7 @@ static const struct argp parser = {
     "  glasspipe bench -l\n"
     "  glasspipe bench bunny_phong points -t 1 --threads 2\n"
     "  glasspipe bench --images out/bench\n"
-    "  glasspipe bench --table 4.1\n"
+    "  glasspipe bench --table 2.1\n"
     "\n"
     "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
     "median "

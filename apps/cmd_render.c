@@ -114,7 +114,7 @@ int cmd_render(int argc, char **argv)
     /* Everything that can be refused without reading the scene is refused first. */
     GpError error = { "" };
     char path[4096];
-    output_default_path(render.scene, path, sizeof path);
+    output_default_path(render.scene, "png", path, sizeof path);
     const char *output = render.output ? render.output : path;
     if (picture_check_path(output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);

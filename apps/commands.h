@@ -21,5 +21,6 @@ CommandFn cmd_pixel;
 CommandFn cmd_bench;
 CommandFn cmd_chart;
 CommandFn cmd_shadow;
+CommandFn cmd_voxelize;
 
 #endif

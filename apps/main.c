@@ -21,6 +21,7 @@ static const Command commands[] = {
     { "compare", cmd_compare, "A B", "compare two pictures" },
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
+    { "voxelize", cmd_voxelize, "MESH", "a mesh as a volume, its surface or its inside" },
     { "shadow", cmd_shadow, "SCENE.json", "a scene under shadow maps" },
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },

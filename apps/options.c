@@ -37,6 +37,10 @@ static const struct argp_option common_options[] = {
 static const struct argp_option frame_options[] = {
     { "size", KEY_SIZE, "WxH", 0, "Size of the picture in pixels, 1x1 to 8192x8192 "
       "(default: the scene's)", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+
+static const struct argp_option run_options[] = {
     { "threads", KEY_THREADS, "N", 0, "Number of threads, 1 to 1024 (default: one a processor); "
       "never changes a bit", 0 },
     { "isa", KEY_ISA, "NAME", 0, "Instruction set: auto, sse2, avx2, avx512 or neon "
@@ -47,7 +51,7 @@ static const struct argp_option frame_options[] = {
 };
 /* clang-format on */
 
-/* --- the two shared parsers ---------------------------------------------------------------------
+/* --- the three shared parsers ---------------------------------------------------------------------
  */
 
 static error_t parse_common(int key, char *text, struct argp_state *state)
@@ -78,15 +82,6 @@ static error_t parse_common(int key, char *text, struct argp_state *state)
     }
 }
 
-static void parse_size(struct argp_state *state, const char *text, Options *options)
-{
-    char width[8] = "", height[8] = "", rest;
-    if (sscanf(text, "%7[0-9]x%7[0-9]%c", width, height, &rest) != 2)
-        argp_error(state, "--size %s: expected WIDTHxHEIGHT, such as 1024x768", text);
-    options->width = (uint32_t)options_number(state, "--size, width", width, 1, GP_MAX_SIZE);
-    options->height = (uint32_t)options_number(state, "--size, height", height, 1, GP_MAX_SIZE);
-}
-
 static void parse_isa(struct argp_state *state, const char *text, Options *options)
 {
     static const char *const names[] = { "auto", "sse2", "avx2", "avx512", "neon" };
@@ -99,15 +94,12 @@ static void parse_isa(struct argp_state *state, const char *text, Options *optio
     argp_error(state, "--isa %s: expected auto, sse2, avx2, avx512 or neon", text);
 }
 
-static error_t parse_frame(int key, char *text, struct argp_state *state)
+static error_t parse_run(int key, char *text, struct argp_state *state)
 {
     Options *options = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
         return options_start(state);
-    case KEY_SIZE:
-        parse_size(state, text, options);
-        return 0;
     case KEY_THREADS:
         options->threads = (int)options_number(state, "--threads", text, 1, MAX_THREADS);
         return 0;
@@ -124,10 +116,31 @@ static error_t parse_frame(int key, char *text, struct argp_state *state)
     }
 }
 
+static error_t parse_frame(int key, char *text, struct argp_state *state)
+{
+    Options *options = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case KEY_SIZE:
+        options_size(state, "--size", text, &options->width, &options->height);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
 const struct argp options_common = { common_options, parse_common, NULL, NULL, NULL, NULL, NULL };
 
-static const struct argp_child frame_children[] = {
+static const struct argp_child run_children[] = {
     { &options_common, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+const struct argp options_run = { run_options, parse_run, NULL, NULL, run_children, NULL, NULL };
+
+static const struct argp_child frame_children[] = {
+    { &options_run, 0, NULL, 0 },
     { NULL, 0, NULL, 0 },
 };
 
@@ -167,6 +180,18 @@ long options_number(struct argp_state *state, const char *what, const char *text
     if (!digits || errno || value < low || value > high)
         argp_error(state, "%s: '%s' is not a whole number in [%ld, %ld]", what, text, low, high);
     return value;
+}
+
+void options_size(struct argp_state *state, const char *what, const char *text, uint32_t *width,
+                  uint32_t *height)
+{
+    char digits[2][8] = { "", "" }, rest, name[32];
+    if (sscanf(text, "%7[0-9]x%7[0-9]%c", digits[0], digits[1], &rest) != 2)
+        argp_error(state, "%s %s: expected WIDTHxHEIGHT, such as 1024x768", what, text);
+    snprintf(name, sizeof name, "%s, width", what);
+    *width = (uint32_t)options_number(state, name, digits[0], 1, GP_MAX_SIZE);
+    snprintf(name, sizeof name, "%s, height", what);
+    *height = (uint32_t)options_number(state, name, digits[1], 1, GP_MAX_SIZE);
 }
 
 double options_real(struct argp_state *state, const char *what, const char *text)

@@ -7,7 +7,7 @@
 
 #include <argp.h>
 
-/* Set by the two parsers below. A command puts this struct first in its own, so that one pointer
+/* Set by the parsers below. A command puts this struct first in its own, so that one pointer
  * serves as input of both its own parser and these. */
 typedef struct Options {
     bool json, quiet, verbose;
@@ -21,7 +21,10 @@ typedef struct Options {
 /* --json, -q, -v, -h, --usage, --version. */
 extern const struct argp options_common;
 
-/* --size, --threads, --isa, --executor, and the common ones. */
+/* --threads, --isa, --executor, and the common ones. */
+extern const struct argp options_run;
+
+/* --size, and those of options_run. */
 extern const struct argp options_frame;
 
 /* Parses a command's arguments into args, which begins with an Options. Does not return after a
@@ -37,6 +40,10 @@ error_t options_start(struct argp_state *state);
 /* Decimal number without sign or trailing text, low..high; usage error (exit 2) naming `what`. */
 long options_number(struct argp_state *state, const char *what, const char *text, long low,
                     long high);
+
+/* WIDTHxHEIGHT, such as 1024x768; usage error naming `what`. */
+void options_size(struct argp_state *state, const char *what, const char *text, uint32_t *width,
+                  uint32_t *height);
 
 /* Finite decimal number, not negative; usage error naming `what`. */
 double options_real(struct argp_state *state, const char *what, const char *text);

@@ -9,14 +9,21 @@
 #include <string.h>
 #include <sys/stat.h>
 
-void output_default_path(const char *input, char *path, size_t size)
+void output_default_path(const char *input, const char *extension, char *path, size_t size)
 {
+    static const char *const prefixes[] = { "builtin:", "parametric:" }; /* of names, not files */
+    static const char function[] = "implicit:";
     struct stat status;
     bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
     const char *slash = strrchr(input, '/'), *name = slash ? slash + 1 : input;
+    for (size_t i = 0; i < GP_COUNT(prefixes); i++)
+        if (strncmp(input, prefixes[i], strlen(prefixes[i])) == 0)
+            name = input + strlen(prefixes[i]);
+    if (strncmp(input, function, strlen(function)) == 0)
+        name = "implicit";
     const char *dot = strrchr(name, '.');
     int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
-    snprintf(path, size, "%s%.*s.png", out ? "out/" : "", length, name);
+    snprintf(path, size, "%s%.*s.%s", out ? "out/" : "", length, name, extension);
 }
 
 /* The picture is written and hashed before the second, timed frame: a list that does not clear its

@@ -6,8 +6,9 @@
 
 #include <jansson.h>
 
-/* Path of a picture that was not named: the input's name with .png, in out/ where that exists. */
-void output_default_path(const char *input, char *path, size_t size);
+/* Path of an output that was not named: the input's name with another extension ("png"), in out/ where
+ * that exists. */
+void output_default_path(const char *input, const char *extension, char *path, size_t size);
 
 /* Draws a list, writes the picture and prints its hash; with --json draws it a second time, which is
  * the one that is timed, and prints frame_json's object with the file's name and `more`.

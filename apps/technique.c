@@ -1,12 +1,15 @@
 #include "apps/technique.h"
 
 #include "apps/study_shadow.h"
+#include "apps/study_voxel.h"
 
 #include <stdio.h>
 #include <string.h>
 
 const Technique *const techniques[] = {
     &shadow_technique,
+    &voxel_technique,
+    &solid_technique,
     NULL,
 };
 

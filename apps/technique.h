@@ -18,6 +18,39 @@ typedef struct TechniqueSweep {
     const char *options; /* "--method hardware --map 512|1024|2048 --slope 1|2" */
 } TechniqueSweep;
 
+/* A line of a growth picture: all combinations of scenes and settings, lists as in a sweep, what
+ * grows in rising order. */
+typedef struct TechniqueLine {
+    const char *name;    /* of the method; lines of one name share a colour; NULL ends a table */
+    const char *scenes;  /* paths: "meshes/bunny.ply|meshes/horse.ply" */
+    const char *options; /* "--method thin --size 64|128" */
+} TechniqueLine;
+
+/* A line to compare with: time as a power of the amount. */
+typedef struct TechniqueGuide {
+    double power;
+    const char *name; /* "as the square"; NULL ends a table */
+} TechniqueGuide;
+
+/* Time against one thing that grows. */
+typedef struct TechniquePanel {
+    const char *title, *axis;                              /* "a larger volume"; "voxels a side" */
+    bool doubles;                                          /* the axis is marked at powers of two */
+    double (*amount)(const void *scene, const Work *work); /* place of a frame along the axis */
+    const TechniqueLine *lines;
+    const TechniqueGuide *guides;
+} TechniquePanel;
+
+enum { TECHNIQUE_PANELS = 2 };
+
+/* How time grows with what is asked for. */
+typedef struct TechniqueGrowth {
+    const char *title;
+    const char *const
+        *text; /* paragraphs for the page of charts: what grows with what; NULL ends */
+    TechniquePanel panels[TECHNIQUE_PANELS];
+} TechniqueGrowth;
+
 /* How far a frame is from the truth. */
 typedef struct TechniqueError {
     double error;                          /* what the chart's axis shows; 0: none */
@@ -34,8 +67,9 @@ typedef struct Technique {
     size_t setting_bytes;
 
     const TechniqueSweep *sweep;
-    const char *error_name;     /* of the axis: "wrong pixels" */
-    const char *const *figures; /* names of further figures, NULL at the end: "acne", "leak" */
+    const char *error_name;        /* of the axis: "wrong pixels" */
+    const char *const *figures;    /* names of further figures, NULL at the end: "acne", "leak" */
+    const TechniqueGrowth *growth; /* NULL: none */
 
     /* Reads what all settings share. size 0 x 0: the scene's own.
      * errors as scene_load's; owns: the caller, until close */
@@ -43,7 +77,7 @@ typedef struct Technique {
                      GpError *error);
     void (*close)(void *scene);
 
-    /* The frame of a setting: its list, its picture in work->color.
+    /* The frame of a setting: its list, its picture (or a volume as one) in work->color.
      * in   work: zeroed. errors GP_ERROR_INVALID: the setting does not go with the scene, with the
      *      reason; *work is then empty */
     GpResult (*build)(void *scene, const void *setting, Work *work, GpError *error);

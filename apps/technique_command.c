@@ -14,6 +14,7 @@ enum { KEY_ERROR = 0x200, KEY_CURVE, OWN_OPTIONS = 3 };
 typedef struct TechniqueArgs {
     Options options; /* first: see options.h */
     const Technique *technique;
+    const TechniqueResult *result; /* NULL: a picture */
     void *setting;
     const char *scene, *output, *curve;
     bool is_set; /* a member of the setting was given */
@@ -25,8 +26,7 @@ typedef struct TechniqueArgs {
 
 /* clang-format off */
 static const struct argp_option own_options[OWN_OPTIONS + 1] = {
-    { "output", 'o', "FILE", 0, "Write the picture to FILE: .png, .exr, .pfm or .ppm "
-      "(default: out/NAME.png where out/ exists, else NAME.png)", 0 },
+    { "output", 'o', "FILE", 0, NULL, 0 },
     { "error", KEY_ERROR, "E", 0, "Take the cheapest setting of a stored chart whose error is at "
       "most E, and say which", 0 },
     { "curve", KEY_CURVE, "FILE", 0, "The chart for --error: JSON as `glasspipe chart' writes it "
@@ -35,13 +35,27 @@ static const struct argp_option own_options[OWN_OPTIONS + 1] = {
 };
 /* clang-format on */
 
-static error_t set_member(struct argp_state *state, TechniqueArgs *args, int key, const char *text)
+static const char picture_output_help[] =
+    "Write the picture to FILE: .png, .exr, .pfm or .ppm (default: out/NAME.png where out/ exists, "
+    "else NAME.png)";
+
+/* The name of the setting that an option sets, or NULL. */
+static const char *member_of_key(const TechniqueArgs *args, int key)
 {
-    const SettingField *fields = args->technique->fields, *field = setting_of_key(fields, key);
+    const SettingField *field = setting_of_key(args->technique->fields, key);
+    if (key == 'n' && args->result)
+        return args->result->count_field;
+    return field ? field->name : NULL;
+}
+
+static error_t set_member(struct argp_state *state, TechniqueArgs *args, int key, char *text)
+{
+    const char *member = member_of_key(args, key);
     GpError error = { "" };
-    if (!field)
-        return ARGP_ERR_UNKNOWN;
-    if (setting_set(fields, args->setting, field->name, text, &error))
+    if (!member)
+        return args->result ? args->result->parse(key, text, state, args->result->own)
+                            : ARGP_ERR_UNKNOWN;
+    if (setting_set(args->technique->fields, args->setting, member, text, &error))
         argp_error(state, "%s", error.text);
     args->is_set = true;
     return 0;
@@ -67,7 +81,7 @@ static error_t parse_technique(int key, char *text, struct argp_state *state)
         return options_positional(state, &args->scene, 1, text);
     case ARGP_KEY_END:
         if (!args->scene)
-            argp_error(state, "expected a scene file");
+            argp_error(state, "expected %s", args->result ? args->result->input : "a scene file");
         if (args->has_error && args->is_set)
             argp_error(state, "--error chooses the setting: no option of it can be given too");
         if (args->curve && !args->has_error)
@@ -78,18 +92,33 @@ static error_t parse_technique(int key, char *text, struct argp_state *state)
     }
 }
 
-static void parse(const TechniqueHelp *help, int argc, char **argv, TechniqueArgs *args)
+/* Those of the fields, of all techniques, and of the result. */
+static void list_options(const TechniqueArgs *args, struct argp_option *options)
 {
-    static const struct argp_child children[] = {
-        { &options_frame, 0, NULL, 0 },
-        { NULL, 0, NULL, 0 },
-    };
-    struct argp_option options[SETTING_MAX_FIELDS + OWN_OPTIONS + 1];
+    const TechniqueResult *result = args->result;
     setting_options(args->technique->fields, options);
     struct argp_option *end = options;
-    while (end->name)
-        end++;
+    for (; end->name; end++)
+        if (result && strcmp(end->name, result->count_field) == 0)
+            end->key = 'n';
     memcpy(end, own_options, sizeof own_options);
+    end->doc = result ? result->output_help : picture_output_help;
+    end += OWN_OPTIONS;
+    for (int i = 0; result && result->options[i].name; i++) {
+        GP_ASSERT(i < TECHNIQUE_MAX_OPTIONS);
+        *end++ = result->options[i];
+    }
+    *end = (struct argp_option){ .name = NULL };
+}
+
+static void parse(const TechniqueHelp *help, int argc, char **argv, TechniqueArgs *args)
+{
+    const struct argp_child children[] = {
+        { help->result ? &options_run : &options_frame, 0, NULL, 0 },
+        { NULL, 0, NULL, 0 },
+    };
+    struct argp_option options[SETTING_MAX_FIELDS + OWN_OPTIONS + TECHNIQUE_MAX_OPTIONS + 1];
+    list_options(args, options);
     const struct argp parser = { options,    parse_technique, help->arguments,
                                  help->text, children,        options_help,
                                  NULL };
@@ -147,20 +176,44 @@ static int choose(TechniqueArgs *args)
 
 /* --- the frame -------------------------------------------------------------------------------- */
 
-static int draw(const TechniqueArgs *args, const char *output, GpDevice *device, void *scene)
+static int draw_picture(const TechniqueRun *run)
+{
+    const Technique *technique = run->technique;
+    GpError error = { "" };
+    Work work = { .color = NULL };
+    if (technique->build(run->scene, run->setting, &work, &error))
+        return report(EXIT_INPUT, "%s: %s", run->input, error.text);
+    char setting[SETTING_MAX_TEXT];
+    setting_print(technique->fields, run->setting, technique->defaults, setting, sizeof setting);
+    json_t *more = json_pack("{s:s}", "setting", setting);
+    int code = output_frame(run->options, run->input, run->output, run->device, &work.list,
+                            work.color, true, more);
+    json_decref(more);
+    work_free(&work);
+    return code;
+}
+
+static GpResult check_output(const TechniqueArgs *args, const char *output, GpError *error)
+{
+    const TechniqueResult *result = args->result;
+    GpError reason;
+    if (result)
+        return result->check(output, args->setting, result->own, error);
+    return picture_check_path(output, &reason)
+               ? gp_fail(error, GP_ERROR_INVALID, "-o %s", reason.text)
+               : GP_OK;
+}
+
+static int open_and_draw(const TechniqueArgs *args, TechniqueRun *run)
 {
     const Technique *technique = args->technique;
     GpError error = { "" };
-    Work work = { .color = NULL };
-    if (technique->build(scene, args->setting, &work, &error))
-        return report(EXIT_INPUT, "%s: %s", args->scene, error.text);
-    char setting[SETTING_MAX_TEXT];
-    setting_print(technique->fields, args->setting, technique->defaults, setting, sizeof setting);
-    json_t *more = json_pack("{s:s}", "setting", setting);
-    int code = output_frame(&args->options, args->scene, output, device, &work.list, work.color,
-                            true, more);
-    json_decref(more);
-    work_free(&work);
+    GpResult result = technique->open(args->scene, args->options.width, args->options.height,
+                                      &run->scene, &error);
+    if (result)
+        return report(exit_of_input(result), "%s", error.text);
+    int code = args->result ? args->result->run(run) : draw_picture(run);
+    technique->close(run->scene);
     return code;
 }
 
@@ -168,33 +221,30 @@ static int run(TechniqueArgs *args)
 {
     GpError error = { "" };
     char path[4096];
-    output_default_path(args->scene, path, sizeof path);
-    const char *output = args->output ? args->output : path;
-    if (picture_check_path(output, &error))
-        return report(EXIT_USAGE, "-o %s", error.text);
+    output_default_path(args->scene, args->result ? args->result->extension : "png", path,
+                        sizeof path);
+    TechniqueRun run = { .options = &args->options,
+                         .technique = args->technique,
+                         .input = args->scene,
+                         .output = args->output ? args->output : path,
+                         .setting = args->setting,
+                         .own = args->result ? args->result->own : NULL };
+    if (check_output(args, run.output, &error))
+        return report(EXIT_USAGE, "%s", error.text);
     int code = args->has_error ? choose(args) : EXIT_DONE;
     if (code)
         return code;
-    GpDevice *device = NULL;
-    code = options_device(&args->options, NULL, &device);
+    code = options_device(&args->options, NULL, &run.device);
     if (code)
         return code;
-    void *scene = NULL;
-    GpResult result = args->technique->open(args->scene, args->options.width, args->options.height,
-                                            &scene, &error);
-    if (result) {
-        code = report(exit_of_input(result), "%s", error.text);
-    } else {
-        code = draw(args, output, device, scene);
-        args->technique->close(scene);
-    }
-    gp_device_destroy(&device);
+    code = open_and_draw(args, &run);
+    gp_device_destroy(&run.device);
     return code;
 }
 
 int technique_command(const Technique *technique, const TechniqueHelp *help, int argc, char **argv)
 {
-    TechniqueArgs args = { .technique = technique };
+    TechniqueArgs args = { .technique = technique, .result = help->result };
     args.setting = gp_alloc(1, technique->setting_bytes);
     if (!args.setting)
         return report(EXIT_INTERNAL, "out of memory");

@@ -55,11 +55,38 @@ void text_add_escaped(Text *text, const char *plain)
     }
 }
 
+void text_add_csv(Text *text, const char *field, const char *end)
+{
+    if (!field[strcspn(field, ",\"\r\n")]) {
+        text_add(text, "%s%s", field, end);
+        return;
+    }
+    text_add(text, "\"");
+    for (; *field; field++)
+        text_add(text, *field == '"' ? "\"\"" : "%c", *field);
+    text_add(text, "\"%s", end);
+}
+
+void text_add_csv_number(Text *text, double value)
+{
+    char number[32];
+    text_of_number(value, number);
+    text_add(text, "%s,", number);
+}
+
 GpResult text_write(const char *path, const Text *text, GpError *error)
 {
     if (text->failed)
         return gp_fail(error, GP_ERROR_MEMORY, "%.200s: out of memory", path);
     return gp_file_write(path, text->data, text->length, error);
+}
+
+GpResult text_write_as(const char *path, const char *extension, const Text *text, GpError *error)
+{
+    char name[4096];
+    if (snprintf(name, sizeof name, "%s.%s", path, extension) >= (int)sizeof name)
+        return gp_fail(error, GP_ERROR_IO, "%.200s: the path is too long", path);
+    return text_write(name, text, error);
 }
 
 void text_free(Text *text)
@@ -75,6 +102,13 @@ void text_of_number(double value, char text[32])
         if (strtod(text, NULL) == value)
             return;
     }
+}
+
+void text_stem(const char *path, char *name, size_t size)
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    snprintf(name, size, "%.*s", dot && dot > base ? (int)(dot - base) : (int)strlen(base), base);
 }
 
 void text_copy(char *to, size_t size, const char *from)

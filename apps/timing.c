@@ -30,7 +30,7 @@ static void add_frame(Timing *timing, double *each, double ms, double cpu_ms,
     timing->phases.transfer += phases->transfer;
 }
 
-static bool is_over(const TimingPlan *plan, uint32_t frames, double spent_ms)
+bool timing_is_over(const TimingPlan *plan, uint32_t frames, double spent_ms)
 {
     double limit = frames < plan->least_frames ? plan->most_seconds : plan->seconds;
     return frames == TIMING_MAX_FRAMES || spent_ms >= limit * 1e3;
@@ -49,7 +49,7 @@ GpResult timing_run(GpDevice *device, const GpList *list, const TimingPlan *plan
         if (result)
             return result;
         add_frame(&sums, each, frame->ms, frame->cpu_ms, &frame->phases);
-        over = is_over(plan, sums.frames, meter_clock_ms(CLOCK_MONOTONIC) - start);
+        over = timing_is_over(plan, sums.frames, meter_clock_ms(CLOCK_MONOTONIC) - start);
     }
     sums.ms = timing_median(each, sums.frames);
     sums.min_ms = each[0];

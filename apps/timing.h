@@ -26,6 +26,9 @@ typedef struct Timing {
 GpResult timing_run(GpDevice *device, const GpList *list, const TimingPlan *plan, double *each,
                     Frame *frame, Timing *timing, GpError *error);
 
+/* Whether a plan ends after so many frames in so many milliseconds. */
+bool timing_is_over(const TimingPlan *plan, uint32_t frames, double spent_ms);
+
 /* Sorts the values. in count: at least 1 */
 double timing_median(double *values, size_t count);
 

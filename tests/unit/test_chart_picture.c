@@ -1,8 +1,8 @@
 /* Pictures and the page of charts: well formed whatever the names and figures, and all in it. */
 #include "apps/chart_plot.h"
 #include "tests/support/folder.h"
+#include "tests/support/markup.h"
 
-#include <ctype.h>
 #include <math.h>
 
 static char page[1 << 20];
@@ -13,75 +13,6 @@ static void read_page(const char *name)
     assert_non_null(file);
     page[fread(page, 1, sizeof page - 1, file)] = '\0';
     fclose(file);
-}
-
-static int occurrences(const char *text, const char *part)
-{
-    int count = 0;
-    for (const char *at = text; (at = strstr(at, part)); at++)
-        count++;
-    return count;
-}
-
-/* --- markup ------------------------------------------------------------------------------------- */
-
-/* Behind an element's name: attributes NAME="..." until > or />. Returns the > */
-static const char *check_attributes(const char *at)
-{
-    while (isspace((unsigned char)*at)) {
-        at += strspn(at, " \n");
-        at += strspn(at, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-");
-        if (*at != '=')
-            continue;
-        assert_int_equal(at[1], '"');
-        at += 2 + strcspn(at + 2, "\"<");
-        assert_int_equal(*at++, '"');
-    }
-    at += *at == '/';
-    if (*at != '>')
-        fail_msg("not an element's end: %.40s", at);
-    return at;
-}
-
-static void check_entity(const char *at)
-{
-    static const char *const known[] = { "&amp;", "&lt;", "&gt;", "&quot;", "&#39;" };
-    for (size_t i = 0; i < GP_COUNT(known); i++)
-        if (strncmp(at, known[i], strlen(known[i])) == 0)
-            return;
-    fail_msg("a bare &: %.40s", at);
-}
-
-/* Every element is closed in turn, but for those of HTML that have no end; no bare < or &. */
-static void check_markup(const char *text)
-{
-    char open[32][32];
-    int depth = 0;
-    for (const char *at = text; *at; at++) {
-        if (*at == '&')
-            check_entity(at);
-        if (*at != '<')
-            continue;
-        bool closes = at[1] == '/';
-        const char *name = at + 1 + closes;
-        size_t length = strcspn(name, " \n/>");
-        if (*name == '!') {
-            at = strchr(at, '>');
-            continue;
-        }
-        at = check_attributes(name + length);
-        bool single = at[-1] == '/' || strncmp(name, "meta", length) == 0 ||
-                      strncmp(name, "img", length) == 0;
-        if (closes) {
-            assert_true(depth-- > 0);
-            if (strncmp(open[depth], name, length) != 0 || open[depth][length])
-                fail_msg("</%.*s> closes <%s>", (int)length, name, open[depth]);
-        } else if (!single) {
-            assert_true(length > 0 && length < sizeof open[0] && depth < 32);
-            snprintf(open[depth++], sizeof open[0], "%.*s", (int)length, name);
-        }
-    }
-    assert_int_equal(depth, 0);
 }
 
 /* --- a chart ------------------------------------------------------------------------------------ */
@@ -138,7 +69,7 @@ static void pictures_are_well_formed_for_any_names_and_figures(void **state)
     for (size_t i = 0; i < GP_COUNT(counts); i++) {
         Chart chart = make_chart(counts[i][0], counts[i][1]);
         Text svg = draw(&chart);
-        check_markup(svg.data);
+        markup_check(svg.data);
         assert_null(strstr(svg.data, "<b>"));
         assert_null(strchr(svg.data, '\x01'));
         assert_null(strstr(svg.data, "nan"));
@@ -155,12 +86,12 @@ static void every_point_with_figures_is_drawn_with_its_tooltip(void **state)
     (void)state;
     Chart chart = make_chart(60, 5);
     Text svg = draw(&chart);
-    assert_int_equal(occurrences(svg.data, "<g><title>"), 55);
+    assert_int_equal(markup_count(svg.data, "<g><title>"), 55);
     assert_non_null(strstr(svg.data, "not shown: 5 that no axis can hold"));
     for (uint32_t i = 0; i < chart.count; i++) {
         char options[32];
         snprintf(options, sizeof options, "\n--a %u --b", i);
-        assert_int_equal(occurrences(svg.data, options), i % 11 != 10);
+        assert_int_equal(markup_count(svg.data, options), i % 11 != 10);
     }
     text_free(&svg);
     chart_free(&chart);
@@ -213,8 +144,11 @@ static void scales_are_logarithmic_and_hold_every_point(void **state)
 static void ticks_rise_and_lie_between_the_ends(void **state)
 {
     (void)state;
-    const PlotScale scales[] = { { 0.9, 4.1, 0, 1 }, { 3, 200, 0, 1 }, { 1e-7, 1e9, 0, 1 } };
-    static const int least_labelled[] = { 4, 6, 16 };
+    const PlotScale scales[] = { { 0.9, 4.1, 0, 1, false },
+                                 { 3, 200, 0, 1, false },
+                                 { 1e-7, 1e9, 0, 1, false },
+                                 { 50, 600, 0, 1, true } };
+    static const int least_labelled[] = { 4, 6, 16, 4 };
     for (size_t i = 0; i < GP_COUNT(scales); i++) {
         double last = 0, tick = 0;
         int labels = 0;
@@ -288,18 +222,18 @@ static void the_page_holds_all_charts_and_nothing_from_elsewhere(void **state)
     put_text("readme.txt", "not ours");
     assert_int_equal(chart_write_page(folder, &error), GP_OK);
     read_page("index.html");
-    check_markup(page);
-    assert_int_equal(occurrences(page, "<section"), 2);
-    assert_int_equal(occurrences(page, "<svg"), 2);
-    assert_int_equal(occurrences(page, "<table>"), 4);
+    markup_check(page);
+    assert_int_equal(markup_count(page, "<section"), 2);
+    assert_int_equal(markup_count(page, "<svg"), 2);
+    assert_int_equal(markup_count(page, "<table>"), 4);
     const char *first = strstr(page, "<h2>First"), *last = strstr(page, "<h2>Second &amp; last");
     assert_true(first && last && first < last);
     assert_non_null(strstr(page, "<a href=\"#b\">Second &amp; last ("));
     assert_non_null(strstr(page, "broken.json:1:"));
     assert_null(strstr(page, "script"));
     assert_null(strstr(page, "@import"));
-    assert_int_equal(occurrences(page, "http"), 2); /* the SVGs' name space */
-    assert_int_equal(occurrences(page, "http://www.w3.org/2000/svg"), 2);
+    assert_int_equal(markup_count(page, "http"), 2); /* the SVGs' name space */
+    assert_int_equal(markup_count(page, "http://www.w3.org/2000/svg"), 2);
 }
 
 static void a_page_without_charts_is_a_page(void **state)
@@ -308,7 +242,7 @@ static void a_page_without_charts_is_a_page(void **state)
     GpError error = { "" };
     assert_int_equal(chart_write_page(folder, &error), GP_OK);
     read_page("index.html");
-    check_markup(page);
+    markup_check(page);
     assert_int_equal(chart_write_page(in_folder("none"), &error), GP_ERROR_IO);
     assert_non_null(strstr(error.text, "none"));
 }
@@ -334,9 +268,9 @@ static void pictures_are_in_the_page_as_base64(void **state)
         put_text("a_1.png", vectors[i][0]);
         assert_int_equal(chart_write_page(folder, &error), GP_OK);
         read_page("index.html");
-        check_markup(page);
+        markup_check(page);
         snprintf(expected, sizeof expected, "src=\"data:image/png;base64,%s\"", vectors[i][1]);
-        assert_true(occurrences(page, expected) > 0);
+        assert_true(markup_count(page, expected) > 0);
     }
 }
 
@@ -349,8 +283,8 @@ static void pictures_that_are_missing_or_elsewhere_are_left_out(void **state)
     put_text("c.png", "abc");
     assert_int_equal(chart_write_page(folder, &error), GP_OK);
     read_page("index.html");
-    assert_int_equal(occurrences(page, "<section"), 2);
-    assert_int_equal(occurrences(page, "<img"), 0);
+    assert_int_equal(markup_count(page, "<section"), 2);
+    assert_int_equal(markup_count(page, "<img"), 0);
 }
 
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, folder_set_up, folder_tear_down)

@@ -1,0 +1,159 @@
+/* `bench --table' and `chart --growth' with meshes that are small, or not there; no time is judged. */
+#include "pipeline/base.h"
+#include "tests/support/program.h"
+
+#include <sys/stat.h>
+
+/* A tetrahedron with two faces along the axes, in the place of a mesh that tables ask for. */
+static void put_mesh(const char *path)
+{
+    assert_true(mkdir("meshes", 0777) == 0 || access("meshes", X_OK) == 0);
+    write_file(path, "ply\nformat ascii 1.0\nelement vertex 4\n"
+                     "property float x\nproperty float y\nproperty float z\n"
+                     "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                     "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                     "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+}
+
+/* Runs the program where no data is but what is put here. */
+static int run(const char *arguments)
+{
+    return shell("unset GLASSPIPE_DATA; glasspipe %s", arguments);
+}
+
+/* The next line of the last output as an object; NULL at the end. */
+static json_t *next_line(const char **at)
+{
+    size_t length = strcspn(*at, "\n");
+    json_t *object = length ? json_loadb(*at, length, 0, NULL) : NULL;
+    if (length && !object)
+        fail_msg("no JSON: %s", *at);
+    *at += length + (length > 0);
+    return object;
+}
+
+static double number(json_t *object, const char *key, const char *inner)
+{
+    json_t *value = json_object_get(object, key);
+    value = inner ? json_object_get(value, inner) : value;
+    if (!json_is_number(value))
+        fail_msg("%s is no number in:\n%s", key, out);
+    return json_number_value(value);
+}
+
+static void tables_are_known_by_their_numbers(void **state)
+{
+    (void)state;
+    expect_refused(2, "bench --table 9.9", "2.1, 2.2, 4.1, 4.2, not '9.9'");
+    expect_refused(2, "bench --table", "table");
+    expect_refused(2, "bench --table 2.1 mandel", "--table draws scenes of its own");
+    assert_int_equal(run("bench --help"), 0);
+    expect_contains(out, "2.1, 2.2");
+}
+
+static void rows_without_a_file_are_left_out(void **state)
+{
+    (void)state;
+    static const char *const tables[] = { "2.1", "2.2", "4.1", "4.2" };
+    for (size_t i = 0; i < GP_COUNT(tables); i++) {
+        char arguments[64];
+        snprintf(arguments, sizeof arguments, "bench --json -t 0 --table %s", tables[i]);
+        assert_int_equal(run(arguments), 0);
+        assert_string_equal(out, "");
+        expect_contains(err, "skipped");
+    }
+    expect_files("scene.json");
+}
+
+static void table_2_1_has_the_steps_beside_the_print(void **state)
+{
+    (void)state;
+    static const char *const steps[] = { "raster", "texelize", "synthesize", "sort" };
+    static const double printed[] = { 12, 8, 11, 27 };
+    static const char *const whole[] = { "sheets", "conservative", "thin", "voxels",
+                                         "worksheets_mb" };
+    put_mesh("meshes/bunny.ply");
+    assert_int_equal(run("bench -q --json -t 0 --table 2.1"), 0);
+    const char *at = out;
+    json_t *row = next_line(&at);
+    assert_string_equal(json_string_value(json_object_get(row, "row")), "Bunny");
+    assert_string_equal(json_string_value(json_object_get(row, "scene")), "meshes/bunny.ply");
+    assert_true(json_is_false(json_object_get(row, "reduced")));
+    assert_true(number(row, "triangles", "printed") == 69451);
+    assert_true(number(row, "triangles", "measured") == 4);
+    for (size_t i = 0; i < GP_COUNT(steps); i++) {
+        assert_true(number(row, steps[i], "printed") == printed[i]);
+        assert_true(number(row, steps[i], "measured") > 0);
+    }
+    for (size_t i = 0; i < GP_COUNT(whole); i++)
+        assert_true(number(row, whole[i], NULL) > 0);
+    assert_null(next_line(&at));
+    json_decref(row);
+    assert_int_equal(run("bench -q -t 0 --table 2.1"), 0);
+    expect_matches(out, "Table 2.1: ");
+    expect_matches(out, "Duck +1254 .*not at hand");
+    expect_matches(out, "Bunny +69451 +4 .* meshes/bunny.ply");
+}
+
+static void table_2_2_has_a_row_for_each_size(void **state)
+{
+    (void)state;
+    static const struct {
+        int size, bits;
+        double megabytes;
+    } rows[] = { { 512, 1, 16 }, { 256, 8, 16 }, { 128, 16, 4 }, { 64, 8, 0.25 } };
+    static const char *const pairs[] = { "ms", "voxels", "picture_ms" };
+    put_mesh("meshes/bunny.ply");
+    assert_int_equal(run("bench -q --json -t 0 --table 2.2"), 0);
+    const char *at = out;
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        json_t *row = next_line(&at);
+        assert_non_null(row);
+        assert_true(number(row, "size", NULL) == rows[i].size);
+        assert_true(number(row, "bits", NULL) == rows[i].bits);
+        assert_true(number(row, "memory_mb", "printed") == rows[i].megabytes);
+        assert_true(number(row, "memory_mb", "measured") == rows[i].megabytes);
+        assert_true(number(row, "worksheets_mb", NULL) >= 3 * rows[i].megabytes);
+        for (size_t k = 0; k < GP_COUNT(pairs); k++)
+            assert_true(number(row, pairs[k], "measured") > 0);
+        json_decref(row);
+    }
+    assert_null(next_line(&at));
+}
+
+static void growth_is_charted_for_the_meshes_that_are_there(void **state)
+{
+    (void)state;
+    expect_refused(2, "chart shadow --growth", "shadow has no table");
+    expect_refused(2, "chart voxelize meshes/bunny.ply --growth", "scenes and sizes of its own");
+    expect_refused(2, "chart voxelize --size 64x64 --growth", "scenes and sizes of its own");
+    assert_int_equal(run("chart voxelize --growth -t 0 -o charts"), 3);
+    expect_contains(err, "no such file");
+    put_mesh("meshes/bunny.ply");
+    assert_int_equal(run("chart voxelize --growth -t 0 -o charts --json"), 0);
+    expect_contains(err, "left out: meshes/horse.ply");
+    json_t *object = parse_output();
+    /* three methods in four sizes, and four methods with one mesh */
+    assert_int_equal(json_array_size(json_object_get(object, "points")), 16);
+    json_decref(object);
+    assert_int_equal(access("charts/voxelize_growth.svg", R_OK), 0);
+    assert_int_equal(access("charts/voxelize_growth.csv", R_OK), 0);
+    static char page[1 << 18];
+    read_file("charts/index.html", page, sizeof page);
+    expect_contains(page, "Voxelization: time against size");
+}
+
+int main(void)
+{
+    if (!find_program())
+        return 1;
+#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
+    const struct CMUnitTest tests[] = {
+        TEST(tables_are_known_by_their_numbers),
+        TEST(rows_without_a_file_are_left_out),
+        TEST(table_2_1_has_the_steps_beside_the_print),
+        TEST(table_2_2_has_a_row_for_each_size),
+        TEST(growth_is_charted_for_the_meshes_that_are_there),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

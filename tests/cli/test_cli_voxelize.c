@@ -1,0 +1,251 @@
+/* glasspipe voxelize as its user meets it. */
+#include "pipeline/base.h"
+#include "tests/support/program.h"
+
+#include <sys/stat.h>
+
+/* A tetrahedron, whole and without its last side, and a triangle of it turned over. */
+static const char vertices[] = "0 0 0\n4 0 0\n0 4 0\n0 0 4\n";
+
+static void write_meshes(void)
+{
+    char text[200];
+    snprintf(text, sizeof text, "OFF\n4 4 0\n%s3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", vertices);
+    write_file("closed.off", text);
+    snprintf(text, sizeof text, "OFF\n4 3 0\n%s3 0 2 1\n3 0 1 3\n3 0 3 2\n", vertices);
+    write_file("open.off", text);
+    snprintf(text, sizeof text, "OFF\n4 4 0\n%s3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 3 2\n", vertices);
+    write_file("turned.off", text);
+    unlink("scene.json");
+}
+
+/* --- what is refused --------------------------------------------------------------------------- */
+
+static void wrong_arguments_are_usage_errors(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "", "expected a mesh file" },
+        { "a.ply b.ply", "b.ply" },
+        { "a.ply -n 7", "--size: expected a whole number from 8 to 1024, not '7'" },
+        { "a.ply -n 1025", "--size" },
+        { "a.ply --size 64x64", "--size" },
+        { "a.ply --kind liquid", "--kind: expected surface or solid" },
+        { "a.ply --method magic", "--method: expected auto, conservative" },
+        { "a.ply --bits 17", "--bits" },
+        { "a.ply --blend xor", "--blend" },
+        { "a.ply --axes 4", "--axes" },
+        { "a.ply --value x", "--value" },
+        { "a.ply --xform 1 2 3", "--xform: expected four numbers" },
+        { "a.ply --xform 0 1 2 3", "the first above 0" },
+        { "a.ply --xform 1 2 x 3", "not 'x'" },
+        { "a.ply --xform 1 2 3 nan", "not 'nan'" },
+        { "a.ply --xform 1 2 3 -1e31", "not '-1e31'" },
+        { "a.ply --error 5 -n 64", "--error chooses the setting" },
+        { "a.ply -o a.jpg", ".nrrd or .bits, or that of a picture" },
+        { "a.ply --twist 1441", "--twist: expected a number from -1440 to 1440" },
+        { "a.ply --with b.ply --combine both", "--combine: expected union, intersection" },
+        { "a.ply --with b.ply --fit 0", "--fit: expected a number from 0.001" },
+        { "a.ply --with b.ply --move 1 2", "--move: expected three numbers" },
+        { "a.ply --with b.ply --scan c.nrrd -o a.png", "--scan is around one model" },
+        { "a.ply --combine union", "--combine needs a second model" },
+        { "a.ply --move 1 2 3", "--move moves a second model" },
+        { "a.ply --xform 1 2 3 4 --fit 2", "--xform places the model" },
+        { "a.ply --scan c.nrrd", "--scan is for pictures: -o FILE.png" },
+        { "a.ply --look opaque", "for pictures: -o FILE.png" },
+        { "a.ply --shading none -o a.png", "--shading: expected smooth or cubes" },
+        { "a.ply --picture 64 -o a.png", "--picture 64: expected WIDTHxHEIGHT" },
+        { "a.ply --from 10 90 -o a.png", "-89 to 89 degrees, not 10 90" },
+        { "a.ply --zoom 11 -o a.png", "--zoom: expected a number from 0.1 to 10" },
+        { "a.ply -o ''", "-o" },
+        { "a.ply --bits 8 --method sheets -o a.bits", "one bit a voxel, not 8" },
+        { "a.ply --frobnicate", "frobnicate" },
+    };
+    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "voxelize %s", wrong[i][0]);
+        expect_refused(2, arguments, wrong[i][1]);
+    }
+    assert_int_equal(mkdir("directory.nrrd", 0777), 0);
+    expect_refused(2, "voxelize a.ply -o directory.nrrd", "directory");
+}
+
+static void wrong_meshes_and_settings_are_input_errors(void **state)
+{
+    (void)state;
+    write_meshes();
+    write_file("text.ply", "this is no mesh\n");
+    write_file("empty.off", "OFF\n0 0 0\n");
+    write_file("points.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+    write_file("scan.raw", "1234567");
+    write_file("scan.json", "{ \"dims\": [2, 2, 2], \"type\": \"uint8\" }\n");
+    expect_refused(3, "voxelize missing.ply", "missing.ply");
+    expect_refused(3, "voxelize text.ply", "text.ply");
+    expect_refused(3, "voxelize empty.off", "empty.off");
+    expect_refused(3, "voxelize .", ".");
+    expect_refused(3, "voxelize builtin:nothing", "no builtin mesh 'nothing'");
+    expect_refused(3, "voxelize closed.off --method xor", "--kind solid");
+    expect_refused(3, "voxelize closed.off --kind solid --method thin", "not solids");
+    expect_refused(3, "voxelize closed.off --bits 8", "only --method sheets");
+    expect_refused(3, "voxelize closed.off --bits 3 --method sheets", "expected 1, 8 or 16");
+    expect_refused(3, "voxelize closed.off --axes 2", "--axes 2");
+    expect_refused(3, "voxelize closed.off --error 5", "`glasspipe chart voxelize' makes it");
+    expect_refused(3, "voxelize 'implicit:x^'", "expected");
+    expect_refused(3, "voxelize parametric:cube", "no parametric surface");
+    expect_refused(3, "voxelize points.off --kind solid", "points: no inside");
+    expect_refused(3, "voxelize closed.off --points --kind solid", "points: no inside");
+    expect_refused(3, "voxelize implicit:quartic --method thin", "--method is for meshes");
+    expect_refused(3, "voxelize implicit:quartic --report", "--report is for meshes");
+    expect_refused(3, "voxelize closed.off --twist 9 --method slices",
+                   "--twist: expected --method");
+    expect_refused(3, "voxelize closed.off --with missing.ply", "missing.ply");
+    expect_refused(3, "voxelize closed.off --with builtin:cube --twist 9", "--twist turns about");
+    expect_refused(3, "voxelize closed.off --kind solid --with points.off", "points.off: points");
+    expect_refused(3, "voxelize closed.off --scan missing.nrrd -o a.png", "missing.nrrd");
+    expect_refused(3, "voxelize closed.off --scan scan.raw -o a.png", "scan.raw");
+    expect_refused(3, "voxelize closed.off --method sheets --bits 8 -o a.png", "one bit a voxel");
+    expect_files("closed.off empty.off open.off points.off scan.json scan.raw text.ply turned.off");
+}
+
+/* --- what is made ------------------------------------------------------------------------------ */
+
+static void volumes_are_written_and_hashed(void **state)
+{
+    (void)state;
+    char first[256];
+    static unsigned char bits[16 * 16 * 2 + 2];
+    assert_int_equal(shell("glasspipe voxelize builtin:cube -n 16 -o a.bits"), 0);
+    /* 13.5 voxels, from 1.25 to 14.75: 14^3 without 12^3 */
+    expect_matches(out, "^hash VOXELS 16x16x16 [0-9a-f]{16}\nvoxels 1016\n$");
+    expect_contains(err, "wrote a.bits");
+    strcpy(first, out);
+    assert_int_equal(read_file("a.bits", (char *)bits, sizeof bits), 512);
+    assert_int_equal(bits[0], 0);
+    assert_int_equal(bits[2 * (1 + 16 * 1)], 0xfe); /* x from 1 to 14 at y = z = 1 */
+    assert_int_equal(bits[2 * (1 + 16 * 1) + 1], 0x7f);
+    assert_int_equal(bits[2 * (5 + 16 * 7)], 0x02); /* only the sides inside */
+
+    assert_int_equal(shell("glasspipe voxelize -q builtin:cube --size=16"), 0);
+    assert_string_equal(out, first);
+    assert_string_equal(err, "");
+    assert_int_equal(shell("head -n 1 cube.nrrd"), 0);
+    expect_contains(out, "NRRD000");
+    assert_int_equal(mkdir("out", 0777), 0);
+    assert_int_equal(shell("glasspipe voxelize builtin:cube -n 16"), 0);
+    expect_contains(err, "wrote out/cube.nrrd");
+    expect_files("a.bits cube.nrrd out scene.json");
+}
+
+static void a_volume_is_the_same_on_everything(void **state)
+{
+    (void)state;
+    static const char *const settings[] = { "", "--method thin", "--kind solid" };
+    for (size_t i = 0; i < GP_COUNT(settings); i++) {
+        char first[256];
+        assert_int_equal(shell("glasspipe voxelize -q builtin:knot -n 40 %s", settings[i]), 0);
+        strcpy(first, out);
+        static const char *const same[] = { "--threads 1", "--threads 3", "--executor reference" };
+        for (size_t k = 0; k < GP_COUNT(same); k++) {
+            assert_int_equal(
+                shell("glasspipe voxelize -q builtin:knot -n 40 %s %s", settings[i], same[k]), 0);
+            assert_string_equal(out, first);
+        }
+    }
+}
+
+static void a_placed_model_lies_where_it_is_told(void **state)
+{
+    (void)state;
+    static const char line[] =
+        "glasspipe voxelize -q %s -n 16 --kind solid -o a.bits && sha256sum a.bits";
+    char first[512];
+    assert_int_equal(shell(line, "--xform 6.75 8 8 8 builtin:cube"), 0); /* its own box */
+    strcpy(first, out);
+    assert_int_equal(shell(line, "builtin:cube --xform 6.75 8 8 8"), 0);
+    assert_string_equal(out, first);
+    assert_int_equal(shell(line, "builtin:cube"), 0);
+    assert_string_equal(out, first);
+    assert_int_equal(shell(line, "builtin:cube --xform 2 2 -1 8"), 0);
+    expect_contains(out, "voxels 16\n"); /* 4 x 1 x 4 of 4 x 4 x 4 are inside */
+}
+
+static void json_has_the_volume_its_times_and_the_report(void **state)
+{
+    (void)state;
+    char hash[256];
+    assert_int_equal(shell("glasspipe voxelize builtin:torus -n 24 --kind solid"), 0);
+    strcpy(hash, out);
+    assert_int_equal(shell("glasspipe voxelize builtin:torus -n 24 --kind solid --json"), 0);
+    json_t *object = parse_output(), *told = json_object_get(object, "report");
+    expect_contains(hash, json_string_value(json_object_get(object, "hash")));
+    static const char *const numbers[] = { "ms", "first_ms", "cpu_ms" };
+    for (size_t i = 0; i < GP_COUNT(numbers); i++)
+        assert_true(json_number_value(json_object_get(object, numbers[i])) > 0);
+    static const char *const integers[] = { "voxels", "triangles", "passes", "threads" };
+    for (size_t i = 0; i < GP_COUNT(integers); i++)
+        assert_true(json_integer_value(json_object_get(object, integers[i])) > 0);
+    assert_int_equal(json_integer_value(json_object_get(object, "bytes")), 24 * 24 * 24 / 8);
+    assert_int_equal(json_integer_value(json_object_get(object, "depth")), 24);
+    assert_string_equal(json_string_value(json_object_get(object, "setting")),
+                        "--size 24 --kind solid");
+    assert_true(json_is_true(json_object_get(told, "closed")));
+    assert_true(json_is_false(json_object_get(told, "inside_out")));
+    assert_int_equal(json_integer_value(json_object_get(told, "open_edges")), 0);
+    assert_int_equal(json_integer_value(json_object_get(told, "odd_columns_z")), 0);
+    assert_non_null(json_object_get(told, "disagreeing_voxels"));
+    json_decref(object);
+}
+
+/* --- meshes that are not closed ---------------------------------------------------------------- */
+
+static void a_solid_of_an_open_mesh_warns(void **state)
+{
+    (void)state;
+    write_meshes();
+    assert_int_equal(shell("glasspipe voxelize -q closed.off -n 16 --kind solid"), 0);
+    assert_string_equal(err, "");
+    assert_int_equal(shell("glasspipe voxelize -q open.off -n 16"), 0);
+    assert_string_equal(err, "");
+    assert_int_equal(shell("glasspipe voxelize -q open.off -n 16 --kind solid"), 0);
+    expect_contains(err, "warning: open.off is not closed: 3 edges of one triangle");
+    expect_contains(err, "odd number of triangles");
+    assert_int_equal(shell("glasspipe voxelize -q turned.off -n 16 --kind solid --json"), 0);
+    expect_contains(err, "turned.off is not closed: 3 edges between triangles turned");
+    json_t *object = parse_output(), *told = json_object_get(object, "report");
+    assert_true(json_is_false(json_object_get(told, "closed")));
+    assert_int_equal(json_integer_value(json_object_get(told, "turned_edges")), 3);
+    assert_int_equal(json_integer_value(json_object_get(told, "odd_columns_z")), 0);
+    json_decref(object);
+}
+
+static void the_report_tells_what_is_open(void **state)
+{
+    (void)state;
+    write_meshes();
+    assert_int_equal(shell("glasspipe voxelize -q closed.off -n 16 --report"), 0);
+    expect_matches(out, "\nclosed +yes\n.*\nenclosed volume +10\\.6666667\n");
+    assert_null(strstr(out, "odd columns"));
+    assert_int_equal(shell("glasspipe voxelize -q open.off -n 16 --kind solid --report"), 0);
+    expect_matches(out, "\nclosed +no\n");
+    expect_matches(out, "\nopen edges +3\n");
+    expect_matches(out, "\nodd columns z +[1-9][0-9]*\n");
+    expect_matches(out, "\ndisagreeing voxels +[1-9][0-9]*\n");
+}
+
+int main(void)
+{
+    if (!find_program())
+        return 1;
+#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
+    const struct CMUnitTest tests[] = {
+        TEST(wrong_arguments_are_usage_errors),
+        TEST(wrong_meshes_and_settings_are_input_errors),
+        TEST(volumes_are_written_and_hashed),
+        TEST(a_volume_is_the_same_on_everything),
+        TEST(a_placed_model_lies_where_it_is_told),
+        TEST(json_has_the_volume_its_times_and_the_report),
+        TEST(a_solid_of_an_open_mesh_warns),
+        TEST(the_report_tells_what_is_open),
+    };
+    return cmocka_run_group_tests_name("voxelize command", tests, NULL, NULL);
+}

@@ -1,0 +1,154 @@
+/* The built binary, run in an empty directory of each test's own, and judged by its exit code, its two
+ * outputs and the files that it leaves.
+ *
+ * GLASSPIPE_BIN names the binary (default out/bin/glasspipe), GLASSPIPE_MAN the directory of the
+ * man pages (default apps/man). */
+#ifndef TESTS_PROGRAM_H
+#define TESTS_PROGRAM_H
+
+#include "tests/support/unit.h"
+
+#include <dirent.h>
+#include <jansson.h>
+#include <limits.h>
+#include <regex.h>
+#include <stdio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static char binary[PATH_MAX], man_pages[PATH_MAX];
+static char out[1 << 20], err[1 << 16]; /* what the last run printed */
+
+static const char scene[] =
+    "{ \"size\": [64, 48], \"background\": [0.25, 0.5, 0.75, 1],\n"
+    "  \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"up\": [0, 1, 0], \"fovy\": 40,\n"
+    "              \"near\": 0.1, \"far\": 20 },\n"
+    "  \"objects\": [ { \"mesh\": \"builtin:cube\", \"fit\": [0, -0.5, 0, 1],\n"
+    "                 \"material\": { \"program\": \"phong\" } } ] }\n";
+
+static inline void write_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+}
+
+static inline size_t read_file(const char *path, char *text, size_t size)
+{
+    FILE *file = fopen(path, "r");
+    if (!file)
+        fail_msg("%s: cannot be read", path);
+    size_t length = fread(text, 1, size - 1, file);
+    fclose(file);
+    text[length] = '\0';
+    return length;
+}
+
+/* Runs a shell line in which `glasspipe` is the binary; fills out and err; returns the exit code.
+ */
+static inline int shell(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+static inline int shell(const char *format, ...)
+{
+    char line[4096];
+    va_list args;
+    va_start(args, format);
+    int used = snprintf(line, sizeof line, "glasspipe() { '%s' \"$@\"; }\n{ ", binary);
+    used += vsnprintf(line + used, sizeof line - (size_t)used, format, args);
+    snprintf(line + used, sizeof line - (size_t)used, "\n} >.out 2>.err");
+    va_end(args);
+    int status = system(line);
+    read_file(".out", out, sizeof out);
+    read_file(".err", err, sizeof err);
+    unlink(".out");
+    unlink(".err");
+    if (!WIFEXITED(status))
+        fail_msg("killed: %s", line);
+    return WEXITSTATUS(status);
+}
+
+static inline void expect_contains(const char *text, const char *part)
+{
+    if (!strstr(text, part))
+        fail_msg("'%s' is not in:\n%s", part, text);
+}
+
+/* A refusal: this code, nothing on stdout, and this in the message. */
+static inline void expect_refused(int code, const char *arguments, const char *part)
+{
+    int got = shell("glasspipe %s", arguments);
+    if (got != code)
+        fail_msg("glasspipe %s: exit code %d instead of %d\n%s", arguments, got, code, err);
+    assert_string_equal(out, "");
+    expect_contains(err, "glasspipe");
+    expect_contains(err, part);
+}
+
+static inline void expect_files(const char *expected)
+{
+    char names[4096] = "";
+    struct dirent **entries;
+    int count = scandir(".", &entries, NULL, alphasort);
+    for (int i = 0; i < count; i++) {
+        if (strcmp(entries[i]->d_name, ".") != 0 && strcmp(entries[i]->d_name, "..") != 0) {
+            strcat(names, names[0] ? " " : "");
+            strcat(names, entries[i]->d_name);
+        }
+        free(entries[i]);
+    }
+    free(entries);
+    assert_string_equal(names, expected);
+}
+
+static inline void expect_matches(const char *text, const char *pattern)
+{
+    regex_t regex;
+    assert_int_equal(regcomp(&regex, pattern, REG_EXTENDED | REG_NOSUB), 0);
+    int result = regexec(&regex, text, 0, NULL, 0);
+    regfree(&regex);
+    if (result)
+        fail_msg("no match of %s in:\n%s", pattern, text);
+}
+
+static inline json_t *parse_output(void)
+{
+    json_error_t error;
+    json_t *object = json_loads(out, 0, &error);
+    if (!object)
+        fail_msg("no JSON: %s in:\n%s", error.text, out);
+    return object;
+}
+
+/* Every test starts in an empty directory of its own that holds the scene. */
+static inline int enter(void **state)
+{
+    static char directory[64];
+    snprintf(directory, sizeof directory, "/tmp/glasspipe-cli-XXXXXX");
+    *state = mkdtemp(directory);
+    if (!*state || chdir(directory))
+        return -1;
+    write_file("scene.json", scene);
+    return 0;
+}
+
+static inline int leave(void **state)
+{
+    char line[128];
+    snprintf(line, sizeof line, "rm -rf '%s'", (const char *)*state);
+    return chdir("/") || system(line);
+}
+
+/* To be called first: false, after a message, where there is no program. */
+static inline bool find_program(void)
+{
+    const char *path = getenv("GLASSPIPE_BIN"), *man = getenv("GLASSPIPE_MAN");
+    unsetenv("GP_ISA");
+    if (realpath(path ? path : "out/bin/glasspipe", binary) &&
+        realpath(man ? man : "apps/man", man_pages))
+        return true;
+    fputs("no glasspipe binary or man pages; see GLASSPIPE_BIN, GLASSPIPE_MAN\n", stderr);
+    return false;
+}
+
+#endif
