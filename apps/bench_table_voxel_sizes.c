@@ -1,6 +1,6 @@
 /* Table 2.2: one model in volumes of several sizes and depths, and pictures of them. */
 #include "apps/bench_tables.h"
-#include "apps/bench_voxel.h"
+#include "apps/sheets_time.h"
 #include "apps/commands.h"
 #include "apps/voxel_view.h"
 
@@ -99,7 +99,7 @@ static GpResult measure_row(const TechniqueClock *clock, VoxelScene *scene, cons
     measured->ms = timing.ms;
     measured->voxels = worksheet_count(&made->sheet);
     measured->memory_mb = (double)worksheet_bytes(&made->sheet) / (1 << 20);
-    measured->worksheets_mb = (double)bench_voxel_bytes(&work.list) / (1 << 20);
+    measured->worksheets_mb = (double)sheets_bytes(&work.list) / (1 << 20);
     work_free(&work);
     return measure_picture(clock, scene, row->size, &measured->picture_ms, error);
 }

@@ -1,6 +1,6 @@
 /* Table 2.1: the steps of voxelization for models of different size. */
 #include "apps/bench_tables.h"
-#include "apps/bench_voxel.h"
+#include "apps/sheets_time.h"
 #include "apps/commands.h"
 
 #include <stdio.h>
@@ -59,7 +59,7 @@ static GpResult measure_sheets(const TechniqueClock *clock, VoxelScene *scene,
     Work work = { .color = NULL };
     Frame frame;
     Timing timing;
-    BenchVoxelSteps steps;
+    SheetsTimes steps;
     GpResult result = technique_time(clock, &voxel_technique, scene, "--method sheets" AT_SIZE,
                                      &work, &frame, &timing, error);
     if (result)
@@ -67,15 +67,15 @@ static GpResult measure_sheets(const TechniqueClock *clock, VoxelScene *scene,
     const VoxelMade *made = work.made;
     measured->sheets = timing.ms;
     measured->voxels = worksheet_count(&made->sheet);
-    measured->worksheets_mb = (double)bench_voxel_bytes(&work.list) / (1 << 20);
-    result = bench_voxel_steps(clock, &work, &steps, error);
+    measured->worksheets_mb = (double)sheets_bytes(&work.list) / (1 << 20);
+    result = sheets_time_steps(clock, &work, &steps, error);
     work_free(&work);
     if (result)
         return result;
     measured->step[0] = steps.raster;
     measured->step[1] = steps.texelize;
     measured->step[2] = steps.synthesize;
-    return bench_voxel_sort(clock, scene, SIZE, &measured->step[3], error);
+    return sheets_time_sort(clock, scene, SIZE, &measured->step[3], error);
 }
 
 static GpResult measure_row(const TechniqueClock *clock, VoxelScene *scene, StepsMeasured *measured,

@@ -117,10 +117,12 @@ static int print_best(const Chart *chart)
     if (!best)
         return report(EXIT_INTERNAL, "out of memory");
     uint32_t count = chart_list_best(chart, best);
-    printf("%10s  %14s  setting\n", "ms", chart->error_name);
+    const int least_width = 14, length = (int)strlen(chart->error_name);
+    const int width = length > least_width ? length : least_width;
+    printf("%10s  %*s  setting\n", "ms", width, chart->error_name);
     for (uint32_t i = 0; i < count; i++)
-        printf("%10.3f  %14.6g  %s: %s\n", best[i]->ms, best[i]->measured.error, best[i]->method,
-               best[i]->options);
+        printf("%10.3f  %*.6g  %s: %s\n", best[i]->ms, width, best[i]->measured.error,
+               best[i]->method, best[i]->options);
     gp_free(best);
     return EXIT_DONE;
 }

@@ -1,5 +1,5 @@
-/* Growth as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so that
- * powers are straight lines. */
+/* Growth as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so
+ * that powers are straight lines. */
 #include "apps/growth.h"
 #include "apps/svg.h"
 
@@ -155,8 +155,8 @@ static bool covers_point(const Panel *panel, const double end[2], const double a
     return false;
 }
 
-/* From the lower left corner to the scale's right or upper end; its name runs along it, below, as far
- * out as there is room. */
+/* From the lower left corner to the scale's right or upper end; its name runs along it, below, as
+ * far out as there is room. */
 static void draw_guide(const Panel *panel, const TechniqueGuide *guide, Text *svg)
 {
     const PlotScale *x = &panel->x, *y = &panel->y;
@@ -182,8 +182,8 @@ static void draw_guide(const Panel *panel, const TechniqueGuide *guide, Text *sv
 
 /* --- scenes ----------------------------------------------------------------------------------- */
 
-/* Names of scenes above their points, in rows, where a panel has more than one amount for a setting.
- * What finds no room is left out. */
+/* Names of scenes above their points, in rows, where a panel has more than one amount for a
+ * setting. What finds no room is left out. */
 static void draw_scenes(const Panel *panel, Text *svg)
 {
     const Growth *growth = panel->growth;

@@ -26,6 +26,26 @@ void voxel_set_motion(const VoxelModel *model, VoxelMotion *motion)
     }
 }
 
+void voxel_corner(const VoxelModel *model, size_t corner, double place[3])
+{
+    const float *p = model->positions + 3 * (size_t)model->indices[corner];
+    for (int k = 0; k < 3; k++) {
+        const float *row = model->motion.to_voxels[k];
+        place[k] = (double)row[0] * (double)p[0] + (double)row[1] * (double)p[1] +
+                   (double)row[2] * (double)p[2] + (double)row[3];
+    }
+}
+
+GpGeometry voxel_model_geometry(const VoxelModel *model)
+{
+    return (GpGeometry){
+        .vertex_count = model->vertex_count,
+        .indices = model->indices,
+        .index_count = 3 * model->triangle_count,
+        .streams = { [GP_POSITION] = { .data = model->positions, .components = 3 } },
+    };
+}
+
 void tech_voxel_room(const VoxelSetting *setting, uint32_t *passes, uint32_t *draws)
 {
     *passes = 64 + 4 * setting->size;

@@ -43,6 +43,7 @@ typedef struct VoxelMotions {
     uint32_t count;
 } VoxelMotions;
 
+/* Sets a motion in all draws that were appended with these motions, for the next frame. */
 void voxel_move(const VoxelMotions *motions, const VoxelMotion *motion);
 
 /* The motion of a model that stands in its box. */

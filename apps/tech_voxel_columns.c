@@ -38,7 +38,7 @@ static bool in_rectangle(const VoxelExtent *extent, float step)
     return extent->side > LONG_SIDE && slabs_beyond(extent) >= step;
 }
 
-/* --- streams ------------------------------------------------------------------------------------------ */
+/* --- streams ---------------------------------------------------------------------------------- */
 
 static void copy_corners(const VoxelModel *model, uint32_t triangle, float corners[CORNERS])
 {
@@ -95,7 +95,7 @@ static GpGeometry make_rectangles(const VoxelModel *model, Work *work, const uin
     return geometry;
 }
 
-/* --- draws -------------------------------------------------------------------------------------------- */
+/* --- draws ------------------------------------------------------------------------------------ */
 
 static void add_draw(const VoxelModel *model, Work *work, const Worksheet *sheet,
                      const GpProgram *program, bool thin, uint32_t step, const GpGeometry *geometry)

@@ -1,5 +1,5 @@
-/* Solids from six depth buffers, one for each face of the volume. What no face sees, a cavity or the
- * inside of a bend, is filled.
+/* Solids from six depth buffers, one for each face of the volume. What no face sees, a cavity or
+ * the inside of a bend, is filled.
  * source Karabassi, Papaioannou and Theoharis, "A fast depth-buffer-based voxelization algorithm",
  *        Journal of Graphics Tools 4(4), 1999 */
 #include "apps/tech_voxel_parts.h"
@@ -30,11 +30,10 @@ void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Work *wor
     GpSurface *faces[FACES];
     draw_faces(model, setting->size, work, faces);
 
-    VoxelFacesUniforms *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
+    WorksheetSlab *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
     worksheet_pass(work, "faces to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        uniforms[slab] = (VoxelFacesUniforms){ .size = (float)setting->size,
-                                               .base = (float)(slab * sheet->per_texel) };
+        uniforms[slab] = worksheet_slab(sheet, slab);
         GpDraw *draw = work_draw(work, &voxel_faces_program, &uniforms[slab], &worksheet_cover);
         draw->viewport = worksheet_patch(sheet, slab);
         for (int i = 0; i < FACES; i++)

@@ -1,5 +1,5 @@
-/* Voxels from a layered depth image: surfaces along z are peeled off one after the other, which also
- * sorts them, and a column is inside from each odd one to the next.
+/* Voxels from a layered depth image: surfaces along z are peeled off one after the other, which
+ * also sorts them, and a column is inside from each odd one to the next.
  * DEVIATES: a list cannot look whether a layer came out empty, so all VOXEL_LDI_LAYERS are drawn;
  * empty ones cost their geometry, and nothing else.
  * source Heidelberger, Teschner and Gross, "Real-time volumetric intersections of deforming
@@ -29,8 +29,7 @@ static void peel(const VoxelModel *model, uint32_t size, Work *work,
 
 /* Draws a patch from one layer, or from two. */
 static void fill_patch(Work *work, const Worksheet *sheet, uint32_t slab,
-                       const VoxelLayerUniforms *uniforms, const GpSurface *entry,
-                       const GpSurface *exit)
+                       const WorksheetSlab *uniforms, const GpSurface *entry, const GpSurface *exit)
 {
     const GpProgram *program = exit ? &voxel_between_program : &voxel_layer_program;
     GpDraw *draw = work_draw(work, program, uniforms, &worksheet_cover);
@@ -46,11 +45,10 @@ void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Work *work,
     GpSurface *layers[VOXEL_LDI_LAYERS];
     peel(model, setting->size, work, layers);
 
-    VoxelLayerUniforms *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
+    WorksheetSlab *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
     worksheet_pass(work, "layers to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        uniforms[slab] = (VoxelLayerUniforms){ .size = (float)setting->size,
-                                               .base = (float)(slab * sheet->per_texel) };
+        uniforms[slab] = worksheet_slab(sheet, slab);
         if (setting->kind == VOXEL_SOLID)
             for (int i = 0; i + 1 < VOXEL_LDI_LAYERS; i += 2)
                 fill_patch(work, sheet, slab, &uniforms[slab], layers[i], layers[i + 1]);

@@ -8,6 +8,13 @@
 /* Copies a model's motion into a draw's uniforms, and notes where, if it moves. */
 void voxel_set_motion(const VoxelModel *model, VoxelMotion *motion);
 
+/* Where a corner of a triangle lies in the volume, if the model stands still.
+ * in   corner: its place in model->indices */
+void voxel_corner(const VoxelModel *model, size_t corner, double place[3]);
+
+/* The model's triangles, with positions. */
+GpGeometry voxel_model_geometry(const VoxelModel *model);
+
 /* tech_voxel_columns.c: conservative and thin; what xor draws is in tech_voxel_xor.c. */
 void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *work,
                    const Worksheet *sheet);

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* --- what passes are made of ---------------------------------------------------------------------- */
+/* --- what passes are made of ------------------------------------------------------------------ */
 
 const GpSurface *voxel_table(Work *work, uint32_t width, uint32_t height, uint32_t channels,
                              const uint8_t *codes)
@@ -36,15 +36,14 @@ GpBlend voxel_sheets_blend(const VoxelSetting *setting)
     return (GpBlend){ .op = GP_BLEND_MAX };
 }
 
-/* --- uniforms --------------------------------------------------------------------------------------- */
+/* --- uniforms --------------------------------------------------------------------------------- */
 
 /* Which bytes of a texel voxels are, and how values become whole numbers of 8 or 16 bits. */
 static void describe_values(const VoxelSetting *setting, VoxelSheetsUniforms *u)
 {
-    static const uint8_t byte_of_channel[4] = { 2, 1, 0, 3 };
     const bool wide = setting->bits == 16;
     for (int c = 0; c < 4; c++) {
-        const int byte = byte_of_channel[c];
+        const int byte = worksheet_channel[c];
         u->voxel_of[c] = (float)(wide ? byte / 2 : byte);
         u->low[c] = !wide || byte % 2 == 0 ? 1 : 0;
         u->high[c] = 1 - u->low[c];
@@ -86,7 +85,7 @@ static const GpProgram *choose_program(const VoxelSetting *setting)
     return setting->bits == 1 ? &voxel_bits_program : of_value[setting->value];
 }
 
-/* --- directions -------------------------------------------------------------------------------------- */
+/* --- directions ------------------------------------------------------------------------------- */
 
 /* The four targets: slab i of a direction is patch i / 4 of target i % 4. */
 typedef struct Targets {
@@ -95,14 +94,13 @@ typedef struct Targets {
 
 static GpGeometry list_of(const VoxelModel *model, const VoxelSort *sort, uint32_t list)
 {
-    return (GpGeometry){
-        .vertex_count = model->vertex_count,
-        .indices = sort->indices + sort->start[list],
-        .index_count = sort->start[list + 1] - sort->start[list],
-        .streams = { [GP_POSITION] = { .data = model->positions, .components = 3 },
-                     [GP_NORMAL] = { .data = model->normals, .components = 3 },
-                     [GP_COLOR] = { .data = model->colors, .stride = 16, .components = 3 } },
-    };
+    GpGeometry geometry = voxel_model_geometry(model);
+    geometry.indices = sort->indices + sort->start[list];
+    geometry.index_count = sort->start[list + 1] - sort->start[list];
+    geometry.streams[GP_NORMAL] = (GpStream){ .data = model->normals, .components = 3 };
+    geometry.streams[GP_COLOR] =
+        (GpStream){ .data = model->colors, .stride = 4 * sizeof(float), .components = 3 };
+    return geometry;
 }
 
 static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int axis, Work *work,
@@ -179,7 +177,7 @@ void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting,
     }
 }
 
-/* --- the method ---------------------------------------------------------------------------------------- */
+/* --- the method ------------------------------------------------------------------------------- */
 
 static void make_surface(const VoxelModel *model, const VoxelSetting *setting, Work *work,
                          const Worksheet *sheet)

@@ -9,9 +9,8 @@
 /* A bit of a texel's word as a colour. */
 static void color_of_bit(uint32_t bit, float color[4])
 {
-    static const int channel_of_byte[4] = { 2, 1, 0, 3 };
     memset(color, 0, sizeof(float[4]));
-    color[channel_of_byte[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
+    color[worksheet_channel[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
 }
 
 /* Surface: the piece of the model inside the slice sets its voxels. Solid: a middle that an odd

@@ -3,8 +3,6 @@
 #include "shaders_c/sheet_copy.h"
 #include "shaders_c/voxel_rows.h"
 
-#include <string.h>
-
 /* Eight voxels of a row at once (shaders_c/voxel_rows.h). */
 static const GpSurface *make_table(Work *work)
 {
@@ -103,19 +101,4 @@ VoxelDirections voxel_sheets_solid(const VoxelModel *model, const VoxelSetting *
     voxel_directions_draw(model, setting, setting->axes == 1 ? VOXEL_ALONG_Z : VOXEL_ALONG_ALL,
                           work, &crossings);
     return voxel_row_scan(setting, work, &crossings, solid);
-}
-
-uint64_t voxel_rows_disagree(const VoxelDirections *solids)
-{
-    uint64_t count = 0;
-    const GpSurface *first = solids->along[0].texels;
-    for (uint32_t y = 0; y < first->height; y++)
-        for (uint32_t x = 0; x < first->width; x++) {
-            uint32_t word[3];
-            for (int axis = 0; axis < 3; axis++)
-                memcpy(&word[axis],
-                       gp_surface_texel(&solids->along[axis].texels->level[0], 4, x, y), 4);
-            count += (uint64_t)__builtin_popcount((word[0] ^ word[1]) | (word[1] ^ word[2]));
-        }
-    return count;
 }

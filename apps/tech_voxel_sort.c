@@ -1,24 +1,13 @@
 #include "apps/tech_voxel_sort.h"
 
+#include "apps/tech_voxel_parts.h"
+
 #include <math.h>
 #include <string.h>
 
 /* Triangles are taken to be longer by so many voxels: where they are drawn, positions are rounded
  * once more. */
 #define MARGIN (1.0 / 64)
-
-static void corners_of(const VoxelModel *model, uint32_t triangle, double corner[3][3])
-{
-    const uint32_t *index = model->indices + 3 * (size_t)triangle;
-    for (int i = 0; i < 3; i++) {
-        const float *p = model->positions + 3 * (size_t)index[i];
-        for (int k = 0; k < 3; k++) {
-            const float *row = model->motion.to_voxels[k];
-            corner[i][k] = (double)row[0] * (double)p[0] + (double)row[1] * (double)p[1] +
-                           (double)row[2] * (double)p[2] + (double)row[3];
-        }
-    }
-}
 
 static int dominant_axis(double corner[3][3])
 {
@@ -60,7 +49,8 @@ uint32_t voxel_sort_count(const VoxelModel *model, VoxelSort *sort)
     for (uint32_t i = 0; i < model->triangle_count; i++) {
         double corner[3][3];
         VoxelSpans spans = { .first = { 0 } };
-        corners_of(model, i, corner);
+        for (size_t j = 0; j < 3; j++)
+            voxel_corner(model, 3 * (size_t)i + j, corner[j]);
         int only = sort->by == VOXEL_BY_NORMAL ? dominant_axis(corner) : 2;
         for (int axis = 0; axis < 3; axis++) {
             if (axis == only || sort->by == VOXEL_ALONG_ALL)

@@ -34,7 +34,8 @@ typedef struct VoxelSort {
  * returns how many indices there are going to be
  * order  triangles of a list stay in their order
  * source Dong et al., "Real-time voxelization for complex polygonal models", Pacific Graphics 2004:
- *        an index buffer for each direction, and smaller groups of each; the counting sort is ours */
+ *        an index buffer for each direction, and smaller groups of each; the counting sort is
+ *        ours */
 uint32_t voxel_sort_count(const VoxelModel *model, VoxelSort *sort);
 void voxel_sort_fill(const VoxelModel *model, VoxelSort *sort);
 

@@ -23,10 +23,7 @@ static bool crosses(const VoxelExtent *extent, float floor)
 static GpGeometry choose_triangles(const VoxelModel *model, Work *work, const VoxelExtent *extents,
                                    float floor, bool top)
 {
-    GpGeometry geometry = { .vertex_count = model->vertex_count,
-                            .indices = model->indices,
-                            .index_count = 3 * model->triangle_count };
-    geometry.streams[GP_POSITION] = (GpStream){ .data = model->positions, .components = 3 };
+    GpGeometry geometry = voxel_model_geometry(model);
     if (model->motions)
         return geometry;
     uint32_t count;

@@ -139,7 +139,7 @@ static void explain_choice(const TechniqueArgs *args, const Chart *chart, const 
     for (uint32_t i = 0; i < chart->count; i++)
         enough += chart->points[i].measured.error <= args->error;
     notice(&args->options,
-           "chose %s (%s): %g %s in %.2f ms, the fastest of %u settings of %u with at most %g",
+           "chose %s (%s): %g %s, in %.2f ms, the fastest of %u settings of %u with at most %g",
            point->options, point->method, point->measured.error, chart->error_name, point->ms,
            enough, chart->count, args->error);
     notice(&args->options, "measured on %s, %ux%u, %d threads, %s", chart->scene, chart->width,

@@ -2,16 +2,6 @@
 
 #include <string.h>
 
-GpGeometry voxel_model_geometry(const VoxelModel *model)
-{
-    return (GpGeometry){
-        .vertex_count = model->vertex_count,
-        .indices = model->indices,
-        .index_count = 3 * model->triangle_count,
-        .streams = { [GP_POSITION] = { model->positions, 0, 3, GP_FLOAT32 } },
-    };
-}
-
 void voxel_along_view(const VoxelModel *model, uint32_t size, int axis, bool from_far,
                       float matrix[4][4])
 {

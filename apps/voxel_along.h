@@ -4,9 +4,6 @@
 
 #include "apps/tech_voxel.h"
 
-/* The model's triangles, with positions. */
-GpGeometry voxel_model_geometry(const VoxelModel *model);
-
 /* From the model to clip space, looking along an axis (0 x, 1 y, 2 z): the two axes that follow it,
  * in turn, run to the right and down over `size` voxels, and depth over the volume from 0 to 1, or
  * from 1 to 0 where it is counted from the far end.

@@ -4,10 +4,9 @@
 
 #include <string.h>
 
-static const float nothing[4] = { 0 };
 static void begin_pass(Work *work, const char *name, const Worksheet *sheet)
 {
-    work_pass(work, name, sheet->texels, NULL, nothing)->color[0].clear = false;
+    worksheet_pass(work, name, sheet)->color[0].clear = false;
 }
 
 /* Begins the pass that draws the result. Passes without draws come before, to make the operands
@@ -63,14 +62,14 @@ uint32_t voxel_combine_draws(const Worksheet *sheet)
     return 2 * sheet->slabs;
 }
 
-/* --- collision ----------------------------------------------------------------------------------- */
+/* --- collision -------------------------------------------------------------------------------- */
 
 /* The range's rectangle on the patch of a slab. */
 static void cut_to_slab(GpRasterState *raster, const Worksheet *sheet, const VoxelRange *range,
                         uint32_t slab)
 {
-    const int32_t left = (int32_t)(slab % sheet->columns * sheet->size);
-    const int32_t top = (int32_t)(slab / sheet->columns * sheet->size);
+    const GpViewport patch = worksheet_patch(sheet, slab);
+    const int32_t left = (int32_t)patch.x, top = (int32_t)patch.y;
     raster->scissor = true;
     raster->scissor_x0 = left + (int32_t)range->low[0];
     raster->scissor_x1 = left + (int32_t)range->end[0];
@@ -108,11 +107,8 @@ uint64_t voxel_count_range(const Worksheet *sheet, const VoxelRange *range)
         const uint32_t end = range->end[2] - slab * 32;
         const uint32_t mask = (end < 32 ? (1u << end) - 1 : ~0u) & ~0u << first;
         for (uint32_t y = range->low[1]; y < range->end[1]; y++)
-            count += worksheet_count_words(
-                gp_surface_texel(&sheet->texels->level[0], 4,
-                                 slab % sheet->columns * sheet->size + range->low[0],
-                                 slab / sheet->columns * sheet->size + y),
-                range->end[0] - range->low[0], mask);
+            count += worksheet_count_words(worksheet_texel(sheet, slab, range->low[0], y),
+                                           range->end[0] - range->low[0], mask);
     }
     return count;
 }

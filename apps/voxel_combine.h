@@ -12,14 +12,15 @@ typedef enum VoxelCombine { VOXEL_UNION, VOXEL_INTERSECTION, VOXEL_DIFFERENCE } 
  * in   a, b, result: of one layout, 1 or 8 bits; b is not the result. Where a is the result it is
  *      changed in place, by half the work
  *      where b was drawn by the list's last passes it is still in the tiles, and not read again
- * source Dong et al., Pacific Graphics 2004: CSG as blending of worksheets. DEVIATES: blending there
- *      adds, and is right only where no voxel is set twice; logical operations are right everywhere */
+ * source Dong et al., Pacific Graphics 2004: CSG as blending of worksheets. DEVIATES: blending
+ *      there adds, and is right only where no voxel is set twice; logical operations are right
+ *      everywhere */
 void voxel_combine(Work *work, const Worksheet *a, const Worksheet *b, VoxelCombine operation,
                    const Worksheet *result);
 
-/* Appends the passes that leave in result, inside `common`, the voxels which both a and b have. As two
- * objects meet nowhere else, what lies outside is neither looked at nor changed, but for voxels that
- * share a texel with others inside.
+/* Appends the passes that leave in result, inside `common`, the voxels which both a and b have. As
+ * two objects meet nowhere else, what lies outside is neither looked at nor changed, but for voxels
+ * that share a texel with others inside.
  * in   a, b, result: of one layout, 1 bit; b is not the result. Where a is the result, as a moving
  *      object's sheet may be once the picture is drawn, it is changed in place, by half the work */
 void voxel_collide(Work *work, const Worksheet *a, const Worksheet *b, const VoxelRange *common,

@@ -1,10 +1,10 @@
-/* Voxels of functions: the sign at middles, or at the eight corners of each voxel, which the blend unit
- * puts together: a voxel is of the surface where some corner is inside, and not all of them are. */
+/* Voxels of functions: the sign at middles, or at the eight corners of each voxel, which the blend
+ * unit puts together: a voxel is of the surface where some corner is inside, and not all of them
+ * are. */
 #include "apps/voxel_inputs.h"
 
 #include "apps/shapes.h"
-#include "apps/voxel_along.h"
-#include "shaders_c/layers.h"
+#include "shaders_c/voxel_combine.h"
 #include "shaders_c/voxel_field.h"
 #include "shaders_c/voxel_implicit.h"
 
@@ -39,7 +39,7 @@ VoxelBox voxel_box_of_cube(double reach, uint32_t size)
                        .offset = { size / 2.0, size / 2.0, size / 2.0 } };
 }
 
-/* --- samples ---------------------------------------------------------------------------------------- */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 /* What the draws of one kind of function need. */
 typedef struct Sampling {
@@ -109,7 +109,7 @@ static GpDraw *draw_samples(Sampling *s, uint32_t slab, bool corner, const float
     return draw;
 }
 
-/* --- callbacks -------------------------------------------------------------------------------------- */
+/* --- callbacks -------------------------------------------------------------------------------- */
 
 enum { PER_TEXEL = 4 };
 
@@ -160,7 +160,7 @@ static void fill_field(Sampling *s, float place)
         fill_layer(s, z, place);
 }
 
-/* --- volumes ---------------------------------------------------------------------------------------- */
+/* --- volumes ---------------------------------------------------------------------------------- */
 
 static void draw_solid(Sampling *s)
 {
@@ -184,10 +184,9 @@ static void draw_surface(Sampling *s)
             draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
             draw->state.blend[1].op = GP_BLEND_LOGIC_AND;
         }
-    static const LayerUniforms unused;
     worksheet_pass(s->work, "not all corners", s->sheet)->color[0].clear = false;
     for (uint32_t slab = 0; slab < s->sheet->slabs; slab++) {
-        GpDraw *draw = work_draw(s->work, &layer_copy_program, &unused, &worksheet_cover);
+        GpDraw *draw = work_draw(s->work, &voxel_copy_program, NULL, &worksheet_cover);
         draw->viewport = worksheet_patch(s->sheet, slab);
         draw->state.blend[0].op = GP_BLEND_LOGIC_XOR;
         draw->textures[0].surface = all;

@@ -1,5 +1,6 @@
-/* Volumes of what is no mesh: functions, parametric surfaces and points. Each appends passes that draw
- * into a worksheet of one bit a voxel, in a work with room for VOXEL_INPUT_PASSES and voxel_input_draws.
+/* Volumes of what is no mesh: functions, parametric surfaces and points. Each appends passes that
+ * draw into a worksheet of one bit a voxel, in a work with room for VOXEL_INPUT_PASSES and
+ * voxel_input_draws.
  */
 #ifndef APPS_VOXEL_INPUTS_H
 #define APPS_VOXEL_INPUTS_H
@@ -12,7 +13,7 @@ enum { VOXEL_INPUT_PASSES = 2 };
 /* Upper bound of the draws that any of these appends. */
 uint32_t voxel_input_draws(const Worksheet *sheet);
 
-/* --- implicit surfaces ------------------------------------------------------------------------------ */
+/* --- implicit surfaces ------------------------------------------------------------------------ */
 
 /* What is inside where it is below 0. */
 typedef struct VoxelFunction {
@@ -29,22 +30,22 @@ GpResult voxel_function_parse(const char *text, VoxelFunction *function, GpError
 VoxelBox voxel_box_of_cube(double reach, uint32_t size);
 #define VOXEL_FUNCTION_REACH 3.0
 
-/* Solid: voxels whose middles are inside. Surface: voxels of whose eight corners some are inside and
- * some are not; a surface that comes and goes between corners is not seen.
+/* Solid: voxels whose middles are inside. Surface: voxels of whose eight corners some are inside
+ * and some are not; a surface that comes and goes between corners is not seen.
  * in     box: from the function's space to voxels; kind: VoxelKind
  * errors GP_ERROR_INVALID: a callback's samples do not fit a texture
  * note   the callback is called here, once for each middle or corner, x fastest */
 GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Work *work,
                         const Worksheet *sheet, GpError *error);
 
-/* --- parametric surfaces ---------------------------------------------------------------------------- */
+/* --- parametric surfaces ---------------------------------------------------------------------- */
 
 /* Names of what voxel_parametric knows, NULL at the end: sphere, torus, moebius, klein, teapot. */
 extern const char *const voxel_parametric_names[];
 
-/* Points closer than this, in voxels, along both parameters leave no hole: each point of the surface
- * has one within a half of the diagonal, 0.36 voxels, so that of two voxels with a common face the
- * line between whose middles meets the surface, one is set. */
+/* Points closer than this, in voxels, along both parameters leave no hole: each point of the
+ * surface has one within a half of the diagonal, 0.36 voxels, so that of two voxels with a common
+ * face the line between whose middles meets the surface, one is set. */
 #define VOXEL_PARAMETRIC_STEP 0.5
 
 /* The surface's own box as a volume. errors GP_ERROR_INVALID: no such surface */
@@ -58,7 +59,7 @@ enum { VOXEL_PARAMETRIC_MAX_POINTS = 1 << 26 };
 GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Work *work,
                           const Worksheet *sheet, GpError *error);
 
-/* --- points ----------------------------------------------------------------------------------------- */
+/* --- points ----------------------------------------------------------------------------------- */
 
 /* The voxel of each point; points outside the volume are left out.
  * in     positions: [3 * count], borrowed

@@ -1,20 +1,12 @@
 #include "apps/voxel_lists.h"
 
+#include "apps/tech_voxel_parts.h"
+
 #include <math.h>
 
 enum { X, Y, Z };
 
 static const float rounding = 1.0f / 256;
-
-static void place(const VoxelModel *model, uint32_t corner, double q[3])
-{
-    const float *p = model->positions + 3 * (size_t)model->indices[corner];
-    for (int k = 0; k < 3; k++) {
-        const float *row = model->motion.to_voxels[k];
-        q[k] = (double)row[X] * (double)p[X] + (double)row[Y] * (double)p[Y] +
-               (double)row[Z] * (double)p[Z] + (double)row[3];
-    }
-}
 
 static double distance(const double a[3], const double b[3])
 {
@@ -53,8 +45,8 @@ void voxel_extents(const VoxelModel *model, VoxelExtent *extents)
 {
     for (uint32_t i = 0; i < model->triangle_count; i++) {
         double q[3][3];
-        for (uint32_t j = 0; j < 3; j++)
-            place(model, 3 * i + j, q[j]);
+        for (size_t j = 0; j < 3; j++)
+            voxel_corner(model, 3 * (size_t)i + j, q[j]);
         extents[i] = model->motions ? any_extent(model, q) : still_extent(q);
     }
 }

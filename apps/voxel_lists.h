@@ -1,5 +1,6 @@
-/* Index lists of voxelization: which triangles a draw needs, found once for a model that stands still.
- * That is the processor's part, as in the thesis (section 2.2); nothing here makes a voxel. */
+/* Index lists of voxelization: which triangles a draw needs, found once for a model that stands
+ * still. That is the processor's part, as in the thesis (section 2.2); nothing here makes a
+ * voxel. */
 #ifndef APPS_VOXEL_LISTS_H
 #define APPS_VOXEL_LISTS_H
 

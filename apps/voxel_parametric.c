@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- surfaces --------------------------------------------------------------------------------------- */
+/* --- surfaces --------------------------------------------------------------------------------- */
 
 #define TURN 6.28318530717958647692
 
@@ -71,7 +71,7 @@ GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, Gp
     return GP_OK;
 }
 
-/* --- grids of points -------------------------------------------------------------------------------- */
+/* --- grids of points -------------------------------------------------------------------------- */
 
 static double points_along(double slope, double step, const VoxelBox *box)
 {
@@ -102,9 +102,9 @@ static void draw_grid(Work *work, const GpProgram *program, const VoxelParametri
     work_draw(work, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 
-static VoxelParametricUniforms place_surface(const VoxelBox *box, const Worksheet *sheet)
+static VoxelPointsUniforms place_points(const VoxelBox *box, const Worksheet *sheet)
 {
-    return (VoxelParametricUniforms){
+    return (VoxelPointsUniforms){
         .sheet = worksheet_layout(sheet),
         .scale = (float)box->scale,
         .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
@@ -155,7 +155,7 @@ static GpResult draw_teapot(double step, const VoxelBox *box, Work *work, const 
     VoxelParametricUniforms *uniforms = work_alloc(work, SHAPE_TEAPOT_PATCHES, sizeof *uniforms);
     worksheet_pass(work, "patches", sheet);
     for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
-        uniforms[i] = place_surface(box, sheet);
+        uniforms[i].place = place_points(box, sheet);
         memcpy(uniforms[i].control, control[i], sizeof control[i]);
         draw_grid(work, &voxel_bezier_program, &uniforms[i], slope[i], step, box);
     }
@@ -175,7 +175,7 @@ GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Wo
     if (result)
         return result;
     VoxelParametricUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
-    *uniforms = place_surface(box, sheet);
+    uniforms->place = place_points(box, sheet);
     uniforms->radius = surface->radius;
     uniforms->width = surface->width;
     worksheet_pass(work, surface->name, sheet);
@@ -183,7 +183,7 @@ GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Wo
     return GP_OK;
 }
 
-/* --- points ----------------------------------------------------------------------------------------- */
+/* --- points ----------------------------------------------------------------------------------- */
 
 GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Work *work,
                       const Worksheet *sheet, GpError *error)
@@ -192,11 +192,7 @@ GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *bo
     if (count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
     VoxelPointsUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
-    *uniforms = (VoxelPointsUniforms){
-        .sheet = worksheet_layout(sheet),
-        .scale = (float)box->scale,
-        .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
-    };
+    *uniforms = place_points(box, sheet);
     const GpGeometry points = { .primitive = GP_POINTS,
                                 .vertex_count = count,
                                 .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };

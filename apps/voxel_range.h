@@ -14,6 +14,7 @@ typedef struct VoxelRange {
 VoxelRange voxel_range(const double low[3], const double high[3], float to_voxels[4][4],
                        uint32_t size);
 
+/* All of a volume. */
 VoxelRange voxel_range_whole(uint32_t size);
 
 /* What two have in common; empty (an end that is not above low) where they are apart. */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* --- samples ------------------------------------------------------------------------------------ */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 /* A volume of samples and where it lies among voxels. */
 typedef struct Samples {
@@ -44,11 +44,8 @@ static uint32_t sample_linear(const Samples *s, const uint32_t before[3], const 
 
 static void put_voxel(const Worksheet *sheet, const uint32_t at[3], uint32_t value)
 {
-    const uint32_t slab = at[2] / sheet->per_texel;
-    uint8_t *texel =
-        gp_surface_texel(&sheet->texels->level[0], 4, slab % sheet->columns * sheet->size + at[0],
-                         slab / sheet->columns * sheet->size + at[1]);
-    texel[at[2] % sheet->per_texel] = (uint8_t)value;
+    worksheet_texel(sheet, at[2] / sheet->per_texel, at[0], at[1])[at[2] % sheet->per_texel] =
+        (uint8_t)value;
 }
 
 Worksheet voxel_scan(Work *work, const uint8_t *samples, const uint32_t dims[3],
@@ -84,7 +81,7 @@ uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3])
     return ((uint32_t)ceil(longest) + 7) / 8 * 8;
 }
 
-/* --- slopes ------------------------------------------------------------------------------------- */
+/* --- slopes ----------------------------------------------------------------------------------- */
 
 Worksheet voxel_scan_slopes(Work *work, const Worksheet *scan)
 {

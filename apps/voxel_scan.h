@@ -14,8 +14,8 @@ Worksheet voxel_scan(Work *work, const uint8_t *samples, const uint32_t dims[3],
 /* Size of the smallest volume that holds a scan, a multiple of 8. */
 uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3]);
 
-/* Appends the pass that finds the slopes of a scan, once for all pictures of it: a sheet of one voxel a
- * texel, its size 512 at most. */
+/* Appends the pass that finds the slopes of a scan, once for all pictures of it: a sheet of one
+ * voxel a texel, its size 512 at most. */
 Worksheet voxel_scan_slopes(Work *work, const Worksheet *scan);
 
 #endif

@@ -1,8 +1,11 @@
-/* The exact voxels of a model, as bounds: found when a volume is first held against them, and kept. */
+/* What is true of a model: its exact voxels at a size, as bounds; its surface and its inside, at no
+ * size. Found when a volume is first held against them, and kept. */
 #ifndef APPS_VOXEL_TRUTHS_H
 #define APPS_VOXEL_TRUTHS_H
 
 #include "apps/voxel_scene.h"
+#include "tests/truth/voxel_distance.h"
+#include "tests/truth/voxel_probes.h"
 
 /* Volumes of bits between two that are exact: what must be set, and what may be. In between lie the
  * voxels that rounding decides. */
@@ -24,11 +27,22 @@ typedef struct VoxelTruth {
 typedef struct VoxelTruths {
     VoxelTruth truths[VOXEL_MAX_TRUTHS];
     int count;
+    bool has_distance, has_probes;
+    VoxelDistance distance;
+    VoxelProbes probes;
 } VoxelTruths;
 
 /* The truth of a kind and a size: kept, or found now. NULL without memory, or without room. */
 const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
                                     VoxelTruthKind kind, uint32_t size);
+
+/* How far a volume of `size` is from the model's surface, and the surface from it: the larger of both
+ * (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In
+ * thousandths, of the model's longest side and of its enclosed volume. NaN without memory. */
+double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+                             const uint8_t *bits);
+double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+                                 const uint8_t *bits);
 
 void voxel_truths_free(VoxelTruths *truths); /* zeroes it; a zeroed one is fine */
 

@@ -1,6 +1,6 @@
 #include "apps/voxel_view.h"
 
-#include "apps/voxel_slices.h"
+#include "apps/view_slices.h"
 #include "shaders_c/voxel_blocks.h"
 #include "shaders_c/voxel_combine.h"
 #include "shaders_c/voxel_light.h"
@@ -23,7 +23,7 @@ typedef struct ViewBuild {
     Work *work;
     uint32_t width, height;
     double aspect;
-    VoxelSlices slices;
+    ViewSlices slices;
     GpSurface *blocks;
     GpSurface *found, *depth; /* the voxel that each pixel shows; NULL until drawn */
 } ViewBuild;
@@ -68,13 +68,13 @@ Camera voxel_camera_around(uint32_t size, double azimuth, double elevation)
 
 uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double aspect)
 {
-    VoxelSlices slices;
+    ViewSlices slices;
     GpError error;
-    return voxel_slices_find(range, camera, aspect, &slices, &error) ? 0
-                                                                     : voxel_slices_count(&slices);
+    return view_slices_find(range, camera, aspect, &slices, &error) ? 0
+                                                                    : view_slices_count(&slices);
 }
 
-/* --- blocks ------------------------------------------------------------------------------------- */
+/* --- blocks ----------------------------------------------------------------------------------- */
 
 static void find_blocks(ViewBuild *build)
 {
@@ -97,13 +97,13 @@ static void find_blocks(ViewBuild *build)
     work_draw(work, &voxel_blocks_program, own, &worksheet_cover)->textures[0].surface = rows;
 }
 
-/* --- slices ------------------------------------------------------------------------------------- */
+/* --- slices ----------------------------------------------------------------------------------- */
 
-static VoxelSlicesUniforms slices_uniforms(const ViewBuild *build)
+static VoxelViewUniforms slices_uniforms(const ViewBuild *build)
 {
     const VoxelView *view = build->view;
     const VoxelPaint *paints[3] = { &view->paint, &view->second_paint, &view->hit_paint };
-    VoxelSlicesUniforms uniforms = voxel_slices_uniforms(&build->slices, build->aspect);
+    VoxelViewUniforms uniforms = view_slices_uniforms(&build->slices, build->aspect);
     uniforms.sheet = worksheet_layout(build->sheet);
     uniforms.block_columns = (float)build->blocks->height;
     uniforms.blocks_width = (float)build->blocks->width;
@@ -119,8 +119,8 @@ static VoxelSlicesUniforms slices_uniforms(const ViewBuild *build)
 static GpDraw *draw_slices(const ViewBuild *build, const GpProgram *one, const GpProgram *two,
                            bool nearest_first)
 {
-    const VoxelSlicesUniforms uniforms = slices_uniforms(build);
-    const GpGeometry quads = voxel_slices_quads(build->work, &build->slices, nearest_first);
+    const VoxelViewUniforms uniforms = slices_uniforms(build);
+    const GpGeometry quads = view_slices_quads(build->work, &build->slices, nearest_first);
     GpDraw *draw = work_draw(build->work, build->view->second ? two : one,
                              work_copy(build->work, &uniforms, sizeof uniforms), &quads);
     draw->textures[0].surface = build->sheet->texels;
@@ -139,7 +139,7 @@ static void find_voxels(ViewBuild *build)
     draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
 }
 
-/* --- light -------------------------------------------------------------------------------------- */
+/* --- light ------------------------------------------------------------------------------------ */
 
 /* Smoothed density of every pattern of six voxels in a row, and its slope. */
 static GpSurface *make_run_table(Work *work)
@@ -215,7 +215,7 @@ static void light_found(const ViewBuild *build)
     light_voxels(build, view->second, &view->second_paint, VOXEL_KIND_SECOND, table);
 }
 
-/* --- haze --------------------------------------------------------------------------------------- */
+/* --- haze ------------------------------------------------------------------------------------- */
 
 static GpSurface *make_ramp(Work *work, const uint8_t *transfer)
 {
@@ -244,7 +244,7 @@ static GpDraw *draw_scan(const ViewBuild *build)
         uniforms.light[k] = light.light[k];
         uniforms.to_eye[k] = -light.at[k];
     }
-    const GpGeometry quads = voxel_slices_quads(build->work, &build->slices, false);
+    const GpGeometry quads = view_slices_quads(build->work, &build->slices, false);
     const bool mixed = view->mode == VOXEL_TRANSPARENT;
     GpDraw *draw = work_draw(build->work, mixed ? &voxel_scan_mixed_program : &voxel_scan_program,
                              work_copy(build->work, &uniforms, sizeof uniforms), &quads);
@@ -308,7 +308,7 @@ GpResult voxel_view_build(const Worksheet *sheet, const VoxelView *view, uint32_
     const VoxelRange range = anywhere ? voxel_range_whole(sheet->size) : view->range;
     GpResult result = check_view(sheet, view, error);
     if (!result)
-        result = voxel_slices_find(&range, &view->camera, build.aspect, &build.slices, error);
+        result = view_slices_find(&range, &view->camera, build.aspect, &build.slices, error);
     if (result)
         return result;
     work->color = work_surface(work, GP_A8R8G8B8, width, height, 1);

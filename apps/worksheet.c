@@ -68,22 +68,25 @@ WorksheetLayout worksheet_layout(const Worksheet *sheet)
                               .height = (float)sheet->texels->height };
 }
 
+WorksheetSlab worksheet_slab(const Worksheet *sheet, uint32_t slab)
+{
+    return (WorksheetSlab){ .size = (float)sheet->size, .base = (float)(slab * sheet->per_texel) };
+}
+
 GpPass *worksheet_pass(Work *work, const char *name, const Worksheet *sheet)
 {
     return work_pass(work, name, sheet->texels, NULL, (const float[4]){ 0, 0, 0, 0 });
 }
 
-/* --- voxels ------------------------------------------------------------------------------------- */
+/* --- voxels ----------------------------------------------------------------------------------- */
 
-static uint32_t texel_at(const Worksheet *sheet, uint32_t slab, uint32_t x, uint32_t y)
+const int worksheet_channel[4] = { 2, 1, 0, 3 };
+
+uint8_t *worksheet_texel(const Worksheet *sheet, uint32_t slab, uint32_t x, uint32_t y)
 {
-    const GpLevel *level = &sheet->texels->level[0];
-    uint32_t word;
-    memcpy(&word,
-           gp_surface_texel(level, sizeof word, slab % sheet->columns * sheet->size + x,
-                            slab / sheet->columns * sheet->size + y),
-           sizeof word);
-    return word;
+    return gp_surface_texel(&sheet->texels->level[0], sizeof(uint32_t),
+                            slab % sheet->columns * sheet->size + x,
+                            slab / sheet->columns * sheet->size + y);
 }
 
 size_t worksheet_bytes(const Worksheet *sheet)
@@ -110,7 +113,8 @@ void worksheet_read(const Worksheet *sheet, uint8_t *voxels)
     for (uint32_t slab = 0; slab < sheet->slabs; slab++)
         for (uint32_t y = 0; y < size; y++)
             for (uint32_t x = 0; x < size; x++) {
-                uint32_t word = texel_at(sheet, slab, x, y), z = slab * sheet->per_texel;
+                uint32_t word, z = slab * sheet->per_texel;
+                memcpy(&word, worksheet_texel(sheet, slab, x, y), sizeof word);
                 for (; word && z < size; z++, word >>= bits)
                     if (word & mask)
                         put_voxel(voxels, x + size * (y + (size_t)size * z), bits, word & mask);

@@ -1,6 +1,6 @@
-/* Volumes as worksheets: flat textures that passes draw into and shaders read (shaders_c/worksheet.h
- * tells the layout). Every method of voxelization ends in one; CSG, collision and pictures begin with
- * one. */
+/* Volumes as worksheets: flat textures that passes draw into and shaders read
+ * (shaders_c/worksheet.h tells the layout). Every method of voxelization ends in one; CSG,
+ * collision and pictures begin with one. */
 #ifndef APPS_WORKSHEET_H
 #define APPS_WORKSHEET_H
 
@@ -15,7 +15,8 @@ typedef struct Worksheet {
     uint32_t slabs, columns; /* patches in all, and in a row */
 } Worksheet;
 
-/* Whether a volume fits a surface: size 8..1024, bits 1, 8 or 16, at most GP_MAX_SIZE texels a side.
+/* Whether a volume fits a surface: size 8..1024, bits 1, 8 or 16, at most GP_MAX_SIZE texels a
+ * side.
  * errors GP_ERROR_INVALID, with what does fit */
 GpResult worksheet_check(uint32_t size, uint32_t bits, GpError *error);
 
@@ -28,12 +29,20 @@ Worksheet worksheet_make_slabs(Work *work, uint32_t size, uint32_t bits, uint32_
 /* The patch of a slab as a viewport, which keeps what is drawn inside it. */
 GpViewport worksheet_patch(const Worksheet *sheet, uint32_t slab);
 
+/* The word of the column (x, y) of a slab. */
+uint8_t *worksheet_texel(const Worksheet *sheet, uint32_t slab, uint32_t x, uint32_t y);
+
+/* The channel, from red 0 to alpha 3, of each byte of a word; also the byte of each channel, since
+ * red and blue change places. */
+extern const int worksheet_channel[4];
+
 /* A triangle that covers the viewport: shaders_c/cover_surface.h. One, so that no tile is cut by a
  * diagonal. */
 extern const GpGeometry worksheet_cover;
 
 /* What shaders need to know of it. */
 WorksheetLayout worksheet_layout(const Worksheet *sheet);
+WorksheetSlab worksheet_slab(const Worksheet *sheet, uint32_t slab);
 
 /* Appends a pass that draws into it, cleared to 0. The caller adds the draws. */
 GpPass *worksheet_pass(Work *work, const char *name, const Worksheet *sheet);

@@ -1,5 +1,5 @@
-/* Drawing all pixels of the viewport by one triangle, apps/worksheet.h's worksheet_cover. For shader
- * files only. */
+/* Drawing all pixels of the viewport by one triangle, apps/worksheet.h's worksheet_cover. For
+ * shader files only. */
 #ifndef SHADERS_COVER_SURFACE_H
 #define SHADERS_COVER_SURFACE_H
 

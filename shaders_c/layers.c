@@ -4,7 +4,7 @@
 #include "pipeline/shader.h"
 #include "shaders_c/layers.h"
 
-/* --- peeling ------------------------------------------------------------------------------------ */
+/* --- peeling ---------------------------------------------------------------------------------- */
 
 typedef struct Vertex {
     float3 position, normal;
@@ -54,11 +54,11 @@ pixel_shader(peel_next_ps, PeelUniforms, Varying)
 program(peel_first_program, peel_vs, peel_first_ps, PEEL_DECLARATIONS)
 program(peel_next_program, peel_vs, peel_next_ps, PEEL_DECLARATIONS, .local_reads = 1 << 0,
         .may_discard = true)
-    /* clang-format on */
+/* clang-format on */
 
-    /* --- putting together --------------------------------------------------------------------------- */
+/* --- putting together ------------------------------------------------------------------------- */
 
-    typedef struct Corner {
+typedef struct Corner {
     float3 position;
 } Corner;
 

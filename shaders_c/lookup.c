@@ -34,6 +34,6 @@ program(lookup_program, lookup_vs, lookup_ps, .vertex_profile = GP_VS_3_0,
         .pixel_profile = GP_PS_3_0, .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 2 } },
         .varyings = { { "uv", 2, GP_PERSPECTIVE } }, .samplers = 1 << 0 | 1 << 1)
 
-    program(cut_out_program, lookup_vs, cut_out_ps, .vertex_profile = GP_VS_2_0,
-            .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 2 } },
-            .varyings = { { "uv", 2, GP_PERSPECTIVE } }, .samplers = 1 << 0, .may_discard = true)
+program(cut_out_program, lookup_vs, cut_out_ps, .vertex_profile = GP_VS_2_0,
+        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 2 } },
+        .varyings = { { "uv", 2, GP_PERSPECTIVE } }, .samplers = 1 << 0, .may_discard = true)

@@ -16,7 +16,7 @@ GP_INLINE flt square_radius(float2 sprite)
     return dp2(from_middle, from_middle);
 }
 
-/* --- spots on a sphere -------------------------------------------------------------------------- */
+/* --- spots on a sphere ------------------------------------------------------------------------ */
 
 typedef struct SoftVarying {
     float2 sprite;
@@ -45,9 +45,9 @@ program(soft_sprite_program, soft_sprite_vs, soft_sprite_ps, .vertex_profile = G
         .varyings = { { "sprite", 2, GP_PERSPECTIVE }, { "color", 3, GP_FLAT } },
         .may_discard = true, .writes_point_size = true)
 
-    /* --- spots of a sheet --------------------------------------------------------------------------- */
+/* --- spots of a sheet ------------------------------------------------------------------------- */
 
-    typedef struct SheetVarying {
+typedef struct SheetVarying {
     float2 sprite;
     flt value;
 } SheetVarying;

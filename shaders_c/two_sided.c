@@ -52,9 +52,9 @@ program(two_sided_program, two_sided_vs, two_sided_ps, .vertex_profile = GP_VS_2
         .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
         .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } })
 
-    /* --- shadows ------------------------------------------------------------------------------------ */
+/* --- shadows ------------------------------------------------------------------------------------ */
 
-    vertex_shader(shadow_vs, TwoSidedUniforms, Vertex, ShadowVarying)
+vertex_shader(shadow_vs, TwoSidedUniforms, Vertex, ShadowVarying)
 {
     *position = m4x4(in->position, c->mvp);
     out->normal = m3x3(in->normal, c->model);

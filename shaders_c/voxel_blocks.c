@@ -16,7 +16,8 @@ vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms, Vertex, Nothing)
     *position = rgba(in->position, 1);
 }
 
-/* The i-th of a block's ten voxels along an axis; those past the volume's sides stand for others. */
+/* The i-th of a block's ten voxels along an axis; those past the volume's sides stand for
+ * others. */
 GP_INLINE flt tenth(const VoxelBlocksUniforms *c, flt block, int i)
 {
     flt voxel = block * (float)VOXEL_BLOCK + (float)(i - 1);

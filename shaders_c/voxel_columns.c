@@ -1,10 +1,10 @@
-/* Surface voxels by columns, exactly: no triangle is lost for being small or steep, and none is drawn
- * more than once, but where it reaches from slab to slab. */
+/* Surface voxels by columns, exactly: no triangle is lost for being small or steep, and none is
+ * drawn more than once, but where it reaches from slab to slab. */
 #define GP_SHADER_PAIRS
 #include "pipeline/shader.h"
 #include "shaders_c/voxel_columns_surface.h"
 
-/* --- vertices ------------------------------------------------------------------------------------- */
+/* --- vertices --------------------------------------------------------------------------------- */
 
 /* A sprite over all columns of the volume that the triangle's box touches. Where it is wider than
  * high it is too large, and finds nothing in its other pixels. */
@@ -17,10 +17,11 @@ vertex_shader(voxel_sprite_vs, VoxelColumnsUniforms, Vertex, Varying)
     *point_size = triangle.side;
 }
 
-/* A corner of the rectangle along the triangle's longest edge, with room for the columns on its rim.
+/* A corner of the rectangle along the triangle's longest edge, with room for the columns on its
+ * rim.
  * DEVIATES: Hasselgren, Akenine-Moller and Ohlsson, "Conservative rasterization", GPU Gems 2, 2005,
- * ch. 42, move the triangle's own corners out, to infinity where it is a sliver. What a rectangle has
- * too much, the pixel shader cuts off, as theirs does outside the triangle's box. */
+ * ch. 42, move the triangle's own corners out, to infinity where it is a sliver. What a rectangle
+ * has too much, the pixel shader cuts off, as theirs does outside the triangle's box. */
 vertex_shader(voxel_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
 {
     Placed triangle = place_triangle(c, &in->triangle, out);
@@ -46,7 +47,20 @@ vertex_shader(voxel_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
     *position = sel(triangle.side > 0.0f, placed, vec4(2, 2, 0, 1)); /* 2: outside */
 }
 
-/* --- voxels that are touched ---------------------------------------------------------------------- */
+/* clang-format off */
+#define SPRITE_DECLARATIONS                                                                        \
+    .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                                       \
+    .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },                   \
+    .varyings = VOXEL_COLUMNS_VARYINGS, .writes_point_size = true, .uses_pixel = true
+
+#define RECTANGLE_DECLARATIONS                                                                     \
+    .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                                       \
+    .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 },                     \
+                { GP_TEXCOORD3, 1 } },                                                             \
+    .varyings = VOXEL_COLUMNS_VARYINGS, .uses_pixel = true
+/* clang-format on */
+
+/* --- voxels that are touched ------------------------------------------------------------------ */
 
 /* Bits first <= k < end. */
 GP_INLINE float2 touched_run(flt low, flt high)
@@ -66,22 +80,14 @@ pixel_shader(voxel_touched_ps, VoxelColumnsUniforms, Varying)
     return bits_between(run.x, sel(in_box(in, x, y) & in_edges(in, x, y), run.y, run.x));
 }
 
-program(voxel_touched_program, voxel_sprite_vs, voxel_touched_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0,
-        .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },
-        .varyings = VOXEL_COLUMNS_VARYINGS, .writes_point_size = true, .uses_pixel = true)
+program(voxel_touched_program, voxel_sprite_vs, voxel_touched_ps, SPRITE_DECLARATIONS)
 
-    program(voxel_touched_rectangle_program, voxel_rectangle_vs, voxel_touched_ps,
-            .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
-            .inputs = { { GP_TEXCOORD0, 3 },
-                        { GP_TEXCOORD1, 3 },
-                        { GP_TEXCOORD2, 3 },
-                        { GP_TEXCOORD3, 1 } },
-            .varyings = VOXEL_COLUMNS_VARYINGS, .uses_pixel = true)
+program(voxel_touched_rectangle_program, voxel_rectangle_vs, voxel_touched_ps,
+        RECTANGLE_DECLARATIONS)
 
-    /* --- the same in one column ------------------------------------------------------------------------- */
+/* --- the same in one column ------------------------------------------------------------------- */
 
-    typedef struct RunVarying {
+typedef struct RunVarying {
     float2 run; /* bits first <= k < end */
 } RunVarying;
 
@@ -104,10 +110,10 @@ program(voxel_touched_column_program, voxel_column_vs, voxel_column_ps, .vertex_
         .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },
         .varyings = { { "run", 2, GP_FLAT } }, .writes_point_size = true)
 
-    /* --- voxels that lines through middles meet ------------------------------------------------------- */
+/* --- voxels that lines through middles meet --------------------------------------------------- */
 
-    /* Bits first <= k < end, whole numbers; none: NOWHERE and -NOWHERE. */
-    typedef struct Run {
+/* Bits first <= k < end, whole numbers; none: NOWHERE and -NOWHERE. */
+typedef struct Run {
     flt first, end;
 } Run;
 
@@ -185,15 +191,7 @@ pixel_shader(voxel_sampled_ps, VoxelColumnsUniforms, Varying)
     return bits;
 }
 
-program(voxel_sampled_program, voxel_sprite_vs, voxel_sampled_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0,
-        .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },
-        .varyings = VOXEL_COLUMNS_VARYINGS, .writes_point_size = true, .uses_pixel = true)
+program(voxel_sampled_program, voxel_sprite_vs, voxel_sampled_ps, SPRITE_DECLARATIONS)
 
-    program(voxel_sampled_rectangle_program, voxel_rectangle_vs, voxel_sampled_ps,
-            .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
-            .inputs = { { GP_TEXCOORD0, 3 },
-                        { GP_TEXCOORD1, 3 },
-                        { GP_TEXCOORD2, 3 },
-                        { GP_TEXCOORD3, 1 } },
-            .varyings = VOXEL_COLUMNS_VARYINGS, .uses_pixel = true)
+program(voxel_sampled_rectangle_program, voxel_rectangle_vs, voxel_sampled_ps,
+        RECTANGLE_DECLARATIONS)

@@ -6,8 +6,8 @@
  * source Schwarz and Seidel, "Fast parallel surface and solid voxelization on GPUs", ACM TOG 29(6),
  *        2010, sections 3 and 4.1: their tests of a box, solved for z
  *
- * All of that is linear in x and y, and is found once a triangle. Every bound is then moved until all
- * three corners are within it: rounding may let a voxel in, but shuts none out. */
+ * All of that is linear in x and y, and is found once a triangle. Every bound is then moved until
+ * all three corners are within it: rounding may let a voxel in, but shuts none out. */
 #ifndef SHADERS_VOXEL_COLUMNS_SURFACE_H
 #define SHADERS_VOXEL_COLUMNS_SURFACE_H
 
@@ -66,17 +66,17 @@ GP_INLINE flt slope_of(flt rise, flt run)
     return rise * rcp(side_of(run) * max(abs_(run), abs_(rise) * (1.0f / STEEPEST)));
 }
 
-/* --- views along y and x: bounds of z by edges ------------------------------------------------------ */
+/* --- views along y and x: bounds of z by edges ------------------------------------------------ */
 
-/* An edge as z = at + slope * t, where t is x (or y); opposite: how much higher the third corner is.
- * above: the triangle is. */
+/* An edge as z = at + slope * t, where t is x (or y); opposite: how much higher the third corner
+ * is. above: the triangle is. */
 typedef struct Edge {
     flt at, slope, opposite;
     flt above; /* -1 or 1 */
 } Edge;
 
-/* A view: one edge bounds z from one side and two from the other. Mirrored, so that the one is always
- * below: with z' = mirror * z, single <= z' <= both of pair; each is at + slope * t. */
+/* A view: one edge bounds z from one side and two from the other. Mirrored, so that the one is
+ * always below: with z' = mirror * z, single <= z' <= both of pair; each is at + slope * t. */
 typedef struct View {
     float2 single;
     float4 pair;
@@ -129,7 +129,7 @@ GP_INLINE flt square_length(float3 a, float3 b)
     return x * x + y * y;
 }
 
-/* --- the plane, and edges seen along z ---------------------------------------------------------------- */
+/* --- the plane, and edges seen along z -------------------------------------------------------- */
 
 GP_INLINE float3 cross_edges(float3 a, float3 b, float3 c)
 {
@@ -157,7 +157,7 @@ GP_INLINE float3 see_from_above(float3 begin, float3 end, float3 third, flt turn
     return vec3(at + (abs_(x) + abs_(y)) * reach - min(opposite, 0), x, y);
 }
 
-/* --- vertices --------------------------------------------------------------------------------------- */
+/* --- vertices --------------------------------------------------------------------------------- */
 
 /* The triangle in the slab that it is drawn into. */
 typedef struct Placed {
@@ -208,7 +208,7 @@ GP_INLINE void describe_triangle(float3 a, float3 b, float3 c, float reach, Vary
     out->edge[2] = see_from_above(c, a, b, turn, reach);
 }
 
-/* --- pixels ----------------------------------------------------------------------------------------- */
+/* --- pixels ----------------------------------------------------------------------------------- */
 
 typedef struct Interval {
     flt low, high;

@@ -3,13 +3,10 @@
 #define SHADERS_VOXEL_FACES_H
 
 #include "pipeline/program.h"
+#include "shaders_c/worksheet.h"
 
-typedef struct VoxelFacesUniforms {
-    float size; /* voxels a side */
-    float base; /* the first voxel of the slab along z */
-} VoxelFacesUniforms;
-
-/* Covers a patch. Slot 2 a: depth seen along axis a, 2 a + 1: seen the other way, from there. */
+/* Covers a patch, with WorksheetSlab for uniforms. Slot 2 a: depth seen along axis a, 2 a + 1: seen
+ * the other way, from there. */
 extern const GpProgram voxel_faces_program;
 
 #endif

@@ -33,6 +33,6 @@ pixel_shader_targets(voxel_field_corner_ps, VoxelFieldUniforms, CoverVarying, Tw
 
 program(voxel_field_program, voxel_field_vs, voxel_field_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS, .samplers = 1 << 0)
-    program(voxel_field_corner_program, voxel_field_vs, voxel_field_corner_ps,
-            .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS,
-            .samplers = 1 << 0)
+program(voxel_field_corner_program, voxel_field_vs, voxel_field_corner_ps,
+        .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0)

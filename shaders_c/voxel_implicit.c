@@ -57,5 +57,5 @@ pixel_shader_targets(voxel_implicit_corner_ps, VoxelImplicitUniforms, CoverVaryi
 
 program(voxel_implicit_program, voxel_implicit_vs, voxel_implicit_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS)
-    program(voxel_implicit_corner_program, voxel_implicit_vs, voxel_implicit_corner_ps,
-            .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS)
+program(voxel_implicit_corner_program, voxel_implicit_vs, voxel_implicit_corner_ps,
+        .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS)

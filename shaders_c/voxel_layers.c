@@ -6,7 +6,7 @@
 #include "shaders_c/worksheet_surface.h"
 #include "shaders_c/voxel_layers.h"
 
-/* --- peeling ------------------------------------------------------------------------------------ */
+/* --- peeling ---------------------------------------------------------------------------------- */
 
 typedef struct Vertex {
     float3 position;
@@ -47,23 +47,23 @@ program(voxel_peel_first_program, voxel_peel_vs, voxel_peel_first_ps, PEEL_DECLA
         .writes_depth = true)
 program(voxel_peel_next_program, voxel_peel_vs, voxel_peel_next_ps, PEEL_DECLARATIONS,
         .local_reads = 1 << 0, .may_discard = true, .writes_depth = true)
-    /* clang-format on */
+/* clang-format on */
 
-    /* --- voxels ------------------------------------------------------------------------------------- */
+/* --- voxels ----------------------------------------------------------------------------------- */
 
-    vertex_shader(voxel_layer_vs, VoxelLayerUniforms, CoverVertex, CoverVarying)
+vertex_shader(voxel_layer_vs, WorksheetSlab, CoverVertex, CoverVarying)
 {
     *position = cover_position(in->corner);
     out->place = cover_place(in->corner);
 }
 
-pixel_shader(voxel_layer_ps, VoxelLayerUniforms, CoverVarying)
+pixel_shader(voxel_layer_ps, WorksheetSlab, CoverVarying)
 {
     flt voxel = floor_(texld(0, in->place).x * c->size) - c->base;
     return bits_between(voxel, voxel + 1.0f);
 }
 
-pixel_shader(voxel_between_ps, VoxelLayerUniforms, CoverVarying)
+pixel_shader(voxel_between_ps, WorksheetSlab, CoverVarying)
 {
     flt entry = texld(0, in->place).x * c->size, exit = texld(1, in->place).x;
     flt first = -floor_(0.5f - entry), end = floor_(exit * c->size + 0.5f);
@@ -79,4 +79,4 @@ program(voxel_layer_program, voxel_layer_vs, voxel_layer_ps, LAYER_DECLARATIONS,
         .samplers = 1 << 0)
 program(voxel_between_program, voxel_layer_vs, voxel_between_ps, LAYER_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1)
-    /* clang-format on */
+/* clang-format on */

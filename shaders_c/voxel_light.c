@@ -1,7 +1,7 @@
-/* Light on the voxels that slices have found: by the faces of their cubes, or smooth, by normals that
- * are the slope of the volume's density, smoothed over six voxels along each axis.
- * source normals from the volume's gradient: Levoy, "Display of surfaces from volume data", IEEE CG&A
- *        8(3), 1988; shading by Phong, "Illumination for computer generated pictures", 1975 */
+/* Light on the voxels that slices have found: by the faces of their cubes, or smooth, by normals
+ * that are the slope of the volume's density, smoothed over six voxels along each axis.
+ * source normals from the volume's gradient: Levoy, "Display of surfaces from volume data", IEEE
+ *        CG&A 8(3), 1988; shading by Phong, "Illumination for computer generated pictures", 1975 */
 #include "pipeline/shader.h"
 #include "shaders_c/voxel_light.h"
 #include "shaders_c/worksheet_surface.h"
@@ -22,7 +22,7 @@ vertex_shader(voxel_light_vs, VoxelLightUniforms, Vertex, Varying)
     out->way = add(u3(c->at), mul(aside, c->perspective));
 }
 
-/* --- where the ray enters ----------------------------------------------------------------------- */
+/* --- where the ray enters --------------------------------------------------------------------- */
 
 typedef struct Hit {
     float3 place, face; /* face: its normal */
@@ -49,13 +49,13 @@ GP_INLINE Hit enter_voxel(const Varying *in, float3 voxel)
     return hit;
 }
 
-/* --- smooth normals ------------------------------------------------------------------------------ */
+/* --- smooth normals --------------------------------------------------------------------------- */
 
 /* Slopes are taken so many voxels before the surface: from there its steps look lower. */
 #define BEFORE 1.0f
 
-/* (1 - d^2 / 9)^2 of the six voxels in a row around a place, and its slopes as the place moves: (slope,
- * value, value) along x, (value, slope, value) along y. 0 outside the volume. */
+/* (1 - d^2 / 9)^2 of the six voxels in a row around a place, and its slopes as the place moves:
+ * (slope, value, value) along x, (value, slope, value) along y. 0 outside the volume. */
 typedef struct Weights {
     float3 x[VOXEL_RUN], y[VOXEL_RUN];
 } Weights;
@@ -86,8 +86,8 @@ typedef struct RunPlace {
     float4 scale, middle; /* from bits to the table's coordinates */
 } RunPlace;
 
-/* What the bytes of a word count as parts of a run that begins in the channel-th: the first as it is,
- * the next 256 times. Bytes are read as b / 255. */
+/* What the bytes of a word count as parts of a run that begins in the channel-th: the first as it
+ * is, the next 256 times. Bytes are read as b / 255. */
 GP_INLINE float4 count_bytes(flt channel)
 {
     float4 from_first = sub(vec4(2, 1, 0, 3), channel); /* red, green, blue, alpha */
@@ -115,8 +115,8 @@ GP_INLINE RunPlace place_run(const VoxelLightUniforms *c, float3 first, flt past
                        .middle = vec4(scale * 0.5f, past + 0.5f / (float)VOXEL_RUN_ROWS, 0, 0) };
 }
 
-/* Density, density, and its slope along z, of the six voxels of a column. The table repeats, so that
- * bits above the six do not matter; those below stay within a column of it. */
+/* Density, density, and its slope along z, of the six voxels of a column. The table repeats, so
+ * that bits above the six do not matter; those below stay within a column of it. */
 GP_INLINE float3 read_run(GpInvocation *gp, const RunPlace *run, float4 words)
 {
     float4 low = texld(1, vec2(words.x, words.y)), high = texld(1, vec2(words.z, words.w));
@@ -144,7 +144,7 @@ GP_INLINE float3 density_slope(GpInvocation *gp, const VoxelLightUniforms *c, fl
     return slope;
 }
 
-/* --- light -------------------------------------------------------------------------------------- */
+/* --- light ------------------------------------------------------------------------------------ */
 
 #define AMBIENT   0.28f
 #define DIFFUSE   0.72f

@@ -21,9 +21,9 @@ extern const GpProgram voxel_light_faces_program; /* faces of cubes */
 /* Normals by the slope of a smoothed volume: slot 1 is the worksheet, slot 2 the table of runs. */
 extern const GpProgram voxel_light_smooth_program;
 
-/* The table: column b, row f hold the smoothed density of six voxels in a row, of which bit k of b says
- * whether the k-th is there, at a place f / VOXEL_RUN_ROWS past the third one's middle: red and
- * green; and its slope: blue. */
+/* The table: column b, row f hold the smoothed density of six voxels in a row, of which bit k of b
+ * says whether the k-th is there, at a place f / VOXEL_RUN_ROWS past the third one's middle: red
+ * and green; and its slope: blue. */
 enum { VOXEL_RUN = 6, VOXEL_RUN_PATTERNS = 64, VOXEL_RUN_ROWS = 64 };
 
 #endif

@@ -1,8 +1,8 @@
 /* Parametric surfaces, point by point.
  * source Dong, Chen, Bao, Zhang and Peng, "Real-time voxelization for complex polygonal models",
  *        Pacific Graphics 2004: parametric surfaces by points evaluated in the vertex shader */
-#include "shaders_c/voxel_points_surface.h"
 #include "shaders_c/voxel_parametric.h"
+#include "shaders_c/voxel_points_surface.h"
 
 typedef struct Vertex {
     float2 uv;
@@ -10,16 +10,11 @@ typedef struct Vertex {
 
 #define TURN 6.28318530717958647692f
 
-GP_INLINE float3 to_voxels(const VoxelParametricUniforms *c, float3 position)
-{
-    return mad(position, c->scale, u3(c->offset));
-}
-
 vertex_shader(voxel_sphere_vs, VoxelParametricUniforms, Vertex, PointVarying)
 {
     float2 around = sincos_(in->uv.x * TURN), up = sincos_((in->uv.y - 0.5f) * (TURN / 2));
     float3 place = mul(vec3(around.x * up.x, up.y, around.y * up.x), c->radius);
-    *position = set_voxel(&c->sheet, to_voxels(c, place), out, point_size);
+    *position = set_voxel(&c->place, place, out, point_size);
 }
 
 /* A place at a distance from the axis, in a direction round it. */
@@ -32,7 +27,7 @@ vertex_shader(voxel_torus_vs, VoxelParametricUniforms, Vertex, PointVarying)
 {
     float2 tube = mul(sincos_(in->uv.y * TURN), c->width);
     float3 place = round_axis(tube.x + c->radius, tube.y, sincos_(in->uv.x * TURN));
-    *position = set_voxel(&c->sheet, to_voxels(c, place), out, point_size);
+    *position = set_voxel(&c->place, place, out, point_size);
 }
 
 /* A band that makes half a turn about itself on its way round. */
@@ -40,7 +35,7 @@ vertex_shader(voxel_moebius_vs, VoxelParametricUniforms, Vertex, PointVarying)
 {
     float2 half_turn = mul(sincos_(in->uv.x * (TURN / 2)), (in->uv.y - 0.5f) * c->width);
     float3 place = round_axis(half_turn.x + c->radius, half_turn.y, sincos_(in->uv.x * TURN));
-    *position = set_voxel(&c->sheet, to_voxels(c, place), out, point_size);
+    *position = set_voxel(&c->place, place, out, point_size);
 }
 
 /* A figure of eight that does. */
@@ -50,7 +45,7 @@ vertex_shader(voxel_klein_vs, VoxelParametricUniforms, Vertex, PointVarying)
     flt wide = sin_(in->uv.y * TURN), high = sin_(in->uv.y * (2 * TURN));
     float3 place = round_axis(half_turn.x * wide - half_turn.y * high + c->radius,
                               half_turn.y * wide + half_turn.x * high, sincos_(in->uv.x * TURN));
-    *position = set_voxel(&c->sheet, to_voxels(c, place), out, point_size);
+    *position = set_voxel(&c->place, place, out, point_size);
 }
 
 GP_INLINE float4 bernstein(flt t)
@@ -71,7 +66,7 @@ vertex_shader(voxel_bezier_vs, VoxelParametricUniforms, Vertex, PointVarying)
         along = mad(u3(p[0]), by_u.x, along);
         place = mad(along, row_weight[row], place);
     }
-    *position = set_voxel(&c->sheet, to_voxels(c, place), out, point_size);
+    *position = set_voxel(&c->place, place, out, point_size);
 }
 
 pixel_shader(voxel_parametric_ps, VoxelParametricUniforms, PointVarying)
@@ -87,4 +82,4 @@ program(voxel_torus_program, voxel_torus_vs, voxel_parametric_ps, DECLARATIONS)
 program(voxel_moebius_program, voxel_moebius_vs, voxel_parametric_ps, DECLARATIONS)
 program(voxel_klein_program, voxel_klein_vs, voxel_parametric_ps, DECLARATIONS)
 program(voxel_bezier_program, voxel_bezier_vs, voxel_parametric_ps, DECLARATIONS)
-    /* clang-format on */
+/* clang-format on */

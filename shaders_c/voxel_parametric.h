@@ -1,14 +1,12 @@
-/* Parametric surfaces as voxels: points whose place the vertex shader computes. Drawn as points into a
- * whole worksheet, blended with GP_BLEND_LOGIC_OR. */
+/* Parametric surfaces as voxels: points whose place the vertex shader computes. Drawn as points
+ * into a whole worksheet, blended with GP_BLEND_LOGIC_OR. */
 #ifndef SHADERS_VOXEL_PARAMETRIC_H
 #define SHADERS_VOXEL_PARAMETRIC_H
 
-#include "pipeline/program.h"
-#include "shaders_c/worksheet.h"
+#include "shaders_c/voxel_points.h"
 
 typedef struct VoxelParametricUniforms {
-    WorksheetLayout sheet;
-    float scale, offset[3]; /* voxels = scale * position + offset */
+    VoxelPointsUniforms place;
     float radius, width;    /* of the surface, see there */
     float control[4][4][3]; /* of a patch: row by v, column by u */
 } VoxelParametricUniforms;

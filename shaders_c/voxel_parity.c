@@ -1,14 +1,15 @@
 /* Solid voxels in one pass over the geometry.
  * source Eisemann and Decoret, "Single-pass GPU solid voxelization for real-time applications",
- *        Graphics Interface 2008. DEVIATES: they turn over all slabs that a fragment lies above; here
- *        it turns over its own group of slabs only, and the others follow once for all fragments. */
+ *        Graphics Interface 2008. DEVIATES: they turn over all slabs that a fragment lies above;
+ *        here it turns over its own group of slabs only, and the others follow once for all
+ *        fragments. */
 #include "pipeline/shader.h"
 #include "shaders_c/cover_surface.h"
 #include "shaders_c/voxel_parity.h"
 #include "shaders_c/voxel_motion_surface.h"
 #include "shaders_c/worksheet_surface.h"
 
-/* --- turning over what is below ---------------------------------------------------------------------- */
+/* --- turning over what is below --------------------------------------------------------------- */
 
 typedef struct Vertex {
     float3 position;
@@ -44,9 +45,9 @@ program(voxel_parity_program, voxel_parity_vs, voxel_parity_ps, .vertex_profile 
         .pixel_profile = GP_PS_2_A, .inputs = { { GP_POSITION, 3 } },
         .varyings = { { "height", 1, GP_LINEAR_SCREEN } })
 
-    /* --- all slabs ------------------------------------------------------------------------------------------ */
+/* --- all slabs -------------------------------------------------------------------------------- */
 
-    vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms, CoverVertex, CoverVarying)
+vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms, CoverVertex, CoverVarying)
 {
     *position = cover_position(in->corner);
     out->place = cover_place(in->corner);

@@ -1,5 +1,5 @@
-/* Solid voxels by parity: a voxel is inside where the number of surfaces above its middle is odd. Each
- * fragment turns over all bits below it. */
+/* Solid voxels by parity: a voxel is inside where the number of surfaces above its middle is odd.
+ * Each fragment turns over all bits below it. */
 #ifndef SHADERS_VOXEL_PARITY_H
 #define SHADERS_VOXEL_PARITY_H
 

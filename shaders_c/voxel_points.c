@@ -1,6 +1,6 @@
 /* Each point sets the voxel that it lies in. */
-#include "shaders_c/voxel_points_surface.h"
 #include "shaders_c/voxel_points.h"
+#include "shaders_c/voxel_points_surface.h"
 
 typedef struct Vertex {
     float3 position;
@@ -8,8 +8,7 @@ typedef struct Vertex {
 
 vertex_shader(voxel_points_vs, VoxelPointsUniforms, Vertex, PointVarying)
 {
-    float3 place = mad(in->position, c->scale, u3(c->offset));
-    *position = set_voxel(&c->sheet, place, out, point_size);
+    *position = set_voxel(c, in->position, out, point_size);
 }
 
 pixel_shader(voxel_points_ps, VoxelPointsUniforms, PointVarying)

@@ -2,17 +2,19 @@
 #ifndef SHADERS_VOXEL_POINTS_SURFACE_H
 #define SHADERS_VOXEL_POINTS_SURFACE_H
 
+#include "shaders_c/voxel_points.h"
 #include "shaders_c/worksheet_surface.h"
 
 typedef struct PointVarying {
     float4 bit; /* the voxel's, as a colour */
 } PointVarying;
 
-/* The texel of a place in voxels, in clip space; no size where the volume ends before. */
-GP_INLINE float4 set_voxel(const WorksheetLayout *sheet, float3 place, PointVarying *out,
+/* The texel of a position's voxel, in clip space; no size where the volume ends before. */
+GP_INLINE float4 set_voxel(const VoxelPointsUniforms *c, float3 position, PointVarying *out,
                            flt *point_size)
 {
-    float3 voxel = floor_(place);
+    const WorksheetLayout *sheet = &c->sheet;
+    float3 voxel = floor_(mad(position, c->scale, u3(c->offset)));
     flt slab = floor_(voxel.z * (1.0f / 32)), bit = voxel.z - slab * 32.0f;
     flt low = min(min(voxel.x, voxel.y), voxel.z), high = max(max(voxel.x, voxel.y), voxel.z);
     *point_size = sge(low, 0) * slt(high, sheet->size);

@@ -1,8 +1,8 @@
-/* The printed scan: along a row of voxels the state turns from outside to inside, and back, at every
- * voxel that the surface crosses; those voxels themselves count as inside.
+/* The printed scan: along a row of voxels the state turns from outside to inside, and back, at
+ * every voxel that the surface crosses; those voxels themselves count as inside.
  * source Dong et al., Pacific Graphics 2004, solid voxelization: rows are scanned voxel by voxel.
- *        DEVIATES: eight at a read, by a table; and a first pass finds how each texel's part of a row
- *        ends, so that the second needs not wait from slab to slab. */
+ *        DEVIATES: eight at a read, by a table; and a first pass finds how each texel's part of a
+ *        row ends, so that the second needs not wait from slab to slab. */
 #include "pipeline/shader.h"
 #include "shaders_c/cover_surface.h"
 #include "shaders_c/voxel_rows.h"
@@ -40,7 +40,7 @@ pixel_shader(voxel_row_ends_ps, VoxelRowsUniforms, CoverVarying)
 program(voxel_row_ends_program, voxel_rows_vs, voxel_row_ends_ps, .vertex_profile = GP_VS_3_0,
         .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1)
 
-    pixel_shader(voxel_rows_ps, VoxelRowsUniforms, CoverVarying)
+pixel_shader(voxel_rows_ps, VoxelRowsUniforms, CoverVarying)
 {
     float3 at = texel_column(&c->sheet, vpos());
     float2 place =

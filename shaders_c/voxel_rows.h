@@ -13,8 +13,8 @@ typedef struct VoxelRowsUniforms {
 } VoxelRowsUniforms;
 
 /* To be drawn over the whole of a sheet. Slot 0: the sheet of crossings. Slot 1: the scan of eight
- * voxels, 256 x 2: at (s, t) what byte s fills, begun outside (t = 0) or inside (1), is red, and where
- * it ends is green. Slot 2: what the first program made. */
+ * voxels, 256 x 2: at (s, t) what byte s fills, begun outside (t = 0) or inside (1), is red, and
+ * where it ends is green. Slot 2: what the first program made. */
 extern const GpProgram voxel_row_ends_program; /* red: 1 where a texel's crossings are odd */
 extern const GpProgram voxel_rows_program;     /* the inside */
 

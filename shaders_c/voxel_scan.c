@@ -6,7 +6,7 @@
 #include "shaders_c/voxel_scan.h"
 #include "shaders_c/voxel_view_surface.h"
 
-/* --- slopes ------------------------------------------------------------------------------------- */
+/* --- slopes ----------------------------------------------------------------------------------- */
 
 typedef struct Corner {
     float3 position;
@@ -49,12 +49,7 @@ program(voxel_slopes_program, voxel_slopes_vs, voxel_slopes_ps, .vertex_profile 
         .pixel_profile = GP_PS_3_0, .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0,
         .uses_pixel = true)
 
-    /* --- slices ------------------------------------------------------------------------------------- */
-
-    typedef struct Vertex {
-    float3 position;
-    flt layer;
-} Vertex;
+/* --- slices ----------------------------------------------------------------------------------- */
 
 typedef struct Varying {
     SlabRay ray;
@@ -62,7 +57,7 @@ typedef struct Varying {
     flt fading; /* log2 of the light that a way of one voxel of the model leaves */
 } Varying;
 
-vertex_shader(voxel_scan_vs, VoxelScanUniforms, Vertex, Varying)
+vertex_shader(voxel_scan_vs, VoxelScanUniforms, SlabVertex, Varying)
 {
     *position = m4x4(in->position, c->slices.to_clip);
     out->ray = slab_ray(&c->slices, in->position, in->layer);

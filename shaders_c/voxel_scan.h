@@ -8,12 +8,12 @@ typedef struct VoxelSlopesUniforms {
     WorksheetLayout scan, slopes;
 } VoxelSlopesUniforms;
 
-/* One triangle around a worksheet of one voxel a texel: red, green and blue are the direction in which
- * samples fall off, alpha is the sample. Slot 0: the scan, read by points. */
+/* One triangle around a worksheet of one voxel a texel: red, green and blue are the direction in
+ * which samples fall off, alpha is the sample. Slot 0: the scan, read by points. */
 extern const GpProgram voxel_slopes_program;
 
 typedef struct VoxelScanUniforms {
-    VoxelSlicesUniforms slices; /* of the voxels; thickness and the rest of the scan too */
+    VoxelViewUniforms slices; /* of the voxels; thickness and the rest of the scan too */
     WorksheetLayout slopes;
     float light[3];  /* towards it, unit length; x, y, z */
     float to_eye[3]; /* from the volume's middle */

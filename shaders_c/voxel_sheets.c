@@ -34,7 +34,7 @@ program(voxel_bits_program, voxel_place_vs, voxel_bits_ps, .vertex_profile = GP_
         .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
         .varyings = { { "depth", 1, GP_PERSPECTIVE } }, .samplers = 1 << 0)
 
-    pixel_shader_targets(voxel_density_ps, VoxelSheetsUniforms, Varying, Targets)
+pixel_shader_targets(voxel_density_ps, VoxelSheetsUniforms, Varying, Targets)
 {
     put_value(c, in->depth, bcast(c->offset), out);
 }

@@ -1,8 +1,8 @@
-/* The synthesis of worksheets: what belongs at a texel stands in as many texels of the other sheet as
- * a texel has voxels, one below, or beside, the other.
- * source Dong et al., Pacific Graphics 2004: lookup tables for places and for bits. DEVIATES: theirs
- *        is a map of every place to every place; ours has an entry for each depth, since what is left
- *        is a turn. */
+/* The synthesis of worksheets: what belongs at a texel stands in as many texels of the other sheet
+ * as a texel has voxels, one below, or beside, the other.
+ * source Dong et al., Pacific Graphics 2004: lookup tables for places and for bits. DEVIATES:
+ *        theirs is a map of every place to every place; ours has an entry for each depth, since
+ *        what is left is a turn. */
 #include "pipeline/shader.h"
 #include "shaders_c/cover_surface.h"
 #include "shaders_c/voxel_turn.h"
@@ -72,8 +72,8 @@ program(voxel_found_program, voxel_turn_vs, voxel_found_ps, .vertex_profile = GP
         .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1,
         .uses_pixel = true)
 
-    /* Most of a surface's volume is empty: there no bits are looked for. */
-    pixel_shader(voxel_turn_bits_ps, VoxelTurnUniforms, CoverVarying)
+/* Most of a surface's volume is empty: there no bits are looked for. */
+pixel_shader(voxel_turn_bits_ps, VoxelTurnUniforms, CoverVarying)
 {
     float3 at = texel_column(&c->sheet, vpos());
     Column column = column_here(gp, c, at);
@@ -99,7 +99,7 @@ program(voxel_turn_bits_program, voxel_turn_vs, voxel_turn_bits_ps, .vertex_prof
         .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1 | 1 << 2 | 1 << 3, .uses_pixel = true)
 
-    pixel_shader(voxel_turn_bytes_ps, VoxelTurnUniforms, CoverVarying)
+pixel_shader(voxel_turn_bytes_ps, VoxelTurnUniforms, CoverVarying)
 {
     Column column = column_here(gp, c, texel_column(&c->sheet, vpos()));
     float4 mask = byte_mask(column.byte);
@@ -111,7 +111,7 @@ program(voxel_turn_bytes_program, voxel_turn_vs, voxel_turn_bytes_ps, .vertex_pr
         .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1,
         .uses_pixel = true)
 
-    pixel_shader(voxel_turn_pairs_ps, VoxelTurnUniforms, CoverVarying)
+pixel_shader(voxel_turn_pairs_ps, VoxelTurnUniforms, CoverVarying)
 {
     Column column = column_here(gp, c, texel_column(&c->sheet, vpos()));
     float4 first = read_voxel(gp, &column, 0), second = read_voxel(gp, &column, 1);

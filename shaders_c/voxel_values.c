@@ -12,7 +12,7 @@ typedef struct Varying {
     float3 value;
 } Varying;
 
-/* --- normals ------------------------------------------------------------------------------------ */
+/* --- normals ---------------------------------------------------------------------------------- */
 
 vertex_shader(voxel_normals_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
@@ -44,9 +44,9 @@ program(voxel_normals_program, voxel_normals_vs, voxel_normals_ps, .vertex_profi
         .pixel_profile = GP_PS_2_B, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
         .varyings = { { "depth", 1, GP_PERSPECTIVE }, { "value", 3, GP_PERSPECTIVE } })
 
-    /* --- colours ------------------------------------------------------------------------------------ */
+/* --- colours ---------------------------------------------------------------------------------- */
 
-    vertex_shader(voxel_colors_vs, VoxelSheetsUniforms, Vertex, Varying)
+vertex_shader(voxel_colors_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
     float3 place = m4x3(in->position, c->to_sheet);
     *position = patch_position(c, place);

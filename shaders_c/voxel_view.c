@@ -9,17 +9,12 @@
 #include "shaders_c/voxel_view.h"
 #include "shaders_c/voxel_view_surface.h"
 
-typedef struct Vertex {
-    float3 position;
-    flt layer;
-} Vertex;
-
 typedef struct Varying {
     SlabRay ray;
     float3 fading; /* log2 of the light that a way of one voxel leaves, for each kind */
 } Varying;
 
-vertex_shader(voxel_slice_vs, VoxelSlicesUniforms, Vertex, Varying)
+vertex_shader(voxel_view_vs, VoxelViewUniforms, SlabVertex, Varying)
 {
     *position = m4x4(in->position, c->to_clip);
     out->ray = slab_ray(c, in->position, in->layer);
@@ -27,9 +22,9 @@ vertex_shader(voxel_slice_vs, VoxelSlicesUniforms, Vertex, Varying)
                        log_(bcast(1 - c->colors[2][3])));
 }
 
-/* --- the voxel that is met first ---------------------------------------------------------------- */
+/* --- the voxel that is met first -------------------------------------------------------------- */
 
-GP_INLINE float4 first_voxel(GpInvocation *gp, const VoxelSlicesUniforms *c, const Varying *in,
+GP_INLINE float4 first_voxel(GpInvocation *gp, const VoxelViewUniforms *c, const Varying *in,
                              bool two)
 {
     Walk walk = walk_slab(&in->ray);
@@ -45,25 +40,25 @@ GP_INLINE float4 first_voxel(GpInvocation *gp, const VoxelSlicesUniforms *c, con
     return rgba(voxel_at(c, across, in->ray.layer), found);
 }
 
-pixel_shader(voxel_first_ps, VoxelSlicesUniforms, Varying)
+pixel_shader(voxel_first_ps, VoxelViewUniforms, Varying)
 {
     return first_voxel(gp, c, in, false);
 }
 
-pixel_shader(voxel_first_two_ps, VoxelSlicesUniforms, Varying)
+pixel_shader(voxel_first_two_ps, VoxelViewUniforms, Varying)
 {
     return first_voxel(gp, c, in, true);
 }
 
-/* --- voxels that let light through ------------------------------------------------------------------ */
+/* --- voxels that let light through ------------------------------------------------------------ */
 
-GP_INLINE float4 haze(GpInvocation *gp, const VoxelSlicesUniforms *c, const Varying *in)
+GP_INLINE float4 haze(GpInvocation *gp, const VoxelViewUniforms *c, const Varying *in)
 {
     flt way = way_in_first(gp, c, &in->ray), alpha = 1.0f - exp_(in->fading.x * way);
     return rgba(mul(u3(c->colors[0]), alpha), alpha);
 }
 
-GP_INLINE float4 haze_of_two(GpInvocation *gp, const VoxelSlicesUniforms *c, const Varying *in)
+GP_INLINE float4 haze_of_two(GpInvocation *gp, const VoxelViewUniforms *c, const Varying *in)
 {
     Walk walk = walk_slab(&in->ray);
     flt length = way_through(c, &in->ray), seen = bcast(1); /* of what is behind */
@@ -82,12 +77,12 @@ GP_INLINE float4 haze_of_two(GpInvocation *gp, const VoxelSlicesUniforms *c, con
     return sel(near, rgba(color, 1.0f - seen), 0.0f);
 }
 
-pixel_shader(voxel_haze_ps, VoxelSlicesUniforms, Varying)
+pixel_shader(voxel_haze_ps, VoxelViewUniforms, Varying)
 {
     return haze(gp, c, in);
 }
 
-pixel_shader(voxel_haze_two_ps, VoxelSlicesUniforms, Varying)
+pixel_shader(voxel_haze_two_ps, VoxelViewUniforms, Varying)
 {
     return haze_of_two(gp, c, in);
 }
@@ -99,11 +94,11 @@ pixel_shader(voxel_haze_two_ps, VoxelSlicesUniforms, Varying)
     .varyings = { { "start", 2, GP_PERSPECTIVE }, { "end", 2, GP_PERSPECTIVE },                    \
                   { "layer", 1, GP_FLAT }, { "fading", 3, GP_FLAT } }
 
-program(voxel_first_program, voxel_slice_vs, voxel_first_ps, SLICE_DECLARATIONS,
+program(voxel_first_program, voxel_view_vs, voxel_first_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 3, .may_discard = true)
-program(voxel_first_two_program, voxel_slice_vs, voxel_first_two_ps, SLICE_DECLARATIONS,
+program(voxel_first_two_program, voxel_view_vs, voxel_first_two_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1 | 1 << 3, .may_discard = true)
-program(voxel_haze_program, voxel_slice_vs, voxel_haze_ps, SLICE_DECLARATIONS,
+program(voxel_haze_program, voxel_view_vs, voxel_haze_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 3)
-program(voxel_haze_two_program, voxel_slice_vs, voxel_haze_two_ps, SLICE_DECLARATIONS,
+program(voxel_haze_two_program, voxel_view_vs, voxel_haze_two_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1 | 1 << 3)

@@ -11,7 +11,7 @@
 enum { VOXEL_KIND_FIRST = 1, VOXEL_KIND_SECOND, VOXEL_KIND_BOTH, VOXEL_KINDS };
 
 /* Places are (u, v, w): w goes across the slices, u and v are the two other axes. */
-typedef struct VoxelSlicesUniforms {
+typedef struct VoxelViewUniforms {
     WorksheetLayout sheet;
     float block_columns, blocks_width, blocks_height; /* of voxel_blocks */
     float to_clip[4][4];                              /* from (u, v, w) */
@@ -20,11 +20,11 @@ typedef struct VoxelSlicesUniforms {
     float thickness;    /* of a slab, by w, with the sign of the rays */
     float colors[3][4]; /* of the kinds from VOXEL_KIND_FIRST on, and how much of what is behind one
                              voxel is lost: voxel_haze only */
-} VoxelSlicesUniforms;
+} VoxelViewUniforms;
 
-/* Triangles of quads at a slab's near side: GP_POSITION is (u, v, w), GP_TEXCOORD0 the layer. Slots 0
- * and, of the programs of two, 1 are worksheets, slot 3 is the blocks of their voxels; all are read by
- * points. */
+/* Triangles of quads at a slab's near side: GP_POSITION is (u, v, w), GP_TEXCOORD0 the layer. Slots
+ * 0 and, of the programs of two, 1 are worksheets, slot 3 is the blocks of their voxels; all are
+ * read by points. */
 extern const GpProgram voxel_first_program; /* the voxel met first: (x, y, z, kind); else nothing */
 extern const GpProgram voxel_first_two_program;
 extern const GpProgram voxel_haze_program; /* what the slab adds: colour times alpha, and alpha */

@@ -24,8 +24,9 @@ GP_INLINE VoxelPlace place_of_voxel(const WorksheetLayout *sheet, float3 voxel)
     };
 }
 
-/* Bit 0..31 of a word read as four bytes / 255: half, or more, of what is left of the bits up to it.
- * The half that is added to the byte lies below all bits, and hides what division by 255 rounds. */
+/* Bit 0..31 of a word read as four bytes / 255: half, or more, of what is left of the bits up to
+ * it. The half that is added to the byte lies below all bits, and hides what division by 255
+ * rounds. */
 GP_INLINE msk has_bit(float4 word, flt bit)
 {
     flt byte = sel(bit < 16.0f, sel(bit < 8.0f, word.z, word.y), sel(bit < 24.0f, word.x, word.w));
@@ -33,7 +34,13 @@ GP_INLINE msk has_bit(float4 word, flt bit)
     return frc((byte * 255.0f + 0.5f) * exp_(-1.0f - in_byte)) >= 0.5f;
 }
 
-/* --- the ray in a slab ------------------------------------------------------------------------------ */
+/* --- the ray in a slab ------------------------------------------------------------------------ */
+
+/* Of the slab's near side. */
+typedef struct SlabVertex {
+    float3 position; /* (u, v, w) */
+    flt layer;       /* of voxels */
+} SlabVertex;
 
 typedef struct SlabRay {
     float2 start, end; /* u, v where the ray enters and leaves the slab */
@@ -41,7 +48,7 @@ typedef struct SlabRay {
 } SlabRay;
 
 /* At a vertex of the slab's near side. */
-GP_INLINE SlabRay slab_ray(const VoxelSlicesUniforms *c, float3 position, flt layer)
+GP_INLINE SlabRay slab_ray(const VoxelViewUniforms *c, float3 position, flt layer)
 {
     float3 way = sub(mul(position, c->eye[3]), u3(c->eye));
     flt share = c->thickness * rcp(way.z);
@@ -78,14 +85,14 @@ GP_INLINE Walk walk_slab(const SlabRay *ray)
                    .share = { one, two - one, 1.0f - two } };
 }
 
-GP_INLINE float3 voxel_at(const VoxelSlicesUniforms *c, float2 across, flt layer)
+GP_INLINE float3 voxel_at(const VoxelViewUniforms *c, float2 across, flt layer)
 {
     float3 at = vec3(across.x, across.y, layer);
     return vec3(dp3(at, u3(c->axes[0])), dp3(at, u3(c->axes[1])), dp3(at, u3(c->axes[2])));
 }
 
 /* The voxel's kind; 0: empty, or beside the volume along u or v. */
-GP_INLINE flt kind_at(GpInvocation *gp, const VoxelSlicesUniforms *c, float2 across, flt layer,
+GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 across, flt layer,
                       bool two)
 {
     float2 from_middle = abs_(sub(across, (c->sheet.size - 1) * 0.5f));
@@ -98,7 +105,7 @@ GP_INLINE flt kind_at(GpInvocation *gp, const VoxelSlicesUniforms *c, float2 acr
 }
 
 /* Whether the way through a slab may meet a voxel: its block has any, or a neighbour. */
-GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelSlicesUniforms *c, const SlabRay *ray)
+GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
 {
     float2 inside = min(max(floor_(ray->start), 0.0f), c->sheet.size - 1);
     float3 block = floor_(mul(voxel_at(c, inside, ray->layer), 1.0f / (float)VOXEL_BLOCK));
@@ -112,15 +119,15 @@ GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelSlicesUniforms *c, con
 }
 
 /* Length of the ray in the slab, in voxels. */
-GP_INLINE flt way_through(const VoxelSlicesUniforms *c, const SlabRay *ray)
+GP_INLINE flt way_through(const VoxelViewUniforms *c, const SlabRay *ray)
 {
     float2 across = sub(ray->end, ray->start);
     return sqrt_(dp2add(across, across, bcast(c->thickness * c->thickness)));
 }
 
-/* Length of it in voxels of the volume in slot 0. What absorbs does so by the length of the way in it:
- * light loses the same share in each unit. */
-GP_INLINE flt way_in_first(GpInvocation *gp, const VoxelSlicesUniforms *c, const SlabRay *ray)
+/* Length of it in voxels of the volume in slot 0. What absorbs does so by the length of the way in
+ * it: light loses the same share in each unit. */
+GP_INLINE flt way_in_first(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
 {
     Walk walk = walk_slab(ray);
     msk near = is_near_voxels(gp, c, ray);

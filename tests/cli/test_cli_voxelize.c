@@ -232,6 +232,63 @@ static void the_report_tells_what_is_open(void **state)
     expect_matches(out, "\ndisagreeing voxels +[1-9][0-9]*\n");
 }
 
+/* A chart as `glasspipe chart voxelize' writes it: each halving of the error is a finer volume. */
+static void write_chart(void)
+{
+    static const char head[] =
+        "{ \"technique\": \"voxelize\", \"title\": \"made\", \"scene\": \"closed.off\",\n"
+        "  \"error_name\": \"thousandths\", \"figures\": [], \"machine\": \"none\",\n"
+        "  \"isa\": \"sse2\", \"threads\": 1, \"width\": 16, \"height\": 16, \"points\": [\n";
+    static const struct {
+        const char *options;
+        double ms, error;
+    } points[] = {
+        { "--method sheets --axes 1 --size 32", 0.5, 30 },
+        { "--method conservative --size 16", 1, 37 },
+        { "--method conservative --size 32", 2, 17 },
+        { "--method thin --size 32", 3, 18 },
+        { "--method conservative --size 64", 4, 8 },
+        { "--method slices --size 64", 90, 14 },
+    };
+    char text[4096];
+    int used = snprintf(text, sizeof text, "%s", head);
+    for (size_t i = 0; i < GP_COUNT(points); i++)
+        used += snprintf(text + used, sizeof text - (size_t)used,
+                         "%s{ \"method\": \"m\", \"options\": \"%s\", \"ms\": %g, \"min_ms\": %g, "
+                         "\"cpu_ms\": %g, \"frames\": 5, \"error\": %g, \"figures\": [], "
+                         "\"best\": false, \"picture\": \"\" }",
+                         i ? ",\n" : "", points[i].options, points[i].ms, points[i].ms,
+                         points[i].ms, points[i].error);
+    snprintf(text + used, sizeof text - (size_t)used, " ] }\n");
+    write_file("made.json", text);
+}
+
+/* The smallest volume that is near enough, by the method that loses no more than that. */
+static void an_error_chooses_the_size(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *error, *chosen, *made;
+    } cases[] = {
+        { "40", "chose --method sheets --axes 1 --size 32", "32x32x32" },
+        { "20", "chose --method conservative --size 32", "32x32x32" },
+        { "16", "chose --method conservative --size 64", "64x64x64" },
+        { "8", "chose --method conservative --size 64", "64x64x64" },
+    };
+    write_meshes();
+    write_chart();
+    for (size_t i = 0; i < GP_COUNT(cases); i++) {
+        assert_int_equal(
+            shell("glasspipe voxelize closed.off --error %s --curve made.json -o a.bits",
+                  cases[i].error),
+            0);
+        expect_contains(err, cases[i].chosen);
+        expect_contains(out, cases[i].made);
+    }
+    expect_refused(3, "voxelize closed.off --error 7 --curve made.json",
+                   "no setting has at most 7 thousandths");
+}
+
 int main(void)
 {
     if (!find_program())
@@ -240,6 +297,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(wrong_arguments_are_usage_errors),
         TEST(wrong_meshes_and_settings_are_input_errors),
+        TEST(an_error_chooses_the_size),
         TEST(volumes_are_written_and_hashed),
         TEST(a_volume_is_the_same_on_everything),
         TEST(a_placed_model_lies_where_it_is_told),

@@ -81,7 +81,7 @@ PROGRAM(kills_2, .may_discard = true)
 program(count_kills, count_vs, kills_2_ps, .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
         .inputs = INPUTS, .varyings = VARYINGS, .may_discard = true)
 
-    SHADER(lean)
+SHADER(lean)
 {
     return mul(in->a, c->one);
 }
@@ -267,7 +267,7 @@ vertex_shader(long_vs, CountUniforms, Vertex, Varying)
 program(count_long_vertex, long_vs, lean_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
 
-    vertex_shader(texture_vs, CountUniforms, Vertex, Varying)
+vertex_shader(texture_vs, CountUniforms, Vertex, Varying)
 {
     *position = in->position;
     out->a = texldl(2, in->color);
@@ -278,7 +278,7 @@ program(count_vertex_texture, texture_vs, lean_ps, .vertex_profile = GP_VS_3_0,
         .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
         .vertex_samplers = 1 << 2)
 
-    vertex_shader(texld_vs, CountUniforms, Vertex, Varying)
+vertex_shader(texld_vs, CountUniforms, Vertex, Varying)
 {
     *position = in->position;
     out->a = texld(2, xy(in->color));
@@ -287,7 +287,7 @@ program(count_vertex_texld, texld_vs, lean_ps, .vertex_profile = GP_VS_3_0,
         .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
         .vertex_samplers = 1 << 2)
 
-    vertex_shader(extras_vs, CountUniforms, Vertex, Varying)
+vertex_shader(extras_vs, CountUniforms, Vertex, Varying)
 {
     *position = in->position;
     *point_size = mul(in->color.w, 2);
@@ -301,7 +301,7 @@ SHADER(extras)
 program(count_extras, extras_vs, extras_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
         .inputs = INPUTS, .varyings = VARYINGS, .writes_depth = true, .writes_point_size = true)
 
-    vertex_shader(partial_vs, CountUniforms, Vertex, Varying)
+vertex_shader(partial_vs, CountUniforms, Vertex, Varying)
 {
     *position = in->position;
     out->a = in->color;
@@ -310,7 +310,7 @@ program(count_extras, extras_vs, extras_ps, .vertex_profile = GP_VS_2_0, .pixel_
 program(count_unwritten_varying, partial_vs, one_component_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
 
-    pixel_shader_targets(partial_ps, CountUniforms, Varying, TwoTargets)
+pixel_shader_targets(partial_ps, CountUniforms, Varying, TwoTargets)
 {
     out->first = in->a;
     out->second.x = in->a.x;

@@ -72,12 +72,12 @@ pixel_shader(position_ps, ExerciseUniforms, Varying)
 
 program(exercise_color, color_vs, color_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
         .inputs = INPUTS, .varyings = VARYINGS)
-    program(exercise_targets2, color_vs, two_ps, .vertex_profile = GP_VS_2_0,
-            .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
-        program(exercise_targets4, color_vs, four_ps, .vertex_profile = GP_VS_2_0,
-                .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
-            program(exercise_position, color_vs, position_ps, .vertex_profile = GP_VS_3_0,
-                    .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-                    .uses_pixel = true, .uses_face = true)
-                depth_program(exercise_depth_only, color_vs, .vertex_profile = GP_VS_2_0,
-                              .inputs = INPUTS, .varyings = VARYINGS)
+program(exercise_targets2, color_vs, two_ps, .vertex_profile = GP_VS_2_0,
+        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
+program(exercise_targets4, color_vs, four_ps, .vertex_profile = GP_VS_2_0,
+        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
+program(exercise_position, color_vs, position_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS, .uses_pixel = true,
+        .uses_face = true)
+depth_program(exercise_depth_only, color_vs, .vertex_profile = GP_VS_2_0, .inputs = INPUTS,
+              .varyings = VARYINGS)

@@ -70,14 +70,13 @@ pixel_shader(math_ps, ExerciseUniforms, Varying)
 
 program(exercise_discard, plain_vs, discard_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS, .may_discard = true)
-    program(exercise_depth, plain_vs, depth_ps, .vertex_profile = GP_VS_2_0,
-            .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
-            .writes_depth = true)
-        program(exercise_derivatives, plain_vs, derivatives_ps, .vertex_profile = GP_VS_3_0,
-                .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-                .uses_derivatives = true)
-            program(exercise_math, plain_vs, math_ps, .vertex_profile = GP_VS_3_0,
-                    .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS)
-                program(exercise_point, plain_vs, discard_ps, .vertex_profile = GP_VS_2_0,
-                        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
-                        .may_discard = true, .writes_point_size = true)
+program(exercise_depth, plain_vs, depth_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+        .inputs = INPUTS, .varyings = VARYINGS, .writes_depth = true)
+program(exercise_derivatives, plain_vs, derivatives_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
+        .uses_derivatives = true)
+program(exercise_math, plain_vs, math_ps, .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
+        .inputs = INPUTS, .varyings = VARYINGS)
+program(exercise_point, plain_vs, discard_ps, .vertex_profile = GP_VS_2_0,
+        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS, .may_discard = true,
+        .writes_point_size = true)

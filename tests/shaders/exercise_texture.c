@@ -67,12 +67,11 @@ pixel_shader(local_ps, ExerciseUniforms, Varying)
 program(exercise_texture, texture_vs, texture_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
         .samplers = 1 << 0 | 1 << 1)
-    program(exercise_dependent, texture_vs, dependent_ps, .vertex_profile = GP_VS_3_0,
-            .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-            .samplers = 1 << 0 | 1 << 1 | 1 << 2)
-        program(exercise_local, texture_vs, local_ps, .vertex_profile = GP_VS_2_0,
-                .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS,
-                .local_reads = 1 << 3)
-            program(exercise_vertex_texture, displaced_vs, texture_ps, .vertex_profile = GP_VS_3_0,
-                    .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
-                    .samplers = 1 << 0 | 1 << 1, .vertex_samplers = 1 << 0)
+program(exercise_dependent, texture_vs, dependent_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
+        .samplers = 1 << 0 | 1 << 1 | 1 << 2)
+program(exercise_local, texture_vs, local_ps, .vertex_profile = GP_VS_2_0,
+        .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS, .local_reads = 1 << 3)
+program(exercise_vertex_texture, displaced_vs, texture_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS,
+        .samplers = 1 << 0 | 1 << 1, .vertex_samplers = 1 << 0)

@@ -1,133 +1,158 @@
 #include "tests/support/voxel_case.h"
 
-#include "apps/shapes.h"
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh.h"
+#include "tests/support/devices.h"
 #include "tests/support/unit.h"
 
-/* --- drawing -------------------------------------------------------------------------------------- */
+#include <math.h>
+#include <stdio.h>
 
-/* The first is compared with. */
-static const GpDeviceDesc devices[] = {
-    { .threads = 2 },
-    { .executor = GP_EXECUTOR_REFERENCE },
-    { .threads = 1, .isa = "lanes4" },
-    { .threads = 3, .isa = "lanes8" },
-    { .threads = 3, .isa = "lanes16" },
-};
+/* --- models ----------------------------------------------------------------------------------- */
 
-/* Of all that was drawn. */
-static uint64_t hash_targets(const Work *work)
+/* A rotation about (1, 2, 3), after Rodrigues; without a library's sine, for the same bits
+ * anywhere. */
+static void rotation(double turn, double m[3][3])
 {
-    uint64_t hash = 0;
-    for (int i = 0; i < work->surface_count; i++)
-        hash = hash * 3 + gp_surface_hash(work->surfaces[i]);
-    return hash;
-}
-
-void voxel_draw(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere, uint8_t *bits)
-{
-    Work work = { .color = NULL };
-    GpError error = { "" };
-    uint32_t passes, draws;
-    tech_voxel_room(&(VoxelSetting){ .size = size }, &passes, &draws);
-    work_reserve(&work, passes, draws);
-    Worksheet sheet = worksheet_make(&work, size, 1);
-    draw(context, &work, &sheet);
-    uint64_t first = 0;
-    for (size_t i = 0; i < (everywhere ? GP_COUNT(devices) : 1); i++) {
-        GpDevice *device = NULL;
-        if (gp_device_create(&devices[i], &device, &error) == GP_ERROR_UNSUPPORTED)
-            continue; /* a processor, or a build, without this width */
-        if (gp_device_run(device, &work.list, &error))
-            fail_msg("%s", error.text);
-        uint64_t hash = hash_targets(&work);
-        if (i == 0)
-            first = hash;
-        else if (hash != first)
-            fail_msg("device %zu draws other bits", i);
-        gp_device_destroy(&device);
+    const double cosine = (1 - turn * turn) / (1 + turn * turn),
+                 sine = 2 * turn / (1 + turn * turn);
+    const double axis[3] = { 1 / sqrt(14), 2 / sqrt(14), 3 / sqrt(14) };
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            m[i][j] = (i == j ? cosine : 0) + (1 - cosine) * axis[i] * axis[j];
+    for (int k = 0; k < 3; k++) {
+        m[(k + 1) % 3][(k + 2) % 3] -= sine * axis[k];
+        m[(k + 2) % 3][(k + 1) % 3] += sine * axis[k];
     }
-    worksheet_read(&sheet, bits);
-    assert_int_equal(worksheet_count(&sheet), voxel_count(bits, size)); /* none beyond its end */
-    work_free(&work);
 }
 
-/* --- models --------------------------------------------------------------------------------------- */
-
-VoxelCase voxel_case_of(float *positions, uint32_t vertex_count, uint32_t *indices,
-                        uint32_t triangle_count, uint32_t size, const VoxelBox *given)
+/* The motion of a model that fills its volume once it is turned. */
+static VoxelMotion turned_motion(const GpMesh *mesh, double turn, uint32_t size)
 {
-    VoxelCase c = { .positions = positions,
-                    .indices = indices,
-                    .vertex_count = vertex_count,
-                    .triangle_count = triangle_count,
-                    .size = size,
-                    .triangles = gp_alloc(triangle_count, sizeof *c.triangles) };
-    const VoxelBox box = given ? *given : voxel_box(positions, indices, 3 * triangle_count, size);
-    VoxelSpace space = { size, box.scale, { box.offset[0], box.offset[1], box.offset[2] } };
-    voxel_triangles(positions, indices, triangle_count, &space, c.triangles);
-    c.model = (VoxelModel){ .positions = positions,
-                            .indices = indices,
-                            .vertex_count = vertex_count,
-                            .triangle_count = triangle_count,
-                            .motion = voxel_still(&box) };
-    return c;
-}
-
-static void turn_positions(float *positions, uint32_t count, const double turn[9])
-{
-    for (float *p = positions; p < positions + 3 * (size_t)count; p += 3) {
-        const double x = (double)p[0], y = (double)p[1], z = (double)p[2];
+    double m[3][3];
+    float *turned = gp_alloc(mesh->vertex_count, 3 * sizeof *turned);
+    assert_non_null(turned);
+    rotation(turn, m);
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        const float *p = mesh->positions + 3 * i;
         for (int k = 0; k < 3; k++)
-            p[k] = (float)(turn[3 * k] * x + turn[3 * k + 1] * y + turn[3 * k + 2] * z);
+            turned[3 * i + (size_t)k] =
+                (float)(m[k][0] * (double)p[0] + m[k][1] * (double)p[1] + m[k][2] * (double)p[2]);
+    }
+    const VoxelBox box = voxel_box(turned, mesh->indices, 3 * mesh->triangle_count, size);
+    VoxelMotion motion = voxel_still(&box);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            motion.to_voxels[i][j] = (float)(m[i][j] * box.scale);
+    gp_free(turned);
+    return motion;
+}
+
+static void place_vertex(const VoxelModel *model, uint32_t vertex, double place[3])
+{
+    const float *p = model->positions + 3 * (size_t)vertex;
+    for (int k = 0; k < 3; k++) {
+        const float *row = model->motion.to_voxels[k];
+        place[k] = (double)row[0] * (double)p[0] + (double)row[1] * (double)p[1] +
+                   (double)row[2] * (double)p[2] + (double)row[3];
     }
 }
 
-/* Either way the arrays are the caller's. */
-static void read_model(const char *name, GpMesh *mesh)
+/* Of a scene, which it takes over. */
+static VoxelCase make_case(const VoxelScene *scene, const VoxelMotion *motion, uint32_t size)
 {
-    GpError error = { "" };
-    char path[400];
-    if (strchr(name, '.')) {
-        if (gp_data_find(name, path, sizeof path, &error))
-            skip();
-        if (gp_mesh_read(path, GP_MESH_TRIANGLES, mesh, &error))
-            fail_msg("%s", error.text);
-        return;
+    const VoxelBox same = { .size = size, .scale = 1 };
+    VoxelCase c = { .scene = *scene, .size = size };
+    GpMesh *mesh = &c.scene.mesh;
+    if (!mesh->colors)
+        mesh->colors = gp_alloc(mesh->vertex_count, 4 * sizeof *mesh->colors);
+    c.triangles = gp_alloc(mesh->triangle_count, sizeof *c.triangles);
+    assert_true(mesh->colors && c.triangles);
+    c.model = voxel_scene_model(&c.scene, &same);
+    c.model.motion = *motion;
+    for (uint32_t i = 0; i < 3 * mesh->triangle_count; i++)
+        place_vertex(&c.model, mesh->indices[i], c.triangles[i / 3].corner[i % 3]);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        double place[3];
+        place_vertex(&c.model, i, place);
+        for (size_t k = 0; k < 3; k++)
+            mesh->colors[4 * (size_t)i + k] = (float)(place[k] / size);
+        mesh->colors[4 * (size_t)i + 3] = 1;
     }
-    Shape shape;
-    assert_int_equal(shape_create(name, &shape), GP_OK);
-    *mesh = (GpMesh){ .vertex_count = shape.vertex_count,
-                      .triangle_count = shape.index_count / 3,
-                      .positions = gp_alloc(shape.vertex_count, 3 * sizeof(float)),
-                      .indices = gp_alloc(shape.index_count, sizeof(uint32_t)) };
-    for (uint32_t i = 0; i < shape.vertex_count; i++)
-        memcpy(mesh->positions + 3 * i, shape.vertices[i].position, 3 * sizeof(float));
-    memcpy(mesh->indices, shape.indices, shape.index_count * sizeof(uint32_t));
-    shape_free(&shape);
-}
-
-VoxelCase voxel_case_open(const char *name, const double turn[9], uint32_t size)
-{
-    GpMesh mesh = { .positions = NULL };
-    read_model(name, &mesh);
-    if (turn)
-        turn_positions(mesh.positions, mesh.vertex_count, turn);
-    VoxelCase c = voxel_case_of(mesh.positions, mesh.vertex_count, mesh.indices,
-                                mesh.triangle_count, size, NULL);
-    mesh.positions = NULL;
-    mesh.indices = NULL;
-    gp_mesh_free(&mesh);
     return c;
+}
+
+VoxelCase voxel_case_open(const char *name, double turn, uint32_t size)
+{
+    char path[400];
+    GpError error = { "" };
+    VoxelScene scene;
+    if (!strchr(name, '.'))
+        snprintf(path, sizeof path, "builtin:%s", name);
+    else if (gp_data_find(name, path, sizeof path, &error))
+        skip();
+    if (voxel_scene_open(path, &scene, &error))
+        fail_msg("%s", error.text);
+    const VoxelMotion motion = turned_motion(&scene.mesh, turn, size);
+    return make_case(&scene, &motion, size);
+}
+
+VoxelCase voxel_case_of(const float *corners, uint32_t triangle_count, uint32_t size)
+{
+    const VoxelBox same = { .size = size, .scale = 1 };
+    const VoxelMotion motion = voxel_still(&same);
+    const size_t bytes = 9 * (size_t)triangle_count * sizeof *corners;
+    VoxelScene scene = { .mesh = { .positions = gp_alloc(bytes, 1),
+                                   .indices = gp_alloc(triangle_count, 3 * sizeof(uint32_t)),
+                                   .vertex_count = 3 * triangle_count,
+                                   .triangle_count = triangle_count } };
+    assert_true(scene.mesh.positions && scene.mesh.indices);
+    memcpy(scene.mesh.positions, corners, bytes);
+    for (uint32_t i = 0; i < 3 * triangle_count; i++)
+        scene.mesh.indices[i] = i;
+    return make_case(&scene, &motion, size);
 }
 
 void voxel_case_free(VoxelCase *c)
 {
-    gp_free(c->positions);
-    gp_free(c->indices);
+    voxel_scene_close(&c->scene);
     gp_free(c->triangles);
-    *c = (VoxelCase){ .positions = NULL };
+    *c = (VoxelCase){ .size = 0 };
+}
+
+/* --- volumes ---------------------------------------------------------------------------------- */
+
+static uint64_t count_voxels(const uint8_t *voxels, uint32_t size, uint32_t bits)
+{
+    uint64_t count = 0;
+    if (bits == 1)
+        return voxel_count(voxels, size);
+    for (size_t i = 0; i < (size_t)size * size * size; i++)
+        count += bits == 8 ? voxels[i] != 0 : (voxels[2 * i] | voxels[2 * i + 1]) != 0;
+    return count;
+}
+
+static void draw_volume(VoxelDraw *draw, const void *context, uint32_t size, uint32_t bits,
+                        bool everywhere, uint8_t *voxels)
+{
+    Work work = { .color = NULL };
+    uint32_t passes, draws;
+    tech_voxel_room(&(VoxelSetting){ .size = size }, &passes, &draws);
+    work_reserve(&work, passes, draws);
+    const Worksheet sheet = worksheet_make(&work, size, bits);
+    draw(context, &work, &sheet);
+    if (everywhere)
+        run_everywhere(&work);
+    else
+        run_list(&work.list);
+    worksheet_read(&sheet, voxels);
+    /* none beyond its end */
+    assert_int_equal(worksheet_count(&sheet), count_voxels(voxels, size, bits));
+    work_free(&work);
+}
+
+void voxel_draw(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere, uint8_t *bits)
+{
+    draw_volume(draw, context, size, 1, everywhere, bits);
 }
 
 typedef struct Build {
@@ -144,10 +169,35 @@ static void build(const void *context, Work *work, const Worksheet *sheet)
 }
 
 void voxel_case_draw(const VoxelCase *c, const VoxelSetting *setting, bool everywhere,
-                     uint8_t *bits)
+                     uint8_t *voxels)
 {
     const Build both = { &c->model, setting };
-    voxel_draw(build, &both, c->size, everywhere, bits);
+    assert_int_equal(setting->size, c->size);
+    draw_volume(build, &both, c->size, setting->bits, everywhere, voxels);
+}
+
+uint8_t *voxel_case_volume(const VoxelCase *c, const VoxelSetting *setting)
+{
+    uint8_t *voxels = gp_alloc(voxel_bytes(c->size), setting->bits);
+    assert_non_null(voxels);
+    voxel_case_draw(c, setting, false, voxels);
+    return voxels;
+}
+
+uint8_t *voxel_read(const Worksheet *sheet)
+{
+    uint8_t *voxels = gp_alloc(worksheet_bytes(sheet), 1);
+    assert_non_null(voxels);
+    worksheet_read(sheet, voxels);
+    return voxels;
+}
+
+/* --- voxels ----------------------------------------------------------------------------------- */
+
+bool voxel_at(const uint8_t *bits, uint32_t size, uint32_t x, uint32_t y, uint32_t z)
+{
+    const size_t i = x + size * (y + size * (size_t)z);
+    return bits[i / 8] >> i % 8 & 1;
 }
 
 uint64_t voxel_count_without(const uint8_t *a, const uint8_t *b, uint32_t size)

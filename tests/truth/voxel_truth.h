@@ -15,7 +15,8 @@ typedef struct VoxelSpace {
     double scale, offset[3];
 } VoxelSpace;
 
-/* The box of the vertices that triangles refer to fills N - 2.5 voxels of its longest side, centred.
+/* The box of the vertices that triangles refer to fills N - 2.5 voxels of its longest side,
+ * centred.
  * in   count: triangles, at least 1; a box without size has scale 1 */
 VoxelSpace voxel_space(const float *positions, const uint32_t *indices, uint32_t count,
                        uint32_t size);
@@ -27,8 +28,8 @@ void voxel_triangles(const float *positions, const uint32_t *indices, uint32_t c
 /* Bytes of a volume's bits. */
 size_t voxel_bytes(uint32_t size);
 
-/* Sets every voxel whose closed box, grown by `margin` to each side (shrunk where it is negative), a
- * triangle touches.
+/* Sets every voxel whose closed box, grown by `margin` to each side (shrunk where it is negative),
+ * a triangle touches.
  * in/out bits: [voxel_bytes(size)]
  * source Akenine-Moller, "Fast 3D triangle-box overlap testing", JGT 6(1), 2001: thirteen axes */
 void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size, double margin,
@@ -37,8 +38,8 @@ void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size
 /* Sets the voxels that sampling finds: a triangle is looked at along axes, in lines through the
  * middles of voxels; where it is met within `margin` of a line (beyond its edges too), and within
  * `margin` of a voxel, that is set. With a negative margin those that are met for certain.
- * in     all_axes: along each axis; else along the one that the triangle's normal is nearest to (the
- *        first of equals)
+ * in     all_axes: along each axis; else along the one that the triangle's normal is nearest to
+ *        (the first of equals)
  * in/out bits: [voxel_bytes(size)] */
 void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, bool all_axes,
                 double margin, uint8_t *bits);
@@ -49,8 +50,8 @@ void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, b
  *        by one rule from both sides. */
 void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, uint8_t *bits);
 
-/* Sets the voxels whose middle lies within `distance` of a triangle: those of which inside and outside
- * are a matter of rounding.
+/* Sets the voxels whose middle lies within `distance` of a triangle: those of which inside and
+ * outside are a matter of rounding.
  * in/out bits: [voxel_bytes(size)] */
 void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,
                 uint8_t *bits);

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* --- a table of its own ------------------------------------------------------------------------- */
+/* --- a table of its own ----------------------------------------------------------------------- */
 
 static double side(const void *scene, const Work *work)
 {
@@ -132,7 +132,7 @@ static void the_tables_of_techniques_are_whole(void **state)
     assert_non_null(voxel_technique.growth);
 }
 
-/* --- figures without a clock -------------------------------------------------------------------- */
+/* --- figures without a clock ------------------------------------------------------------------ */
 
 enum { POINTS = 7 };
 
@@ -229,7 +229,7 @@ static void no_points_are_a_picture_too(void **state)
     text_free(&svg);
 }
 
-/* --- files -------------------------------------------------------------------------------------- */
+/* --- files ------------------------------------------------------------------------------------ */
 
 static char content[1 << 17];
 

@@ -111,7 +111,8 @@ static void thin_is_within_the_surface(void **state)
     }
 }
 
-/* Of a triangle in a plane z = 5.25: a quarter from the middles of voxels below it, and 3/4 above. */
+/* Of a triangle in a plane z = 5.25: a quarter from the middles of voxels below it, and 3/4
+ * above. */
 static void nearness_is_a_distance(void **state)
 {
     (void)state;

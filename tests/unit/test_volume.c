@@ -42,7 +42,7 @@ static GpVolume random_volume(GpVolumeType type, uint32_t x, uint32_t y, uint32_
     return volume;
 }
 
-/* --- round trips ------------------------------------------------------------------------------- */
+/* --- round trips ------------------------------------------------------------------------------ */
 
 static void samples_of_every_type_come_back_from_nrrd(void **state)
 {
@@ -113,7 +113,7 @@ static void only_cubes_of_bits_go_into_bits(void **state)
     gp_volume_free(&slab);
 }
 
-/* --- files of others ---------------------------------------------------------------------------- */
+/* --- files of others -------------------------------------------------------------------------- */
 
 #define HEADER(encoding)                                                                           \
     "NRRD0003\r\n# a comment\r\ntype: short\r\ndimension: 3\r\nsizes: 2 1 2\r\n"                   \
@@ -198,16 +198,19 @@ static void raw_samples_take_their_meaning_from_the_json_beside(void **state)
     expect_samples(put_file("b.raw.gz", packed, size), some);
 }
 
-/* --- what is wrong ------------------------------------------------------------------------------ */
+/* --- what is wrong ---------------------------------------------------------------------------- */
+
+/* A file's text, and what is said of it. */
+typedef struct Refusal {
+    const char *text;
+    GpResult result;
+    const char *part;
+} Refusal;
 
 static void wrong_headers_are_refused_with_their_line(void **state)
 {
     (void)state;
-    static const struct {
-        const char *text;
-        GpResult result;
-        const char *part;
-    } cases[] = {
+    static const Refusal cases[] = {
         { "", GP_ERROR_FORMAT, "byte 0: expected 'NRRD0001'" },
         { "NRRD", GP_ERROR_FORMAT, "byte 0" },
         { "NRRD0009\n\n", GP_ERROR_FORMAT, "byte 0" },
@@ -278,11 +281,7 @@ static void sizes_beyond_the_file_are_refused(void **state)
 static void wrong_json_is_refused(void **state)
 {
     (void)state;
-    static const struct {
-        const char *text;
-        GpResult result;
-        const char *part;
-    } cases[] = {
+    static const Refusal cases[] = {
         { "", GP_ERROR_FORMAT, "line 1" },
         { "{\n\"dims\": [1,\n", GP_ERROR_FORMAT, "line 3" },
         { "[1, 2]", GP_ERROR_FORMAT, "dims: expected three" },
@@ -321,7 +320,7 @@ static void bits_that_are_no_cube_are_refused(void **state)
     assert_refused(put_file("v.vol", zeros, 8), GP_ERROR_UNSUPPORTED, ".nrrd, .raw");
 }
 
-/* --- a real one --------------------------------------------------------------------------------- */
+/* --- a real one ------------------------------------------------------------------------------- */
 
 static void a_scanned_volume_has_its_known_range(void **state)
 {

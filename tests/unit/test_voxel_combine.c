@@ -1,14 +1,9 @@
 /* Volumes put together: worksheets against the same operations on plain arrays of voxels. */
 #include "apps/voxel_combine.h"
+#include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
-
-/* Devices that must agree; the first is compared with the arrays too. */
-static const GpDeviceDesc devices[] = {
-    { .executor = GP_EXECUTOR_REFERENCE }, { .threads = 1 },
-    { .threads = 3, .isa = "lanes4" },     { .threads = 2, .isa = "lanes8" },
-    { .threads = 3, .isa = "lanes16" },
-};
+#include "tests/support/voxel_case.h"
 
 /* Odd sizes: slabs that are not full, patches that end inside tiles. */
 static const uint32_t sizes[] = { 8, 33, 45, 64 };
@@ -22,20 +17,6 @@ static void fill_sheet(const Worksheet *sheet, Random *random)
     const GpLevel *level = &sheet->texels->level[0];
     for (size_t i = 0; i < level->pitch * level->height; i++)
         level->texels[i] = (uint8_t)random_bits(random);
-}
-
-/* False where the processor, or the build, has no such lanes. */
-static bool run_on(const GpDeviceDesc *desc, const GpList *list)
-{
-    GpDevice *device = NULL;
-    GpError error = { "" };
-    if (gp_device_create(desc, &device, &error) == GP_ERROR_UNSUPPORTED)
-        return false;
-    assert_non_null(device);
-    if (gp_device_run(device, list, &error))
-        fail_msg("%s", error.text);
-    gp_device_destroy(&device);
-    return true;
 }
 
 static uint8_t combine_bytes(uint8_t a, uint8_t b, VoxelCombine operation, uint32_t bits)
@@ -55,7 +36,7 @@ typedef struct Case {
     bool in_place;
 } Case;
 
-static void check_case(const Case *c, const GpDeviceDesc *device)
+static void check_case(const Case *c)
 {
     Random random = { 77 + c->size };
     Work work = { .color = NULL };
@@ -69,28 +50,25 @@ static void check_case(const Case *c, const GpDeviceDesc *device)
     worksheet_read(&a, voxels_a);
     worksheet_read(&b, voxels_b);
     voxel_combine(&work, &a, &b, c->operation, result);
-    if (run_on(device, &work.list)) {
-        const size_t bytes = worksheet_bytes(&a), whole = bytes - (c->bits == 1);
-        worksheet_read(result, voxels_result);
-        for (size_t i = 0; i < whole; i++) /* of bits the last byte may not be full */
-            assert_int_equal(voxels_result[i],
-                             combine_bytes(voxels_a[i], voxels_b[i], c->operation, c->bits));
-        worksheet_read(&b, voxels_result); /* operands stay */
-        assert_memory_equal(voxels_result, voxels_b, bytes);
-    }
+    run_everywhere(&work);
+    const size_t bytes = worksheet_bytes(&a), whole = bytes - (c->bits == 1);
+    worksheet_read(result, voxels_result);
+    for (size_t i = 0; i < whole; i++) /* of bits the last byte may not be full */
+        assert_int_equal(voxels_result[i],
+                         combine_bytes(voxels_a[i], voxels_b[i], c->operation, c->bits));
+    worksheet_read(&b, voxels_result); /* operands stay */
+    assert_memory_equal(voxels_result, voxels_b, bytes);
     work_free(&work);
 }
 
 static void sheets_combine_as_their_voxels_do(void **state)
 {
     (void)state;
-    for (size_t d = 0; d < GP_COUNT(devices); d++)
-        for (size_t s = 0; s < GP_COUNT(sizes); s++)
-            for (int way = 0; way < 12; way++) {
-                const Case c = { sizes[s], way & 1 ? 8 : 1, (VoxelCombine)(way / 4),
-                                 (way & 2) != 0 };
-                check_case(&c, &devices[d]);
-            }
+    for (size_t s = 0; s < GP_COUNT(sizes); s++)
+        for (int way = 0; way < 12; way++) {
+            const Case c = { sizes[s], way & 1 ? 8 : 1, (VoxelCombine)(way / 4), (way & 2) != 0 };
+            check_case(&c);
+        }
 }
 
 /* a and not (b or c), where b is drawn by the list before it is an operand. */
@@ -99,37 +77,27 @@ static void operands_may_be_results_of_the_same_list(void **state)
     (void)state;
     enum { SIZE = 45 };
     static uint8_t voxels_c[MOST_BYTES];
-    for (size_t d = 0; d < GP_COUNT(devices); d++) {
-        Random random = { 31 };
-        Work work = { .color = NULL };
-        work_reserve(&work, 2 * VOXEL_COMBINE_PASSES, 8);
-        const Worksheet a = worksheet_make(&work, SIZE, 1), b = worksheet_make(&work, SIZE, 1);
-        const Worksheet c = worksheet_make(&work, SIZE, 1), result = worksheet_make(&work, SIZE, 1);
-        fill_sheet(&a, &random);
-        fill_sheet(&b, &random);
-        fill_sheet(&c, &random);
-        worksheet_read(&a, voxels_a);
-        worksheet_read(&b, voxels_b);
-        worksheet_read(&c, voxels_c);
-        voxel_combine(&work, &b, &c, VOXEL_UNION, &b);
-        voxel_combine(&work, &a, &b, VOXEL_DIFFERENCE, &result);
-        if (run_on(&devices[d], &work.list)) {
-            worksheet_read(&result, voxels_result);
-            for (size_t i = 0; i + 1 < worksheet_bytes(&a); i++)
-                assert_int_equal(voxels_result[i],
-                                 voxels_a[i] & (uint8_t) ~(voxels_b[i] | voxels_c[i]));
-        }
-        work_free(&work);
-    }
+    Random random = { 31 };
+    Work work = { .color = NULL };
+    work_reserve(&work, 2 * VOXEL_COMBINE_PASSES, 8);
+    const Worksheet a = worksheet_make(&work, SIZE, 1), b = worksheet_make(&work, SIZE, 1);
+    const Worksheet c = worksheet_make(&work, SIZE, 1), result = worksheet_make(&work, SIZE, 1);
+    fill_sheet(&a, &random);
+    fill_sheet(&b, &random);
+    fill_sheet(&c, &random);
+    worksheet_read(&a, voxels_a);
+    worksheet_read(&b, voxels_b);
+    worksheet_read(&c, voxels_c);
+    voxel_combine(&work, &b, &c, VOXEL_UNION, &b);
+    voxel_combine(&work, &a, &b, VOXEL_DIFFERENCE, &result);
+    run_everywhere(&work);
+    worksheet_read(&result, voxels_result);
+    for (size_t i = 0; i + 1 < worksheet_bytes(&a); i++)
+        assert_int_equal(voxels_result[i], voxels_a[i] & (uint8_t) ~(voxels_b[i] | voxels_c[i]));
+    work_free(&work);
 }
 
-/* --- collision ----------------------------------------------------------------------------------- */
-
-static bool has_voxel(const uint8_t *voxels, uint32_t size, uint32_t x, uint32_t y, uint32_t z)
-{
-    const size_t i = x + size * (y + (size_t)size * z);
-    return voxels[i / 8] >> i % 8 & 1;
-}
+/* --- collision -------------------------------------------------------------------------------- */
 
 static bool is_inside(const VoxelRange *range, uint32_t x, uint32_t y, uint32_t z)
 {
@@ -147,8 +115,7 @@ static bool is_drawn(const VoxelRange *range, uint32_t x, uint32_t y, uint32_t z
 }
 
 /* Inside the range both, outside what was there; and the count is that of the voxels inside. */
-static void check_collision(uint32_t size, const VoxelRange *range, bool in_place,
-                            const GpDeviceDesc *device)
+static void check_collision(uint32_t size, const VoxelRange *range, bool in_place)
 {
     Random random = { 5 + size };
     Work work = { .color = NULL };
@@ -162,21 +129,20 @@ static void check_collision(uint32_t size, const VoxelRange *range, bool in_plac
     worksheet_read(&b, voxels_b);
     voxel_collide(&work, &a, &b, range, result);
     assert_true(work.draw_count <= voxel_combine_draws(&a));
-    if (run_on(device, &work.list)) {
-        uint64_t both = 0;
-        worksheet_read(result, voxels_result);
-        for (uint32_t z = 0; z < size; z++)
-            for (uint32_t y = 0; y < size; y++)
-                for (uint32_t x = 0; x < size; x++) {
-                    const bool meet =
-                        has_voxel(voxels_a, size, x, y, z) && has_voxel(voxels_b, size, x, y, z);
-                    const bool before = in_place && has_voxel(voxels_a, size, x, y, z);
-                    both += meet && is_inside(range, x, y, z);
-                    assert_int_equal(has_voxel(voxels_result, size, x, y, z),
-                                     is_drawn(range, x, y, z) ? meet : before);
-                }
-        assert_int_equal(voxel_count_range(result, range), both);
-    }
+    run_everywhere(&work);
+    uint64_t both = 0;
+    worksheet_read(result, voxels_result);
+    for (uint32_t z = 0; z < size; z++)
+        for (uint32_t y = 0; y < size; y++)
+            for (uint32_t x = 0; x < size; x++) {
+                const bool meet =
+                    voxel_at(voxels_a, size, x, y, z) && voxel_at(voxels_b, size, x, y, z);
+                const bool before = in_place && voxel_at(voxels_a, size, x, y, z);
+                both += meet && is_inside(range, x, y, z);
+                assert_int_equal(voxel_at(voxels_result, size, x, y, z),
+                                 is_drawn(range, x, y, z) ? meet : before);
+            }
+    assert_int_equal(voxel_count_range(result, range), both);
     work_free(&work);
 }
 
@@ -191,10 +157,9 @@ static void collisions_are_found_inside_the_range(void **state)
         { 45, { { 44, 0, 32 }, { 45, 45, 45 } } }, { 64, { { 0, 3, 1 }, { 64, 64, 2 } } },
         { 64, { { 7, 7, 7 }, { 40, 7, 9 } } }, /* empty */
     };
-    for (size_t d = 0; d < GP_COUNT(devices); d++)
-        for (size_t i = 0; i < GP_COUNT(cases); i++)
-            for (int in_place = 0; in_place < 2; in_place++)
-                check_collision(cases[i].size, &cases[i].range, in_place, &devices[d]);
+    for (size_t i = 0; i < GP_COUNT(cases); i++)
+        for (int in_place = 0; in_place < 2; in_place++)
+            check_collision(cases[i].size, &cases[i].range, in_place);
 }
 
 static void ranges_hold_their_models(void **state)

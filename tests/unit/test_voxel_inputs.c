@@ -10,12 +10,6 @@
 
 enum { MOST = 64, FULL = MOST * MOST * MOST / 8 };
 
-static bool get(const uint8_t *bits, uint32_t size, uint32_t x, uint32_t y, uint32_t z)
-{
-    const size_t i = x + size * (y + size * (size_t)z);
-    return bits[i / 8] >> i % 8 & 1;
-}
-
 /* What was appended is within what is promised. */
 static void check_room(const Work *work, const Worksheet *sheet)
 {
@@ -23,7 +17,7 @@ static void check_room(const Work *work, const Worksheet *sheet)
     assert_in_range(work->draw_count, 1, voxel_input_draws(sheet));
 }
 
-/* --- implicit surfaces ---------------------------------------------------------------------------- */
+/* --- implicit surfaces ------------------------------------------------------------------------ */
 
 static const char heart[] = "(x^2 + 9/4 y^2 + z^2 - 1)^3 = x^2 z^3 + 9/80 y^2z^3";
 
@@ -83,7 +77,7 @@ static uint64_t check_implicit(const Implicit *f, uint32_t size, double margin, 
             for (at[0] = 0; at[0] < size; at[0]++) {
                 const int wanted = expect(f, &box, at, margin);
                 undecided += wanted == 2;
-                if (wanted < 2 && get(bits, size, at[0], at[1], at[2]) != wanted)
+                if (wanted < 2 && voxel_at(bits, size, at[0], at[1], at[2]) != wanted)
                     fail_msg("voxel %u %u %u of %u should be %d", at[0], at[1], at[2], size,
                              wanted);
             }
@@ -114,7 +108,8 @@ static void polynomials_have_the_signs_of_double(void **state)
         }
 }
 
-/* The middles of a ball of radius 2 in a cube of 4 a side: a voxel is 1/8, and nothing is near 0. */
+/* The middles of a ball of radius 2 in a cube of 4 a side: a voxel is 1/8, and nothing is near
+ * 0. */
 static void a_ball_is_counted_by_hand(void **state)
 {
     (void)state;
@@ -180,7 +175,7 @@ static void too_many_samples_are_refused(void **state)
     assert_int_equal(work.surface_count, 0);
 }
 
-/* --- points --------------------------------------------------------------------------------------- */
+/* --- points ----------------------------------------------------------------------------------- */
 
 typedef struct Points {
     const float *positions;
@@ -258,7 +253,7 @@ static void a_scanned_point_set_sets_its_voxels(void **state)
     gp_mesh_free(&mesh);
 }
 
-/* --- bits ----------------------------------------------------------------------------------------- */
+/* --- bits ------------------------------------------------------------------------------------- */
 
 static void every_device_draws_the_same_bits(void **state)
 {

@@ -31,9 +31,10 @@ static void move_point(const VoxelMotion *motion, const float *p, double q[3])
 
 static void move_triangles(const VoxelCase *c, const VoxelMotion *motion)
 {
-    for (uint32_t i = 0; i < c->triangle_count; i++)
+    for (uint32_t i = 0; i < c->model.triangle_count; i++)
         for (int j = 0; j < 3; j++)
-            move_point(motion, c->positions + 3 * (size_t)c->indices[3 * i + (uint32_t)j],
+            move_point(motion,
+                       c->model.positions + 3 * (size_t)c->model.indices[3 * i + (uint32_t)j],
                        c->triangles[i].corner[j]);
 }
 
@@ -49,18 +50,22 @@ static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int metho
     move_triangles(c, motion);
     if (method == VOXEL_XOR) {
         memset(near, 0, sizeof near);
-        voxel_solid(c->triangles, c->triangle_count, SIZE, bounds->certain);
-        voxel_near(c->triangles, c->triangle_count, SIZE, solid_margin, near);
+        voxel_solid(c->triangles, c->model.triangle_count, SIZE, bounds->certain);
+        voxel_near(c->triangles, c->model.triangle_count, SIZE, solid_margin, near);
         for (int i = 0; i < BYTES; i++) {
             bounds->possible[i] = bounds->certain[i] | near[i];
             bounds->certain[i] = (uint8_t)(bounds->certain[i] & ~near[i]);
         }
     } else if (method == VOXEL_THIN) {
-        voxel_thin(c->triangles, c->triangle_count, SIZE, true, -surface_margin, bounds->certain);
-        voxel_thin(c->triangles, c->triangle_count, SIZE, true, surface_margin, bounds->possible);
+        voxel_thin(c->triangles, c->model.triangle_count, SIZE, true, -surface_margin,
+                   bounds->certain);
+        voxel_thin(c->triangles, c->model.triangle_count, SIZE, true, surface_margin,
+                   bounds->possible);
     } else {
-        voxel_surface(c->triangles, c->triangle_count, SIZE, -surface_margin, bounds->certain);
-        voxel_surface(c->triangles, c->triangle_count, SIZE, surface_margin, bounds->possible);
+        voxel_surface(c->triangles, c->model.triangle_count, SIZE, -surface_margin,
+                      bounds->certain);
+        voxel_surface(c->triangles, c->model.triangle_count, SIZE, surface_margin,
+                      bounds->possible);
     }
 }
 
@@ -87,7 +92,7 @@ static void add_mover(const char *shape, const VoxelSetting *setting, double mos
                       Mover *mover)
 {
     GpError error = { "" };
-    mover->c = voxel_case_open(shape, NULL, SIZE);
+    mover->c = voxel_case_open(shape, 0, SIZE);
     mover->motions.count = 0;
     mover->c.model.motions = &mover->motions;
     mover->c.model.most_twist = (float)most_twist;

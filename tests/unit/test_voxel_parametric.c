@@ -7,12 +7,6 @@
 
 enum { MOST = 64, FULL = MOST * MOST * MOST / 8 };
 
-static bool get(const uint8_t *bits, uint32_t size, uint32_t x, uint32_t y, uint32_t z)
-{
-    const size_t i = x + size * (y + size * (size_t)z);
-    return bits[i / 8] >> i % 8 & 1;
-}
-
 typedef struct Parametric {
     const char *name;
     double step;
@@ -67,14 +61,14 @@ static Shell inspect_shell(const Parametric *p, double (*distance)(const double 
     for (uint32_t z = 0; z + 1 < size; z++)
         for (uint32_t y = 0; y + 1 < size; y++)
             for (uint32_t x = 0; x + 1 < size; x++) {
-                const bool set = get(bits, size, x, y, z);
+                const bool set = voxel_at(bits, size, x, y, z);
                 const double here = middle[z][y][x];
                 shell.stray += set && fabs(here) > sqrt(0.75) + 1e-3;
                 for (uint32_t k = 0; k < 3; k++) {
                     const uint32_t u = x + (k == 0), v = y + (k == 1), w = z + (k == 2);
                     const double there = middle[w][v][u];
                     const bool parted = here * there < 0 && fabs(here) > 1e-3 && fabs(there) > 1e-3;
-                    shell.holes += parted && !set && !get(bits, size, u, v, w);
+                    shell.holes += parted && !set && !voxel_at(bits, size, u, v, w);
                 }
             }
     return shell;
@@ -133,8 +127,8 @@ static uint32_t count_pieces(uint8_t *bits, uint32_t size)
     return pieces;
 }
 
-/* Points half as far apart find a tenth more, what the surface grazes; each surface is one piece, which
- * a coarse grid is not. */
+/* Points half as far apart find a tenth more, what the surface grazes; each surface is one piece,
+ * which a coarse grid is not. */
 static void every_surface_is_one_piece(void **state)
 {
     (void)state;
@@ -164,15 +158,16 @@ static void the_teapot_is_the_teapot(void **state)
     static uint8_t bits[FULL], touched[FULL], deep[FULL];
     const double chord = 0.1, nearest = 0.36 + chord;
     const Parametric teapot = { "teapot", VOXEL_PARAMETRIC_STEP };
-    VoxelCase mesh = voxel_case_open("teapot", NULL, SIZE);
+    VoxelCase mesh = voxel_case_open("teapot", 0, SIZE);
     VoxelBox box;
     assert_int_equal(voxel_parametric_box("teapot", SIZE, &box, NULL), GP_OK);
     const VoxelSpace space = { SIZE, box.scale, { box.offset[0], box.offset[1], box.offset[2] } };
-    voxel_triangles(mesh.positions, mesh.indices, mesh.triangle_count, &space, mesh.triangles);
+    voxel_triangles(mesh.model.positions, mesh.model.indices, mesh.model.triangle_count, &space,
+                    mesh.triangles);
     memset(touched, 0, FULL);
     memset(deep, 0, FULL);
-    voxel_surface(mesh.triangles, mesh.triangle_count, SIZE, chord, touched);
-    voxel_surface(mesh.triangles, mesh.triangle_count, SIZE, -nearest, deep);
+    voxel_surface(mesh.triangles, mesh.model.triangle_count, SIZE, chord, touched);
+    voxel_surface(mesh.triangles, mesh.model.triangle_count, SIZE, -nearest, deep);
     voxel_draw(append_parametric, &teapot, SIZE, false, bits);
     assert_int_equal(voxel_count_without(bits, touched, SIZE), 0);
     assert_true(voxel_count(deep, SIZE) > 500);

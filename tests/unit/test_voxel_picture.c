@@ -2,7 +2,7 @@
  * have in common, and with scans of every type. */
 #include "apps/voxel_picture.h"
 #include "tests/support/unit.h"
-#include "tests/support/voxel_picture.h"
+#include "tests/support/view_case.h"
 
 #include <math.h>
 
@@ -37,7 +37,7 @@ static void fill_range(const Worksheet *sheet, const VoxelRange *range)
     for (uint32_t z = range->low[2]; z < range->end[2]; z++)
         for (uint32_t y = range->low[1]; y < range->end[1]; y++)
             for (uint32_t x = range->low[0]; x < range->end[0]; x++)
-                voxel_picture_put(sheet, x, y, z);
+                view_case_put(sheet, x, y, z);
 }
 
 static void get_pixel(const Work *work, uint32_t x, uint32_t y, float rgba[4])

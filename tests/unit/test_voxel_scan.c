@@ -1,11 +1,11 @@
 /* Scanned volumes: their samples as voxels, and how much light they let through. */
 #include "apps/voxel_scan.h"
 #include "tests/support/unit.h"
-#include "tests/support/voxel_picture.h"
+#include "tests/support/view_case.h"
 
 #include <math.h>
 
-enum { MIDDLE = VOXEL_PICTURE_SIDE / 2 };
+enum { MIDDLE = VIEW_CASE_SIDE / 2 };
 
 static void scans_are_linear_between_samples(void **state)
 {
@@ -14,7 +14,7 @@ static void scans_are_linear_between_samples(void **state)
                                               { { 100, 140 }, { 180, 220 } } };
     const uint32_t dims[3] = { 2, 2, 2 };
     Work work;
-    voxel_picture_begin(&work);
+    view_case_begin(&work);
     const Worksheet scan = voxel_scan(&work, &samples[0][0][0], dims, (double[3]){ 2, 2, 2 }, 8);
     uint8_t voxels[512];
     worksheet_read(&scan, voxels);
@@ -36,28 +36,37 @@ static void scans_are_linear_between_samples(void **state)
     work_free(&work);
 }
 
+/* --- a block of one density ------------------------------------------------------------------- */
+
+enum { SIZE = 16, DENSITY = 200 };
+
+static Worksheet scan_of_block(Work *work)
+{
+    static uint8_t samples[SIZE * SIZE * SIZE];
+    static const uint32_t dims[3] = { SIZE, SIZE, SIZE };
+    memset(samples, DENSITY, sizeof samples);
+    const Worksheet scan = voxel_scan(work, samples, dims, NULL, SIZE);
+    return voxel_scan_slopes(work, &scan);
+}
+
 /* A block of one density absorbs as its ramp says. */
 static void scans_fade_light_by_their_ramp(void **state)
 {
     (void)state;
-    enum { SIZE = 16 };
-    static uint8_t samples[SIZE * SIZE * SIZE], ramp[256][4];
-    memset(samples, 200, sizeof samples);
-    ramp[200][3] = 51; /* a fifth */
+    static uint8_t ramp[256][4];
+    ramp[DENSITY][3] = 51; /* a fifth */
     Work work;
-    voxel_picture_begin(&work);
-    const uint32_t dims[3] = { SIZE, SIZE, SIZE };
-    const Worksheet scan = voxel_scan(&work, samples, dims, NULL, SIZE);
-    const Worksheet slopes = voxel_scan_slopes(&work, &scan);
+    view_case_begin(&work);
+    const Worksheet slopes = scan_of_block(&work);
     const Worksheet none = worksheet_make(&work, SIZE, 1);
     VoxelView view = voxel_view_defaults;
     view.mode = VOXEL_TRANSPARENT;
     view.scan = &slopes;
     view.transfer = &ramp[0][0];
-    view.camera = voxel_picture_camera(SIZE, 0, 0.3, 1, 2, 0);
-    voxel_picture_draw(&work, &none, &view);
+    view.camera = view_case_camera(SIZE, 0, 0.3, 1, 2, 0);
+    view_case_draw(&work, &none, &view);
     float pixel[4];
-    voxel_picture_pixel(&work, "haze", MIDDLE, MIDDLE, pixel);
+    view_case_pixel(&work, "haze", MIDDLE, MIDDLE, pixel);
     const double way = SIZE * sqrt(1 + 0.3 * 0.3); /* in front, out behind */
     assert_true(fabs((double)pixel[3] - (1 - pow(0.8, way))) < 0.01);
     work_free(&work);
@@ -67,25 +76,22 @@ static void scans_fade_light_by_their_ramp(void **state)
 static void opaque_voxels_hide_the_scan_behind_them(void **state)
 {
     (void)state;
-    enum { SIZE = 16, WALL = 7 };
-    static uint8_t samples[SIZE * SIZE * SIZE], ramp[256][4];
-    memset(samples, 200, sizeof samples);
-    ramp[200][3] = 26;
+    enum { WALL = 7 };
+    static uint8_t ramp[256][4];
+    ramp[DENSITY][3] = 26;
     Work work;
-    voxel_picture_begin(&work);
-    const uint32_t dims[3] = { SIZE, SIZE, SIZE };
-    const Worksheet scan = voxel_scan(&work, samples, dims, NULL, SIZE);
-    const Worksheet slopes = voxel_scan_slopes(&work, &scan);
+    view_case_begin(&work);
+    const Worksheet slopes = scan_of_block(&work);
     const Worksheet wall = worksheet_make(&work, SIZE, 1);
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
-        voxel_picture_put(&wall, i % SIZE, i / SIZE, WALL);
+        view_case_put(&wall, i % SIZE, i / SIZE, WALL);
     VoxelView view = voxel_view_defaults;
     view.scan = &slopes;
     view.transfer = &ramp[0][0];
-    view.camera = voxel_picture_camera(SIZE, 0, 0, 1, 2, 0);
-    voxel_picture_draw(&work, &wall, &view);
+    view.camera = view_case_camera(SIZE, 0, 0, 1, 2, 0);
+    view_case_draw(&work, &wall, &view);
     float pixel[4];
-    voxel_picture_pixel(&work, "haze", MIDDLE, MIDDLE, pixel);
+    view_case_pixel(&work, "haze", MIDDLE, MIDDLE, pixel);
     const double in_front = SIZE - 1 - WALL, seen = 1 - 26 / 255.0;
     assert_true(fabs((double)pixel[3] - (1 - pow(seen, in_front))) < 0.005);
     work_free(&work);

@@ -186,11 +186,11 @@ static void a_twist_turns_the_top_against_the_floor(void **state)
     scene.twist = 70;
     voxel_draw(append, &scene, SIZE, true, bits);
     const VoxelBox box = voxel_scene_box(&scene, SIZE);
-    VoxelCase c = voxel_case_open("cube", NULL, SIZE);
+    VoxelCase c = voxel_case_open("cube", 0, SIZE);
     const double middle = SIZE / 2.0;
-    for (uint32_t i = 0; i < c.triangle_count; i++)
+    for (uint32_t i = 0; i < c.model.triangle_count; i++)
         for (uint32_t j = 0; j < 3; j++) {
-            const float *p = c.positions + 3 * (size_t)c.indices[3 * i + j];
+            const float *p = c.model.positions + 3 * (size_t)c.model.indices[3 * i + j];
             const double angle = (double)p[1] * 35 * radians; /* the cube is from -1 to 1 */
             const double x = (double)p[0] * box.scale, z = (double)p[2] * box.scale;
             double *q = c.triangles[i].corner[j];
@@ -198,8 +198,8 @@ static void a_twist_turns_the_top_against_the_floor(void **state)
             q[1] = middle + (double)p[1] * box.scale;
             q[2] = middle + cos(angle) * z - sin(angle) * x;
         }
-    voxel_surface(c.triangles, c.triangle_count, SIZE, -2e-3, certain);
-    voxel_surface(c.triangles, c.triangle_count, SIZE, 2e-3, possible);
+    voxel_surface(c.triangles, c.model.triangle_count, SIZE, -2e-3, certain);
+    voxel_surface(c.triangles, c.model.triangle_count, SIZE, 2e-3, possible);
     assert_int_equal(voxel_count_without(certain, bits, SIZE), 0);
     assert_int_equal(voxel_count_without(bits, possible, SIZE), 0);
     voxel_case_free(&c);

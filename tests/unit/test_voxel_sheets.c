@@ -1,8 +1,9 @@
-/* The printed method of voxelization, one bit a voxel: what it finds, what adding bits loses, and what
- * one direction loses. */
+/* The printed method of voxelization, one bit a voxel: what it finds, what adding bits loses, and
+ * what one direction loses. */
+#include "apps/tech_voxel_sort.h"
 #include "tests/support/random.h"
-#include "tests/support/sheets_case.h"
 #include "tests/support/unit.h"
+#include "tests/support/voxel_case.h"
 
 #include <math.h>
 
@@ -21,7 +22,7 @@ static VoxelSetting with_or(uint32_t size)
     return setting;
 }
 
-/* --- samples ------------------------------------------------------------------------------------- */
+/* --- samples ---------------------------------------------------------------------------------- */
 
 /* Whether rounding may make another axis the dominant one. */
 static bool is_tie(const TruthTriangle *t)
@@ -39,9 +40,11 @@ static bool is_tie(const TruthTriangle *t)
 }
 
 /* Every sample that is met for certain is set, and none that is missed for certain. */
-static void check_samples(const SheetsCase *given, const uint8_t *voxels)
+static void check_samples(const VoxelCase *given)
 {
     const uint32_t size = given->size;
+    const VoxelSetting setting = with_or(size);
+    uint8_t *voxels = voxel_case_volume(given, &setting);
     uint8_t *in = gp_alloc(voxel_bytes(size), 1), *out = gp_alloc(voxel_bytes(size), 1);
     for (uint32_t i = 0; i < given->model.triangle_count; i++) {
         const TruthTriangle *t = &given->triangles[i];
@@ -51,8 +54,9 @@ static void check_samples(const SheetsCase *given, const uint8_t *voxels)
         voxel_thin(t, 1, size, tie, MARGIN, out);
     }
     assert_true(voxel_count(in, size) > 10);
-    assert_int_equal(sheets_case_beyond(in, voxels, size), 0);
-    assert_int_equal(sheets_case_beyond(voxels, out, size), 0);
+    assert_int_equal(voxel_count_without(in, voxels, size), 0);
+    assert_int_equal(voxel_count_without(voxels, out, size), 0);
+    gp_free(voxels);
     gp_free(in);
     gp_free(out);
 }
@@ -67,12 +71,9 @@ static void samples_are_those_of_the_dominant_axis(void **state)
     } cases[] = { { "sphere", 32, 0 },  { "torus", 64, 0.7 }, { "knot", 45, 0 },
                   { "teapot", 100, 2 }, { "cube", 40, 0.3 },  { "teapot", 136, 0 } };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
-        SheetsCase given = sheets_case_shape(cases[i].shape, cases[i].size, cases[i].turn);
-        VoxelSetting setting = with_or(cases[i].size);
-        uint8_t *voxels = sheets_case_volume(&given, &setting);
-        check_samples(&given, voxels);
-        gp_free(voxels);
-        sheets_case_free(&given);
+        VoxelCase given = voxel_case_open(cases[i].shape, cases[i].turn, cases[i].size);
+        check_samples(&given);
+        voxel_case_free(&given);
     }
 }
 
@@ -82,25 +83,22 @@ static void what_lies_outside_is_not_there(void **state)
     (void)state;
     enum { SIZE = 40, COUNT = 60 };
     Random random = { 3 };
-    TruthTriangle triangles[COUNT];
-    for (int i = 0; i < COUNT * 9; i++)
-        triangles[i / 9].corner[i / 3 % 3][i % 3] = (double)random_float(&random, -60, 100);
-    SheetsCase given = sheets_case_triangles(triangles, COUNT, SIZE);
-    VoxelSetting setting = with_or(SIZE);
-    uint8_t *voxels = sheets_case_volume(&given, &setting);
-    check_samples(&given, voxels);
-    gp_free(voxels);
-    sheets_case_free(&given);
+    float corners[9 * COUNT];
+    for (size_t i = 0; i < GP_COUNT(corners); i++)
+        corners[i] = random_float(&random, -60, 100);
+    VoxelCase given = voxel_case_of(corners, COUNT, SIZE);
+    check_samples(&given);
+    voxel_case_free(&given);
 }
 
-/* --- lists ---------------------------------------------------------------------------------------- */
+/* --- lists ------------------------------------------------------------------------------------ */
 
 /* Each triangle is in one list, but for those that reach from group to group. */
 static void geometry_is_read_once(void **state)
 {
     (void)state;
     enum { SIZE = 256, GROUPS = 2 };
-    SheetsCase given = sheets_case_shape("knot", SIZE, 0);
+    VoxelCase given = voxel_case_open("knot", 0, SIZE);
     const uint32_t count = given.model.triangle_count;
     VoxelSort sort = { .by = VOXEL_BY_NORMAL,
                        .groups = GROUPS,
@@ -121,30 +119,32 @@ static void geometry_is_read_once(void **state)
     assert_int_equal(drawn, count + reaching);
     assert_true(reaching > 0 && reaching < count / 50);
 
-    /* the first list of x holds the first triangle that looks along x and begins below the middle */
+    /* the first list of x holds the first triangle that looks along x and begins below the
+     * middle */
     for (uint32_t i = 0; i < count; i++)
         if (sort.spans[i].first[0] == 0 && sort.spans[i].end[0] > 0) {
-            assert_memory_equal(sort.indices, given.indices + 3 * (size_t)i, 3 * sizeof(uint32_t));
+            assert_memory_equal(sort.indices, given.model.indices + 3 * (size_t)i,
+                                3 * sizeof(uint32_t));
             break;
         }
     gp_free(sort.indices);
     gp_free(sort.spans);
-    sheets_case_free(&given);
+    voxel_case_free(&given);
 }
 
-/* --- carry ---------------------------------------------------------------------------------------- */
+/* --- carry ------------------------------------------------------------------------------------ */
 
 /* Two triangles in one voxel: its bit is added twice, and is the next one's. */
 static void adding_a_bit_twice_carries(void **state)
 {
     (void)state;
-    const TruthTriangle sheets[2] = { { { { 4, 4, 9.25 }, { 12, 4, 9.25 }, { 4, 12, 9.25 } } },
-                                      { { { 4, 4, 9.75 }, { 12, 4, 9.75 }, { 4, 12, 9.75 } } } };
-    SheetsCase given = sheets_case_triangles(sheets, 2, 16);
+    static const float sheets[] = { 4, 4, 9.25f, 12, 4, 9.25f, 4, 12, 9.25f,
+                                    4, 4, 9.75f, 12, 4, 9.75f, 4, 12, 9.75f };
+    VoxelCase given = voxel_case_of(sheets, 2, 16);
     VoxelSetting setting = with_or(16);
-    uint8_t *right = sheets_case_volume(&given, &setting);
+    uint8_t *right = voxel_case_volume(&given, &setting);
     setting.blend = VOXEL_ADD;
-    uint8_t *carried = sheets_case_volume(&given, &setting);
+    uint8_t *carried = voxel_case_volume(&given, &setting);
     uint64_t count = voxel_count(right, 16);
     assert_in_range(count, 28, 36); /* half of 8 x 8, less or more of the diagonal */
     for (size_t i = 0; i < voxel_bytes(16); i++) {
@@ -153,41 +153,42 @@ static void adding_a_bit_twice_carries(void **state)
     }
     gp_free(right);
     gp_free(carried);
-    sheets_case_free(&given);
+    voxel_case_free(&given);
 }
 
-/* Checks how many voxels adding sets that are not there, and how many it loses. */
-static void check_carry(const SheetsCase *given, uint64_t set, uint64_t lost)
-{
-    VoxelSetting setting = with_or(given->size);
-    uint8_t *right = sheets_case_volume(given, &setting);
-    setting.blend = VOXEL_ADD;
-    uint8_t *carried = sheets_case_volume(given, &setting);
-    assert_int_equal(sheets_case_beyond(carried, right, given->size), set);
-    assert_int_equal(sheets_case_beyond(right, carried, given->size), lost);
-    gp_free(right);
-    gp_free(carried);
-}
-
+/* How many voxels adding sets that are not there, and how many it loses. */
 typedef struct CarryCase {
     const char *model;
     uint32_t size;
     uint64_t set, lost;
 } CarryCase;
 
+static void check_carry(const CarryCase *expected)
+{
+    const uint32_t size = expected->size;
+    VoxelCase given = voxel_case_open(expected->model, 0, size);
+    VoxelSetting setting = with_or(size);
+    uint8_t *right = voxel_case_volume(&given, &setting);
+    setting.blend = VOXEL_ADD;
+    uint8_t *carried = voxel_case_volume(&given, &setting);
+    assert_int_equal(voxel_count_without(carried, right, size), expected->set);
+    assert_int_equal(voxel_count_without(right, carried, size), expected->lost);
+    gp_free(right);
+    gp_free(carried);
+    voxel_case_free(&given);
+}
+
 /* Seen along the axis that it faces a surface meets itself in a voxel only where it is thin, or
- * folded. A sphere shows no carry at all; a teapot does where spout, handle and lid meet the body. */
+ * folded. A sphere shows no carry at all; a teapot does where spout, handle and lid meet the
+ * body. */
 static void shapes_carry_where_they_are_thin(void **state)
 {
     (void)state;
     static const CarryCase cases[] = { { "sphere", 32, 0, 0 },
                                        { "teapot", 32, 2, 2 },
                                        { "teapot", 64, 36, 2 } };
-    for (size_t i = 0; i < GP_COUNT(cases); i++) {
-        SheetsCase given = sheets_case_shape(cases[i].model, cases[i].size, 0);
-        check_carry(&given, cases[i].set, cases[i].lost);
-        sheets_case_free(&given);
-    }
+    for (size_t i = 0; i < GP_COUNT(cases); i++)
+        check_carry(&cases[i]);
 }
 
 /* Of the models in print the bunny hides the failure, and the buddha shows it. */
@@ -198,27 +199,24 @@ static void meshes_carry_where_they_are_thin(void **state)
                                        { "meshes/horse.ply", 64, 2, 0 },
                                        { "meshes/lucy_100k.ply", 64, 94, 41 },
                                        { "meshes/happy_buddha.ply", 64, 59, 40 } };
-    for (size_t i = 0; i < GP_COUNT(cases); i++) {
-        SheetsCase given = sheets_case_mesh(cases[i].model, cases[i].size);
-        check_carry(&given, cases[i].set, cases[i].lost);
-        sheets_case_free(&given);
-    }
+    for (size_t i = 0; i < GP_COUNT(cases); i++)
+        check_carry(&cases[i]);
 }
 
-/* --- directions ----------------------------------------------------------------------------------- */
+/* --- directions ------------------------------------------------------------------------------- */
 
 static void compare_axes(const char *shape, uint32_t size, uint64_t *all, uint64_t *lost)
 {
-    SheetsCase given = sheets_case_shape(shape, size, 0);
+    VoxelCase given = voxel_case_open(shape, 0, size);
     VoxelSetting setting = with_or(size);
-    uint8_t *three = sheets_case_volume(&given, &setting);
+    uint8_t *three = voxel_case_volume(&given, &setting);
     setting.axes = 1;
-    uint8_t *one = sheets_case_volume(&given, &setting);
+    uint8_t *one = voxel_case_volume(&given, &setting);
     *all = voxel_count(three, size);
-    *lost = sheets_case_beyond(three, one, size);
+    *lost = voxel_count_without(three, one, size);
     gp_free(three);
     gp_free(one);
-    sheets_case_free(&given);
+    voxel_case_free(&given);
 }
 
 /* Along z alone a cube is its two faces across, the other four are seen edge-on; of a sphere two

@@ -1,11 +1,11 @@
-/* Facts about a mesh, and about solids made of it, that decide what its inside is.
+/* Facts about a mesh that decide what its inside is.
  *
- * A line that crosses a closed surface goes in as often as it comes out. Where a surface has an open
- * edge, or three triangles at one, a line beside that edge may cross an odd number of triangles, and
- * whatever fills insides by counting fills the rest of the line.
+ * A line that crosses a closed surface goes in as often as it comes out. Where a surface has an
+ * open edge, or three triangles at one, a line beside that edge may cross an odd number of
+ * triangles, and whatever fills insides by counting fills the rest of the line.
  */
-#ifndef APPS_VOXEL_REPORT_H
-#define APPS_VOXEL_REPORT_H
+#ifndef APPS_MESH_REPORT_H
+#define APPS_MESH_REPORT_H
 
 #include "pipeline/base.h"
 
@@ -30,20 +30,8 @@ typedef struct MeshReport {
 GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32_t *indices,
                      uint32_t triangle_count, MeshReport *report);
 
-/* What a mesh that is not closed lacks, as words: "223 edges of one triangle, 1 edge of three or more
- * triangles". */
+/* What a mesh that is not closed lacks, as words: "223 edges of one triangle, 1 edge of three or
+ * more triangles". */
 void mesh_report_faults(const MeshReport *report, char *text, size_t size);
-
-/* --- solids -------------------------------------------------------------------------------------
- */
-
-/* Columns that an odd number of triangles crosses.
- * in   parity: one bit a column, x + size * y, which is 1 there. A solid that was made by turning
- *      over what lies below each triangle has it in its lowest layer, its first size * size bits. */
-uint64_t voxel_odd_columns(const uint8_t *parity, uint32_t size);
-
-/* Voxels that are not the same in three solids of one model, each made along another axis.
- * in   solids: [3][(size^3 + 7) / 8], bit x + size * (y + size * z) */
-uint64_t voxel_disagreements(const uint8_t *const solids[3], uint32_t size);
 
 #endif

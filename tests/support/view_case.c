@@ -1,4 +1,6 @@
-#include "tests/support/voxel_picture.h"
+#include "tests/support/view_case.h"
+
+#include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
@@ -6,42 +8,35 @@
 
 enum { MORE = 2 }; /* passes and draws beside a picture's own */
 
-void voxel_picture_begin(Work *work)
+void view_case_begin(Work *work)
 {
     *work = (Work){ .color = NULL };
     work_reserve(work, VOXEL_VIEW_PASSES + MORE, VOXEL_VIEW_DRAWS + MORE);
 }
 
-void voxel_picture_put(const Worksheet *sheet, uint32_t x, uint32_t y, uint32_t z)
+void view_case_put(const Worksheet *sheet, uint32_t x, uint32_t y, uint32_t z)
 {
-    const uint32_t slab = z / 32;
-    uint8_t *texel =
-        gp_surface_texel(&sheet->texels->level[0], 4, slab % sheet->columns * sheet->size + x,
-                         slab / sheet->columns * sheet->size + y);
+    uint8_t *texel = worksheet_texel(sheet, z / 32, x, y);
     texel[z % 32 / 8] = (uint8_t)(texel[z % 32 / 8] | 1u << z % 8);
 }
 
-bool voxel_picture_get(const Worksheet *sheet, const uint32_t voxel[3])
+bool view_case_get(const Worksheet *sheet, const uint32_t voxel[3])
 {
-    const uint32_t slab = voxel[2] / 32;
-    const uint8_t *texel = gp_surface_texel(&sheet->texels->level[0], 4,
-                                            slab % sheet->columns * sheet->size + voxel[0],
-                                            slab / sheet->columns * sheet->size + voxel[1]);
+    const uint8_t *texel = worksheet_texel(sheet, voxel[2] / 32, voxel[0], voxel[1]);
     return texel[voxel[2] % 32 / 8] >> voxel[2] % 8 & 1;
 }
 
-Worksheet voxel_picture_random(Work *work, uint32_t size, int32_t rarity, uint64_t seed)
+Worksheet view_case_random(Work *work, uint32_t size, int32_t rarity, uint64_t seed)
 {
     const Worksheet sheet = worksheet_make(work, size, 1);
     Random random = { seed };
     for (uint32_t i = 0; i < size * size * size; i++)
         if (random_int(&random, 1, rarity) == 1)
-            voxel_picture_put(&sheet, i % size, i / size % size, i / size / size);
+            view_case_put(&sheet, i % size, i / size % size, i / size / size);
     return sheet;
 }
 
-Camera voxel_picture_camera(uint32_t size, double x, double y, double z, double distance,
-                            double fovy)
+Camera view_case_camera(uint32_t size, double x, double y, double z, double distance, double fovy)
 {
     Camera camera = { .up = { 0.1, 1, 0.2 },
                       .fovy = fovy,
@@ -56,25 +51,15 @@ Camera voxel_picture_camera(uint32_t size, double x, double y, double z, double 
     return camera;
 }
 
-static void run_list(const GpList *list)
-{
-    GpDevice *device;
-    GpError error = { "" };
-    assert_int_equal(gp_device_create(&(GpDeviceDesc){ 0 }, &device, &error), GP_OK);
-    if (gp_device_run(device, list, &error))
-        fail_msg("%s", error.text);
-    gp_device_destroy(&device);
-}
-
-void voxel_picture_draw(Work *work, const Worksheet *sheet, const VoxelView *view)
+void view_case_draw(Work *work, const Worksheet *sheet, const VoxelView *view)
 {
     GpError error = { "" };
-    if (voxel_view_build(sheet, view, VOXEL_PICTURE_SIDE, VOXEL_PICTURE_SIDE, work, &error))
+    if (voxel_view_build(sheet, view, VIEW_CASE_SIDE, VIEW_CASE_SIDE, work, &error))
         fail_msg("%s", error.text);
     run_list(&work->list);
 }
 
-void voxel_picture_pixel(const Work *work, const char *pass, int x, int y, float rgba[4])
+void view_case_pixel(const Work *work, const char *pass, int x, int y, float rgba[4])
 {
     for (uint32_t i = 0; i < work->list.pass_count; i++)
         if (!strcmp(work->list.passes[i].name, pass)) {

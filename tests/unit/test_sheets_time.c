@@ -1,6 +1,6 @@
 /* The steps of the printed method, as tables measure them: each pass belongs to one, and memory is
  * counted once. No time is judged. */
-#include "apps/bench_voxel.h"
+#include "apps/sheets_time.h"
 #include "tests/support/unit.h"
 
 typedef struct Stage {
@@ -54,13 +54,13 @@ static void every_step_takes_time(void **state)
     (void)state;
     Stage stage;
     GpError error = { "" };
-    BenchVoxelSteps steps = { 0, 0, 0 };
+    SheetsTimes steps = { 0, 0, 0 };
     double sort = 0;
     set_up(&stage, "--method sheets --size 64");
-    if (bench_voxel_steps(&stage.clock, &stage.work, &steps, &error))
+    if (sheets_time_steps(&stage.clock, &stage.work, &steps, &error))
         fail_msg("%s", error.text);
     assert_true(steps.raster > 0 && steps.texelize > 0 && steps.synthesize > 0);
-    assert_int_equal(bench_voxel_sort(&stage.clock, stage.scene, 512, &sort, &error), GP_OK);
+    assert_int_equal(sheets_time_sort(&stage.clock, stage.scene, 512, &sort, &error), GP_OK);
     assert_true(sort > 0);
     tear_down(&stage);
 }
@@ -73,10 +73,10 @@ static void memory_is_that_of_all_surfaces_once(void **state)
     const size_t texel = 4, sheets = 3 * 64 * 128, targets = 4 * 64 * 64, found = 8 * 2 * 64;
     Stage stage;
     set_up(&stage, "--method sheets --size 64");
-    assert_int_equal(bench_voxel_bytes(&stage.work.list), texel * (sheets + targets + found));
+    assert_int_equal(sheets_bytes(&stage.work.list), texel * (sheets + targets + found));
     tear_down(&stage);
     set_up(&stage, "--method sheets --axes 1 --size 64");
-    assert_int_equal(bench_voxel_bytes(&stage.work.list), texel * (sheets / 3 + targets));
+    assert_int_equal(sheets_bytes(&stage.work.list), texel * (sheets / 3 + targets));
     tear_down(&stage);
 }
 
@@ -87,5 +87,5 @@ int main(void)
         cmocka_unit_test(every_step_takes_time),
         cmocka_unit_test(memory_is_that_of_all_surfaces_once),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("sheets time", tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* What is told of meshes and solids: shapes whose faults are known, made and found, and files whose
  * faults were counted by another program in exact arithmetic. */
 #include "apps/shapes.h"
-#include "apps/voxel_report.h"
+#include "apps/voxel_facts.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh.h"
 #include "tests/support/unit.h"
@@ -9,7 +9,7 @@
 
 #include <stdio.h>
 
-/* --- shapes ------------------------------------------------------------------------------------ */
+/* --- shapes ----------------------------------------------------------------------------------- */
 
 /* Positions alone, with room for more triangles. */
 typedef struct Mesh {
@@ -190,7 +190,7 @@ static void vertices_at_one_place_are_one(void **state)
     release(&mesh);
 }
 
-/* --- files ------------------------------------------------------------------------------------- */
+/* --- files ------------------------------------------------------------------------------------ */
 
 static void files_have_the_faults_that_are_known(void **state)
 {
@@ -263,7 +263,7 @@ static void closed_files_are_closed(void **state)
     }
 }
 
-/* --- solids ------------------------------------------------------------------------------------ */
+/* --- solids ----------------------------------------------------------------------------------- */
 
 enum { SIZE = 24, BYTES = SIZE * SIZE * SIZE / 8 };
 
@@ -366,5 +366,5 @@ int main(void)
         cmocka_unit_test(closed_solids_agree_and_open_ones_tell_where_they_do_not),
         cmocka_unit_test(columns_beyond_whole_bytes_are_counted),
     };
-    return cmocka_run_group_tests_name("voxel report", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("voxel facts", tests, NULL, NULL);
 }

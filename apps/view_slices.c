@@ -1,11 +1,11 @@
-#include "apps/voxel_slices.h"
+#include "apps/view_slices.h"
 
 #include <math.h>
 
 enum { MOST_PARTS = 16 };
 
-/* Rays may be so much steeper than their shares of a slab were computed for: more than interpolation
- * rounds by. */
+/* Rays may be so much steeper than their shares of a slab were computed for: more than
+ * interpolation rounds by. */
 #define STEEPER 1.001
 
 CameraFrame camera_frame(const Camera *camera, double aspect)
@@ -24,10 +24,11 @@ CameraFrame camera_frame(const Camera *camera, double aspect)
     return frame;
 }
 
-/* --- how many ----------------------------------------------------------------------------------- */
+/* --- how many --------------------------------------------------------------------------------- */
 
-/* Voxels that a ray moves along u or v while it moves by one along w; infinite where it does not. */
-static double steepness(const VoxelSlices *slices, const double ray[3])
+/* Voxels that a ray moves along u or v while it moves by one along w; infinite where it does
+ * not. */
+static double steepness(const ViewSlices *slices, const double ray[3])
 {
     const double u = fabs(ray[slices->axes[0]]), v = fabs(ray[slices->axes[1]]);
     const double w = ray[slices->axes[2]] * slices->toward;
@@ -35,7 +36,7 @@ static double steepness(const VoxelSlices *slices, const double ray[3])
 }
 
 /* The steepest ray of the picture is one of its corners'. */
-static double steepest_of_picture(const VoxelSlices *slices, const CameraFrame *frame)
+static double steepest_of_picture(const ViewSlices *slices, const CameraFrame *frame)
 {
     const bool perspective = slices->camera->fovy > 0;
     double most = 0;
@@ -52,7 +53,7 @@ static double steepest_of_picture(const VoxelSlices *slices, const CameraFrame *
 }
 
 /* Of all rays that meet the range, it is one through a corner of it. */
-static double steepest_of_box(const VoxelSlices *slices)
+static double steepest_of_box(const ViewSlices *slices)
 {
     double most = 0;
     for (int corner = 0; corner < 8; corner++) {
@@ -66,11 +67,11 @@ static double steepest_of_box(const VoxelSlices *slices)
     return most;
 }
 
-GpResult voxel_slices_find(const VoxelRange *range, const Camera *camera, double aspect,
-                           VoxelSlices *slices, GpError *error)
+GpResult view_slices_find(const VoxelRange *range, const Camera *camera, double aspect,
+                          ViewSlices *slices, GpError *error)
 {
     const CameraFrame frame = camera_frame(camera, aspect);
-    VoxelSlices found = { .range = *range, .camera = camera };
+    ViewSlices found = { .range = *range, .camera = camera };
     int axis = 0;
     for (int k = 1; k < 3; k++)
         axis = fabs(frame.forward[k]) > fabs(frame.forward[axis]) ? k : axis;
@@ -89,7 +90,7 @@ GpResult voxel_slices_find(const VoxelRange *range, const Camera *camera, double
     return GP_OK;
 }
 
-/* --- quads -------------------------------------------------------------------------------------- */
+/* --- quads ------------------------------------------------------------------------------------ */
 
 typedef struct SliceVertex {
     float position[3]; /* u, v, w */
@@ -97,20 +98,20 @@ typedef struct SliceVertex {
 } SliceVertex;
 
 /* Near side of the i-th slab from the side where rays enter, by w. */
-static double near_side(const VoxelSlices *slices, uint32_t i)
+static double near_side(const ViewSlices *slices, uint32_t i)
 {
     const int axis = slices->axes[2];
     const double depth = (double)i / slices->parts;
     return slices->toward > 0 ? slices->range.low[axis] + depth : slices->range.end[axis] - depth;
 }
 
-static bool is_behind(const VoxelSlices *slices, uint32_t i)
+static bool is_behind(const ViewSlices *slices, uint32_t i)
 {
     const double way = near_side(slices, i) - slices->camera->eye[slices->axes[2]];
     return slices->camera->fovy > 0 && way * slices->toward <= 0;
 }
 
-static void put_quad(const VoxelSlices *slices, uint32_t i, SliceVertex vertex[4])
+static void put_quad(const ViewSlices *slices, uint32_t i, SliceVertex vertex[4])
 {
     const uint32_t from_near = i / slices->parts;
     const VoxelRange *range = &slices->range;
@@ -127,16 +128,16 @@ static void put_quad(const VoxelSlices *slices, uint32_t i, SliceVertex vertex[4
     }
 }
 
-uint32_t voxel_slices_count(const VoxelSlices *slices)
+uint32_t view_slices_count(const ViewSlices *slices)
 {
     const int axis = slices->axes[2];
     return (slices->range.end[axis] - slices->range.low[axis]) * slices->parts;
 }
 
-GpGeometry voxel_slices_quads(Work *work, const VoxelSlices *slices, bool nearest_first)
+GpGeometry view_slices_quads(Work *work, const ViewSlices *slices, bool nearest_first)
 {
     static const uint32_t triangles[6] = { 0, 1, 2, 2, 1, 3 };
-    const uint32_t slabs = voxel_slices_count(slices);
+    const uint32_t slabs = view_slices_count(slices);
     SliceVertex *vertices = work_alloc(work, 4 * (size_t)slabs, sizeof *vertices);
     uint32_t *indices = work_alloc(work, 6 * (size_t)slabs, sizeof *indices), quads = 0;
     for (uint32_t i = 0; i < slabs; i++) {
@@ -157,11 +158,11 @@ GpGeometry voxel_slices_quads(Work *work, const VoxelSlices *slices, bool neares
     };
 }
 
-VoxelSlicesUniforms voxel_slices_uniforms(const VoxelSlices *slices, double aspect)
+VoxelViewUniforms view_slices_uniforms(const ViewSlices *slices, double aspect)
 {
     const Camera *camera = slices->camera;
     const CameraFrame frame = camera_frame(camera, aspect);
-    VoxelSlicesUniforms uniforms = { .thickness = (float)(slices->toward / slices->parts) };
+    VoxelViewUniforms uniforms = { .thickness = (float)(slices->toward / slices->parts) };
     float to_clip[4][4];
     camera_matrix(camera, aspect, to_clip);
     for (int k = 0; k < 3; k++) {

@@ -1,4 +1,4 @@
-#include "apps/voxel_report.h"
+#include "apps/mesh_report.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static GpResult find_places(const float *positions, uint32_t vertex_count, uint3
     return GP_OK;
 }
 
-/* --- values in groups -------------------------------------------------------------------------- */
+/* --- values in groups ------------------------------------------------------------------------- */
 
 /* Values sorted by a group and, within it, by value: [group_count + 1] begins, [count] values. */
 typedef struct Groups {
@@ -83,7 +83,7 @@ static GpResult make_groups(const uint32_t *group_of, const uint64_t *values, si
     return GP_OK;
 }
 
-/* --- triangles --------------------------------------------------------------------------------- */
+/* --- triangles -------------------------------------------------------------------------------- */
 
 /* What is grouped: up to three values a triangle. */
 typedef struct List {
@@ -261,26 +261,4 @@ void mesh_report_faults(const MeshReport *report, char *text, size_t size)
             used += (size_t)snprintf(text + used, size - used, "%s%llu edge%s %s", used ? ", " : "",
                                      (unsigned long long)faults[i].count,
                                      faults[i].count == 1 ? "" : "s", faults[i].what);
-}
-
-/* --- solids ------------------------------------------------------------------------------------ */
-
-uint64_t voxel_odd_columns(const uint8_t *parity, uint32_t size)
-{
-    const size_t columns = (size_t)size * size;
-    uint64_t count = 0;
-    for (size_t i = 0; i < columns; i++)
-        count += parity[i / 8] >> i % 8 & 1;
-    return count;
-}
-
-uint64_t voxel_disagreements(const uint8_t *const solids[3], uint32_t size)
-{
-    const size_t bytes = ((size_t)size * size * size + 7) / 8;
-    uint64_t count = 0;
-    for (size_t i = 0; i < bytes; i++) {
-        unsigned differs = (solids[0][i] ^ solids[1][i]) | (solids[0][i] ^ solids[2][i]);
-        count += (unsigned)__builtin_popcount(differs);
-    }
-    return count;
 }

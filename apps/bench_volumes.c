@@ -1,36 +1,30 @@
-/* Benchmark cases of voxelization: meshes in memory to volumes in memory, and two volumes combined. All
- * are 256 voxels a side. */
+/* Benchmark cases of voxelization: meshes in memory to volumes in memory, and two volumes combined.
+ * All are 256 voxels a side. */
 #include "apps/bench.h"
-#include "apps/tech_voxel.h"
 #include "apps/voxel_combine.h"
-#include "pipeline/io/file.h"
-#include "pipeline/io/mesh.h"
+#include "apps/voxel_scene.h"
 
 #include <string.h>
 
 enum { SIZE = 256, SLAB = 32 };
 
-/* --- meshes ----------------------------------------------------------------------------------------- */
+/* --- meshes ----------------------------------------------------------------------------------- */
 
+/* Triangles in their box, in the work's memory. */
 static GpResult read_model(const char *name, Work *work, VoxelModel *model, GpError *error)
 {
-    char path[4096];
-    GpMesh mesh = { .positions = NULL };
-    GpResult result = gp_data_find(name, path, sizeof path, error);
-    if (!result)
-        result = gp_mesh_read(path, GP_MESH_TRIANGLES, &mesh, error);
+    VoxelScene scene;
+    GpResult result = voxel_scene_open(name, &scene, error);
     if (result)
         return result;
-    const size_t floats = 3 * (size_t)mesh.vertex_count, corners = 3 * (size_t)mesh.triangle_count;
-    const VoxelBox box = voxel_box(mesh.positions, mesh.indices, (uint32_t)corners, SIZE);
-    *model = (VoxelModel){
-        .positions = work_copy(work, mesh.positions, floats * sizeof *mesh.positions),
-        .indices = work_copy(work, mesh.indices, corners * sizeof *mesh.indices),
-        .vertex_count = mesh.vertex_count,
-        .triangle_count = mesh.triangle_count,
-        .motion = voxel_still(&box),
-    };
-    gp_mesh_free(&mesh);
+    const VoxelBox box = voxel_scene_box(&scene, SIZE);
+    *model = voxel_scene_model(&scene, &box);
+    const size_t floats = 3 * (size_t)model->vertex_count,
+                 corners = 3 * (size_t)model->triangle_count;
+    model->positions = work_copy(work, model->positions, floats * sizeof *model->positions);
+    model->indices = work_copy(work, model->indices, corners * sizeof *model->indices);
+    model->normals = model->colors = NULL;
+    voxel_scene_close(&scene);
     return GP_OK;
 }
 
@@ -68,7 +62,7 @@ GpResult bench_build_volume(const BenchCase *bench, Work *work, GpError *error)
     return result;
 }
 
-/* --- two volumes ------------------------------------------------------------------------------------ */
+/* --- two volumes ------------------------------------------------------------------------------ */
 
 /* The bits of a column's slab that are in a ball. */
 static uint32_t bits_of_ball(const double middle[3], double radius, uint32_t x, uint32_t y,
@@ -86,16 +80,12 @@ static uint32_t bits_of_ball(const double middle[3], double radius, uint32_t x, 
 static Worksheet make_ball(Work *work, const double middle[3], double radius)
 {
     Worksheet ball = worksheet_make(work, SIZE, 1);
-    for (uint32_t slab = 0; slab < ball.slabs; slab++) {
-        const GpViewport patch = worksheet_patch(&ball, slab);
+    for (uint32_t slab = 0; slab < ball.slabs; slab++)
         for (uint32_t y = 0; y < SIZE; y++)
             for (uint32_t x = 0; x < SIZE; x++) {
                 uint32_t bits = bits_of_ball(middle, radius, x, y, slab);
-                memcpy(gp_surface_texel(&ball.texels->level[0], sizeof bits, (uint32_t)patch.x + x,
-                                        (uint32_t)patch.y + y),
-                       &bits, sizeof bits);
+                memcpy(worksheet_texel(&ball, slab, x, y), &bits, sizeof bits);
             }
-    }
     return ball;
 }
 

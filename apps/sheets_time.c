@@ -1,4 +1,4 @@
-#include "apps/bench_voxel.h"
+#include "apps/sheets_time.h"
 
 #include "apps/meter.h"
 #include "apps/tech_voxel_sort.h"
@@ -35,7 +35,7 @@ static GpResult time_step(const TechniqueClock *clock, const GpList *list, int s
     return result;
 }
 
-GpResult bench_voxel_steps(const TechniqueClock *clock, const Work *work, BenchVoxelSteps *steps,
+GpResult sheets_time_steps(const TechniqueClock *clock, const Work *work, SheetsTimes *steps,
                            GpError *error)
 {
     double ms[STEPS];
@@ -45,7 +45,7 @@ GpResult bench_voxel_steps(const TechniqueClock *clock, const Work *work, BenchV
         result = time_step(clock, &work->list, step, some, &ms[step], error);
     gp_free(some);
     if (!result)
-        *steps = (BenchVoxelSteps){ ms[RASTER], ms[TEXELIZE], ms[SYNTHESIZE] };
+        *steps = (SheetsTimes){ ms[RASTER], ms[TEXELIZE], ms[SYNTHESIZE] };
     return result;
 }
 
@@ -68,7 +68,7 @@ static double time_sorting(const TechniqueClock *clock, const VoxelModel *model,
     return timing_median(clock->each, times);
 }
 
-GpResult bench_voxel_sort(const TechniqueClock *clock, const VoxelScene *scene, uint32_t size,
+GpResult sheets_time_sort(const TechniqueClock *clock, const VoxelScene *scene, uint32_t size,
                           double *ms, GpError *error)
 {
     const VoxelBox box = voxel_scene_box(scene, size);
@@ -101,7 +101,7 @@ static bool is_drawn_before(const GpList *list, uint32_t pass, const GpSurface *
     return false;
 }
 
-size_t bench_voxel_bytes(const GpList *list)
+size_t sheets_bytes(const GpList *list)
 {
     size_t bytes = 0;
     for (uint32_t i = 0; i < list->pass_count; i++)

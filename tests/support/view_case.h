@@ -1,0 +1,29 @@
+/* Pictures of volumes drawn for tests: voxels put by hand, a camera, pixels. */
+#ifndef TESTS_VIEW_CASE_H
+#define TESTS_VIEW_CASE_H
+
+#include "apps/voxel_view.h"
+
+enum { VIEW_CASE_SIDE = 64 }; /* pixels */
+
+/* An empty work with room for a picture. */
+void view_case_begin(Work *work);
+
+/* Voxels of worksheets of one bit. */
+void view_case_put(const Worksheet *sheet, uint32_t x, uint32_t y, uint32_t z);
+bool view_case_get(const Worksheet *sheet, const uint32_t voxel[3]);
+
+/* One voxel in so many. */
+Worksheet view_case_random(Work *work, uint32_t size, int32_t rarity, uint64_t seed);
+
+/* Looks at the middle of a volume from a direction, `distance` sizes away; fovy 0: parallel
+ * rays. */
+Camera view_case_camera(uint32_t size, double x, double y, double z, double distance, double fovy);
+
+/* Builds a picture, and draws all of the work's list. */
+void view_case_draw(Work *work, const Worksheet *sheet, const VoxelView *view);
+
+/* A pixel of the target of a pass. */
+void view_case_pixel(const Work *work, const char *pass, int x, int y, float rgba[4]);
+
+#endif
