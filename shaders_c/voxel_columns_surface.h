@@ -236,9 +236,10 @@ GP_INLINE msk in_box(const Varying *in, flt x, flt y)
 /* Whether the edges, seen along z, let the triangle into a column. */
 GP_INLINE msk in_edges(const Varying *in, flt x, flt y)
 {
-    return (msk)(least(in->edge[0].x + in->edge[0].y * x + in->edge[0].z * y,
-                       in->edge[1].x + in->edge[1].y * x + in->edge[1].z * y,
-                       in->edge[2].x + in->edge[2].y * x + in->edge[2].z * y) >= 0.0f);
+    msk inside[3];
+    for (int i = 0; i < 3; i++)
+        inside[i] = in->edge[i].x + in->edge[i].y * x + in->edge[i].z * y >= 0.0f;
+    return inside[0] & inside[1] & inside[2];
 }
 
 #endif
