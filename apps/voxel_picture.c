@@ -11,7 +11,7 @@ const VoxelPicture voxel_picture_defaults = {
 
 /* --- scans ------------------------------------------------------------------------------------ */
 
-enum { VALUES = 256, MAX_SCAN = 400 };
+enum { VALUES = 256 };
 
 static double sample(const GpVolume *scan, size_t i)
 {
@@ -93,9 +93,9 @@ static const uint8_t *make_ramp(Work *work, uint32_t size)
 static GpResult add_scan(const GpVolume *scan, uint32_t size, Work *work, VoxelView *view,
                          GpError *error)
 {
-    if (size > MAX_SCAN)
+    if (size > VOXEL_SCAN_MAX_SIZE)
         return gp_fail(error, GP_ERROR_INVALID, "--scan: a volume of at most %d voxels a side",
-                       MAX_SCAN);
+                       VOXEL_SCAN_MAX_SIZE);
     GpResult result = worksheet_check(size, 8, error);
     if (result)
         return result;

@@ -15,7 +15,8 @@ Worksheet voxel_scan(Work *work, const uint8_t *samples, const uint32_t dims[3],
 uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3]);
 
 /* Appends the pass that finds the slopes of a scan, once for all pictures of it: a sheet of one
- * voxel a texel, its size 512 at most. */
+ * voxel a texel, so that 20 x 20 patches of 400 are all that a surface holds. */
+enum { VOXEL_SCAN_MAX_SIZE = 400 };
 Worksheet voxel_scan_slopes(Work *work, const Worksheet *scan);
 
 #endif
