@@ -129,8 +129,9 @@ static const Share sampled[] = {
     { in_rectangle, &voxel_sampled_rectangle_program, true },
 };
 
-static void draw_share(const VoxelModel *model, Work *work, const Worksheet *sheet,
-                       const Share *share, const VoxelExtent *extents, bool thin, uint32_t step)
+/* Returns how many triangles it has. */
+static uint32_t draw_share(const VoxelModel *model, Work *work, const Worksheet *sheet,
+                           const Share *share, const VoxelExtent *extents, bool thin, uint32_t step)
 {
     uint32_t count, room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
     const uint32_t *list =
@@ -141,6 +142,7 @@ static void draw_share(const VoxelModel *model, Work *work, const Worksheet *she
                                                    : make_points(model, work, list + done, next);
         add_draw(model, work, sheet, share->program, thin, step, &geometry);
     }
+    return count;
 }
 
 void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *work,
@@ -153,7 +155,11 @@ void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *w
     voxel_extents(model, extents);
 
     worksheet_pass(work, thin ? "sampled" : "touched", sheet);
-    for (uint32_t step = 0; step < sheet->slabs; step++)
+    /* what reaches no further in one step reaches no further in the next */
+    uint32_t left = model->triangle_count;
+    for (uint32_t step = 0; left && step < sheet->slabs; step++) {
+        left = 0;
         for (size_t i = 0; i < share_count; i++)
-            draw_share(model, work, sheet, &shares[i], extents, thin, step);
+            left += draw_share(model, work, sheet, &shares[i], extents, thin, step);
+    }
 }
