@@ -7,9 +7,8 @@ static float stream_component(const GpStream *stream, uint32_t vertex, int compo
     if (component >= stream->components)
         return component == 3 ? 1.0f : 0.0f;
     size_t size = stream->type == GP_FLOAT32 ? sizeof(float) : 1;
-    size_t stride = stream->stride ? stream->stride : size * stream->components;
-    const uint8_t *at =
-        (const uint8_t *)stream->data + (size_t)vertex * stride + (size_t)component * size;
+    const uint8_t *at = (const uint8_t *)stream->data + (size_t)vertex * gp_stream_stride(stream) +
+                        (size_t)component * size;
     if (stream->type == GP_UNORM8)
         return gp_float_from_unorm(*at, 8);
     float value;

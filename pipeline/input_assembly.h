@@ -4,6 +4,13 @@
 
 #include "pipeline/geometry.h"
 
+/* Bytes from vertex to vertex. */
+static inline size_t gp_stream_stride(const GpStream *stream)
+{
+    const size_t size = stream->type == GP_FLOAT32 ? sizeof(float) : 1;
+    return stream->stride ? stream->stride : size * stream->components;
+}
+
 /* Fetches one input of one vertex.
  * in   index < geometry->vertex_count
  * out  input: components that the stream lacks are (0, 0, 0, 1); signalling NaNs become the

@@ -109,8 +109,8 @@ typedef struct GpShaderCall {
     void *local;          /* for read_local */
 
     /* vertex shader: out */
-    float *position; /* [packet][4][lanes], clip space */
-    float *varying;
+    float *position;   /* [packet][4][lanes], clip space */
+    float *varying;    /* NULL: positions and sizes only */
     float *point_size; /* [packet][lanes], pixels; NULL unless the program writes it */
 
     /* pixel shader: in */

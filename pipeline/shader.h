@@ -580,6 +580,17 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
 
 /* --- shader functions and programs ----------------------------------------------------------------- */
 
+#define GP_VERTEX_PACKETS(name, U, IN, varyings)                                                   \
+    for (int k = 0; k < call->packets; k++) {                                                      \
+        GpInvocation invocation = { .call = call, .packet = k };                                   \
+        flt size = flt_set(1);                                                                     \
+        name##_body(&invocation, (const U *)call->uniforms,                                        \
+                    (const IN *)(const void *)call->in + k, (float4 *)(void *)call->position + k,  \
+                    varyings, &size);                                                              \
+        if (call->point_size)                                                                      \
+            ((flt *)(void *)call->point_size)[k] = size;                                           \
+    }
+
 /* The loop over packets and the inlined body live together in the shader's object file: calling a
  * shader costs one indirect call a block. */
 #define vertex_shader(name, U, IN, OUT)                                                            \
@@ -592,17 +603,12 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
                                OUT *out, flt *point_size);                                         \
     static void name(const GpShaderCall *call)                                                     \
     {                                                                                              \
-        const IN *in = (const IN *)(const void *)call->in;                                         \
-        float4 *position = (float4 *)(void *)call->position;                                       \
         OUT *out = (OUT *)(void *)call->varying;                                                   \
-        flt *point_size = (flt *)(void *)call->point_size;                                         \
-        for (int k = 0; k < call->packets; k++) {                                                  \
-            GpInvocation invocation = { .call = call, .packet = k };                               \
-            flt size = flt_set(1);                                                                 \
-            name##_body(&invocation, (const U *)call->uniforms, in + k, position + k, out + k,     \
-                        &size);                                                                    \
-            if (point_size)                                                                        \
-                point_size[k] = size;                                                              \
+        if (out) {                                                                                 \
+            GP_VERTEX_PACKETS(name, U, IN, &out[k])                                                \
+        } else { /* positions only: what nobody asks for is left out by the compiler */            \
+            OUT unused;                                                                            \
+            GP_VERTEX_PACKETS(name, U, IN, &unused)                                                \
         }                                                                                          \
     }                                                                                              \
     GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \

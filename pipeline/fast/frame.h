@@ -82,6 +82,7 @@ typedef struct FastDraw {
     bool wants_depth;  /* depth or stencil is touched at all */
     bool nearest_wins; /* ordered, but only equal depths need their order: see front_to_back.c */
     bool packs_points; /* points on one pixel need not be kept apart: see pack_points.c */
+    bool shades_again; /* varyings are not kept, but found where points are packed */
     int copied_slot; /* 1 + the slot whose words it brings, as they are, into its target's; or 0 */
     GpVaryingModes modes;
     uint64_t varyings_by[3]; /* components that are read, by GpInterpolation */
@@ -98,7 +99,7 @@ typedef struct FastDraw {
     /* shaded vertices, vertex first_vertex first */
     FastPosition *positions;
     float *varyings; /* stride floats a vertex: varyings, then clip distances in use; none of points
-                         that are not on the screen */
+                         that are not on the screen, or of a draw that shades again */
     uint32_t stride; /* a multiple of 4 */
 } FastDraw;
 

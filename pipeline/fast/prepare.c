@@ -55,6 +55,18 @@ static bool packs_points(const FastDraw *d)
            !d->wants_depth && !d->needs.quads && d->modes.sprite < 0;
 }
 
+/* To shade twice costs less than to keep what is shaded, where a shader makes much of little. Vertices
+ * of a batch are to rise, as those do that no index names. */
+static bool shades_again(const FastDraw *d)
+{
+    const GpInputDecl *input = d->draw->program->inputs;
+    int floats = 0;
+    for (size_t i = 0; i < GP_COUNT(d->draw->program->inputs); i++)
+        floats += input[i].components;
+    return d->packs_points && !d->draw->geometry.indices && !d->needs.clip_planes &&
+           d->modes.components > floats;
+}
+
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
 {
     if (!raster->scissor)
@@ -118,6 +130,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->route = choose_route(d);
     d->nearest_wins = nearest_wins(d);
     d->packs_points = packs_points(d);
+    d->shades_again = shades_again(d);
     d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;
     if (d->route == FAST_NOTHING)
         d->primitive_count = 0;
@@ -133,7 +146,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->stride = (d->stride + 3) & ~3u;
     size_t room = (size_t)d->vertex_count + FAST_WIDEST; /* whole packets are stored */
     d->positions = fast_arena_take(arena, room * sizeof *d->positions);
-    d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
+    d->varyings = fast_arena_take(arena, d->shades_again ? 4 : room * d->stride * sizeof(float));
     pass->block_count += fast_draw_blocks(d);
     pass->primitive_count += d->primitive_count;
     for (uint64_t left = d->needs.varyings; left; left &= left - 1)

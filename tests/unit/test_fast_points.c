@@ -92,6 +92,8 @@ static void set_draw(Random *r, Frame *frame, int number, bool four, bool has_de
     streams[GP_POSITION] = (GpStream){ points->position, sizeof *points, 3, GP_FLOAT32 };
     streams[GP_COLOR] = (GpStream){ points->color, sizeof *points, 4, GP_FLOAT32 };
     streams[GP_POINT_SIZE] = (GpStream){ &points->size, sizeof *points, 1, GP_FLOAT32 };
+    if (random_int(r, 0, 4) == 0)
+        streams[GP_COLOR].type = GP_UNORM8;
     if (random_int(r, 0, 5) == 0) {
         draw->geometry.indices = frame->indices[number];
         draw->geometry.index_count = draw->geometry.vertex_count;

@@ -1,12 +1,19 @@
 /* Points whose values are the same all over them, and whose fragments combine bits with what was there:
  * those on one pixel may share a packet, since words are merged one by one. The values of GP_LANES points
- * are laid side by side, so that an input of a packet of their fragments is one shuffle. */
+ * are laid side by side, so that an input of a packet of their fragments is one shuffle.
+ *
+ * Where a vertex shader makes much of little, its varyings are not kept between the stages: vertices are
+ * shaded for their positions first, and once more, for the rest, when their points are drawn.
+ * source index-driven vertex shading, as of Arm's Bifrost (2016) */
 #include "pipeline/fast/lanes/patch.h"
 #include "pipeline/fast/lanes/sprite.h"
+
+#include <string.h>
 
 enum {
     PACKETS = 8, /* of one call of the shader: their inputs stay in the first cache */
     ROOM = 16 * GP_LANES,
+    SMALL_BOX = 2 * GP_LANES, /* pixels */
     Y_SHIFT = 8,
     POINT_SHIFT = 16,
     BYTE = 255,
@@ -81,27 +88,58 @@ static void queue_fragments(Tile *tile, const itg *varying, Fragments *f)
     begin_fragments(tile, f);
 }
 
-/* --- points -------------------------------------------------------------------------------------- */
+/* --- boxes --------------------------------------------------------------------------------------- */
 
-/* The pixels of a box, by rows: as many at once as lanes have room for. */
-GP_INLINE void add_box(Tile *tile, const itg *varying, Fragments *f, const FastBox *box,
-                       int32_t point)
+/* Room for a packet's fragments. */
+GP_INLINE void make_room(Tile *tile, const itg *varying, Fragments *f)
 {
-    const int32_t wide = box->x1 - box->x0 + 1, across = wide < GP_LANES ? wide : GP_LANES;
-    const int32_t rows = GP_LANES / across;
-    const itg place = lane_numbers() + lane_row(across) * ((1 << Y_SHIFT) - across);
-    for (int32_t y = box->y0; y <= box->y1; y += rows)
-        for (int32_t x = box->x0; x <= box->x1; x += across) {
-            const int32_t right = box->x1 - x + 1, down = box->y1 - y + 1;
-            if (f->count > ROOM - GP_LANES)
-                queue_fragments(tile, varying, f);
+    if (f->count > ROOM - GP_LANES)
+        queue_fragments(tile, varying, f);
+}
+
+/* Boxes of few pixels, all at once, a fragment of each at a time: combined bits have no order. */
+GP_INLINE void add_small(Tile *tile, const itg *varying, Fragments *f, const Sprites *s,
+                         unsigned small)
+{
+    const itg lane = lane_numbers() << POINT_SHIFT, first = s->x0 | lane, last = s->x1 | lane;
+    itg x = first, y = s->y0;
+    for (; small; small &= msk_bits((msk)(y <= s->y1))) {
+        make_room(tile, varying, f);
+        itg_compress(f->word + f->count, small, x | y << Y_SHIFT);
+        f->count += (uint32_t)__builtin_popcount(small);
+        const msk ends = (msk)(x == last);
+        x = itg_select(ends, first, x + 1);
+        y -= (itg)ends;
+    }
+}
+
+/* One box, by rows. */
+GP_INLINE void add_large(Tile *tile, const itg *varying, Fragments *f, const Sprites *s,
+                         int32_t point)
+{
+    for (int32_t y = s->y0[point]; y <= s->y1[point]; y++)
+        for (int32_t x = s->x0[point]; x <= s->x1[point]; x += GP_LANES) {
+            const int32_t right = s->x1[point] - x + 1;
+            make_room(tile, varying, f);
             store_lanes(f->word + f->count, false,
-                        place + (x | y << Y_SHIFT | point << POINT_SHIFT));
-            f->count += (uint32_t)((right < across ? right : across) * (down < rows ? down : rows));
+                        lane_numbers() + (x | y << Y_SHIFT | point << POINT_SHIFT));
+            f->count += (uint32_t)(right < GP_LANES ? right : GP_LANES);
         }
 }
 
-/* Component after component of all points, side by side. */
+static void add_boxes(Tile *tile, const itg *varying, const Sprites *s)
+{
+    const utg pixels = (utg)(s->x1 - s->x0 + 1) * (utg)(s->y1 - s->y0 + 1); /* of those drawn */
+    const unsigned small = msk_bits((msk)(pixels <= SMALL_BOX)) & s->drawn;
+    Fragments fragments;
+    begin_fragments(tile, &fragments);
+    add_small(tile, varying, &fragments, s, small);
+    for (unsigned large = s->drawn & ~small; large; large &= large - 1)
+        add_large(tile, varying, &fragments, s, __builtin_ctz(large));
+    queue_fragments(tile, varying, &fragments);
+}
+
+/* Component after component of GP_LANES points, side by side. */
 static void load_varyings(const FastDraw *d, const uint32_t vertex[GP_LANES], itg *varying)
 {
     for (int c = 0; c < d->modes.components; c += 4) {
@@ -113,19 +151,19 @@ static void load_varyings(const FastDraw *d, const uint32_t vertex[GP_LANES], it
     }
 }
 
-void FAST(pack_points)(Tile *tile, const Sprites *sprites, const uint32_t vertex[GP_LANES])
+void FAST(pack_points)(Tile *tile, const SpriteBatch *batches, uint32_t count)
 {
-    if (!sprites->drawn)
-        return;
-    itg varying[GP_MAX_VARYINGS];
-    load_varyings(tile->draw, vertex, varying);
-    Fragments fragments;
-    begin_fragments(tile, &fragments);
-    for (unsigned left = sprites->drawn; left; left &= left - 1) {
-        const int32_t lane = __builtin_ctz(left);
-        const FastBox box = { sprites->x0[lane], sprites->y0[lane], sprites->x1[lane],
-                              sprites->y1[lane] };
-        add_box(tile, varying, &fragments, &box, lane);
-    }
-    queue_fragments(tile, varying, &fragments);
+    const FastDraw *d = tile->draw;
+    const uint32_t components = (uint32_t)d->modes.components;
+    itg varying[FAST_SPRITE_BATCHES * GP_MAX_VARYINGS];
+    uint32_t vertex[FAST_SPRITE_BATCHES][GP_LANES];
+    for (uint32_t i = 0; i < count; i++)
+        if (d->shades_again)
+            memcpy(vertex[i], batches[i].vertex, sizeof vertex[i]);
+        else
+            load_varyings(d, batches[i].vertex, varying + i * components);
+    if (d->shades_again)
+        FAST(shade_varyings)(d, vertex, count, (float *)(void *)varying);
+    for (uint32_t i = 0; i < count; i++)
+        add_boxes(tile, varying + i * components, &batches[i].at);
 }

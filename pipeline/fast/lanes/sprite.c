@@ -7,13 +7,7 @@
 
 #include "pipeline/fast/lanes/patch.h"
 #include "pipeline/fast/lanes/route.h"
-
-/* Sprites in one tile: boxes from its first pixel on, corners from that pixel's centre on. */
-typedef struct Batch {
-    Sprites at;
-    flt per_step; /* 1 over the side in sub-pixels */
-    uint32_t vertex[GP_LANES];
-} Batch;
+#include "pipeline/input_assembly.h"
 
 /* --- set-up -------------------------------------------------------------------------------------- */
 
@@ -36,20 +30,25 @@ GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
 
 void FAST(ask_for_points)(const FastDraw *d, const FastHits *hits)
 {
+    const GpStream *stream = &d->draw->geometry.streams[d->draw->program->inputs[0].semantic];
+    const size_t step = gp_stream_stride(stream);
+    const uint8_t *inputs = stream->data;
     for (uint32_t lanes = hits->lanes; lanes; lanes &= lanes - 1) {
         const uint32_t vertex = vertex_of(d, hits->first + (uint32_t)__builtin_ctz(lanes));
         __builtin_prefetch(&d->positions[vertex]);
-        for (uint32_t c = 0; c < d->stride; c += 16)
+        if (d->shades_again)
+            __builtin_prefetch(inputs + (d->first_vertex + vertex) * step);
+        for (uint32_t c = 0; !d->shades_again && c < d->stride; c += 16)
             __builtin_prefetch(d->varyings + (size_t)vertex * d->stride + c);
     }
 }
 
-static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count, Batch *batch)
+static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count, SpriteBatch *batch)
 {
     const FastDraw *d = tile->draw;
     const GpRect rect = FAST(tile_rect)(tile, d);
     for (uint32_t lane = 0; lane < GP_LANES; lane++)
-        batch->vertex[lane] = vertex_of(d, primitives[lane < count ? lane : 0]);
+        batch->vertex[lane] = vertex_of(d, primitives[lane < count ? lane : count - 1]);
     Sprites s = place_sprites(d, batch->vertex, &rect);
     s.drawn &= (1u << count) - 1;
     for (unsigned left = d->needs.clip_planes ? s.drawn : 0; left; left &= left - 1)
@@ -205,7 +204,7 @@ static void queue_box(const Queuer *q)
         }
 }
 
-static void queue_sprite(Tile *tile, const Batch *batch, uint32_t lane, uint32_t record)
+static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, uint32_t record)
 {
     const FastDraw *d = tile->draw;
     const Sprites *s = &batch->at;
@@ -230,7 +229,7 @@ static void queue_sprite(Tile *tile, const Batch *batch, uint32_t lane, uint32_t
 
 /* --- seen, or only tested ------------------------------------------------------------------------- */
 
-static void fill_rows(Tile *tile, const Batch *batch, uint32_t lane)
+static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
 {
     const FastDraw *d = tile->draw;
     const Sprites *s = &batch->at;
@@ -258,32 +257,46 @@ static void fill_rows(Tile *tile, const Batch *batch, uint32_t lane)
         }
 }
 
-static void fill_batch(Tile *tile, const uint32_t *primitives, uint32_t count)
+static void fill_batch(Tile *tile, const SpriteBatch *batch)
 {
     const FastDraw *d = tile->draw;
-    Batch batch;
-    set_up(tile, primitives, count, &batch);
-    if (d->packs_points) {
-        FAST(pack_points)(tile, &batch.at, batch.vertex);
-        return;
-    }
     uint32_t record = 0;
     if (d->route == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
         FAST(reserve_records)(tile, 1);
         record = tile->record_count++;
         tile->records[record] = (FastRecord){ .face = 1.0f, .kind = FAST_SPRITE };
     }
-    for (unsigned drawn = batch.at.drawn; drawn; drawn &= drawn - 1) {
+    for (unsigned drawn = batch->at.drawn; drawn; drawn &= drawn - 1) {
         const uint32_t lane = (uint32_t)__builtin_ctz(drawn);
         if (d->route == FAST_ORDERED)
-            queue_sprite(tile, &batch, lane, record);
+            queue_sprite(tile, batch, lane, record);
         else
-            fill_rows(tile, &batch, lane);
+            fill_rows(tile, batch, lane);
     }
+}
+
+static uint32_t set_up_batches(const Tile *tile, const uint32_t *primitives, uint32_t count,
+                               SpriteBatch *batches)
+{
+    uint32_t batch = 0;
+    for (; count && batch < FAST_SPRITE_BATCHES; batch++) {
+        const uint32_t now = count < GP_LANES ? count : GP_LANES;
+        set_up(tile, primitives, now, &batches[batch]);
+        primitives += now;
+        count -= now;
+    }
+    return batch;
 }
 
 void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count)
 {
-    for (uint32_t first = 0; first < count; first += GP_LANES)
-        fill_batch(tile, primitives + first, count - first < GP_LANES ? count - first : GP_LANES);
+    const uint32_t most = FAST_SPRITE_BATCHES * GP_LANES;
+    SpriteBatch batches[FAST_SPRITE_BATCHES];
+    for (uint32_t first = 0; first < count; first += most) {
+        const uint32_t made = set_up_batches(tile, primitives + first, count - first, batches);
+        if (tile->draw->packs_points)
+            FAST(pack_points)(tile, batches, made);
+        for (uint32_t i = 0; !tile->draw->packs_points && i < made; i++)
+            fill_batch(tile, &batches[i]);
+    }
 }

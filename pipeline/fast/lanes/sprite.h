@@ -12,6 +12,16 @@ typedef struct Sprites {
     unsigned drawn; /* bit i: sprite i has pixels in the rectangle */
 } Sprites;
 
+/* Batches that are shaded at once, where varyings are not kept. */
+enum { FAST_SPRITE_BATCHES = 4 };
+
+/* Sprites in one tile: boxes from its first pixel on, corners from that pixel's centre on. */
+typedef struct SpriteBatch {
+    Sprites at;
+    flt per_step;              /* 1 over the side in sub-pixels */
+    uint32_t vertex[GP_LANES]; /* rising, where no index names it */
+} SpriteBatch;
+
 /* Pixels whose centres are at or right of (below) a coordinate. */
 GP_INLINE itg first_center(itg fixed)
 {
@@ -47,9 +57,9 @@ GP_INLINE Sprites place_sprites(const FastDraw *d, const uint32_t vertex[GP_LANE
     return s;
 }
 
-/* Queues the fragments of sprites, whose boxes count from the tile's first pixel, of a draw that packs
- * points. Vertices are those of all lanes, drawn or not. */
-void FAST(pack_points)(Tile *tile, const Sprites *sprites, const uint32_t vertex[GP_LANES]);
+/* Queues the fragments of sprites of a draw that packs points: of FAST_SPRITE_BATCHES batches at
+ * most. */
+void FAST(pack_points)(Tile *tile, const SpriteBatch *batches, uint32_t count);
 
 /* Inputs of a pixel shader inside the sprite of a record. */
 void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *draw, const FastRecord *record,

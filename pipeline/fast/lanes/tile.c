@@ -1,5 +1,6 @@
 /* One tile: its primitives in submission order, from clear to store. */
 #include "pipeline/fast/lanes/farthest.h"
+#include "pipeline/fast/lanes/sprite.h"
 
 #include "pipeline/fast/clear.h"
 
@@ -82,17 +83,18 @@ static void draw_waiting(Tile *tile, Waiting *waiting)
     waiting->count = 0;
 }
 
-/* Points are drawn as soon as there is a batch of them, and another whose vertices are on their way: so
+/* Points are drawn as soon as there are batches of them, and another whose vertices are on their way: so
  * memory brings vertices, and the next groups, while there is work. */
 static void let_points_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
 {
     FAST(ask_for_points)(tile->draw, hits);
-    if (waiting->count < 2 * GP_LANES)
+    const uint32_t now = (tile->draw->packs_points ? FAST_SPRITE_BATCHES : 1) * GP_LANES;
+    if (waiting->count < now + GP_LANES)
         return;
-    FAST(fill_sprites)(tile, waiting->primitive, GP_LANES);
-    waiting->count -= GP_LANES;
+    FAST(fill_sprites)(tile, waiting->primitive, now);
+    waiting->count -= now;
     for (uint32_t i = 0; i < waiting->count; i += GP_LANES)
-        memcpy(waiting->primitive + i, waiting->primitive + i + GP_LANES,
+        memcpy(waiting->primitive + i, waiting->primitive + i + now,
                GP_LANES * sizeof *waiting->primitive);
 }
 

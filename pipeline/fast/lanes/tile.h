@@ -271,6 +271,11 @@ void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count
 void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count);
 void FAST(ask_for_points)(const FastDraw *draw, const FastHits *hits);
 
+/* Varyings of a draw that shades again. Vertices count from the draw's first, and rise within a packet.
+ * out  varying: [packet][component][lane]; packets: FAST_SPRITE_BATCHES at most */
+void FAST(shade_varyings)(const FastDraw *draw, const uint32_t (*vertex)[GP_LANES],
+                          uint32_t packets, float *varying);
+
 /* Rasterizes one set-up triangle into the tile, by the route of its draw; now, or with those that are
  * kept. Nearest: no depth's code is below. */
 void FAST(fill_triangle)(Tile *tile, const GpTriangle *triangle);

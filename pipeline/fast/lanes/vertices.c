@@ -20,17 +20,12 @@ typedef struct Block {
 
 /* --- inputs -------------------------------------------------------------------------------------- */
 
-static size_t stride_of(const GpStream *stream)
-{
-    return stream->stride ? stream->stride : stream->components * sizeof(float);
-}
-
 /* Four floats of a packet's vertices, whether the stream has as many or not: what lies behind a
  * vertex is read with it, and out of a copy where that is the end of the stream. */
 GP_INLINE void load_floats(const GpStream *stream, uint32_t vertex_count,
                            const uint32_t vertex[GP_LANES], itg component[4])
 {
-    const size_t size = stream->components * sizeof(float), stride = stride_of(stream);
+    const size_t size = stream->components * sizeof(float), stride = gp_stream_stride(stream);
     const uint8_t *data = stream->data, *end = data + (vertex_count - 1) * stride + size;
     const void *record[GP_LANES];
     GP_UNROLL
@@ -78,28 +73,41 @@ static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
  * rest. */
 GP_INLINE void ask_for_records(const GpStream *stream, uint32_t vertex)
 {
-    const size_t stride = stride_of(stream), step = stride < 64 ? 64 : stride;
+    const size_t stride = gp_stream_stride(stream), step = stride < 64 ? 64 : stride;
     const uint8_t *from = (const uint8_t *)stream->data + vertex * stride;
     for (size_t i = 0; i < GP_LANES * stride; i += step)
         __builtin_prefetch(from + i);
 }
 
+/* All inputs of a packet's vertices, by component and lane; returns where the next packet's go. */
+GP_INLINE float *fetch_packet(const FastDraw *d, const uint32_t vertex[GP_LANES], float *to)
+{
+    const GpInputDecl *input = d->draw->program->inputs;
+    for (size_t i = 0; i < GP_COUNT(d->draw->program->inputs) && input[i].components; i++) {
+        fetch_input(&d->draw->geometry, &input[i], vertex, to);
+        to += input[i].components * GP_LANES;
+    }
+    return to;
+}
+
+static void ask_for_inputs(const FastDraw *d, uint32_t vertex)
+{
+    const GpInputDecl *input = d->draw->program->inputs;
+    for (size_t i = 0; i < GP_COUNT(d->draw->program->inputs) && input[i].components; i++)
+        ask_for_records(&d->draw->geometry.streams[input[i].semantic], vertex);
+}
+
 /* Inputs of the block's vertices, by component and lane; the last vertex fills the last packet. */
 static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *block)
 {
-    const GpProgram *program = d->draw->program;
     float *to = block->in;
     for (uint32_t done = 0; done < count; done += GP_LANES) {
         uint32_t vertex[GP_LANES];
         for (uint32_t lane = 0; lane < GP_LANES; lane++)
             vertex[lane] =
                 d->first_vertex + first + (done + lane < count ? done + lane : count - 1);
-        for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
-            fetch_input(&d->draw->geometry, &program->inputs[i], vertex, to);
-            ask_for_records(&d->draw->geometry.streams[program->inputs[i].semantic],
-                            vertex[0] + PACKETS * GP_LANES);
-            to += program->inputs[i].components * GP_LANES;
-        }
+        to = fetch_packet(d, vertex, to);
+        ask_for_inputs(d, vertex[0] + PACKETS * GP_LANES);
     }
 }
 
@@ -177,6 +185,22 @@ static void keep_varyings(const FastDraw *d, const flt position[4], const float 
     }
 }
 
+/* Runs the vertex shader over packets of the block; without varyings, it finds places only. */
+static void shade(const FastDraw *d, uint32_t packets, Block *block, float *varying)
+{
+    d->code->vertex(&(GpShaderCall){
+        .uniforms = d->draw->uniforms,
+        .packets = (int)packets,
+        .in = block->in,
+        .textures = d->draw->textures,
+        .read_texture = FAST(read_texture),
+        .executor = d->samplers,
+        .position = block->position,
+        .varying = varying,
+        .point_size = d->draw->program->writes_point_size ? block->size : NULL,
+    });
+}
+
 void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
 {
     const GpProgram *program = d->draw->program;
@@ -186,18 +210,7 @@ void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
         uint32_t now = count - done < PACKETS * GP_LANES ? count - done : PACKETS * GP_LANES;
         uint32_t packets = (now + GP_LANES - 1) / GP_LANES;
         fetch(d, first + done, now, &block);
-        GpShaderCall call = {
-            .uniforms = d->draw->uniforms,
-            .packets = (int)packets,
-            .in = block.in,
-            .textures = d->draw->textures,
-            .read_texture = FAST(read_texture),
-            .executor = d->samplers,
-            .position = block.position,
-            .varying = block.varying,
-            .point_size = program->writes_point_size ? block.size : NULL,
-        };
-        d->code->vertex(&call);
+        shade(d, packets, &block, d->shades_again ? NULL : block.varying);
         for (uint32_t p = 0; p < packets; p++) {
             const flt *position = (const flt *)(const void *)(block.position + p * 4 * GP_LANES);
             const uint32_t at = first + done + p * GP_LANES;
@@ -205,10 +218,24 @@ void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
                 place(d, position,
                       program->writes_point_size ? flt_load(block.size + p * GP_LANES) : flt_set(1),
                       d->positions + at);
-            if (!is_points || msk_any(seen)) /* of others nothing is read */
+            if (!d->shades_again && (!is_points || msk_any(seen))) /* of others nothing is read */
                 keep_varyings(d, position,
                               block.varying + p * (uint32_t)d->modes.components * GP_LANES,
                               d->varyings + (size_t)at * d->stride);
         }
     }
+}
+
+void FAST(shade_varyings)(const FastDraw *d, const uint32_t (*vertex)[GP_LANES], uint32_t packets,
+                          float *varying)
+{
+    Block block;
+    float *to = block.in;
+    for (uint32_t p = 0; p < packets; p++) {
+        uint32_t number[GP_LANES];
+        for (uint32_t lane = 0; lane < GP_LANES; lane++)
+            number[lane] = d->first_vertex + vertex[p][lane];
+        to = fetch_packet(d, number, to);
+    }
+    shade(d, packets, &block, varying);
 }
