@@ -37,7 +37,7 @@ const BenchCase bench_cases[] = {
     { "small_draws", bench_build_small, 0, 0, 50 * SMALL_DRAWS, 0, NULL },
     { "vox_add", bench_build_voxels, 0, 0, 2e6, 0, bench_show_voxels },
     { "volume_conservative", bench_build_volume, VOLUME_CONSERVATIVE, 0, 73054, 0, NULL },
-    { "volume_thin", bench_build_volume, VOLUME_THIN, 0, 73054, 0, NULL },
+    { "volume_thin", bench_build_volume, VOLUME_THIN, 0, 73008, 0, NULL },
     { "volume_solid", bench_build_volume, VOLUME_SOLID, 0, 98100, 0, NULL },
     { "volume_twisted", bench_build_volume, VOLUME_TWISTED, 0, 2 * BUNNY_TRIANGLES, 0, NULL },
     { "volume_million", bench_build_volume, VOLUME_MILLION, 0, 1098119, 0, NULL },

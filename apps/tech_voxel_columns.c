@@ -38,6 +38,11 @@ static bool in_rectangle(const VoxelExtent *extent, float step)
     return extent->side > LONG_SIDE && slabs_beyond(extent) >= step;
 }
 
+static bool sampled_in_square(const VoxelExtent *extent, float step)
+{
+    return extent->meets_lines && in_square(extent, step);
+}
+
 /* --- streams ---------------------------------------------------------------------------------- */
 
 static void copy_corners(const VoxelModel *model, uint32_t triangle, float corners[CORNERS])
@@ -98,12 +103,10 @@ static GpGeometry make_rectangles(const VoxelModel *model, Work *work, const uin
 /* --- draws ------------------------------------------------------------------------------------ */
 
 static void add_draw(const VoxelModel *model, Work *work, const Worksheet *sheet,
-                     const GpProgram *program, bool thin, uint32_t step, const GpGeometry *geometry)
+                     const GpProgram *program, uint32_t step, const GpGeometry *geometry)
 {
     VoxelColumnsUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
-    *uniforms = (VoxelColumnsUniforms){ .sheet = worksheet_layout(sheet),
-                                        .step = (float)step,
-                                        .reach = thin ? 0 : VOXEL_TOUCHED_REACH };
+    *uniforms = (VoxelColumnsUniforms){ .sheet = worksheet_layout(sheet), .step = (float)step };
     voxel_set_motion(model, &uniforms->motion);
     work_draw(work, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
@@ -125,13 +128,13 @@ static const Share touched[] = {
 };
 
 static const Share sampled[] = {
-    { in_square, &voxel_sampled_program, false },
+    { sampled_in_square, &voxel_sampled_program, false },
     { in_rectangle, &voxel_sampled_rectangle_program, true },
 };
 
 /* Returns how many triangles it has. */
 static uint32_t draw_share(const VoxelModel *model, Work *work, const Worksheet *sheet,
-                           const Share *share, const VoxelExtent *extents, bool thin, uint32_t step)
+                           const Share *share, const VoxelExtent *extents, uint32_t step)
 {
     uint32_t count, room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
     const uint32_t *list =
@@ -140,7 +143,7 @@ static uint32_t draw_share(const VoxelModel *model, Work *work, const Worksheet 
         uint32_t next = count - done < room ? count - done : room;
         GpGeometry geometry = share->is_rectangles ? make_rectangles(model, work, list + done, next)
                                                    : make_points(model, work, list + done, next);
-        add_draw(model, work, sheet, share->program, thin, step, &geometry);
+        add_draw(model, work, sheet, share->program, step, &geometry);
     }
     return count;
 }
@@ -160,6 +163,6 @@ void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *w
     for (uint32_t step = 0; left && step < sheet->slabs; step++) {
         left = 0;
         for (size_t i = 0; i < share_count; i++)
-            left += draw_share(model, work, sheet, &shares[i], extents, thin, step);
+            left += draw_share(model, work, sheet, &shares[i], extents, step);
     }
 }

@@ -21,12 +21,17 @@ static VoxelExtent any_extent(const VoxelModel *model, double q[3][3])
 {
     double longest = fmax(distance(q[0], q[1]), fmax(distance(q[1], q[2]), distance(q[2], q[0])));
     longest *= 1 + fabs((double)model->most_twist) * 1.5 * (double)model->motion.middle;
-    return (VoxelExtent){ -rounding, (float)longest + rounding, (float)longest, false };
+    return (VoxelExtent){ -rounding, (float)longest + rounding, (float)longest, false, true };
 }
 
 static bool in_one(double low, double high)
 {
     return floor(low - (double)rounding) == floor(high + (double)rounding);
+}
+
+static int holds_middle(double low, double high)
+{
+    return floor(high + (double)rounding - 0.5) >= ceil(low - (double)rounding - 0.5);
 }
 
 static VoxelExtent still_extent(double q[3][3])
@@ -36,9 +41,12 @@ static VoxelExtent still_extent(double q[3][3])
         low[k] = fmin(q[0][k], fmin(q[1][k], q[2][k]));
         high[k] = fmax(q[0][k], fmax(q[1][k], q[2][k]));
     }
+    int middles = 0;
+    for (int k = 0; k < 3; k++)
+        middles += holds_middle(low[k], high[k]);
     return (VoxelExtent){ (float)low[Z] - rounding, (float)high[Z] + rounding,
                           (float)fmax(high[X] - low[X], high[Y] - low[Y]),
-                          in_one(low[X], high[X]) && in_one(low[Y], high[Y]) };
+                          in_one(low[X], high[X]) && in_one(low[Y], high[Y]), middles >= 2 };
 }
 
 void voxel_extents(const VoxelModel *model, VoxelExtent *extents)

@@ -6,14 +6,26 @@
 
 /* --- vertices --------------------------------------------------------------------------------- */
 
-/* A sprite over all columns of the volume that the triangle's box touches. Where it is wider than
- * high it is too large, and finds nothing in its other pixels. */
-vertex_shader(voxel_sprite_vs, VoxelColumnsUniforms, Vertex, Varying)
+/* A square over the columns. Where they are wider than high, or higher than wide, it is too large, and
+ * finds nothing in its other pixels. */
+GP_INLINE float4 square_middle(const WorksheetLayout *sheet, const Placed *triangle)
 {
-    Placed triangle = place_triangle(c, in, out);
-    describe_triangle(triangle.a, triangle.b, triangle.c, c->reach, out);
-    flt half = triangle.side * 0.5f;
-    *position = sheet_position(&c->sheet, add(triangle.first, half));
+    return sheet_position(sheet, add(triangle->first, triangle->side * 0.5f));
+}
+
+vertex_shader(voxel_touched_vs, VoxelColumnsUniforms, Vertex, Varying)
+{
+    Placed triangle = place_touched(c, in, out);
+    describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
+    *position = square_middle(&c->sheet, &triangle);
+    *point_size = triangle.side;
+}
+
+vertex_shader(voxel_sampled_vs, VoxelColumnsUniforms, Vertex, Varying)
+{
+    Placed triangle = place_sampled(c, in, out);
+    describe_triangle(&triangle, 0, out);
+    *position = square_middle(&c->sheet, &triangle);
     *point_size = triangle.side;
 }
 
@@ -22,12 +34,9 @@ vertex_shader(voxel_sprite_vs, VoxelColumnsUniforms, Vertex, Varying)
  * DEVIATES: Hasselgren, Akenine-Moller and Ohlsson, "Conservative rasterization", GPU Gems 2, 2005,
  * ch. 42, move the triangle's own corners out, to infinity where it is a sliver. What a rectangle
  * has too much, the pixel shader cuts off, as theirs does outside the triangle's box. */
-vertex_shader(voxel_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
+GP_INLINE float4 rectangle_corner(const WorksheetLayout *sheet, const Placed *triangle, flt number)
 {
-    Placed triangle = place_triangle(c, &in->triangle, out);
-    float3 a = triangle.a, b = triangle.b, d = triangle.c;
-    describe_triangle(a, b, d, c->reach, out);
-
+    float3 a = triangle->a, b = triangle->b, d = triangle->c;
     flt ab = square_length(a, b), bc = square_length(b, d), ca = square_length(d, a);
     msk is_ab = (msk)(ab >= bc) & (msk)(ab >= ca), is_bc = bc >= ca;
     float3 begin = sel(is_ab, a, sel(is_bc, b, d)), end = sel(is_ab, b, sel(is_bc, d, a));
@@ -38,13 +47,27 @@ vertex_shader(voxel_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
     flt height = along.x * (third.y - begin.y) - along.y * (third.x - begin.x);
 
     const float rim = 0.75f; /* more than half the diagonal of a column */
-    msk far = (msk)(in->corner == 1.0f) | (msk)(in->corner == 2.0f), high = in->corner > 1.5f;
+    msk far = (msk)(number == 1.0f) | (msk)(number == 2.0f), high = number > 1.5f;
     flt t = sel(far, length + rim, -rim);
     flt u = sel(high, max(height, 0) + rim, min(height, 0) - rim);
     float2 corner = vec2(begin.x + 0.5f + along.x * t - along.y * u,
                          begin.y + 0.5f + along.y * t + along.x * u);
-    float4 placed = sheet_position(&c->sheet, add(triangle.first, corner));
-    *position = sel(triangle.side > 0.0f, placed, vec4(2, 2, 0, 1)); /* 2: outside */
+    float4 placed = sheet_position(sheet, add(triangle->first, corner));
+    return sel(triangle->side > 0.0f, placed, vec4(2, 2, 0, 1)); /* 2: outside */
+}
+
+vertex_shader(voxel_touched_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
+{
+    Placed triangle = place_touched(c, &in->triangle, out);
+    describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
+    *position = rectangle_corner(&c->sheet, &triangle, in->corner);
+}
+
+vertex_shader(voxel_sampled_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
+{
+    Placed triangle = place_touched(c, &in->triangle, out); /* slots: 512 are not enough for more */
+    describe_triangle(&triangle, 0, out);
+    *position = rectangle_corner(&c->sheet, &triangle, in->corner);
 }
 
 /* clang-format off */
@@ -80,9 +103,9 @@ pixel_shader(voxel_touched_ps, VoxelColumnsUniforms, Varying)
     return bits_between(run.x, sel(in_box(in, x, y) & in_edges(in, x, y), run.y, run.x));
 }
 
-program(voxel_touched_program, voxel_sprite_vs, voxel_touched_ps, SPRITE_DECLARATIONS)
+program(voxel_touched_program, voxel_touched_vs, voxel_touched_ps, SPRITE_DECLARATIONS)
 
-program(voxel_touched_rectangle_program, voxel_rectangle_vs, voxel_touched_ps,
+program(voxel_touched_rectangle_program, voxel_touched_rectangle_vs, voxel_touched_ps,
         RECTANGLE_DECLARATIONS)
 
 /* --- the same in one column ------------------------------------------------------------------- */
@@ -94,7 +117,7 @@ typedef struct RunVarying {
 vertex_shader(voxel_column_vs, VoxelColumnsUniforms, Vertex, RunVarying)
 {
     Varying triangle_out;
-    Placed triangle = place_triangle(c, in, &triangle_out);
+    Placed triangle = place_touched(c, in, &triangle_out);
     out->run = touched_run(triangle_out.ends.x, triangle_out.ends.y);
     *position = sheet_position(&c->sheet, add(triangle.first, 0.5f));
     *point_size = min(triangle.side, 1);
@@ -191,7 +214,7 @@ pixel_shader(voxel_sampled_ps, VoxelColumnsUniforms, Varying)
     return bits;
 }
 
-program(voxel_sampled_program, voxel_sprite_vs, voxel_sampled_ps, SPRITE_DECLARATIONS)
+program(voxel_sampled_program, voxel_sampled_vs, voxel_sampled_ps, SPRITE_DECLARATIONS)
 
-program(voxel_sampled_rectangle_program, voxel_rectangle_vs, voxel_sampled_ps,
+program(voxel_sampled_rectangle_program, voxel_sampled_rectangle_vs, voxel_sampled_ps,
         RECTANGLE_DECLARATIONS)

@@ -10,9 +10,7 @@
 typedef struct VoxelColumnsUniforms {
     WorksheetLayout sheet;
     VoxelMotion motion;
-    float step;  /* a triangle is drawn into the slab so many above its lowest */
-    float reach; /* half a column's width, as far as triangles can be seen from its middle:
-                              VOXEL_TOUCHED_REACH, or 0 for samples in the middle */
+    float step; /* a triangle is drawn into the slab so many above its lowest */
 } VoxelColumnsUniforms;
 
 /* Columns are wider by this to each side, in voxels, than they are: more than positions are rounded

@@ -159,6 +159,46 @@ GP_INLINE float3 see_from_above(float3 begin, float3 end, float3 third, flt turn
 
 /* --- vertices --------------------------------------------------------------------------------- */
 
+/* Columns, or rows, of the volume: whole numbers. */
+typedef struct Range {
+    flt first, count; /* none: count is 0 or less */
+} Range;
+
+/* Those that an interval touches. */
+GP_INLINE Range range_touched(flt low, flt high, float last)
+{
+    flt first = max(floor_(low - VOXEL_MARGIN), 0);
+    return (Range){ first, min(floor_(high + VOXEL_MARGIN), last) - first + 1.0f };
+}
+
+/* Those whose middles it holds. */
+GP_INLINE Range range_sampled(flt low, flt high, float last)
+{
+    flt first = max(-floor_((0.5f + VOXEL_MARGIN) - low), 0);
+    return (Range){ first, min(floor_(high + (VOXEL_MARGIN - 0.5f)), last) - first + 1.0f };
+}
+
+GP_INLINE Range sel_range(msk which, Range a, Range b)
+{
+    return (Range){ sel(which, a.first, b.first), sel(which, a.count, b.count) };
+}
+
+/* A triangle in the volume, in voxels. */
+typedef struct Triangle {
+    float3 a, b, c, low, high;
+} Triangle;
+
+GP_INLINE Triangle triangle_in_voxels(const VoxelColumnsUniforms *c, const Vertex *in)
+{
+    Triangle t = { .a = into_voxels(&c->motion, in->a),
+                   .b = into_voxels(&c->motion, in->b),
+                   .c = into_voxels(&c->motion, in->c) };
+    t.low =
+        vec3(least(t.a.x, t.b.x, t.c.x), least(t.a.y, t.b.y, t.c.y), least(t.a.z, t.b.z, t.c.z));
+    t.high = vec3(most(t.a.x, t.b.x, t.c.x), most(t.a.y, t.b.y, t.c.y), most(t.a.z, t.b.z, t.c.z));
+    return t;
+}
+
 /* The triangle in the slab that it is drawn into. */
 typedef struct Placed {
     float3 a, b, c; /* corners, as in Varying */
@@ -166,33 +206,54 @@ typedef struct Placed {
     flt side;       /* columns, where a square is to hold them; 0: none in this slab */
 } Placed;
 
-GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
+GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Triangle *t, Range columns,
+                                Range rows, Varying *out)
 {
-    float3 p = into_voxels(&c->motion, in->a), q = into_voxels(&c->motion, in->b);
-    float3 r = into_voxels(&c->motion, in->c);
-    const float last = c->sheet.size - 1;
-    flt left = max(floor_(least(p.x, q.x, r.x) - VOXEL_MARGIN), 0);
-    flt top = max(floor_(least(p.y, q.y, r.y) - VOXEL_MARGIN), 0);
-    flt columns = min(floor_(most(p.x, q.x, r.x) + VOXEL_MARGIN), last) - left + 1.0f;
-    flt rows = min(floor_(most(p.y, q.y, r.y) + VOXEL_MARGIN), last) - top + 1.0f;
-    flt lowest = least(p.z, q.z, r.z), highest = min(most(p.z, q.z, r.z), last + 0.5f);
-    flt slab = floor_(max(lowest - VOXEL_MARGIN, 0) * (1.0f / 32)) + c->step;
+    flt highest = min(t->high.z, c->sheet.size - 0.5f);
+    flt slab = floor_(max(t->low.z - VOXEL_MARGIN, 0) * (1.0f / 32)) + c->step;
     flt floor = slab * 32.0f;
 
     float2 origin = patch_origin(&c->sheet, slab);
-    float3 middle = vec3(left + 0.5f, top + 0.5f, floor);
-    msk there = (msk)(floor <= highest + VOXEL_MARGIN) & (msk)(columns > 0.0f) & (msk)(rows > 0.0f);
-    out->place = vec4(origin.x + left, origin.y + top, columns, rows);
-    out->ends = vec4(lowest - floor, highest - floor, 0, 0);
-    return (Placed){ .a = sub(p, middle),
-                     .b = sub(q, middle),
-                     .c = sub(r, middle),
-                     .first = vec2(origin.x + left, origin.y + top),
-                     .side = sel(there, max(columns, rows), 0) };
+    float2 first = vec2(origin.x + columns.first, origin.y + rows.first);
+    float3 middle = vec3(columns.first + 0.5f, rows.first + 0.5f, floor);
+    msk there = (msk)(floor <= highest + VOXEL_MARGIN) & (msk)(columns.count > 0.0f) &
+                (msk)(rows.count > 0.0f);
+    out->place = vec4(first.x, first.y, columns.count, rows.count);
+    out->ends = vec4(t->low.z - floor, highest - floor, 0, 0);
+    return (Placed){ .a = sub(t->a, middle),
+                     .b = sub(t->b, middle),
+                     .c = sub(t->c, middle),
+                     .first = first,
+                     .side = sel(there, max(columns.count, rows.count), 0) };
 }
 
-GP_INLINE void describe_triangle(float3 a, float3 b, float3 c, float reach, Varying *out)
+/* Over all columns that the triangle's box touches. */
+GP_INLINE Placed place_touched(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
 {
+    Triangle t = triangle_in_voxels(c, in);
+    const float last = c->sheet.size - 1;
+    return place_triangle(c, &t, range_touched(t.low.x, t.high.x, last),
+                          range_touched(t.low.y, t.high.y, last), out);
+}
+
+/* Over those in which lines through middles may meet it: a line along x has its middles in y and z,
+ * and so on. */
+GP_INLINE Placed place_sampled(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
+{
+    Triangle t = triangle_in_voxels(c, in);
+    const float last = c->sheet.size - 1;
+    Range x = range_sampled(t.low.x, t.high.x, last), y = range_sampled(t.low.y, t.high.y, last);
+    Range z = range_sampled(t.low.z, t.high.z, last);
+    msk along_x = (msk)(y.count > 0.0f) & (msk)(z.count > 0.0f);
+    msk along_y = (msk)(x.count > 0.0f) & (msk)(z.count > 0.0f);
+    return place_triangle(c, &t, sel_range(along_x, range_touched(t.low.x, t.high.x, last), x),
+                          sel_range(along_y, range_touched(t.low.y, t.high.y, last), y), out);
+}
+
+/* reach: half a column's width, as far as triangles are seen from its middle; or 0 */
+GP_INLINE void describe_triangle(const Placed *triangle, float reach, Varying *out)
+{
+    float3 a = triangle->a, b = triangle->b, c = triangle->c;
     float3 normal = cross_edges(a, b, c);
     View along_y = see_triangle(vec2(a.x, a.z), vec2(b.x, b.z), vec2(c.x, c.z), -normal.y, reach);
     View along_x = see_triangle(vec2(a.y, a.z), vec2(b.y, b.z), vec2(c.y, c.z), normal.x, reach);
