@@ -1,6 +1,7 @@
 #include "apps/chart.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 void chart_free(Chart *chart)
@@ -53,4 +54,12 @@ const ChartPoint *chart_choose(const Chart *chart, double error)
             chosen = point;
     }
     return chosen;
+}
+
+void chart_print_scene(const Chart *chart, char *text, size_t size)
+{
+    if (chart->width)
+        snprintf(text, size, "%s, %u x %u pixels", chart->scene, chart->width, chart->height);
+    else
+        snprintf(text, size, "%s", chart->scene);
 }

@@ -28,8 +28,8 @@ typedef struct Chart {
     int figure_count;
     char machine[128], isa[16];
     int threads;
-    uint32_t width, height;
-    ChartPoint *points; /* owned, in the order of the sweep */
+    uint32_t width, height; /* of the pictures; 0 where settings make volumes */
+    ChartPoint *points;     /* owned, in the order of the sweep */
     uint32_t count;
 } Chart;
 
@@ -45,6 +45,9 @@ uint32_t chart_list_best(const Chart *chart, const ChartPoint **best);
 
 /* The cheapest point (least ms) whose error is at most `error`; NULL where there is none. */
 const ChartPoint *chart_choose(const Chart *chart, double error);
+
+/* What was drawn: "scenes/a.json, 640 x 480 pixels". */
+void chart_print_scene(const Chart *chart, char *text, size_t size);
 
 /* --- files ------------------------------------------------------------------------------------ */
 

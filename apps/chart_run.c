@@ -37,11 +37,11 @@ static GpResult draw_first(const Run *run, const char *options, Work *work, Fram
     return result ? result : frame_first(run->job->device, &work->list, frame, error);
 }
 
-static void describe_frame(Chart *chart, const Work *work, const Frame *frame)
+static void describe_frame(Chart *chart, bool is_picture, const Work *work, const Frame *frame)
 {
     const GpSurface *picture = work->color ? work->color : work->depth;
-    chart->width = picture->width;
-    chart->height = picture->height;
+    chart->width = is_picture ? picture->width : 0;
+    chart->height = is_picture ? picture->height : 0;
     chart->threads = frame->threads;
     text_copy(chart->isa, sizeof chart->isa, frame->isa);
 }
@@ -54,8 +54,9 @@ static GpResult measure(Run *run, const Work *work, Frame *frame, ChartPoint *po
                               .least_frames = LEAST_FRAMES,
                               .most_seconds = seconds > MOST_SECONDS ? seconds : MOST_SECONDS };
     Timing timing;
-    describe_frame(&run->chart, work, frame);
-    run->job->technique->measure(run->scene, work, &point->measured);
+    const Technique *technique = run->job->technique;
+    describe_frame(&run->chart, !technique->makes_volumes, work, frame);
+    technique->measure(run->scene, work, &point->measured);
     GpResult result =
         timing_run(run->job->device, &work->list, &plan, run->each, frame, &timing, run->error);
     if (result)

@@ -142,13 +142,13 @@ static void draw_legend(const Chart *chart, const Plot *plot, Text *svg)
 
 static void draw_words(const Chart *chart, const Plot *plot, int height, Text *svg)
 {
-    char note[640], threads[32], size[32];
+    char note[640], threads[32], scene[320];
     snprintf(threads, sizeof threads, "%d thread%s", chart->threads,
              chart->threads == 1 ? "" : "s");
-    snprintf(size, sizeof size, "%u x %u", chart->width, chart->height);
+    chart_print_scene(chart, scene, sizeof scene);
     svg_words(svg, MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"", chart->title);
-    snprintf(note, sizeof note, "Scene %s, %s pixels. Measured on %s, %s, %s.", chart->scene, size,
-             chart->machine, chart->isa, threads);
+    snprintf(note, sizeof note, "Scene %s. Measured on %s, %s, %s.", scene, chart->machine,
+             chart->isa, threads);
     svg_words(svg, MARGIN, 74, "start", " font-size=\"13\"", note);
     snprintf(note, sizeof note, "%u settings of %d method%s, %u of them best.", chart->count,
              plot->method_count, plot->method_count == 1 ? "" : "s", plot->best_count);

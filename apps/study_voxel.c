@@ -54,11 +54,11 @@ static const TechniqueSweep sweep[] = {
 };
 
 static const TechniqueSweep solid_sweep[] = {
-    { "xor", "--method xor " SIZES },
-    { "rows of sheets", "--method sheets --blend add|or " SIZES },
-    { "slices", "--method slices " SLOW_SIZES },
-    { "layered depths", "--method ldi " SLOW_SIZES },
-    { "six faces", "--method faces " SLOW_SIZES },
+    { "xor", "--kind solid --method xor " SIZES },
+    { "rows of sheets", "--kind solid --method sheets --blend add|or " SIZES },
+    { "slices", "--kind solid --method slices " SLOW_SIZES },
+    { "layered depths", "--kind solid --method ldi " SLOW_SIZES },
+    { "six faces", "--kind solid --method faces " SLOW_SIZES },
     { .method = NULL },
 };
 
@@ -233,15 +233,17 @@ static const char *const growth_text[] = {
     "small it is, so that a smaller volume makes no triangle cheaper that is smaller than a voxel "
     "already. Larger ones cost by the columns of voxels that they cross: as the square of N.",
     "Surfaces, conservative and thin, are mostly triangles: their time rises by no more than the "
-    "side. "
-    "The solid draws up to 128 layers of voxels at once into targets of their own and copies the "
-    "whole volume out of them: little at first, towards the cube of N in the end. So does the "
-    "printed "
-    "method, and sooner: it draws three volumes, gathers their slabs, and turns two of them by a "
-    "lookup for every voxel.",
+    "side. The solid draws up to 128 layers of voxels at once into targets of their own and copies "
+    "the whole volume out of them: little at first, towards the cube of N in the end. So does the "
+    "printed method, and sooner: it draws three volumes, gathers their slabs, and turns two of "
+    "them "
+    "by a lookup for every voxel.",
     "With more triangles no line rises as steeply as their number, for the volume's share is the "
-    "same for all: least with the printed method, whose volume costs most. Meshes of about as many "
-    "triangles differ all the same: by how large these are, and how many lie over each other.",
+    "same for all: least with the printed method, whose volume costs most. Thin surfaces hardly "
+    "rise at all: the lists, made once for a model that stands still, leave out triangles so small "
+    "that no line through the middles of voxels can meet them; three of four of the largest mesh "
+    "here. Meshes of about as many triangles differ all the same: by how large these are, and how "
+    "many lie over each other.",
     NULL
 };
 
@@ -268,6 +270,7 @@ const Technique voxel_technique = {
     .fields = fields,
     .defaults = &voxel_defaults,
     .setting_bytes = sizeof(VoxelSetting),
+    .makes_volumes = true,
     .sweep = sweep,
     .error_name = "RMS distance, thousandths of the model's size",
     .figures = figures,
@@ -290,6 +293,7 @@ const Technique solid_technique = {
     .fields = fields,
     .defaults = &solid_defaults,
     .setting_bytes = sizeof(VoxelSetting),
+    .makes_volumes = true,
     .sweep = solid_sweep,
     .error_name = "wrong volume, thousandths",
     .figures = figures,

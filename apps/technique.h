@@ -65,6 +65,7 @@ typedef struct Technique {
     const SettingField *fields;
     const void *defaults; /* a setting */
     size_t setting_bytes;
+    bool makes_volumes; /* work->color has no size that a user knows */
 
     const TechniqueSweep *sweep;
     const char *error_name;        /* of the axis: "wrong pixels" */

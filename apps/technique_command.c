@@ -142,8 +142,17 @@ static void explain_choice(const TechniqueArgs *args, const Chart *chart, const 
            "chose %s (%s): %g %s, in %.2f ms, the fastest of %u settings of %u with at most %g",
            point->options, point->method, point->measured.error, chart->error_name, point->ms,
            enough, chart->count, args->error);
-    notice(&args->options, "measured on %s, %ux%u, %d threads, %s", chart->scene, chart->width,
-           chart->height, chart->threads, chart->machine);
+    char scene[320];
+    chart_print_scene(chart, scene, sizeof scene);
+    notice(&args->options, "measured on %s, %d thread%s, %s", scene, chart->threads,
+           chart->threads == 1 ? "" : "s", chart->machine);
+}
+
+/* Of this technique, or of another with the same settings: that of solids for voxelize. */
+static bool is_of(const Chart *chart, const Technique *technique)
+{
+    const Technique *other = technique_find(chart->technique);
+    return other && other->fields == technique->fields;
 }
 
 static int choose(TechniqueArgs *args)
@@ -161,7 +170,7 @@ static int choose(TechniqueArgs *args)
     }
     const ChartPoint *point = chart_choose(&chart, args->error);
     int code = EXIT_DONE;
-    if (strcmp(chart.technique, args->technique->name) != 0)
+    if (!is_of(&chart, args->technique))
         code = report(EXIT_INPUT, "%s: a chart of %s", curve, chart.technique);
     else if (!point)
         code = report(EXIT_INPUT, "%s: no setting has at most %g %s", curve, args->error,

@@ -232,27 +232,22 @@ static void the_report_tells_what_is_open(void **state)
     expect_matches(out, "\ndisagreeing voxels +[1-9][0-9]*\n");
 }
 
-/* A chart as `glasspipe chart voxelize' writes it: each halving of the error is a finer volume. */
-static void write_chart(void)
+typedef struct Point {
+    const char *options;
+    double ms, error;
+} Point;
+
+/* A chart as `glasspipe chart' writes it. */
+static void write_chart(const char *file, const char *technique, const Point *points, size_t count)
 {
-    static const char head[] =
-        "{ \"technique\": \"voxelize\", \"title\": \"made\", \"scene\": \"closed.off\",\n"
-        "  \"error_name\": \"thousandths\", \"figures\": [], \"machine\": \"none\",\n"
-        "  \"isa\": \"sse2\", \"threads\": 1, \"width\": 16, \"height\": 16, \"points\": [\n";
-    static const struct {
-        const char *options;
-        double ms, error;
-    } points[] = {
-        { "--method sheets --axes 1 --size 32", 0.5, 30 },
-        { "--method conservative --size 16", 1, 37 },
-        { "--method conservative --size 32", 2, 17 },
-        { "--method thin --size 32", 3, 18 },
-        { "--method conservative --size 64", 4, 8 },
-        { "--method slices --size 64", 90, 14 },
-    };
     char text[4096];
-    int used = snprintf(text, sizeof text, "%s", head);
-    for (size_t i = 0; i < GP_COUNT(points); i++)
+    int used = snprintf(
+        text, sizeof text,
+        "{ \"technique\": \"%s\", \"title\": \"made\", \"scene\": \"closed.off\",\n"
+        "  \"error_name\": \"thousandths\", \"figures\": [], \"machine\": \"none\",\n"
+        "  \"isa\": \"sse2\", \"threads\": 1, \"width\": 0, \"height\": 0, \"points\": [\n",
+        technique);
+    for (size_t i = 0; i < count; i++)
         used += snprintf(text + used, sizeof text - (size_t)used,
                          "%s{ \"method\": \"m\", \"options\": \"%s\", \"ms\": %g, \"min_ms\": %g, "
                          "\"cpu_ms\": %g, \"frames\": 5, \"error\": %g, \"figures\": [], "
@@ -260,13 +255,22 @@ static void write_chart(void)
                          i ? ",\n" : "", points[i].options, points[i].ms, points[i].ms,
                          points[i].ms, points[i].error);
     snprintf(text + used, sizeof text - (size_t)used, " ] }\n");
-    write_file("made.json", text);
+    write_file(file, text);
 }
 
-/* The smallest volume that is near enough, by the method that loses no more than that. */
+/* The smallest volume that is near enough, by the method that loses no more than that: each halving of
+ * the error is a finer volume. */
 static void an_error_chooses_the_size(void **state)
 {
     (void)state;
+    static const Point points[] = {
+        { "--method sheets --axes 1 --size 32", 0.5, 30 },
+        { "--method conservative --size 16", 1, 37 },
+        { "--method conservative --size 32", 2, 17 },
+        { "--method thin --size 32", 3, 18 },
+        { "--method conservative --size 64", 4, 8 },
+        { "--method slices --size 64", 90, 14 },
+    };
     static const struct {
         const char *error, *chosen, *made;
     } cases[] = {
@@ -276,7 +280,7 @@ static void an_error_chooses_the_size(void **state)
         { "8", "chose --method conservative --size 64", "64x64x64" },
     };
     write_meshes();
-    write_chart();
+    write_chart("made.json", "voxelize", points, GP_COUNT(points));
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         assert_int_equal(
             shell("glasspipe voxelize closed.off --error %s --curve made.json -o a.bits",
@@ -289,6 +293,21 @@ static void an_error_chooses_the_size(void **state)
                    "no setting has at most 7 thousandths");
 }
 
+/* Solids have a chart of their own; what other techniques have is none of voxelize's. */
+static void the_chart_of_solids_serves_too(void **state)
+{
+    (void)state;
+    static const Point solid = { "--kind solid --method xor --size 32", 1, 12 };
+    write_meshes();
+    write_chart("solids.json", "solids", &solid, 1);
+    assert_int_equal(
+        shell("glasspipe voxelize closed.off --error 12 --curve solids.json -o a.bits"), 0);
+    expect_contains(err, "chose --kind solid --method xor --size 32");
+    expect_contains(err, "measured on closed.off, 1 thread, none");
+    write_chart("shadow.json", "shadow", &solid, 1);
+    expect_refused(3, "voxelize closed.off --error 12 --curve shadow.json", "a chart of shadow");
+}
+
 int main(void)
 {
     if (!find_program())
@@ -298,6 +317,7 @@ int main(void)
         TEST(wrong_arguments_are_usage_errors),
         TEST(wrong_meshes_and_settings_are_input_errors),
         TEST(an_error_chooses_the_size),
+        TEST(the_chart_of_solids_serves_too),
         TEST(volumes_are_written_and_hashed),
         TEST(a_volume_is_the_same_on_everything),
         TEST(a_placed_model_lies_where_it_is_told),
