@@ -116,6 +116,29 @@ static void pictures_are_drawn_of_volumes(void **state)
     expect_contains(out, "P6\n512 512");
 }
 
+/* Of models that need no file; the README shows them. */
+static void stored_pictures_are_what_their_commands_draw(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *options;
+    } pictures[] = {
+        { "solid", "implicit:quartic --kind solid -n 64 --shading cubes" },
+        { "transparent", "parametric:klein -n 256 --look transparent --from 20 50 --zoom 1.2" },
+        { "csg", "builtin:cube --kind solid -n 192 --with builtin:sphere --fit 1.3 "
+                 "--combine difference" },
+        { "collision", "builtin:torus -n 192 --with builtin:knot --combine collide "
+                       "--look transparent --from 25 50 --zoom 1.2" },
+    };
+    for (size_t i = 0; i < GP_COUNT(pictures); i++) {
+        assert_int_equal(
+            shell("glasspipe voxelize -q %s --picture 384x384 -o a.png", pictures[i].options), 0);
+        if (shell("glasspipe compare a.png '%s/../../scenes/pictures/voxelize_%s.png'", man_pages,
+                  pictures[i].name))
+            fail_msg("%s: %s%s", pictures[i].name, out, err);
+    }
+}
+
 int main(void)
 {
     if (!find_program())
@@ -126,6 +149,7 @@ int main(void)
         TEST(two_models_are_combined_or_collide),
         TEST(a_solid_warns_of_the_second_model_too),
         TEST(pictures_are_drawn_of_volumes),
+        TEST(stored_pictures_are_what_their_commands_draw),
     };
     return cmocka_run_group_tests_name("voxelize pictures", tests, NULL, NULL);
 }
