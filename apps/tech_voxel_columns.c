@@ -132,20 +132,17 @@ static const Share sampled[] = {
     { in_rectangle, &voxel_sampled_rectangle_program, true },
 };
 
-/* Returns how many triangles it has. */
-static uint32_t draw_share(const VoxelModel *model, Work *work, const Worksheet *sheet,
-                           const Share *share, const VoxelExtent *extents, uint32_t step)
+static void draw_list(const VoxelModel *model, Work *work, const Worksheet *sheet,
+                      const Share *share, VoxelList list, uint32_t step)
 {
-    uint32_t count, room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
-    const uint32_t *list =
-        voxel_choose(work, extents, model->triangle_count, share->choice, (float)step, &count);
-    for (uint32_t done = 0; done < count; done += room) {
-        uint32_t next = count - done < room ? count - done : room;
-        GpGeometry geometry = share->is_rectangles ? make_rectangles(model, work, list + done, next)
-                                                   : make_points(model, work, list + done, next);
+    const uint32_t room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
+    for (uint32_t done = 0; done < list.count; done += room) {
+        const uint32_t *from = list.triangles + done;
+        const uint32_t next = list.count - done < room ? list.count - done : room;
+        GpGeometry geometry = share->is_rectangles ? make_rectangles(model, work, from, next)
+                                                   : make_points(model, work, from, next);
         add_draw(model, work, sheet, share->program, step, &geometry);
     }
-    return count;
 }
 
 void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *work,
@@ -158,11 +155,12 @@ void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *w
     voxel_extents(model, extents);
 
     worksheet_pass(work, thin ? "sampled" : "touched", sheet);
-    /* what reaches no further in one step reaches no further in the next */
-    uint32_t left = model->triangle_count;
-    for (uint32_t step = 0; left && step < sheet->slabs; step++) {
-        left = 0;
-        for (size_t i = 0; i < share_count; i++)
-            left += draw_share(model, work, sheet, &shares[i], extents, step);
+    for (size_t i = 0; i < share_count; i++) {
+        VoxelList list = { NULL, model->triangle_count };
+        for (uint32_t step = 0; list.count && step < sheet->slabs; step++) {
+            /* what reaches so far has reached all slabs before */
+            list = voxel_choose(work, extents, list, shares[i].choice, (float)step);
+            draw_list(model, work, sheet, &shares[i], list, step);
+        }
     }
 }

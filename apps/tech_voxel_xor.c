@@ -26,14 +26,14 @@ static GpGeometry choose_triangles(const VoxelModel *model, Work *work, const Vo
     GpGeometry geometry = voxel_model_geometry(model);
     if (model->motions)
         return geometry;
-    uint32_t count;
-    const uint32_t *list = voxel_choose(work, extents, model->triangle_count,
-                                        top ? rises_above : crosses, floor, &count);
-    uint32_t *indices = work_alloc(work, count ? 3 * (size_t)count : 1, sizeof *indices);
-    for (uint32_t i = 0; i < count; i++)
-        memcpy(indices + 3 * (size_t)i, model->indices + 3 * (size_t)list[i], 3 * sizeof *indices);
+    const VoxelList all = { NULL, model->triangle_count };
+    const VoxelList list = voxel_choose(work, extents, all, top ? rises_above : crosses, floor);
+    uint32_t *indices = work_alloc(work, 3 * (size_t)list.count + 1, sizeof *indices);
+    for (uint32_t i = 0; i < list.count; i++)
+        memcpy(indices + 3 * (size_t)i, model->indices + 3 * (size_t)list.triangles[i],
+               3 * sizeof *indices);
     geometry.indices = indices;
-    geometry.index_count = 3 * count;
+    geometry.index_count = 3 * list.count;
     return geometry;
 }
 

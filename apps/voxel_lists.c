@@ -59,18 +59,14 @@ void voxel_extents(const VoxelModel *model, VoxelExtent *extents)
     }
 }
 
-uint32_t *voxel_choose(Work *work, const VoxelExtent *extents, uint32_t triangles,
-                       VoxelChoice *choice, float about, uint32_t *count)
+VoxelList voxel_choose(Work *work, const VoxelExtent *extents, VoxelList from, VoxelChoice *choice,
+                       float about)
 {
-    uint32_t found = 0, done = 0;
-    for (uint32_t i = 0; i < triangles; i++)
-        found += choice(&extents[i], about);
-    *count = found;
-    if (!found)
-        return NULL;
-    uint32_t *list = work_alloc(work, found, sizeof *list);
-    for (uint32_t i = 0; i < triangles; i++)
-        if (choice(&extents[i], about))
-            list[done++] = i;
-    return list;
+    uint32_t *chosen = work_alloc(work, (size_t)from.count + 1, sizeof *chosen), count = 0;
+    for (uint32_t i = 0; i < from.count; i++) {
+        const uint32_t triangle = from.triangles ? from.triangles[i] : i;
+        chosen[count] = triangle;
+        count += choice(&extents[triangle], about);
+    }
+    return (VoxelList){ chosen, count };
 }

@@ -19,9 +19,15 @@ void voxel_extents(const VoxelModel *model, VoxelExtent *extents);
 
 typedef bool VoxelChoice(const VoxelExtent *extent, float about);
 
-/* The triangles that a choice takes, in order, and how many they are; NULL for none.
+/* Triangles by number, in order. */
+typedef struct VoxelList {
+    const uint32_t *triangles; /* NULL: all, from 0 on */
+    uint32_t count;
+} VoxelList;
+
+/* Those of a list that a choice takes.
  * owns   work */
-uint32_t *voxel_choose(Work *work, const VoxelExtent *extents, uint32_t triangles,
-                       VoxelChoice *choice, float about, uint32_t *count);
+VoxelList voxel_choose(Work *work, const VoxelExtent *extents, VoxelList from, VoxelChoice *choice,
+                       float about);
 
 #endif
