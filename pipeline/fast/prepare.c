@@ -59,12 +59,9 @@ static bool packs_points(const FastDraw *d)
  * of a batch are to rise, as those do that no index names. */
 static bool shades_again(const FastDraw *d)
 {
-    const GpInputDecl *input = d->draw->program->inputs;
-    int floats = 0;
-    for (size_t i = 0; i < GP_COUNT(d->draw->program->inputs); i++)
-        floats += input[i].components;
-    return d->packs_points && !d->draw->geometry.indices && !d->needs.clip_planes &&
-           d->modes.components > floats;
+    const int inputs = d->draw->program->input_components;
+    return d->packs_points && !d->draw->geometry.indices && !d->needs.clip_planes && inputs > 0 &&
+           d->modes.components > inputs;
 }
 
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
@@ -146,12 +143,13 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->stride = (d->stride + 3) & ~3u;
     size_t room = (size_t)d->vertex_count + FAST_WIDEST; /* whole packets are stored */
     d->positions = fast_arena_take(arena, room * sizeof *d->positions);
-    d->varyings = fast_arena_take(arena, d->shades_again ? 4 : room * d->stride * sizeof(float));
+    if (!d->shades_again)
+        d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
     pass->block_count += fast_draw_blocks(d);
     pass->primitive_count += d->primitive_count;
     for (uint64_t left = d->needs.varyings; left; left &= left - 1)
         d->varyings_by[d->modes.mode[__builtin_ctzll(left)]] |= left & -left;
-    return prepare_samplers(arena, d) && d->positions && d->varyings;
+    return prepare_samplers(arena, d) && d->positions && (d->varyings || d->shades_again);
 }
 
 /* --- passes and groups ---------------------------------------------------------------------------- */
