@@ -175,7 +175,7 @@ static void flat_points_are_the_references(void **state)
     for (int seed = 0; seed < SEEDS; seed++) {
         Random random = { (uint64_t)seed };
         create_frame(&random, &frame);
-        uint64_t expected, hash;
+        uint64_t expected = 0, hash = 0;
         assert_true(run(&frame, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, &expected));
         for (size_t i = 0; i < GP_COUNT(isas); i++) {
             const GpDeviceDesc desc = { .threads = 1 + seed % 3, .isa = isas[i] };
