@@ -3,6 +3,7 @@
 
 #include "shaders_c/layers.h"
 #include "shaders_c/soft_sprite.h"
+#include "shaders_c/texel_copy.h"
 
 #include <math.h>
 
@@ -80,7 +81,6 @@ GpResult bench_build_sheets(const BenchCase *bench, Work *work, GpError *error)
     (void)bench;
     (void)error;
     static const SheetSpriteUniforms sprite = { .size = 5, .opacity = 0.02f };
-    static const LayerUniforms unused = { { 0 } };
     const float *positions = sheet_positions(work);
     GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
     work_reserve(work, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
@@ -93,7 +93,7 @@ GpResult bench_build_sheets(const BenchCase *bench, Work *work, GpError *error)
 
         GpPass *pass = work_pass(work, "under", work->color, NULL, bench_black);
         pass->color[0].clear = i == 0;
-        GpDraw *draw = work_draw(work, &layer_copy_program, &unused, &quad);
+        GpDraw *draw = work_draw(work, &texel_copy_program, NULL, &quad);
         draw->state.blend[0] = under_blend;
         draw->textures[0].surface = sheet;
     }

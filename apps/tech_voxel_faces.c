@@ -34,8 +34,7 @@ void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Work *wor
     worksheet_pass(work, "faces to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
         uniforms[slab] = worksheet_slab(sheet, slab);
-        GpDraw *draw = work_draw(work, &voxel_faces_program, &uniforms[slab], &worksheet_cover);
-        draw->viewport = worksheet_patch(sheet, slab);
+        GpDraw *draw = worksheet_draw(work, &voxel_faces_program, &uniforms[slab], sheet, slab);
         for (int i = 0; i < FACES; i++)
             draw->textures[i].surface = faces[i];
     }

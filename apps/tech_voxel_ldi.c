@@ -32,8 +32,7 @@ static void fill_patch(Work *work, const Worksheet *sheet, uint32_t slab,
                        const WorksheetSlab *uniforms, const GpSurface *entry, const GpSurface *exit)
 {
     const GpProgram *program = exit ? &voxel_between_program : &voxel_layer_program;
-    GpDraw *draw = work_draw(work, program, uniforms, &worksheet_cover);
-    draw->viewport = worksheet_patch(sheet, slab);
+    GpDraw *draw = worksheet_draw(work, program, uniforms, sheet, slab);
     draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
     draw->textures[0].surface = entry;
     draw->textures[1].surface = exit;

@@ -139,8 +139,7 @@ static void gather(Work *work, const Targets *from, const Worksheet *to)
         uniforms[slab] =
             (SheetCopyUniforms){ .origin = { patch.x / width, patch.y / height },
                                  .extent = { patch.width / width, patch.height / height } };
-        GpDraw *draw = work_draw(work, &sheet_copy_program, &uniforms[slab], &worksheet_cover);
-        draw->viewport = worksheet_patch(to, slab);
+        GpDraw *draw = worksheet_draw(work, &sheet_copy_program, &uniforms[slab], to, slab);
         draw->textures[0] = voxel_texels(target->texels);
     }
 }

@@ -2,7 +2,7 @@
  * source Fang and Chen, "Hardware accelerated voxelization", Computers & Graphics 24(3), 2000 */
 #include "apps/tech_voxel_parts.h"
 #include "apps/voxel_along.h"
-#include "shaders_c/voxel_slice.h"
+#include "shaders_c/unlit.h"
 
 #include <string.h>
 
@@ -33,12 +33,12 @@ void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Work *wo
                   const Worksheet *sheet)
 {
     const GpGeometry geometry = voxel_model_geometry(model);
-    VoxelSliceUniforms *uniforms = work_alloc(work, setting->size, sizeof *uniforms);
+    UnlitUniforms *uniforms = work_alloc(work, setting->size, sizeof *uniforms);
     worksheet_pass(work, "slices", sheet);
     for (uint32_t slice = 0; slice < setting->size; slice++) {
-        voxel_along_view(model, setting->size, 2, false, uniforms[slice].to_clip);
-        color_of_bit(slice % sheet->per_texel, uniforms[slice].bit);
-        GpDraw *draw = work_draw(work, &voxel_slice_program, &uniforms[slice], &geometry);
+        voxel_along_view(model, setting->size, 2, false, uniforms[slice].mvp);
+        color_of_bit(slice % sheet->per_texel, uniforms[slice].color);
+        GpDraw *draw = work_draw(work, &unlit_program, &uniforms[slice], &geometry);
         draw->viewport = worksheet_patch(sheet, slice / sheet->per_texel);
         draw->state.blend[0].op =
             setting->kind == VOXEL_SOLID ? GP_BLEND_LOGIC_XOR : GP_BLEND_LOGIC_OR;

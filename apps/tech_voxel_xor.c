@@ -67,8 +67,7 @@ static void copy_slab(Work *work, GpSurface *const *targets, const Worksheet *sh
     VoxelParityResolveUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
     *uniforms =
         (VoxelParityResolveUniforms){ .patch = (float)(slab / TARGETS), .patches = (float)groups };
-    GpDraw *draw = work_draw(work, &voxel_parity_resolve_program, uniforms, &worksheet_cover);
-    draw->viewport = worksheet_patch(sheet, slab);
+    GpDraw *draw = worksheet_draw(work, &voxel_parity_resolve_program, uniforms, sheet, slab);
     draw->textures[0].surface = targets[slab % TARGETS];
     draw->textures[1].surface = targets[0];
 }

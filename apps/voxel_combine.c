@@ -1,6 +1,6 @@
 #include "apps/voxel_combine.h"
 
-#include "shaders_c/voxel_combine.h"
+#include "shaders_c/texel_copy.h"
 
 #include <string.h>
 
@@ -43,16 +43,16 @@ void voxel_combine(Work *work, const Worksheet *a, const Worksheet *b, VoxelComb
         const GpProgram *program;
         GpBlendOp bits, bytes;
     } ways[] = {
-        [VOXEL_UNION] = { &voxel_copy_program, GP_BLEND_LOGIC_OR, GP_BLEND_MAX },
-        [VOXEL_INTERSECTION] = { &voxel_copy_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
-        [VOXEL_DIFFERENCE] = { &voxel_complement_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
+        [VOXEL_UNION] = { &texel_copy_program, GP_BLEND_LOGIC_OR, GP_BLEND_MAX },
+        [VOXEL_INTERSECTION] = { &texel_copy_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
+        [VOXEL_DIFFERENCE] = { &texel_complement_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
     };
     const bool in_place = a->texels == result->texels;
     GP_ASSERT(a->bits != 16 && are_alike(a, b) && are_alike(a, result));
     GP_ASSERT(b->texels != result->texels);
     begin_result(work, "combine", a, b, result);
     if (!in_place)
-        draw_sheet(work, &voxel_copy_program, a, GP_BLEND_OFF);
+        draw_sheet(work, &texel_copy_program, a, GP_BLEND_OFF);
     draw_sheet(work, ways[operation].program, b,
                a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
 }
@@ -88,10 +88,10 @@ void voxel_collide(Work *work, const Worksheet *a, const Worksheet *b, const Vox
     for (uint32_t slab = common->low[2] / 32; slab * 32 < common->end[2]; slab++) {
         GpDraw *draw;
         if (a->texels != result->texels) {
-            draw = draw_sheet(work, &voxel_copy_program, a, GP_BLEND_OFF);
+            draw = draw_sheet(work, &texel_copy_program, a, GP_BLEND_OFF);
             cut_to_slab(&draw->state.raster, result, common, slab);
         }
-        draw = draw_sheet(work, &voxel_copy_program, b, GP_BLEND_LOGIC_AND);
+        draw = draw_sheet(work, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
         cut_to_slab(&draw->state.raster, result, common, slab);
     }
 }

@@ -4,7 +4,7 @@
 #include "apps/voxel_inputs.h"
 
 #include "apps/shapes.h"
-#include "shaders_c/voxel_combine.h"
+#include "shaders_c/texel_copy.h"
 #include "shaders_c/voxel_field.h"
 #include "shaders_c/voxel_implicit.h"
 
@@ -77,8 +77,9 @@ static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const fl
         for (int j = 0; j < POLYNOMIAL_SIDE; j++)
             for (int k = 0; k < POLYNOMIAL_SIDE; k++)
                 u->coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
-    return work_draw(s->work, corner ? &voxel_implicit_corner_program : &voxel_implicit_program, u,
-                     &worksheet_cover);
+    return worksheet_draw(s->work,
+                          corner ? &voxel_implicit_corner_program : &voxel_implicit_program, u,
+                          s->sheet, slab);
 }
 
 static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
@@ -96,17 +97,15 @@ static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float p
         u->origin[i][0] = v.x + (corner ? place[0] : 0);
         u->origin[i][1] = v.y + (corner ? place[1] : 0);
     }
-    GpDraw *draw = work_draw(s->work, corner ? &voxel_field_corner_program : &voxel_field_program,
-                             u, &worksheet_cover);
+    GpDraw *draw = worksheet_draw(
+        s->work, corner ? &voxel_field_corner_program : &voxel_field_program, u, s->sheet, slab);
     draw->textures[0].surface = s->field;
     return draw;
 }
 
 static GpDraw *draw_samples(Sampling *s, uint32_t slab, bool corner, const float place[3])
 {
-    GpDraw *draw = (s->function->evaluate ? draw_field : draw_polynomial)(s, slab, corner, place);
-    draw->viewport = worksheet_patch(s->sheet, slab);
-    return draw;
+    return (s->function->evaluate ? draw_field : draw_polynomial)(s, slab, corner, place);
 }
 
 /* --- callbacks -------------------------------------------------------------------------------- */
@@ -186,8 +185,7 @@ static void draw_surface(Sampling *s)
         }
     worksheet_pass(s->work, "not all corners", s->sheet)->color[0].clear = false;
     for (uint32_t slab = 0; slab < s->sheet->slabs; slab++) {
-        GpDraw *draw = work_draw(s->work, &voxel_copy_program, NULL, &worksheet_cover);
-        draw->viewport = worksheet_patch(s->sheet, slab);
+        GpDraw *draw = worksheet_draw(s->work, &texel_copy_program, NULL, s->sheet, slab);
         draw->state.blend[0].op = GP_BLEND_LOGIC_XOR;
         draw->textures[0].surface = all;
     }

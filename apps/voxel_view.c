@@ -1,8 +1,8 @@
 #include "apps/voxel_view.h"
 
 #include "apps/view_slices.h"
+#include "shaders_c/texel_copy.h"
 #include "shaders_c/voxel_blocks.h"
-#include "shaders_c/voxel_combine.h"
 #include "shaders_c/voxel_light.h"
 #include "shaders_c/voxel_scan.h"
 
@@ -271,7 +271,7 @@ static void draw_haze(const ViewBuild *build)
     draw->state.depth.test = build->depth ? GP_LESS : GP_ALWAYS;
 
     work_pass(work, "over", work->color, NULL, nothing)->color[0].clear = false;
-    draw = work_draw(work, &voxel_copy_program, NULL, &worksheet_cover);
+    draw = work_draw(work, &texel_copy_program, NULL, &worksheet_cover);
     draw->textures[0].surface = haze;
     draw->state.blend[0] = over;
 }

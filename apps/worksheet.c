@@ -59,6 +59,14 @@ GpViewport worksheet_patch(const Worksheet *sheet, uint32_t slab)
                          .height = (float)sheet->size };
 }
 
+GpDraw *worksheet_draw(Work *work, const GpProgram *program, const void *uniforms,
+                       const Worksheet *sheet, uint32_t slab)
+{
+    GpDraw *draw = work_draw(work, program, uniforms, &worksheet_cover);
+    draw->viewport = worksheet_patch(sheet, slab);
+    return draw;
+}
+
 WorksheetLayout worksheet_layout(const Worksheet *sheet)
 {
     return (WorksheetLayout){ .size = (float)sheet->size,

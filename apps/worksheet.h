@@ -40,6 +40,10 @@ extern const int worksheet_channel[4];
  * diagonal. */
 extern const GpGeometry worksheet_cover;
 
+/* A draw over a slab's patch. */
+GpDraw *worksheet_draw(Work *work, const GpProgram *program, const void *uniforms,
+                       const Worksheet *sheet, uint32_t slab);
+
 /* What shaders need to know of it. */
 WorksheetLayout worksheet_layout(const Worksheet *sheet);
 WorksheetSlab worksheet_slab(const Worksheet *sheet, uint32_t slab);

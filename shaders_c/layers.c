@@ -70,11 +70,6 @@ vertex_shader(layer_vs, LayerUniforms, Corner, Nothing)
     *position = rgba(in->position, 1);
 }
 
-pixel_shader(layer_copy_ps, LayerUniforms, Nothing)
-{
-    return gp_load_local(0);
-}
-
 pixel_shader(layer_premultiply_ps, LayerUniforms, Nothing)
 {
     float4 layer = gp_load_local(0);
@@ -92,6 +87,5 @@ pixel_shader(layer_background_ps, LayerUniforms, Nothing)
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
     .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
 
-program(layer_copy_program, layer_vs, layer_copy_ps, LAYER_DECLARATIONS)
 program(layer_premultiply_program, layer_vs, layer_premultiply_ps, LAYER_DECLARATIONS)
 program(layer_background_program, layer_vs, layer_background_ps, LAYER_DECLARATIONS)

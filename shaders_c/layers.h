@@ -20,7 +20,6 @@ typedef struct LayerUniforms {
     float background[3];
 } LayerUniforms;
 
-extern const GpProgram layer_copy_program;        /* as it is */
 extern const GpProgram layer_premultiply_program; /* colour times alpha */
 extern const GpProgram layer_background_program;  /* over a background, which ends opaque */
 

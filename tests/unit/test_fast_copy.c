@@ -1,7 +1,7 @@
 /* Words that a draw brings from one surface into another: as the reference executor does it through
  * floats. */
 #include "apps/worksheet.h"
-#include "shaders_c/voxel_combine.h"
+#include "shaders_c/texel_copy.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
@@ -33,8 +33,8 @@ static Frame make_frame(Random *random)
     assert_int_equal(gp_surface_create(&desc, &frame.to, &error), GP_OK);
     fill(random, frame.from);
     fill(random, frame.to);
-    frame.draw = (GpDraw){ .program = random_int(random, 0, 3) ? &voxel_copy_program
-                                                               : &voxel_complement_program,
+    frame.draw = (GpDraw){ .program = random_int(random, 0, 3) ? &texel_copy_program
+                                                               : &texel_complement_program,
                            .uniforms = "",
                            .geometry = worksheet_cover };
     frame.draw.textures[0].surface = frame.from;

@@ -1,8 +1,8 @@
 /* Draws in which the fast executor changes the order of its work, where only an order that shows would
  * be wrong: cut-outs of equal depths filled front to back, and layers blended a few pixels at a time. */
 #include "pipeline/glasspipe.h"
-#include "shaders_c/layers.h"
 #include "shaders_c/lookup.h"
+#include "shaders_c/texel_copy.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
@@ -136,7 +136,6 @@ static void layers_are_blended_in_order(void **state)
         { .op = GP_BLEND_REV_SUBTRACT, .src = GP_ONE, .dst = GP_SRC_COLOR, .keep = 4 },
         { .op = GP_BLEND_MAX },
     };
-    static const LayerUniforms unused = { { 0 } };
     for (int seed = 0; seed < SEEDS; seed++) {
         Random random = { (uint64_t)seed };
         GpSurface *shown = create(formats[seed / 2 % 3], SIZE);
@@ -146,8 +145,7 @@ static void layers_are_blended_in_order(void **state)
         const GpDraw picture = { .program = &cut_out_program,
                                  .geometry = quads(QUADS),
                                  .textures[0] = { .surface = texture } };
-        GpDraw layer = { .program = &layer_copy_program,
-                         .uniforms = &unused,
+        GpDraw layer = { .program = &texel_copy_program,
                          .geometry = quads(1),
                          .state.blend[0] = blends[seed % 5],
                          .textures[0] = { .surface = shown } };

@@ -12,6 +12,7 @@
 #include "shaders_c/slab_bits.h"
 #include "shaders_c/soft_sprite.h"
 #include "shaders_c/surface_maps.h"
+#include "shaders_c/texel_copy.h"
 #include "shaders_c/two_sided.h"
 
 const char glsl_head[] = "#version 300 es\n"
@@ -405,7 +406,7 @@ static const Translation translations[] = {
 
     { &peel_first_program, vertex_mesh, pixel_peel_first, { PEEL_UNIFORMS } },
     { &peel_next_program, vertex_mesh, pixel_peel, { PEEL_UNIFORMS } },
-    { &layer_copy_program, glsl_screen, pixel_copy, { { .name = NULL } } },
+    { &texel_copy_program, glsl_screen, pixel_copy, { { .name = NULL } } },
     { &layer_premultiply_program, glsl_screen, pixel_premultiply, { { .name = NULL } } },
     { &layer_background_program, glsl_screen, pixel_resolve,
       { AT(LayerUniforms, UNIFORM_VEC3, background) } },
