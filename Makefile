@@ -65,8 +65,9 @@ ISAS_x86_64  := 4:sse2: 8:avx2:-mavx2,-mno-fma \
                 16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw
 ISAS_aarch64 := 4:neon: 8:generic: 16:generic:
 ISAS ?= $(or $(ISAS_$(ARCH)),4:generic: 8:generic: 16:generic:)
-# Which widths there are, for the file that lists them.
-ALL_C += $(foreach isa,$(ISAS),-DGP_HAS_LANES$(firstword $(subst :, ,$(isa))))
+# Which widths there are, for the files that list them.
+ALL_C += $(foreach isa,$(ISAS),\
+           '-DGP_LANES$(word 1,$(subst :, ,$(isa)))_ISA="$(word 2,$(subst :, ,$(isa)))"')
 
 # --- what there is to build -----------------------------------------------------------------------
 

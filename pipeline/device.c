@@ -29,9 +29,9 @@ static GpResult check_isa(const char *name, GpError *error)
         return gp_fail(error, GP_ERROR_INVALID,
                        "isa '%s': expected auto, sse2, avx2, avx512 or neon", name);
     bool by_width = name && strncmp(name, "lanes", 5) == 0;
-    if (lanes > 0 && !by_width && !gp_isa_runs(name))
-        return gp_fail(error, GP_ERROR_UNSUPPORTED, "isa '%s': this processor does not have it",
-                       name);
+    if (lanes > 0 && ((!by_width && !gp_isa_runs(name)) || !gp_isa_of_lanes(lanes)))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED,
+                       "isa '%s': this processor, or this build, does not have it", name);
     return GP_OK;
 }
 
@@ -83,12 +83,22 @@ void gp_device_destroy(GpDevice **device)
     *device = NULL;
 }
 
-/* The width to run a list at: the one that was forced, else the widest that every program has. The
- * reference executor works on single quads, gains nothing from wider code, and takes the narrowest. */
+/* The widest lanes that the build has and the processor runs. */
+static int widest_lanes(void)
+{
+    int lanes = 16;
+    while (lanes > 4 && !gp_isa_of_lanes(lanes))
+        lanes /= 2;
+    return lanes;
+}
+
+/* The width to run a list at: the one that was forced, else the widest that the processor and every
+ * program have. The reference executor works on single quads, gains nothing from wider code, and
+ * takes the narrowest. */
 static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, GpError *error)
 {
     const GpProgram *missing;
-    *lanes = device->forced_lanes ? device->forced_lanes : device->fast ? 16 : 4;
+    *lanes = device->forced_lanes ? device->forced_lanes : device->fast ? widest_lanes() : 4;
     while (!gp_isa_serves(list, *lanes, &missing)) {
         if (device->forced_lanes || *lanes == 4)
             return gp_fail(error, GP_ERROR_UNSUPPORTED,
@@ -96,6 +106,7 @@ static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, G
                            missing->name, *lanes);
         *lanes /= 2;
     }
+    device->used_isa = gp_isa_of_lanes(*lanes);
     for (uint32_t p = 0; p < list->pass_count; p++)
         if (list->passes[p].draw_count)
             device->used_isa = gp_program_code(list->passes[p].draws[0].program, *lanes)->isa;

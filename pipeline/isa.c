@@ -35,6 +35,31 @@ bool gp_isa_runs(const char *name)
 #endif
 }
 
+/* What the build compiled for each width (see ISAS in the Makefile). */
+static const char *const built_isas[GP_CODE_WIDTHS] = {
+#ifdef GP_LANES4_ISA
+    GP_LANES4_ISA,
+#else
+    NULL,
+#endif
+#ifdef GP_LANES8_ISA
+    GP_LANES8_ISA,
+#else
+    NULL,
+#endif
+#ifdef GP_LANES16_ISA
+    GP_LANES16_ISA,
+#else
+    NULL,
+#endif
+};
+
+const char *gp_isa_of_lanes(int lanes)
+{
+    const char *isa = built_isas[gp_code_width(lanes)];
+    return isa && gp_isa_runs(isa) ? isa : NULL;
+}
+
 bool gp_isa_serves(const GpList *list, int lanes, const GpProgram **missing)
 {
     for (uint32_t p = 0; p < list->pass_count; p++)

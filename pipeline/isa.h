@@ -12,6 +12,10 @@ int gp_isa_lanes(const char *name);
 /* Whether this processor runs code compiled for a named instruction set. */
 bool gp_isa_runs(const char *name);
 
+/* The instruction set that this build's own code of a width (4, 8, 16) was compiled for; NULL where
+ * the build has none, or the processor does not run it. */
+const char *gp_isa_of_lanes(int lanes);
+
 /* Whether every program of a list has code of a width that this processor runs.
  * out  missing: the first program that has not, or NULL */
 bool gp_isa_serves(const GpList *list, int lanes, const GpProgram **missing);

@@ -190,10 +190,16 @@ static inline int gp_program_targets(const GpProgram *program)
     return program->color_components / 4;
 }
 
+/* Place of a width (4, 8 or 16 lanes) in arrays of GP_CODE_WIDTHS. */
+static inline int gp_code_width(int lanes)
+{
+    return lanes == 4 ? 0 : lanes == 8 ? 1 : 2;
+}
+
 /* The code of a width, or NULL. lanes: 4, 8 or 16. */
 static inline const GpProgramCode *gp_program_code(const GpProgram *program, int lanes)
 {
-    return program->code[lanes == 4 ? 0 : lanes == 8 ? 1 : 2];
+    return program->code[gp_code_width(lanes)];
 }
 
 /* Checks a program against itself and, where it was counted, its shaders against what it declares

@@ -2,13 +2,13 @@
 
 /* Those that were compiled: a build may have fewer widths. */
 static const FastStages *const stages[] = {
-#ifdef GP_HAS_LANES4
+#ifdef GP_LANES4_ISA
     &fast_stages4,
 #endif
-#ifdef GP_HAS_LANES8
+#ifdef GP_LANES8_ISA
     &fast_stages8,
 #endif
-#ifdef GP_HAS_LANES16
+#ifdef GP_LANES16_ISA
     &fast_stages16,
 #endif
 };
