@@ -75,18 +75,19 @@ VERSION := $(shell sed -n 's/^.define GP_VERSION "\(.*\)"/\1/p' pipeline/glasspi
 SONAME  := libglasspipe.so.$(firstword $(subst ., ,$(VERSION)))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $(1)))
+# All files below a folder whose names end so: $(call below,apps,*.c)
+below = $(sort $(shell find $(1) -name '$(2)'))
 
-CORE    := $(call object,$(wildcard pipeline/*.c pipeline/fast/*.c) \
-                         $(if $(CXX),$(wildcard pipeline/*.cpp))) \
+LANES   := $(call below,pipeline/fast/lanes,*.c)
+CORE    := $(call object,$(filter-out $(LANES) pipeline/io/%,$(call below,pipeline,*.c))) \
            $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/obj/%.lanes$(firstword $(subst :, ,$(isa))).o, \
-                                            $(wildcard pipeline/fast/lanes/*.c)))
+                                            $(LANES)))
 IO      := $(call object,$(filter-out \
                 $(if $(WITH_OIIO),%/image_without_oiio.c,%/image_oiio.cpp), \
-                $(wildcard pipeline/io/*.c pipeline/io/*.cpp)))
-SHADERS := $(call object,$(wildcard shaders_c/*.c))
-APPS    := $(call object,$(filter-out apps/main.c,$(wildcard apps/*.c)))
+                $(call below,pipeline/io,*.c) $(call below,pipeline/io,*.cpp)))
+SHADERS := $(call object,$(call below,shaders_c,*.c))
+APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)))
 SUPPORT := $(call object,$(wildcard tests/support/*.c))
-TRUTH   := $(call object,$(wildcard tests/truth/*.c))
 TEST_SHADERS := $(call object,$(wildcard tests/shaders/*.c))
 GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
 DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
@@ -98,12 +99,11 @@ IO_A    := $(BUILD)/lib/libglasspipe_io.a
 APPS_A  := $(BUILD)/obj/apps.a
 SHADERS_A := $(BUILD)/obj/shaders.a
 SUPPORT_A := $(BUILD)/obj/support.a
-TRUTH_A   := $(BUILD)/obj/truth.a
 
 # Test programs, by their source's name. The golden frames need nothing but the core and the
 # shaders, so that they can be drawn on a processor that has no libraries.
 # The slowest program first, so that it runs beside the others.
-TEST_SOURCES := $(wildcard tests/cli/test_*.c tests/unit/test_*.c tests/fuzz/fuzz_*.c)
+TEST_SOURCES := $(call below,tests/cli,test_*.c) $(call below,tests/unit,test_*.c)
 TESTS        := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(TEST_SOURCES)))
 GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
 DIFFERENTIAL_TEST := $(BUILD)/test/differential
@@ -153,10 +153,6 @@ $(BUILD)/obj/%.o: %.cpp $(FLAGS_FILE) | packages
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)$(IO_CXX) -c $< -o $@
 
-$(BUILD)/obj/pipeline/counting%.o: pipeline/counting%.cpp $(FLAGS_FILE) | packages
-	@mkdir -p $(@D)
-	$(call say,CXX,$<)$(COUNT_CXX) -c $< -o $@
-
 # One object a shader: a variant for each width, the counting one, joined. The variants refer to
 # each other weakly, so any subset works.
 comma := ,
@@ -178,16 +174,17 @@ $(BUILD)/obj/%.count.o: %.c $(FLAGS_FILE) | packages
 	$(call say,CXX,"$< (counting)")$(COUNT_CXX) -c $< -o $@
 
 VARIANTS := $(foreach isa,$(ISAS),lanes$(call isa_lanes,$(isa))) \
-            $(if $(and $(CXX),$(wildcard pipeline/counting.hpp)),count)
+            $(if $(CXX),count)
 $(SHADERS) $(TEST_SHADERS): %.o: $(foreach v,$(VARIANTS),%.$(v).o)
 	@$(CC) -r -nostdlib $^ -o $@
 
 # --- libraries and programs -----------------------------------------------------------------------
 
+# Appended, not replaced: files of two folders may have one name.
 define archive
 	@mkdir -p $(@D)
 	@rm -f $@
-	$(call say,AR,$@)$(AR) rcs $@ $^
+	$(call say,AR,$@)$(AR) qcs $@ $^
 endef
 $(CORE_A): $(CORE)
 	$(archive)
@@ -199,8 +196,6 @@ $(SHADERS_A): $(SHADERS)
 	$(archive)
 $(SUPPORT_A): $(SUPPORT) $(TEST_SHADERS)
 	$(archive)
-$(TRUTH_A): $(TRUTH)
-	$(archive)
 
 $(CORE_SO): $(CORE)
 	@mkdir -p $(@D)
@@ -208,7 +203,7 @@ $(CORE_SO): $(CORE)
 	@ln -sf $(notdir $@).$(VERSION) $(@D)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
-$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(TRUTH_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -222,11 +217,17 @@ run: all
 
 # --- tests
 
+# All that tests look at, in one shared library: a change relinks in a moment.
+TESTED_SO := $(BUILD)/test/libtested.so
+$(TESTED_SO): $(SUPPORT) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) -shared $^ $(LIBS) -o $@
+
 define test_program
-$(BUILD)/test/$(basename $(notdir $(1))): $(call object,$(1)) $(SUPPORT_A) $(APPS_A) $(TRUTH_A) \
-                                          $(SHADERS_A) $(IO_A) $(CORE_A)
+$(BUILD)/test/$(basename $(notdir $(1))): $(call object,$(1)) $(TESTED_SO)
 	@mkdir -p $$(@D)
-	$$(call say,LINK,$$@)$$(LINK) $$^ -lcmocka $$(LIBS) -o $$@
+	$$(call say,LINK,$$@)$$(LINK) $$< -L$(BUILD)/test -ltested '-Wl,-rpath,$$$$ORIGIN' -lcmocka \
+	    $$(LIBS) -o $$@
 endef
 $(foreach source,$(TEST_SOURCES),$(eval $(call test_program,$(source))))
 
@@ -253,7 +254,7 @@ WIDTHS := $(filter $(VARIANTS),$(WIDTHS))
 GOLDEN_RESULTS = $(foreach width,$(WIDTHS),$(GOLDEN_TEST:%=%.$(width).tap))
 RESULTS  = $(DIFFERENTIAL_TEST).tap $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
-$(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(wildcard tests/cli/test_*.c)): $(PROGRAM)
+$(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
 	$(call say,TEST,$(*F))$(RUN_TEST) $@ $*
 $(GOLDEN_RESULTS): $(GOLDEN_TEST) always
@@ -298,7 +299,7 @@ check: | packages
 # The peer is loaded when the program runs, which says "skipped" where there is none.
 PEER_TEST := $(BUILD)/test/check_peer
 PEER      := $(call object,$(wildcard tests/peer/*.c))
-$(PEER_TEST): $(PEER) $(SUPPORT_A) $(APPS_A) $(TRUTH_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PEER_TEST): $(PEER) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -308,7 +309,7 @@ check-peer: $(PEER_TEST)
 # The same work on llvmpipe and here, in turn, case by case: out/bench/peers.json and .svg.
 PEER_BENCH         := $(BUILD)/test/peer_bench
 PEER_BENCH_OBJECTS := $(call object,$(wildcard tests/peer/bench/*.c))
-$(PEER_BENCH): $(PEER_BENCH_OBJECTS) $(APPS_A) $(TRUTH_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PEER_BENCH): $(PEER_BENCH_OBJECTS) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -327,13 +328,14 @@ public_headers = $(sort $(filter pipeline/%,$(shell \
     $(CXX) -I. -std=gnu++20 -x c++ -MM pipeline/shader.h)))
 
 install: all
-	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig $(INSTALLED)/include/glasspipe/pipeline
+	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
 	install -m 644 $(CORE_A) $(INSTALLED)/lib/
 	install -m 755 $(CORE_SO).$(VERSION) $(INSTALLED)/lib/
 	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
 	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
-	install -m 644 $(public_headers) $(INSTALLED)/include/glasspipe/pipeline/
+	for header in $(public_headers); do \
+	    install -D -m 644 $$header $(INSTALLED)/include/glasspipe/$$header || exit; done
 	sed -e 's,@PREFIX@,$(PREFIX),' -e 's,@VERSION@,$(VERSION),' pipeline/glasspipe.pc.in \
 	    >$(INSTALLED)/lib/pkgconfig/glasspipe.pc
 	install -d $(INSTALLED)/share/man/man1 $(INSTALLED)/share/bash-completion/completions
@@ -372,7 +374,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(TRUTH) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+OBJECTS := $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d)

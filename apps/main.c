@@ -1,6 +1,6 @@
 /* The program `glasspipe`: finds the subcommand and makes sure that its output arrived. */
-#include "apps/commands.h"
-#include "apps/options.h"
+#include "apps/commands/commands.h"
+#include "apps/commands/options.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,10 +1,10 @@
 #include "pipeline/glasspipe.h"
 
-#include "pipeline/fast/clock.h"
+#include "pipeline/base/clock.h"
 #include "pipeline/fast/fast.h"
-#include "pipeline/fpcontrol.h"
-#include "pipeline/isa.h"
-#include "pipeline/reference.h"
+#include "pipeline/base/fpcontrol.h"
+#include "pipeline/list/isa.h"
+#include "pipeline/reference/reference.h"
 
 #include <stdlib.h>
 #include <string.h>

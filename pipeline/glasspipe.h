@@ -10,9 +10,9 @@
 #ifndef GLASSPIPE_H
 #define GLASSPIPE_H
 
-#include "pipeline/list.h"
-#include "pipeline/needs.h"
-#include "pipeline/trace.h"
+#include "pipeline/list/list.h"
+#include "pipeline/list/needs.h"
+#include "pipeline/list/trace.h"
 
 #define GP_VERSION "0.1.0"
 

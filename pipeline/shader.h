@@ -28,13 +28,13 @@
 #ifndef GP_SHADER_H
 #define GP_SHADER_H
 
-#include "pipeline/program.h"
+#include "pipeline/shader/program.h"
 
 #ifdef __cplusplus
-#include "pipeline/counting.hpp"
+#include "pipeline/shader/counting.hpp"
 #else
 
-#include "pipeline/detmath.h"
+#include "pipeline/base/detmath.h"
 
 typedef struct float2 {
     flt x, y;

@@ -2,7 +2,7 @@
 #ifndef GP_FAST_ARENA_H
 #define GP_FAST_ARENA_H
 
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 
 typedef struct FastArena {
     struct FastArenaBlock *blocks; /* the newest first; only that one has room */

@@ -1,8 +1,8 @@
 /* Binning: which tiles each triangle or point touches, in submission order. */
 #include "pipeline/fast/frame.h"
 
-#include "pipeline/input_assembly.h"
-#include "pipeline/texture_read.h"
+#include "pipeline/units/input_assembly.h"
+#include "pipeline/units/texture_read.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "pipeline/fast/clear.h"
 
-#include "pipeline/lanes.h"
+#include "pipeline/base/lanes.h"
 
 #include <string.h>
 

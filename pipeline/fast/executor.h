@@ -6,8 +6,8 @@
 #include "pipeline/fast/fast.h"
 #include "pipeline/fast/frame.h"
 #include "pipeline/fast/stages.h"
-#include "pipeline/list_check.h"
-#include "pipeline/pool.h"
+#include "pipeline/list/list_check.h"
+#include "pipeline/base/pool.h"
 
 struct GpFast {
     GpPool *pool;

@@ -2,7 +2,7 @@
  *
  * The story of a triangle. Passes that read each other's targets only in place form a group (group.h).
  * A group is prepared (prepare.c), and run in three phases (rounds.c), each a heap of items that
- * threads take from a pool (pipeline/pool.h); what an item writes, no other item of its phase reads,
+ * threads take from a pool (pipeline/base/pool.h); what an item writes, no other item of its phase reads,
  * so the number of threads cannot show.
  *
  *   1. Vertices (lanes/vertices.c). Blocks of vertices go through the vertex shader, GP_LANES side by

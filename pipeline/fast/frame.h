@@ -2,12 +2,12 @@
 #ifndef GP_FAST_FRAME_H
 #define GP_FAST_FRAME_H
 
-#include "pipeline/clip.h"
+#include "pipeline/units/clip.h"
 #include "pipeline/glasspipe.h"
-#include "pipeline/interpolate.h"
-#include "pipeline/setup.h"
-#include "pipeline/vertex_stage.h"
-#include "pipeline/viewport.h"
+#include "pipeline/units/interpolate.h"
+#include "pipeline/units/setup.h"
+#include "pipeline/units/vertex_stage.h"
+#include "pipeline/units/viewport.h"
 
 #include <stdatomic.h>
 

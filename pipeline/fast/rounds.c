@@ -1,6 +1,6 @@
 /* The three phases of a group, and how often: once, or in rounds where its bins outgrow their memory. */
 #include "pipeline/fast/clear.h"
-#include "pipeline/fast/clock.h"
+#include "pipeline/base/clock.h"
 #include "pipeline/fast/executor.h"
 #include "pipeline/fast/group.h"
 

@@ -1,7 +1,7 @@
 /* The executor: its memory, and lists run group by group. */
-#include "pipeline/fast/clock.h"
+#include "pipeline/base/clock.h"
 #include "pipeline/fast/executor.h"
-#include "pipeline/list_check.h"
+#include "pipeline/list/list_check.h"
 
 #include <stdlib.h>
 

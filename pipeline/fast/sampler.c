@@ -1,7 +1,7 @@
 #include "pipeline/fast/sampler.h"
 
-#include "pipeline/texture.h"
-#include "pipeline/texture_address.h"
+#include "pipeline/units/texture.h"
+#include "pipeline/units/texture_address.h"
 
 static void prepare_border(const GpTexture *texture, FastSampler *s)
 {

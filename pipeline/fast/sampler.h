@@ -2,7 +2,7 @@
 #ifndef GP_FAST_SAMPLER_H
 #define GP_FAST_SAMPLER_H
 
-#include "pipeline/program.h"
+#include "pipeline/shader/program.h"
 
 /* What becomes of texels. */
 typedef enum FastSampling {
@@ -44,7 +44,7 @@ void fast_prepare_sampler(const GpTexture *texture, FastSampler *sampler);
  * for the sign and payload of NaN. One for each lane width; all are GpTextureFn.
  * in   call->executor: FastSampler[GP_MAX_SAMPLERS], prepared from call->textures as far as the
  *      program reads them; read->lanes: the function's own
- * source pipeline/texture.c and pipeline/texture_address.c, operation by operation */
+ * source pipeline/units/texture.c and pipeline/units/texture_address.c, operation by operation */
 void fast_read_texture_lanes4(const GpShaderCall *call, const GpTextureRead *read);
 void fast_read_texture_lanes8(const GpShaderCall *call, const GpTextureRead *read);
 void fast_read_texture_lanes16(const GpShaderCall *call, const GpTextureRead *read);

@@ -6,7 +6,7 @@
 #ifndef GP_IO_FILE_H
 #define GP_IO_FILE_H
 
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 
 /* Content of a file. A zero byte follows data[size - 1] and does not count. */
 typedef struct GpFile {

@@ -1,5 +1,5 @@
 /* The program as its user meets it. */
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
 #include <fcntl.h>

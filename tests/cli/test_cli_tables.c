@@ -1,5 +1,5 @@
 /* `bench --table' and `chart --growth' with meshes that are small, or not there; no time is judged. */
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 /* glasspipe voxelize beyond one mesh: other models, two models, scans, and pictures of them. */
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
 /* --- models ------------------------------------------------------------------------------------- */

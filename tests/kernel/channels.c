@@ -1,6 +1,6 @@
 #include "tests/kernel/channels.h"
 
-#include "pipeline/lanes.h"
+#include "pipeline/base/lanes.h"
 
 #include <string.h>
 

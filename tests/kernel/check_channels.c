@@ -1,4 +1,4 @@
-/* Channels of texels in lanes, at every lane width, against pipeline/format.h: every one of the 2^32
+/* Channels of texels in lanes, at every lane width, against pipeline/resources/format.h: every one of the 2^32
  * floats to a code of eight bits and back, and through a half, every code back to a float.
  *
  * One line a width with the first difference, if any, then the count of passed and failed widths.
@@ -6,8 +6,8 @@
  */
 #include "tests/kernel/channels.h"
 
-#include "pipeline/format.h"
-#include "pipeline/isa.h"
+#include "pipeline/resources/format.h"
+#include "pipeline/list/isa.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Every one-argument function of pipeline/detmath.h at every one of the 2^32 floats (R52).
+/* Every one-argument function of pipeline/base/detmath.h at every one of the 2^32 floats (R52).
  *
  * One line per function with the largest error in ulp and its argument, then the count of passed
  * and failed functions. Exit status 1 on a failure.

@@ -9,8 +9,8 @@
 #include <string.h>
 
 #include "pipeline/fast/sampler.h"
-#include "pipeline/isa.h"
-#include "pipeline/texture_read.h"
+#include "pipeline/list/isa.h"
+#include "pipeline/units/texture_read.h"
 
 enum { WIDEST = 16, TEXTURES = 3000, SAMPLERS = 4, PACKETS = 12 };
 

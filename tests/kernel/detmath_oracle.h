@@ -1,4 +1,4 @@
-/* What the one-argument functions of pipeline/detmath.h are measured against: the exhaustive check
+/* What the one-argument functions of pipeline/base/detmath.h are measured against: the exhaustive check
  * and the strided unit test walk the same table.
  *
  * The oracle is the C library in double: its own error, under one ulp of a double, is 2^-29 of what
@@ -7,8 +7,8 @@
 #ifndef GP_TESTS_DETMATH_ORACLE_H
 #define GP_TESTS_DETMATH_ORACLE_H
 
-#include "pipeline/base.h"
-#include "pipeline/detmath.h"
+#include "pipeline/base/base.h"
+#include "pipeline/base/detmath.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* The scenes through glasspipe. */
 #include "tests/peer/peer.h"
 
-#include "pipeline/vertex_stage.h"
+#include "pipeline/units/vertex_stage.h"
 
 #include <string.h>
 

@@ -148,7 +148,7 @@ static const char own_vertices[] = GLSL_HEAD GLSL_INPUTS
 static const char same_vertices[] =
     GLSL_HEAD GLSL_INPUTS "void main() { n = normal; world = position; gl_Position = clip; }\n";
 
-/* shaders_c/phong.c in GLSL; beside the colour, who drew the pixel and at what depth. */
+/* shaders_c/materials/phong.c in GLSL; beside the colour, who drew the pixel and at what depth. */
 static const char phong_pixel[] =
     GLSL_HEAD "in vec3 n, world;\n"
               "uniform vec3 eye, light, ambient, diffuse;\n"

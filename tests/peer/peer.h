@@ -8,7 +8,7 @@
 #define PEER_H
 
 #include "pipeline/glasspipe.h"
-#include "shaders_c/phong.h"
+#include "shaders_c/materials/phong.h"
 
 enum { PEER_SIZE = 1024, PEER_PIXELS = PEER_SIZE * PEER_SIZE };
 

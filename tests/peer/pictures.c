@@ -1,7 +1,7 @@
 /* What the peer check shows to the eye. */
 #include "tests/peer/peer.h"
 
-#include "apps/picture.h"
+#include "apps/frame/picture.h"
 
 #include <stdio.h>
 #include <sys/stat.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_SHADERS_COUNT_H
 #define TESTS_SHADERS_COUNT_H
 
-#include "pipeline/program.h"
+#include "pipeline/shader/program.h"
 
 typedef struct CountUniforms {
     float matrix[4][4];

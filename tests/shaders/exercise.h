@@ -2,7 +2,7 @@
 #ifndef TESTS_SHADERS_EXERCISE_H
 #define TESTS_SHADERS_EXERCISE_H
 
-#include "pipeline/program.h"
+#include "pipeline/shader/program.h"
 
 #ifdef __cplusplus
 extern "C" {

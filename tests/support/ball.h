@@ -2,7 +2,7 @@
 #ifndef TESTS_BALL_H
 #define TESTS_BALL_H
 
-#include "tests/truth/ray_scene.h"
+#include "apps/truth/ray_scene.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #ifndef TESTS_DEVICES_H
 #define TESTS_DEVICES_H
 
-#include "apps/work.h"
+#include "apps/frame/frame.h"
 
 /* Runs a list on the fast executor.
  * errors fails the running test where it does not run */

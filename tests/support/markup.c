@@ -2,7 +2,7 @@
 
 #include "tests/support/unit.h"
 
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_MESH_FILES_H
 #define TESTS_MESH_FILES_H
 
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 
 /* A square and two of the four sides: five vertices, a quad and two triangles. */
 extern const float pyramid_positions[15];

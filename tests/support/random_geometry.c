@@ -1,6 +1,6 @@
 #include "tests/support/random_geometry.h"
 
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 
 #include <math.h>
 

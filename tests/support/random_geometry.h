@@ -3,7 +3,7 @@
 #ifndef TESTS_RANDOM_GEOMETRY_H
 #define TESTS_RANDOM_GEOMETRY_H
 
-#include "pipeline/geometry.h"
+#include "pipeline/resources/geometry.h"
 #include "tests/support/random.h"
 
 /* Positions in clip space, a colour, and a texture coordinate for each vertex. `vertices` and

@@ -3,7 +3,7 @@
 #ifndef TESTS_RANDOM_LIST_H
 #define TESTS_RANDOM_LIST_H
 
-#include "pipeline/list.h"
+#include "pipeline/list/list.h"
 #include "tests/shaders/exercise.h"
 
 enum {

@@ -4,7 +4,7 @@
 #ifndef TESTS_TECHNIQUE_CASE_H
 #define TESTS_TECHNIQUE_CASE_H
 
-#include "apps/technique.h"
+#include "apps/techniques/technique.h"
 
 typedef struct TechniqueCase {
     const char *name;

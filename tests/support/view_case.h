@@ -2,7 +2,7 @@
 #ifndef TESTS_VIEW_CASE_H
 #define TESTS_VIEW_CASE_H
 
-#include "apps/voxel_view.h"
+#include "apps/techniques/voxel/pictures/view.h"
 
 enum { VIEW_CASE_SIDE = 64 }; /* pixels */
 

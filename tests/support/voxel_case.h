@@ -2,8 +2,8 @@
 #ifndef TESTS_VOXEL_CASE_H
 #define TESTS_VOXEL_CASE_H
 
-#include "apps/voxel_scene.h"
-#include "tests/truth/voxel_truth.h"
+#include "apps/techniques/voxel/inputs/scene.h"
+#include "apps/truth/voxel_truth.h"
 
 /* --- models ----------------------------------------------------------------------------------- */
 

@@ -32,7 +32,7 @@ function complain(text)
     failed = 1
 }
 
-# "pipeline/raster.h" -> "raster"; "pipeline/fast/bin.h" -> "fast/bin"
+# "pipeline/units/raster.h" -> "raster"; "pipeline/fast/bin.h" -> "fast/bin"
 function unit_name(path)
 {
     sub(/^pipeline\//, "", path)
@@ -91,7 +91,7 @@ function check_project(from, to)
         # NAME_surface.h is code that several shaders share, and may stand on other such code; other
         # headers are uniforms and programs
         code = "\\.c$|_surface\\.h$"
-        allowed = from ~ code ? "pipeline/shader.h" : "pipeline/program.h"
+        allowed = from ~ code ? "pipeline/shader.h" : "pipeline/shader/program.h"
         own = from
         sub(/\.c$/, ".h", own)
         shared = area(to) == "shaders_c" && \
@@ -112,8 +112,8 @@ function check_project(from, to)
 
 function check_library(from, to)
 {
-    if (to ~ /intrin\.h$|^arm_/ && from != "pipeline/lanes.h" && area(from) != "tests")
-        complain("only pipeline/lanes.h holds intrinsics")
+    if (to ~ /intrin\.h$|^arm_/ && from != "pipeline/base/lanes.h" && area(from) != "tests")
+        complain("only pipeline/base/lanes.h holds intrinsics")
     if (to ~ /^(OpenImageIO|OpenMesh)\// && area(from) != "io")
         complain("only pipeline/io knows " to)
     if (to == "zlib.h" && area(from) !~ /^(io|tests)$/)

@@ -1,6 +1,6 @@
 /* One tile: its primitives in submission order, from clear to store. */
-#include "pipeline/fast/lanes/farthest.h"
-#include "pipeline/fast/lanes/sprite.h"
+#include "pipeline/fast/lanes/raster/hierarchical_depth.h"
+#include "pipeline/fast/lanes/raster/sprite.h"
 
 #include "pipeline/fast/clear.h"
 

@@ -2,10 +2,10 @@
 #ifndef GP_FAST_TILE_H
 #define GP_FAST_TILE_H
 
-#include "pipeline/fast/clock.h"
+#include "pipeline/base/clock.h"
 #include "pipeline/fast/frame.h"
 #include "pipeline/fast/stages.h"
-#include "pipeline/lanes.h"
+#include "pipeline/base/lanes.h"
 
 /* Names of this width: FAST(draw_tile) is draw_tile_lanes8. */
 #define FAST_PASTE_(name, lanes) fast_##name##_lanes##lanes

@@ -4,7 +4,7 @@
 #ifndef PEER_BENCH_GL_H
 #define PEER_BENCH_GL_H
 
-#include "pipeline/base.h"
+#include "pipeline/base/base.h"
 
 enum {
     GL_POINTS = 0,

@@ -7,8 +7,8 @@
  */
 #include "tests/peer/bench/measure.h"
 
-#include "apps/bench.h"
-#include "pipeline/io/image.h"
+#include "apps/bench/cases.h"
+#include "pipeline/io/image/image.h"
 
 #include <getopt.h>
 #include <stdio.h>

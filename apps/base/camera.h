@@ -1,0 +1,50 @@
+/* Cameras and the matrices of a scene, in double, the same on every machine.
+ *
+ * Matrices are row-major [row][column] and act on column vectors: clip = projection * view * world.
+ */
+#ifndef APPS_BASE_CAMERA_H
+#define APPS_BASE_CAMERA_H
+
+typedef struct Camera {
+    double eye[3], at[3], up[3]; /* world; up need not be square to the view, only not along it */
+    double fovy;                 /* degrees, vertical; 0: parallel rays */
+    double height;               /* of the picture's plane in world units, parallel rays only */
+    double near, far;            /* distances along the view, 0 < near < far */
+} Camera;
+
+/* Sine and cosine of an angle in degrees, within 1e-15 and exact at multiples of 90.
+ * source the Taylor series after exact reduction to +-45 degrees: only + - * /, so that the bits do
+ *        not depend on the C library, which computes differently where it finds FMA */
+void angle_sincos(double degrees, double *sine, double *cosine);
+
+/* World to eye space: x right, y up, the camera looks along -z (gluLookAt). */
+void camera_view(const Camera *camera, double view[4][4]);
+
+/* Eye to clip space: gluPerspective with Direct3D's 0 <= z <= w; aspect: width / height. */
+void camera_projection(const Camera *camera, double aspect, double projection[4][4]);
+
+/* World to clip space, rounded to float once, at the end. */
+void camera_matrix(const Camera *camera, double aspect, float world_to_clip[4][4]);
+
+void matrix_identity(double m[4][4]);
+
+/* out = a * b; out is neither of them. */
+void matrix_multiply(double a[4][4], double b[4][4], double out[4][4]);
+
+/* Rotation about an axis of any length but 0, right-handed. */
+void matrix_rotation(const double axis[3], double degrees, double m[4][4]);
+
+/* Inverse of the upper left 3x3, transposed and times the determinant: what normals are multiplied
+ * by. Works for singular matrices too. */
+void matrix_normals(double m[4][4], double normals[3][3]);
+
+/* Inverse by cofactors. Returns the determinant; 0 leaves inverse untouched. */
+double matrix_inverse(double m[4][4], double inverse[4][4]);
+
+double vector_dot(const double a[3], const double b[3]);
+void vector_cross(const double a[3], const double b[3], double out[3]);
+
+/* Scales to length 1; the zero vector stays. */
+void vector_normalize(double v[3]);
+
+#endif

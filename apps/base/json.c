@@ -1,0 +1,31 @@
+#include "apps/base/json.h"
+
+#include <math.h>
+#include <stdio.h>
+
+json_t *json_number(double value)
+{
+    if (isfinite(value))
+        return json_real(value);
+    return json_string(isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
+}
+
+json_t *json_floats(const float *values, int count)
+{
+    json_t *array = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(array, json_number((double)values[i]));
+    return array;
+}
+
+json_t *json_text(const char *text)
+{
+    return text ? json_string(text) : json_null();
+}
+
+void json_print(json_t *value)
+{
+    json_dumpf(value, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
+    fputc('\n', stdout);
+    json_decref(value);
+}

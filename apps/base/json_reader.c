@@ -1,0 +1,279 @@
+#include "apps/base/json_reader.h"
+
+#include "apps/base/json_lines.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    MAX_BYTES = 4 << 20,
+    MAX_DEPTH = 16,
+    MAX_MEMBERS = 64, /* bits in Node.read */
+};
+
+/* --- messages -------------------------------------------------------------------------------- */
+
+/* The steps from the root to a node; returns their number. */
+static int path_of(const Node *node, JsonStep steps[MAX_DEPTH])
+{
+    int depth = 0;
+    for (const Node *at = node; at->parent; at = at->parent)
+        depth++;
+    int place = depth;
+    for (const Node *at = node; at->parent; at = at->parent)
+        if (--place < MAX_DEPTH)
+            steps[place] = (JsonStep){ at->key, at->index };
+    return depth < MAX_DEPTH ? depth : MAX_DEPTH;
+}
+
+static void write_path(const JsonStep *steps, int count, char *text, size_t size)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; i < count && used < size; i++) {
+        int wrote = steps[i].key
+                        ? snprintf(text + used, size - used, "%s%.40s", i ? "." : "", steps[i].key)
+                        : snprintf(text + used, size - used, "[%zu]", steps[i].index);
+        used += wrote > 0 ? (size_t)wrote : 0;
+    }
+}
+
+void node_fail(const Node *node, GpResult result, const char *format, ...)
+{
+    Reader *reader = node->reader;
+    if (reader->result)
+        return;
+    JsonStep steps[MAX_DEPTH];
+    char path[200], message[300];
+    int count = path_of(node, steps);
+    write_path(steps, count, path, sizeof path);
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    reader->result = gp_fail(reader->error, result, "%.100s:%d: %s%s%s", reader->file,
+                             json_line(reader->text, reader->length, steps, count), path,
+                             count ? ": " : "", message);
+}
+
+/* --- files ----------------------------------------------------------------------------------- */
+
+static GpResult read_text(Reader *reader, FILE *file)
+{
+    const char *name = reader->file;
+    reader->text = gp_alloc(MAX_BYTES + 1, 1);
+    if (!reader->text)
+        return gp_fail(reader->error, GP_ERROR_MEMORY, "%.200s: no memory", name);
+    reader->length = fread(reader->text, 1, MAX_BYTES + 1, file);
+    if (ferror(file))
+        return gp_fail(reader->error, GP_ERROR_IO, "%.200s: %s", name, strerror(errno));
+    if (reader->length > MAX_BYTES)
+        return gp_fail(reader->error, GP_ERROR_FORMAT, "%.200s: over %d MB", name, MAX_BYTES >> 20);
+    return GP_OK;
+}
+
+static GpResult parse_text(Reader *reader)
+{
+    json_error_t problem;
+    reader->root = json_loadb(reader->text, reader->length, JSON_REJECT_DUPLICATES, &problem);
+    if (!reader->root && json_error_code(&problem) == json_error_out_of_memory)
+        return gp_fail(reader->error, GP_ERROR_MEMORY, "%.200s: no memory", reader->file);
+    if (!reader->root)
+        return gp_fail(reader->error, GP_ERROR_FORMAT, "%.200s:%d: %s", reader->file, problem.line,
+                       problem.text);
+    return GP_OK;
+}
+
+GpResult reader_open(Reader *reader, const char *path, GpError *error)
+{
+    *reader = (Reader){ .file = path, .error = error };
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return gp_fail(error, GP_ERROR_IO, "%.200s: %s", path, strerror(errno));
+    GpResult result = read_text(reader, file);
+    fclose(file);
+    if (!result)
+        result = parse_text(reader);
+    if (result)
+        reader_close(reader);
+    return result;
+}
+
+void reader_close(Reader *reader)
+{
+    json_decref(reader->root);
+    gp_free(reader->text);
+    reader->root = NULL;
+    reader->text = NULL;
+}
+
+Node node_root(Reader *reader)
+{
+    return (Node){ .reader = reader, .value = reader->root };
+}
+
+/* --- objects and arrays ---------------------------------------------------------------------- */
+
+/* Whether a value is there and of the right type; a failure where it is there and is not. */
+static bool expect(const Node *node, bool right, const char *what)
+{
+    if (node->value && !right)
+        node_fail(node, GP_ERROR_FORMAT, "expected %s", what);
+    return node->value && right && !node->reader->result;
+}
+
+Node node_member(Node *object, const char *key)
+{
+    Node member = { .reader = object->reader, .parent = object, .key = key };
+    if (!expect(object, json_is_object(object->value), "an object"))
+        return member;
+    const char *name;
+    json_t *value;
+    unsigned place = 0;
+    json_object_foreach(object->value, name, value)
+    {
+        if (place < MAX_MEMBERS && strcmp(name, key) == 0) {
+            object->read |= (uint64_t)1 << place;
+            member.value = value;
+        }
+        place++;
+    }
+    return member;
+}
+
+void node_close(Node *object)
+{
+    const char *name;
+    json_t *value;
+    unsigned place = 0;
+    if (!expect(object, json_is_object(object->value), "an object"))
+        return;
+    json_object_foreach(object->value, name, value)
+    {
+        if (place >= MAX_MEMBERS || !(object->read >> place & 1)) {
+            Node stray = { .reader = object->reader, .parent = object, .key = name };
+            node_fail(&stray, GP_ERROR_FORMAT, "unknown key");
+            return;
+        }
+        place++;
+    }
+}
+
+size_t node_length(const Node *array, size_t limit)
+{
+    if (!expect(array, json_is_array(array->value), "an array"))
+        return 0;
+    size_t length = json_array_size(array->value);
+    if (length <= limit)
+        return length;
+    node_fail(array, GP_ERROR_FORMAT, "%zu elements, at most %zu", length, limit);
+    return 0;
+}
+
+Node node_element(const Node *array, size_t index)
+{
+    return (Node){ .reader = array->reader,
+                   .value = json_array_get(array->value, index),
+                   .parent = array,
+                   .index = index };
+}
+
+bool node_exists(const Node *node)
+{
+    return node->value != NULL;
+}
+
+bool node_is_false(const Node *node)
+{
+    return json_is_false(node->value);
+}
+
+void node_require(const Node *node)
+{
+    if (!node->value)
+        node_fail(node, GP_ERROR_FORMAT, "missing");
+}
+
+/* --- values ---------------------------------------------------------------------------------- */
+
+double node_double(const Node *node, double fallback, double low, double high)
+{
+    double value = json_number_value(node->value);
+    if (!node->value || node->reader->result)
+        return fallback;
+    if (json_is_number(node->value) && value >= low && value <= high)
+        return value;
+    node_fail(node, GP_ERROR_FORMAT, "expected a number in [%g, %g]", low, high);
+    return fallback;
+}
+
+float node_number(const Node *node, float fallback, float low, float high)
+{
+    return (float)node_double(node, (double)fallback, (double)low, (double)high);
+}
+
+long node_integer(const Node *node, long fallback, long low, long high)
+{
+    json_int_t value = json_integer_value(node->value);
+    if (!node->value || node->reader->result)
+        return fallback;
+    if (json_is_integer(node->value) && value >= low && value <= high)
+        return (long)value;
+    node_fail(node, GP_ERROR_FORMAT, "expected a whole number in [%ld, %ld]", low, high);
+    return fallback;
+}
+
+bool node_bool(const Node *node, bool fallback)
+{
+    return expect(node, json_is_boolean(node->value), "true or false") ? json_is_true(node->value)
+                                                                       : fallback;
+}
+
+const char *node_string(const Node *node, const char *fallback)
+{
+    return expect(node, json_is_string(node->value), "a string") ? json_string_value(node->value)
+                                                                 : fallback;
+}
+
+int node_name(const Node *node, int fallback, const char *const *names, int count)
+{
+    const char *text = node_string(node, NULL);
+    if (!text)
+        return fallback;
+    for (int i = 0; i < count; i++)
+        if (strcmp(text, names[i]) == 0)
+            return i;
+    char list[240] = "";
+    size_t used = 0;
+    for (int i = 0; i < count && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", names[i]);
+    node_fail(node, GP_ERROR_FORMAT, "expected one of %s", list);
+    return fallback;
+}
+
+void node_doubles(const Node *node, double *values, int count, double low, double high)
+{
+    if (!node->value || node->reader->result)
+        return;
+    if (!json_is_array(node->value) || json_array_size(node->value) != (size_t)count) {
+        node_fail(node, GP_ERROR_FORMAT, "expected %d numbers in [%g, %g]", count, low, high);
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        Node element = node_element(node, (size_t)i);
+        values[i] = node_double(&element, values[i], low, high);
+    }
+}
+
+void node_numbers(const Node *node, float *values, int count, float low, float high)
+{
+    double wide[16];
+    GP_ASSERT(count <= 16);
+    for (int i = 0; i < count; i++)
+        wide[i] = (double)values[i];
+    node_doubles(node, wide, count, (double)low, (double)high);
+    for (int i = 0; i < count; i++)
+        values[i] = (float)wide[i];
+}

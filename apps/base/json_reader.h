@@ -1,0 +1,80 @@
+/* A strict reader of JSON descriptions: every value is read once, checked, and complained about
+ * with its path and line.
+ *
+ * Reading never stops half way: the first mistake is kept in the reader, later ones are dropped,
+ * and every function then returns its fallback. So a loader reads straight on and asks once, at the
+ * end or before it needs a value to be right. Nodes are small and live on the stack; a node points
+ * to its parent, which must outlive it.
+ */
+#ifndef APPS_BASE_JSON_READER_H
+#define APPS_BASE_JSON_READER_H
+
+#include "pipeline/base/base.h"
+
+#include <jansson.h>
+
+typedef struct Reader {
+    const char *file; /* for messages */
+    char *text;
+    size_t length;
+    json_t *root;
+    GpResult result; /* of the first failure */
+    GpError *error;
+} Reader;
+
+typedef struct Node {
+    Reader *reader;
+    json_t *value; /* NULL: the member is not there */
+    const struct Node *parent;
+    const char *key; /* NULL: element of an array, or the root */
+    size_t index;
+    uint64_t read; /* objects: bit i: the i-th member was asked for */
+} Node;
+
+/* Reads and parses a file of at most 4 MB.
+ * errors GP_ERROR_IO, GP_ERROR_FORMAT ("x.json:3: ..."), GP_ERROR_MEMORY; in each case there is
+ *        nothing to close */
+GpResult reader_open(Reader *reader, const char *file, GpError *error);
+void reader_close(Reader *reader);
+
+Node node_root(Reader *reader);
+
+/* Keeps a failure as "FILE:LINE: PATH: message", unless there is one already. */
+void node_fail(const Node *node, GpResult result, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* --- objects and arrays ---------------------------------------------------------------------- */
+
+/* A member; its value is NULL where the object has none or is not there itself. A value of another
+ * type than object: failure. */
+Node node_member(Node *object, const char *key);
+
+/* To be called when all members were asked for: fails on the first one that was not. */
+void node_close(Node *object);
+
+/* Number of elements, at most `limit`; 0 where it is not there. */
+size_t node_length(const Node *array, size_t limit);
+Node node_element(const Node *array, size_t index);
+
+bool node_exists(const Node *node);
+bool node_is_false(const Node *node); /* there, and the word false */
+
+/* Fails where the value is not there. */
+void node_require(const Node *node);
+
+/* --- values; each gives `fallback` where the value is not there ------------------------------ */
+
+double node_double(const Node *node, double fallback, double low, double high);
+float node_number(const Node *node, float fallback, float low, float high);
+long node_integer(const Node *node, long fallback, long low, long high);
+bool node_bool(const Node *node, bool fallback);
+const char *node_string(const Node *node, const char *fallback);
+
+/* Index of one of `count` names. */
+int node_name(const Node *node, int fallback, const char *const *names, int count);
+
+/* Exactly `count` numbers; `values` stay as they are where there is none. */
+void node_doubles(const Node *node, double *values, int count, double low, double high);
+void node_numbers(const Node *node, float *values, int count, float low, float high);
+
+#endif

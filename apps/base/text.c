@@ -1,0 +1,122 @@
+#include "apps/base/text.h"
+
+#include "pipeline/io/file.h"
+
+#include <jansson.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Makes room for `more` characters and the terminator. */
+static bool reserve(Text *text, size_t more)
+{
+    size_t needed = text->length + more + 1;
+    if (text->failed || needed <= text->room)
+        return !text->failed;
+    size_t room = needed < 2 * text->room ? 2 * text->room : needed;
+    char *data = gp_alloc(room, 1);
+    text->failed = !data;
+    if (!data)
+        return false;
+    if (text->data)
+        memcpy(data, text->data, text->length);
+    gp_free(text->data);
+    text->data = data;
+    text->room = room;
+    return true;
+}
+
+void text_add(Text *text, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    int length = vsnprintf(NULL, 0, format, args);
+    va_end(args);
+    GP_ASSERT(length >= 0);
+    if (!reserve(text, (size_t)length))
+        return;
+    va_start(args, format);
+    vsnprintf(text->data + text->length, (size_t)length + 1, format, args);
+    va_end(args);
+    text->length += (size_t)length;
+}
+
+void text_add_escaped(Text *text, const char *plain)
+{
+    static const char special[] = "&<>\"'";
+    static const char *const entities[] = { "&amp;", "&lt;", "&gt;", "&quot;", "&#39;" };
+    for (; *plain; plain++) {
+        const char *found = strchr(special, *plain);
+        if (found)
+            text_add(text, "%s", entities[found - special]);
+        else
+            text_add(text, "%c", (unsigned char)*plain < ' ' && *plain != '\n' ? ' ' : *plain);
+    }
+}
+
+void text_add_csv(Text *text, const char *field, const char *end)
+{
+    if (!field[strcspn(field, ",\"\r\n")]) {
+        text_add(text, "%s%s", field, end);
+        return;
+    }
+    text_add(text, "\"");
+    for (; *field; field++)
+        text_add(text, *field == '"' ? "\"\"" : "%c", *field);
+    text_add(text, "\"%s", end);
+}
+
+void text_add_csv_number(Text *text, double value)
+{
+    char number[32];
+    text_of_number(value, number);
+    text_add(text, "%s,", number);
+}
+
+GpResult text_write(const char *path, const Text *text, GpError *error)
+{
+    if (text->failed)
+        return gp_fail(error, GP_ERROR_MEMORY, "%.200s: out of memory", path);
+    return gp_file_write(path, text->data, text->length, error);
+}
+
+GpResult text_write_as(const char *path, const char *extension, const Text *text, GpError *error)
+{
+    char name[4096];
+    if (snprintf(name, sizeof name, "%s.%s", path, extension) >= (int)sizeof name)
+        return gp_fail(error, GP_ERROR_IO, "%.200s: the path is too long", path);
+    return text_write(name, text, error);
+}
+
+void text_free(Text *text)
+{
+    gp_free(text->data);
+    *text = (Text){ .data = NULL };
+}
+
+void text_of_number(double value, char text[32])
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, 32, "%.*g", digits, value);
+        if (strtod(text, NULL) == value)
+            return;
+    }
+}
+
+void text_stem(const char *path, char *name, size_t size)
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    snprintf(name, size, "%.*s", dot && dot > base ? (int)(dot - base) : (int)strlen(base), base);
+}
+
+void text_copy(char *to, size_t size, const char *from)
+{
+    snprintf(to, size, "%s", from);
+    json_t *checked = json_string(to);
+    for (char *c = to; !checked && *c; c++)
+        if ((unsigned char)*c > 127)
+            *c = '?';
+    json_decref(checked);
+}

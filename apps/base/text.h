@@ -1,0 +1,43 @@
+/* Text that grows, for files that are made in memory and then written at once. */
+#ifndef APPS_BASE_TEXT_H
+#define APPS_BASE_TEXT_H
+
+#include "pipeline/base/base.h"
+
+/* A zeroed one is empty. Additions after memory ran out are dropped; text_write then says so. */
+typedef struct Text {
+    char *data; /* terminated; NULL where nothing was added */
+    size_t length, room;
+    bool failed;
+} Text;
+
+void text_add(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* For the content and the quoted attributes of XML and HTML: & < > " ' are escaped, control
+ * characters, which XML cannot hold, become spaces. */
+void text_add_escaped(Text *text, const char *plain);
+
+/* A field of CSV as RFC 4180 wants it: quoted where it holds a comma, a quote or a line's end.
+ * in   end: what follows it, "," or "\n" */
+void text_add_csv(Text *text, const char *field, const char *end);
+void text_add_csv_number(Text *text, double value); /* and a comma */
+
+/* Writes it to a file as gp_file_write does. errors those, and GP_ERROR_MEMORY */
+GpResult text_write(const char *path, const Text *text, GpError *error);
+
+/* The same to PATH.EXTENSION. errors also GP_ERROR_IO: the path is too long */
+GpResult text_write_as(const char *path, const char *extension, const Text *text, GpError *error);
+
+void text_free(Text *text); /* zeroes it */
+
+/* The shortest decimal form that strtod restores to the same bits. */
+void text_of_number(double value, char text[32]);
+
+/* The name of a file without folders and extension; cut where it does not fit. */
+void text_stem(const char *path, char *name, size_t size);
+
+/* Copies what fits and ends; where that is not UTF-8, which JSON and XML want, `?` stands for its
+ * bytes beyond ASCII. */
+void text_copy(char *to, size_t size, const char *from);
+
+#endif

@@ -1,0 +1,100 @@
+/* The table of benchmark cases, and their pictures. */
+#include "apps/bench/cases.h"
+
+#include <string.h>
+
+/* clang-format off */
+const BenchCase bench_cases[] = {
+    /* name, builder, variant, layers, primitives, flop, picture */
+    { "clear", bench_build_fill, FILL_CLEAR, 1, 0, 0, NULL },
+    { "fill", bench_build_fill, FILL_OPAQUE, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
+    { "fill_nozs", bench_build_fill, FILL_NO_DEPTH, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
+    { "fill_blend", bench_build_fill, FILL_BLEND, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
+    { "fill_blend16f", bench_build_fill, FILL_ADD_16F, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
+    { "fill_blend32f", bench_build_fill, FILL_ADD_32F, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
+    { "fill_tex_bi", bench_build_texture, TEXTURE_BILINEAR, TEXTURE_QUADS, 2 * TEXTURE_QUADS, 0,
+      NULL },
+    { "fill_tex_tri", bench_build_texture, TEXTURE_TRILINEAR, TEXTURE_QUADS, 2 * TEXTURE_QUADS, 0,
+      NULL },
+    { "bunny_depth", bench_build_depth, MODEL_BUNNY, 0, BUNNY_TRIANGLES, 0, NULL },
+    { "bunny_phong", bench_build_lit, MODEL_BUNNY, 0, BUNNY_TRIANGLES, 0, NULL },
+    { "bunny_phong_cull", bench_build_lit, MODEL_BUNNY_CULLED, 0, BUNNY_TRIANGLES, 0, NULL },
+    { "grid_big", bench_build_lit, MODEL_TORUS, 0, 1e6, 0, NULL },
+    { "grid_depth", bench_build_depth, MODEL_TORUS, 0, 1e6, 0, NULL },
+    { "mrt4", bench_build_maps, 0, 0, BUNNY_TRIANGLES, 0, NULL },
+    { "shadow_hw", bench_build_shadow, SHADOW_COMPARE, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
+    { "shadow_near", bench_build_shadow, SHADOW_NEAREST, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
+    { "shadow_pcf4", bench_build_shadow, SHADOW_PCF, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
+    { "points", bench_build_points, 0, 0, POINT_COUNT, 0, NULL },
+    { "peel", bench_build_peel, 0, 0, (double)PEEL_LAYERS * PEEL_MODELS * TEAPOT_TRIANGLES, 0,
+      NULL },
+    { "alu_mad", bench_build_arithmetic, ARITHMETIC_LOOP, 1, 2, 64 * 32, NULL },
+    { "alu_flat", bench_build_arithmetic, ARITHMETIC_FLAT, 1, 2, 64 * 32, NULL },
+    { "mandel", bench_build_arithmetic, ARITHMETIC_MANDELBROT, 1, 2, 0, NULL },
+    { "dep_tex", bench_build_lookup, LOOKUP_DEPENDENT, LOOKUP_QUADS, 2 * LOOKUP_QUADS, 0, NULL },
+    { "discard_tex", bench_build_lookup, LOOKUP_DISCARD, LOOKUP_QUADS, 2 * LOOKUP_QUADS, 0, NULL },
+    { "sheets", bench_build_sheets, 0, 0, (double)SHEET_COUNT * SHEET_POINTS, 0, NULL },
+    { "small_draws", bench_build_small, 0, 0, 50 * SMALL_DRAWS, 0, NULL },
+    { "vox_add", bench_build_voxels, 0, 0, 2e6, 0, bench_show_voxels },
+    { "volume_conservative", bench_build_volume, VOLUME_CONSERVATIVE, 0, 73054, 0, NULL },
+    { "volume_thin", bench_build_volume, VOLUME_THIN, 0, 73008, 0, NULL },
+    { "volume_solid", bench_build_volume, VOLUME_SOLID, 0, 98100, 0, NULL },
+    { "volume_twisted", bench_build_volume, VOLUME_TWISTED, 0, 2 * BUNNY_TRIANGLES, 0, NULL },
+    { "volume_million", bench_build_volume, VOLUME_MILLION, 0, 1098119, 0, NULL },
+    { "volume_union", bench_build_combine, COMBINE_UNION, 1, 1, 0, NULL },
+    { "volume_collide", bench_build_combine, COMBINE_COLLISION, 1, 8, 0, NULL },
+};
+/* clang-format on */
+const size_t bench_case_count = GP_COUNT(bench_cases);
+
+const BenchCase *bench_case_find(const char *name)
+{
+    for (size_t i = 0; i < bench_case_count; i++)
+        if (strcmp(bench_cases[i].name, name) == 0)
+            return &bench_cases[i];
+    return NULL;
+}
+
+void bench_picture_size(const Work *work, uint32_t *width, uint32_t *height)
+{
+    const GpSurface *picture = work->color ? work->color : work->depth;
+    *width = picture->width;
+    *height = picture->height;
+}
+
+static float depth_at(const GpSurface *depth, uint32_t x, uint32_t y)
+{
+    float texel[4];
+    size_t bytes = gp_format_info(depth->format)->bytes;
+    gp_texel_load(depth->format, gp_surface_texel(&depth->level[0], bytes, x, y), texel);
+    return texel[0];
+}
+
+void bench_show(const Work *work, uint8_t *rgba)
+{
+    uint32_t width, height;
+    bench_picture_size(work, &width, &height);
+    for (uint32_t i = 0; i < width * height; i++) {
+        uint32_t x = i % width, y = i / width;
+        float depth = work->depth ? depth_at(work->depth, x, y) : 0.0f;
+        float grey = depth < 1.0f ? (1.0f - depth) * 6.0f : 0.0f;
+        float color[4] = { grey, grey, grey, 1.0f };
+        if (work->color) {
+            size_t bytes = gp_format_info(work->color->format)->bytes;
+            gp_texel_load(work->color->format,
+                          gp_surface_texel(&work->color->level[0], bytes, x, y), color);
+        }
+        for (int c = 0; c < 3; c++)
+            rgba[4 * (size_t)i + (size_t)c] = (uint8_t)gp_unorm_from_float(color[c], 8);
+        rgba[4 * (size_t)i + 3] = depth < 1.0f ? 255 : 0;
+    }
+}
+
+uint32_t bench_picture_hash(const uint8_t *rgba, uint32_t width, uint32_t height)
+{
+    uint32_t hash = 2166136261u;
+    for (uint32_t y = height; y-- > 0;)
+        for (uint32_t i = 0; i < width * 4; i++)
+            hash = (hash ^ rgba[(size_t)y * width * 4 + i]) * 16777619u;
+    return hash;
+}

@@ -1,0 +1,87 @@
+/* The workloads of `glasspipe bench`: named frames that any renderer can draw, made of generators
+ * and constants only, so that figures of different renderers compare.
+ *
+ * A case is built once into a list and then run again and again; each run clears what it draws to.
+ * All cases but those of volumes draw what their namesakes of the peer programs draw: the same triangles to the same
+ * pixels with the same arithmetic, in this project's spaces (0 <= z <= w, rows from the top).
+ */
+#ifndef APPS_BENCH_CASES_H
+#define APPS_BENCH_CASES_H
+
+#include "apps/base/camera.h"
+#include "apps/frame/frame.h"
+
+enum {
+    BENCH_SIZE = 1024,      /* pixels a side */
+    BENCH_SMALL_SIZE = 512, /* of sheets and vox_add */
+};
+
+typedef struct BenchCase BenchCase;
+struct BenchCase {
+    const char *name;
+    /* Errors: GP_ERROR_IO and the like where the case needs a file that is not there. */
+    GpResult (*build)(const BenchCase *bench, Work *work, GpError *error);
+    int variant;       /* the builder's own */
+    double layers;     /* full pictures drawn in a frame, for rates; 0: no fill rate */
+    double primitives; /* triangles or points in a frame, all passes */
+    double flop;       /* per pixel; 0: not a case of arithmetic */
+    /* Writes the picture as RGBA8, rows from the top; NULL: bench_show. */
+    void (*picture)(const Work *work, uint8_t *rgba);
+};
+
+extern const BenchCase bench_cases[];
+extern const size_t bench_case_count;
+
+/* The case of a name, or NULL. */
+const BenchCase *bench_case_find(const char *name);
+
+/* Size of the picture. */
+void bench_picture_size(const Work *work, uint32_t *width, uint32_t *height);
+
+/* The colour target clamped to eight bits; without one, (1 - depth) * 6 as grey where something was
+ * drawn. Alpha is 255, or 0 where the depth buffer stayed clear. Rows from the top. */
+void bench_show(const Work *work, uint8_t *rgba);
+
+/* FNV-1a, 32 bits, of a picture with its rows taken from the bottom up, as the peers do. */
+uint32_t bench_picture_hash(const uint8_t *rgba, uint32_t width, uint32_t height);
+
+/* --- builders: each may serve several cases ----------------------------------------------------- */
+
+typedef GpResult BenchBuild(const BenchCase *bench, Work *work, GpError *error);
+
+BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_build_lookup;
+BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
+BenchBuild bench_build_small, bench_build_voxels;
+BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
+BenchBuild bench_build_volume, bench_build_combine;
+
+void bench_show_voxels(const Work *work, uint8_t *rgba);
+
+/* What variants mean. */
+enum { FILL_CLEAR, FILL_OPAQUE, FILL_NO_DEPTH, FILL_BLEND, FILL_ADD_16F, FILL_ADD_32F };
+enum { TEXTURE_BILINEAR, TEXTURE_TRILINEAR };
+enum { ARITHMETIC_LOOP, ARITHMETIC_FLAT, ARITHMETIC_MANDELBROT };
+enum { LOOKUP_DEPENDENT, LOOKUP_DISCARD };
+enum { MODEL_BUNNY, MODEL_BUNNY_CULLED, MODEL_TORUS };
+enum { SHADOW_COMPARE, SHADOW_NEAREST, SHADOW_PCF };
+enum { VOLUME_CONSERVATIVE, VOLUME_THIN, VOLUME_SOLID, VOLUME_TWISTED, VOLUME_MILLION };
+enum { COMBINE_UNION, COMBINE_COLLISION };
+
+/* Amounts that the table of cases and the builders share. */
+enum {
+    FILL_QUADS = 100,
+    TEXTURE_QUADS = 50,
+    LOOKUP_QUADS = 20,
+    POINT_COUNT = 1000000,
+    PEEL_LAYERS = 8,
+    PEEL_MODELS = 8,
+    SHEET_COUNT = 256,
+    SHEET_POINTS = 4096,
+    SMALL_DRAWS = 2000,
+    BUNNY_VERTICES = 35947,
+    BUNNY_TRIANGLES = 69451,
+    TEAPOT_VERTICES = 3644,
+    TEAPOT_TRIANGLES = 6320,
+};
+
+#endif

@@ -1,0 +1,167 @@
+/* Benchmark cases of points and of layers: sprites, sheets, depth peeling. */
+#include "apps/bench/data.h"
+
+#include "shaders_c/bench/layers.h"
+#include "shaders_c/bench/soft_sprite.h"
+#include "shaders_c/common/texel_copy.h"
+
+#include <math.h>
+
+static const GpBlend add_blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+
+/* Front to back: what is there hides what comes. Colours are multiplied by alpha. */
+static const GpBlend under_blend = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
+
+/* --- points -------------------------------------------------------------------------------------- */
+
+/* A spiral on the unit sphere, from top to bottom in equal steps, turning by the golden angle. */
+static const float *sphere_positions(Work *work)
+{
+    const double golden = 180 * (3 - sqrt(5.0));
+    float *positions = work_alloc(work, POINT_COUNT, 3 * sizeof *positions), *p = positions;
+    for (int i = 0; i < POINT_COUNT; i++, p += 3) {
+        double y = 1 - 2 * (i + 0.5) / POINT_COUNT, radius = sqrt(1 - y * y), sine, cosine;
+        angle_sincos(fmod(golden * i, 360), &sine, &cosine);
+        p[0] = (float)(radius * cosine);
+        p[1] = (float)y;
+        p[2] = (float)(radius * sine);
+    }
+    return positions;
+}
+
+GpResult bench_build_points(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)bench;
+    (void)error;
+    static const Camera camera = {
+        .eye = { 0, 0, 3.1 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.5, .far = 10
+    };
+    SoftSpriteUniforms uniforms = { .light = BENCH_LIGHT,
+                                    .color = { 1, 0.8f, 0.6f },
+                                    .ambient = 0.2f,
+                                    .size = 6,
+                                    .opacity = 1.0f / 16 };
+    bench_matrix(&camera, NULL, uniforms.mvp);
+    GpGeometry points = bench_points(sphere_positions(work), POINT_COUNT);
+
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "points", work->color, NULL, bench_black);
+    GpDraw *draw =
+        work_draw(work, &soft_sprite_program, work_copy(work, &uniforms, sizeof uniforms), &points);
+    draw->state.blend[0] = add_blend;
+    return GP_OK;
+}
+
+/* --- sheets -------------------------------------------------------------------------------------- */
+
+/* The points of all sheets, front sheet first. A sheet is a shaken grid of 64 by 64, widest in the
+ * middle; z is the value, waves that move from sheet to sheet. */
+static const float *sheet_positions(Work *work)
+{
+    float *positions = work_alloc(work, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);
+    const double pi = 3.14159265358979323846;
+    for (int i = 0; i < SHEET_COUNT * SHEET_POINTS; i++) {
+        int sheet = i / SHEET_POINTS, cell = i % SHEET_POINTS;
+        double half = 0.25 + 0.5 * bench_sine(pi * (sheet + 0.5) / SHEET_COUNT);
+        uint32_t random = bench_hash((uint32_t)i);
+        float *p = positions + 3 * (size_t)i;
+        p[0] = (float)(half * ((cell % 64 + (random & 255) / 256.0) / 32 - 1));
+        p[1] = (float)(half * ((cell / 64 + (random >> 8 & 255) / 256.0) / 32 - 1));
+        double waves = bench_sine(5 * (double)p[0] + 0.05 * sheet) + bench_sine(7 * (double)p[1]);
+        p[2] = (float)(0.5 + 0.25 * waves);
+    }
+    return positions;
+}
+
+/* Each sheet is drawn for itself and put under those before it. Pixels read the sheet at their own
+ * place, so all passes are one group. */
+GpResult bench_build_sheets(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)bench;
+    (void)error;
+    static const SheetSpriteUniforms sprite = { .size = 5, .opacity = 0.02f };
+    const float *positions = sheet_positions(work);
+    GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
+    work_reserve(work, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
+    GpSurface *sheet = work_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+    work->color = work_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+    for (int i = 0; i < SHEET_COUNT; i++) {
+        GpGeometry points = bench_points(positions + (size_t)i * SHEET_POINTS * 3, SHEET_POINTS);
+        work_pass(work, "sheet", sheet, NULL, bench_black);
+        work_draw(work, &sheet_sprite_program, &sprite, &points)->state.blend[0] = add_blend;
+
+        GpPass *pass = work_pass(work, "under", work->color, NULL, bench_black);
+        pass->color[0].clear = i == 0;
+        GpDraw *draw = work_draw(work, &texel_copy_program, NULL, &quad);
+        draw->state.blend[0] = under_blend;
+        draw->textures[0].surface = sheet;
+    }
+    return GP_OK;
+}
+
+/* --- depth peeling ------------------------------------------------------------------------------- */
+
+/* Teapot i of 8, each within the one before it and turned against it. */
+static PeelUniforms peel_model(int i)
+{
+    static const Camera camera = {
+        .eye = { 0, 0.9, 2.9 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.5, .far = 10
+    };
+    PeelUniforms uniforms = {
+        .light = BENCH_LIGHT,
+        .color = { i & 1 ? 0.9f : 0.3f, i & 2 ? 0.8f : 0.4f, i & 4 ? 0.9f : 0.2f, 0.35f },
+    };
+    double world[4][4], scale = 1 - 0.1 * i;
+    matrix_rotation((double[3]){ 0, 1, 0 }, 20.0 * i, world);
+    for (int k = 0; k < 9; k++)
+        world[k / 3][k % 3] *= scale;
+    bench_matrix(&camera, world, uniforms.mvp);
+    for (int k = 0; k < 16; k++)
+        uniforms.model[k / 4][k % 4] = (float)world[k / 4][k % 4];
+    return uniforms;
+}
+
+/* Layers alternate between two pairs of surfaces, so that each can read the depths of the one
+ * before; after each, it is put under the layers so far. */
+GpResult bench_build_peel(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)bench;
+    static const LayerUniforms background = { { 0.10f, 0.12f, 0.15f } };
+    GpGeometry teapot;
+    GpResult result =
+        bench_model(work, "meshes/teapot.ply", TEAPOT_VERTICES, TEAPOT_TRIANGLES, &teapot, error);
+    if (result)
+        return result;
+    GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
+    PeelUniforms *models = work_alloc(work, PEEL_MODELS, sizeof *models);
+    for (int i = 0; i < PEEL_MODELS; i++)
+        models[i] = peel_model(i);
+
+    work_reserve(work, 2 * PEEL_LAYERS + 1, PEEL_LAYERS * (PEEL_MODELS + 1) + 1);
+    GpSurface *color[2], *depth[2];
+    for (int i = 0; i < 2; i++) {
+        color[i] = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+        depth[i] = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    }
+    GpSurface *layers = work_surface(work, GP_A16B16G16R16F, BENCH_SIZE, BENCH_SIZE, 1);
+    for (int layer = 0; layer < PEEL_LAYERS; layer++) {
+        int now = layer % 2;
+        work_pass(work, "peel", color[now], depth[now], bench_black);
+        for (int i = 0; i < PEEL_MODELS; i++) {
+            const GpProgram *program = layer ? &peel_next_program : &peel_first_program;
+            GpDraw *draw = work_draw(work, program, &models[i], &teapot);
+            draw->state.depth = bench_depth_less;
+            draw->textures[0].surface = layer ? depth[!now] : NULL;
+        }
+        GpPass *pass = work_pass(work, "under", layers, NULL, bench_black);
+        pass->color[0].clear = layer == 0;
+        GpDraw *draw = work_draw(work, &layer_premultiply_program, &background, &quad);
+        draw->state.blend[0] = under_blend;
+        draw->textures[0].surface = color[now];
+    }
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "over background", work->color, NULL, bench_background);
+    work_draw(work, &layer_background_program, &background, &quad)->textures[0].surface = layers;
+    return GP_OK;
+}

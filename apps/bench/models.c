@@ -1,0 +1,280 @@
+/* Benchmark cases of triangle meshes. */
+#include "apps/bench/data.h"
+
+#include "shaders_c/common/depth_only.h"
+#include "shaders_c/bench/placed.h"
+#include "shaders_c/bench/slab_bits.h"
+#include "shaders_c/bench/surface_maps.h"
+#include "shaders_c/bench/two_sided.h"
+
+#include <string.h>
+
+static const Camera bunny_camera = {
+    .eye = { 0.6, 0.5, 2.9 }, .up = { 0, 1, 0 }, .fovy = 44, .near = 0.5, .far = 10
+};
+static const Camera torus_camera = {
+    .eye = { 0, 0, 3.6 }, .up = { 0, 1, 0 }, .fovy = 42, .near = 0.5, .far = 10
+};
+
+static GpResult load_bunny(Work *work, GpGeometry *geometry, GpError *error)
+{
+    return bench_model(work, "meshes/bunny.ply", BUNNY_VERTICES, BUNNY_TRIANGLES, geometry, error);
+}
+
+/* A million triangles. */
+static GpGeometry big_torus(Work *work)
+{
+    return bench_torus(work, 1000, 500);
+}
+
+/* The big torus is tilted for the cameras. */
+static void torus_world(double world[4][4])
+{
+    matrix_rotation((double[3]){ 1, 0, 0 }, 55, world);
+}
+
+static void to_float(double m[4][4], float out[4][4])
+{
+    for (int i = 0; i < 16; i++)
+        out[i / 4][i % 4] = (float)m[i / 4][i % 4];
+}
+
+/* --- one mesh ------------------------------------------------------------------------------------ */
+
+/* The mesh of a case and its place in the world. */
+static GpResult choose_model(const BenchCase *bench, Work *work, GpGeometry *geometry,
+                             double world[4][4], GpError *error)
+{
+    matrix_identity(world);
+    if (bench->variant != MODEL_TORUS)
+        return load_bunny(work, geometry, error);
+    *geometry = big_torus(work);
+    torus_world(world);
+    return GP_OK;
+}
+
+GpResult bench_build_depth(const BenchCase *bench, Work *work, GpError *error)
+{
+    GpGeometry geometry;
+    DepthOnlyUniforms uniforms;
+    double world[4][4];
+    GpResult result = choose_model(bench, work, &geometry, world, error);
+    if (result)
+        return result;
+    bench_matrix(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world,
+                 uniforms.mvp);
+
+    work_reserve(work, 1, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "depth", NULL, work->depth, NULL);
+    GpDraw *draw = work_draw(work, &depth_only_program, work_copy(work, &uniforms, sizeof uniforms),
+                             &geometry);
+    draw->state.depth = bench_depth_less;
+    return GP_OK;
+}
+
+/* What all lit surfaces share. */
+static TwoSidedUniforms lit_by(const Camera *camera, double world[4][4])
+{
+    TwoSidedUniforms uniforms = { .light = BENCH_LIGHT,
+                                  .albedo = BENCH_ALBEDO,
+                                  .ambient = BENCH_AMBIENT,
+                                  .specular = 0.35f,
+                                  .shininess = 40 };
+    bench_matrix(camera, world, uniforms.mvp);
+    to_float(world, uniforms.model);
+    for (int i = 0; i < 3; i++)
+        uniforms.eye[i] = (float)camera->eye[i];
+    return uniforms;
+}
+
+GpResult bench_build_lit(const BenchCase *bench, Work *work, GpError *error)
+{
+    GpGeometry geometry;
+    double world[4][4];
+    GpResult result = choose_model(bench, work, &geometry, world, error);
+    if (result)
+        return result;
+    TwoSidedUniforms uniforms =
+        lit_by(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world);
+
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "lit", work->color, work->depth, bench_background);
+    GpDraw *draw =
+        work_draw(work, &two_sided_program, work_copy(work, &uniforms, sizeof uniforms), &geometry);
+    draw->state.depth = bench_depth_less;
+    if (bench->variant == MODEL_BUNNY_CULLED)
+        draw->state.raster.cull = GP_CULL_CW; /* outsides turn counter-clockwise */
+    return GP_OK;
+}
+
+GpResult bench_build_maps(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)bench;
+    GpGeometry bunny;
+    GpResult result = load_bunny(work, &bunny, error);
+    if (result)
+        return result;
+    SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
+    bench_matrix(&bunny_camera, NULL, uniforms.mvp);
+
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    GpPass *pass = work_pass(work, "maps", work->color, work->depth, bench_background);
+    for (int i = 1; i < GP_MAX_TARGETS; i++) {
+        pass->color[i] = pass->color[0];
+        pass->color[i].surface = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    }
+    GpDraw *draw =
+        work_draw(work, &surface_maps_program, work_copy(work, &uniforms, sizeof uniforms), &bunny);
+    draw->state.depth = bench_depth_less;
+    return GP_OK;
+}
+
+/* --- shadows ------------------------------------------------------------------------------------- */
+
+static const Camera shadow_camera = { .eye = { 1.2, 1.6, 4.2 },
+                                      .at = { 0, -0.2, 0 },
+                                      .up = { 0, 1, 0 },
+                                      .fovy = 45,
+                                      .near = 0.5,
+                                      .far = 20 };
+static const Camera light_camera = {
+    .eye = { 3, 4, 2 }, .up = { 0, 1, 0 }, .height = 3.6, .near = 0.5, .far = 12
+};
+
+static const struct {
+    const GpProgram *program;
+    GpSampler sampler;
+} shadows[] = {
+    [SHADOW_COMPARE] = { &two_sided_compare_program,
+                         { .min = GP_LINEAR,
+                           .mag = GP_LINEAR,
+                           .address_u = GP_CLAMP,
+                           .address_v = GP_CLAMP,
+                           .compare = true } },
+    [SHADOW_NEAREST] = { &two_sided_nearest_program,
+                         { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
+    [SHADOW_PCF] = { &two_sided_pcf_program, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
+};
+
+GpResult bench_build_shadow(const BenchCase *bench, Work *work, GpError *error)
+{
+    GpGeometry geometry[2];
+    GpResult result = load_bunny(work, &geometry[0], error);
+    if (result)
+        return result;
+    geometry[1] = bench_plane();
+    double identity[4][4];
+    matrix_identity(identity);
+    DepthOnlyUniforms from_light;
+    bench_matrix(&light_camera, NULL, from_light.mvp);
+    TwoSidedUniforms lit = lit_by(&shadow_camera, identity);
+    memcpy(lit.light_clip, from_light.mvp, sizeof lit.light_clip);
+    lit.bias = 0.002f;
+    lit.map_size = BENCH_SIZE;
+
+    work_reserve(work, 2, 4);
+    GpSurface *map = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "map", NULL, map, NULL);
+    const void *uniforms = work_copy(work, &from_light, sizeof from_light);
+    for (int i = 0; i < 2; i++)
+        work_draw(work, &depth_only_program, uniforms, &geometry[i])->state.depth =
+            bench_depth_less;
+    work_pass(work, "lit", work->color, work->depth, bench_background);
+    uniforms = work_copy(work, &lit, sizeof lit);
+    for (int i = 0; i < 2; i++) {
+        GpDraw *draw = work_draw(work, shadows[bench->variant].program, uniforms, &geometry[i]);
+        draw->state.depth = bench_depth_less;
+        draw->textures[0] = (GpTexture){ map, shadows[bench->variant].sampler };
+    }
+    return GP_OK;
+}
+
+/* --- many small draws ---------------------------------------------------------------------------- */
+
+static const Camera small_camera = {
+    .eye = { 0, 0, 3.6 }, .up = { 0, 1, 0 }, .height = 2, .near = 0.5, .far = 10
+};
+
+/* A grid of 50 by 40 at random depths. */
+static void place_small(uint32_t i, float place[4])
+{
+    place[0] = ((float)(i % 50) + 0.5f) / 25 - 1;
+    place[1] = ((float)(i / 50) + 0.5f) / 20 - 1;
+    place[2] = (float)(bench_hash(i + 5000) & 255) / 255.0f - 0.5f;
+    place[3] = 0.02f;
+}
+
+GpResult bench_build_small(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)bench;
+    (void)error;
+    PlacedUniforms *uniforms = work_alloc(work, SMALL_DRAWS, sizeof *uniforms);
+    GpGeometry torus = bench_torus(work, 5, 5);
+    work_reserve(work, 1, SMALL_DRAWS);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "small", work->color, work->depth, bench_background);
+    for (uint32_t i = 0; i < SMALL_DRAWS; i++) {
+        uniforms[i] = (PlacedUniforms){ .light = BENCH_LIGHT,
+                                        .albedo = BENCH_ALBEDO,
+                                        .ambient = BENCH_AMBIENT };
+        bench_matrix(&small_camera, NULL, uniforms[i].mvp);
+        place_small(i, uniforms[i].place);
+        work_draw(work, &placed_program, &uniforms[i], &torus)->state.depth = bench_depth_less;
+    }
+    return GP_OK;
+}
+
+/* --- voxels -------------------------------------------------------------------------------------- */
+
+static const Camera voxel_camera = {
+    .eye = { 0, 0, 1.15 }, .up = { 0, 1, 0 }, .height = 2.6, .near = 0.5, .far = 1.8
+};
+
+GpResult bench_build_voxels(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)bench;
+    (void)error;
+    GpGeometry torus = big_torus(work);
+    work_reserve(work, 2, 2);
+    for (int half = 0; half < 2; half++) {
+        SlabBitsUniforms uniforms = { .first_slab = (float)(4 * half) };
+        bench_matrix(&voxel_camera, NULL, uniforms.mvp);
+        GpPass *pass = work_pass(work, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
+        GpDraw *draw = work_draw(work, &slab_bits_program,
+                                 work_copy(work, &uniforms, sizeof uniforms), &torus);
+        for (int i = 0; i < GP_MAX_TARGETS; i++) {
+            GpSurface *slab =
+                work_surface(work, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+            pass->color[i] = (GpColorTarget){ .surface = slab, .clear = true };
+            draw->state.blend[i] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+        }
+    }
+    work->color = work->passes[0].color[0].surface;
+    return GP_OK;
+}
+
+/* Red and green: bits set in the column's nearer and farther half; blue: the sum of its bytes. */
+void bench_show_voxels(const Work *work, uint8_t *rgba)
+{
+    for (uint32_t i = 0; i < BENCH_SMALL_SIZE * BENCH_SMALL_SIZE; i++) {
+        uint8_t *pixel = rgba + 4 * (size_t)i, code[4];
+        memset(pixel, 0, 3);
+        pixel[3] = 255;
+        for (int slab = 0; slab < 8; slab++) {
+            const GpSurface *target = work->passes[slab / 4].color[slab % 4].surface;
+            gp_texel_codes(target->format, target->level[0].texels + 4 * (size_t)i, code);
+            for (int c = 0; c < 4; c++) {
+                pixel[slab / 4] = (uint8_t)(pixel[slab / 4] + __builtin_popcount(code[c]));
+                pixel[2] = (uint8_t)(pixel[2] + code[c]);
+            }
+        }
+    }
+}

@@ -1,0 +1,132 @@
+/* Benchmark cases of full-screen quads: fill rates, texture rates and arithmetic. */
+#include "apps/bench/data.h"
+
+#include "shaders_c/bench/arithmetic.h"
+#include "shaders_c/common/blit.h"
+#include "shaders_c/bench/lookup.h"
+#include "shaders_c/bench/scaled_color.h"
+
+/* One pass over an eight-bit target with a depth buffer. */
+static void begin_screen(Work *work, uint32_t draws)
+{
+    work_reserve(work, 1, draws);
+    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    work_pass(work, "screen", work->color, work->depth, bench_background);
+}
+
+/* --- fill ---------------------------------------------------------------------------------------- */
+
+typedef struct Fill {
+    GpFormat format;
+    bool depth, quads;
+    float scale;
+    GpBlend blend;
+} Fill;
+
+static const Fill fills[] = {
+    [FILL_CLEAR] = { .format = GP_A8R8G8B8, .depth = true },
+    [FILL_OPAQUE] = { .format = GP_A8R8G8B8, .depth = true, .quads = true, .scale = 1 },
+    [FILL_NO_DEPTH] = { .format = GP_A8R8G8B8, .quads = true, .scale = 1 },
+    [FILL_BLEND] = { .format = GP_A8R8G8B8,
+                     .depth = true,
+                     .quads = true,
+                     .scale = 1,
+                     .blend = { .op = GP_BLEND_ADD,
+                                .src = GP_SRC_ALPHA,
+                                .dst = GP_INV_SRC_ALPHA } },
+    [FILL_ADD_16F] = { .format = GP_A16B16G16R16F,
+                       .depth = true,
+                       .quads = true,
+                       .scale = 1.0f / 128,
+                       .blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE } },
+    [FILL_ADD_32F] = { .format = GP_A32B32G32R32F,
+                       .depth = true,
+                       .quads = true,
+                       .scale = 1.0f / 128,
+                       .blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE } },
+};
+
+GpResult bench_build_fill(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)error;
+    const Fill *fill = &fills[bench->variant];
+    work_reserve(work, 1, 1);
+    work->color = work_surface(work, fill->format, BENCH_SIZE, BENCH_SIZE, 1);
+    work->depth = fill->depth ? work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
+    work_pass(work, "fill", work->color, work->depth,
+              fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
+    if (!fill->quads)
+        return GP_OK;
+
+    ScaledColorUniforms uniforms = { .scale = fill->scale };
+    GpGeometry quads = bench_quads(work, FILL_QUADS, GP_COLOR, bench_corner_color);
+    GpDraw *draw =
+        work_draw(work, &scaled_color_program, work_copy(work, &uniforms, sizeof uniforms), &quads);
+    draw->state.blend[0] = fill->blend;
+    return GP_OK;
+}
+
+/* --- textures ------------------------------------------------------------------------------------ */
+
+GpResult bench_build_texture(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)error;
+    bool mips = bench->variant == TEXTURE_TRILINEAR;
+    begin_screen(work, 1);
+    GpGeometry quads = bench_quads(work, TEXTURE_QUADS, GP_TEXCOORD0,
+                                   mips ? bench_corner_rotated : bench_corner_shifted);
+    GpDraw *draw = work_draw(work, &blit_program, NULL, &quads);
+    draw->textures[0] = (GpTexture){
+        .surface = bench_noise(work, mips),
+        .sampler = { .min = GP_LINEAR,
+                     .mag = GP_LINEAR,
+                     .mip = mips ? GP_MIP_LINEAR : GP_MIP_NONE },
+    };
+    return GP_OK;
+}
+
+/* From back to front, so that every quad is drawn where it is not cut out. */
+static void corner_nearer(int quad, int corner, BenchCorner *out)
+{
+    bench_corner_shifted(quad, corner, out);
+    float z = 0.9f - 1.8f * (float)quad / (LOOKUP_QUADS - 1); /* -1 to 1 */
+    out->position[2] = (z + 1) * 0.5f;
+}
+
+GpResult bench_build_lookup(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)error;
+    bool dependent = bench->variant == LOOKUP_DEPENDENT;
+    begin_screen(work, 1);
+    GpGeometry quads = bench_quads(work, LOOKUP_QUADS, GP_TEXCOORD0,
+                                   dependent ? bench_corner_shifted : corner_nearer);
+    GpDraw *draw = work_draw(work, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
+    draw->textures[0].surface = bench_noise(work, false);
+    if (dependent)
+        draw->textures[1] = (GpTexture){ .surface = bench_waves(work),
+                                         .sampler = { .min = GP_LINEAR, .mag = GP_LINEAR } };
+    else
+        draw->state.depth = bench_depth_less;
+    return GP_OK;
+}
+
+/* --- arithmetic ---------------------------------------------------------------------------------- */
+
+GpResult bench_build_arithmetic(const BenchCase *bench, Work *work, GpError *error)
+{
+    (void)error;
+    static const ArithmeticUniforms uniforms = {
+        .factor = { 0.9990234375f, 0.998046875f, 0.99609375f, 0.9921875f },
+        .addend = { 0.0009765625f, 0.0009765625f, 0.001953125f, 0.00390625f },
+    };
+    static const GpProgram *const programs[] = {
+        [ARITHMETIC_LOOP] = &mad_loop_program,
+        [ARITHMETIC_FLAT] = &mad_flat_program,
+        [ARITHMETIC_MANDELBROT] = &mandelbrot_program,
+    };
+    begin_screen(work, 1);
+    GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
+    work_draw(work, programs[bench->variant], &uniforms, &quad);
+    return GP_OK;
+}

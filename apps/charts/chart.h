@@ -1,0 +1,84 @@
+/* Speed against accuracy: every setting of a technique's sweep, timed and held against the truth.
+ *
+ * chart_run.c measures, chart_file.c writes and reads CSV and JSON, chart_plot.c lays out,
+ * chart_svg.c draws, chart_page.c gathers all charts on one page.
+ */
+#ifndef APPS_CHARTS_CHART_H
+#define APPS_CHARTS_CHART_H
+
+#include "apps/techniques/technique.h"
+#include "apps/base/text.h"
+
+#include <jansson.h>
+
+enum { CHART_MAX_POINTS = 4096, CHART_MAX_PICTURES = 6, CHART_MAX_PATH = 4096 };
+
+typedef struct ChartPoint {
+    char method[64], options[SETTING_MAX_TEXT];
+    double ms, min_ms, cpu_ms; /* of a frame: median, least, processor time */
+    uint32_t frames;           /* timed */
+    TechniqueError measured;
+    bool best;        /* no other point is as fast and as near to the truth, and better in one */
+    char picture[96]; /* its file, beside the chart's; empty: none */
+} ChartPoint;
+
+typedef struct Chart {
+    char technique[32], title[128], scene[256], error_name[64];
+    char figures[TECHNIQUE_MAX_FIGURES][32];
+    int figure_count;
+    char machine[128], isa[16];
+    int threads;
+    uint32_t width, height; /* of the pictures; 0 where settings make volumes */
+    ChartPoint *points;     /* owned, in the order of the sweep */
+    uint32_t count;
+} Chart;
+
+void chart_free(Chart *chart); /* a zeroed chart is fine; zeroes it */
+
+/* Marks the points of the Pareto front. Points whose time or error is no number are never on it. */
+void chart_mark_best(Chart *chart);
+
+/* The points of the front, the fastest first.
+ * out     best: room for chart->count
+ * returns how many there are */
+uint32_t chart_list_best(const Chart *chart, const ChartPoint **best);
+
+/* The cheapest point (least ms) whose error is at most `error`; NULL where there is none. */
+const ChartPoint *chart_choose(const Chart *chart, double error);
+
+/* What was drawn: "scenes/a.json, 640 x 480 pixels". */
+void chart_print_scene(const Chart *chart, char *text, size_t size);
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+/* Where charts are: out/charts where out exists, else charts. */
+const char *chart_folder(void);
+
+/* What the files of a chart are called, without folder and extension: "shadow", or
+ * "shadow_SCENE" where the scene is not the technique's own. */
+void chart_name(const Technique *technique, const char *scene, char *name, size_t size);
+
+/* The caller owns it; NULL without memory. */
+json_t *chart_json(const Chart *chart);
+
+/* Writes PATH.json, PATH.csv and PATH.svg. errors GP_ERROR_IO, GP_ERROR_MEMORY */
+GpResult chart_write(const char *path, const Chart *chart, GpError *error);
+
+/* Reads a JSON file that chart_write wrote; all numbers have the same bits again.
+ * out    chart: untouched on failure
+ * errors GP_ERROR_IO, GP_ERROR_FORMAT (with file, line and value), GP_ERROR_MEMORY
+ * owns   the caller, until chart_free */
+GpResult chart_read(const char *path, Chart *chart, GpError *error);
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+/* Appends the chart as an SVG element that needs nothing but itself. */
+void chart_draw(const Chart *chart, Text *svg);
+
+/* Writes FOLDER/index.html: all charts found there as JSON, each with the table of its front and
+ * the pictures of it, and the growth of techniques (growth.h). A file that is no chart is named on
+ * the page, with the reason.
+ * errors GP_ERROR_IO, GP_ERROR_MEMORY */
+GpResult chart_write_page(const char *folder, GpError *error);
+
+#endif

@@ -1,0 +1,224 @@
+/* Charts as files: CSV for tables, JSON to be read back. */
+#include "apps/charts/chart.h"
+
+#include "apps/base/json.h"
+#include "apps/base/json_reader.h"
+#include "pipeline/io/file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* --- names ------------------------------------------------------------------------------------ */
+
+const char *chart_folder(void)
+{
+    struct stat status;
+    bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
+    return out ? "out/charts" : "charts";
+}
+
+void chart_name(const Technique *technique, const char *scene, char *name, size_t size)
+{
+    char stem[128], own[256];
+    text_stem(scene, stem, sizeof stem);
+    snprintf(own, sizeof own, "%s_%s", technique->name, stem);
+    text_copy(name, size, strcmp(scene, technique->scene) == 0 ? technique->name : own);
+}
+
+/* --- CSV -------------------------------------------------------------------------------------- */
+
+static void write_csv(const Chart *chart, Text *csv)
+{
+    text_add(csv, "method,options,ms,min_ms,cpu_ms,frames,");
+    text_add_csv(csv, chart->error_name, ",");
+    for (int i = 0; i < chart->figure_count; i++)
+        text_add_csv(csv, chart->figures[i], ",");
+    text_add(csv, "best\n");
+    for (uint32_t k = 0; k < chart->count; k++) {
+        const ChartPoint *point = &chart->points[k];
+        text_add_csv(csv, point->method, ",");
+        text_add_csv(csv, point->options, ",");
+        text_add_csv_number(csv, point->ms);
+        text_add_csv_number(csv, point->min_ms);
+        text_add_csv_number(csv, point->cpu_ms);
+        text_add_csv_number(csv, point->frames);
+        text_add_csv_number(csv, point->measured.error);
+        for (int i = 0; i < chart->figure_count; i++)
+            text_add_csv_number(csv, point->measured.figures[i]);
+        text_add(csv, "%d\n", point->best);
+    }
+}
+
+/* --- JSON ------------------------------------------------------------------------------------- */
+
+static json_t *point_json(const ChartPoint *point, int figure_count)
+{
+    json_t *figures = json_array();
+    for (int i = 0; i < figure_count; i++)
+        json_array_append_new(figures, json_number(point->measured.figures[i]));
+    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:I, s:o, s:o, s:b, s:s}", "method", point->method,
+                     "options", point->options, "ms", json_number(point->ms), "min_ms",
+                     json_number(point->min_ms), "cpu_ms", json_number(point->cpu_ms), "frames",
+                     (json_int_t)point->frames, "error", json_number(point->measured.error),
+                     "figures", figures, "best", point->best, "picture", point->picture);
+}
+
+json_t *chart_json(const Chart *chart)
+{
+    json_t *figures = json_array(), *points = json_array();
+    for (int i = 0; i < chart->figure_count; i++)
+        json_array_append_new(figures, json_string(chart->figures[i]));
+    for (uint32_t k = 0; k < chart->count; k++)
+        json_array_append_new(points, point_json(&chart->points[k], chart->figure_count));
+    return json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:i, s:I, s:I, s:o}", "technique",
+                     chart->technique, "title", chart->title, "scene", chart->scene, "error_name",
+                     chart->error_name, "figures", figures, "machine", chart->machine, "isa",
+                     chart->isa, "threads", chart->threads, "width", (json_int_t)chart->width,
+                     "height", (json_int_t)chart->height, "points", points);
+}
+
+static void write_json(const Chart *chart, Text *text)
+{
+    json_t *object = chart_json(chart);
+    char *dumped = object ? json_dumps(object, JSON_INDENT(1)) : NULL;
+    text->failed |= !dumped;
+    if (dumped)
+        text_add(text, "%s\n", dumped);
+    free(dumped);
+    json_decref(object);
+}
+
+GpResult chart_write(const char *path, const Chart *chart, GpError *error)
+{
+    static const struct {
+        const char *extension;
+        void (*write)(const Chart *chart, Text *text);
+    } files[] = { { "csv", write_csv }, { "json", write_json }, { "svg", chart_draw } };
+    GpResult result = GP_OK;
+    for (size_t i = 0; i < GP_COUNT(files) && !result; i++) {
+        Text text = { .data = NULL };
+        files[i].write(chart, &text);
+        result = text_write_as(path, files[i].extension, &text, error);
+        text_free(&text);
+    }
+    return result;
+}
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+static void read_string(const Node *node, char *text, size_t size)
+{
+    node_require(node);
+    const char *found = node_string(node, "");
+    if (strlen(found) >= size)
+        node_fail(node, GP_ERROR_FORMAT, "expected at most %zu bytes", size - 1);
+    else
+        strcpy(text, found);
+}
+
+static void read_text(Node *object, const char *key, char *text, size_t size)
+{
+    Node node = node_member(object, key);
+    read_string(&node, text, size);
+}
+
+static long read_integer(Node *object, const char *key, long high)
+{
+    Node node = node_member(object, key);
+    node_require(&node);
+    return node_integer(&node, 0, 0, high);
+}
+
+/* A number, or one of the words that json_number writes. */
+static double read_value(const Node *node)
+{
+    static const char *const words[] = { "nan", "inf", "-inf" };
+    static const double values[] = { (double)NAN, HUGE_VAL, -HUGE_VAL };
+    node_require(node);
+    if (!json_is_string(node->value))
+        return node_double(node, 0, -HUGE_VAL, HUGE_VAL);
+    return values[node_name(node, 0, words, GP_COUNT(words))];
+}
+
+static double read_number(Node *object, const char *key)
+{
+    Node node = node_member(object, key);
+    return read_value(&node);
+}
+
+static void read_point(Node node, ChartPoint *point, int figure_count)
+{
+    read_text(&node, "method", point->method, sizeof point->method);
+    read_text(&node, "options", point->options, sizeof point->options);
+    read_text(&node, "picture", point->picture, sizeof point->picture);
+    point->ms = read_number(&node, "ms");
+    point->min_ms = read_number(&node, "min_ms");
+    point->cpu_ms = read_number(&node, "cpu_ms");
+    point->frames = (uint32_t)read_integer(&node, "frames", UINT32_MAX);
+    point->measured.error = read_number(&node, "error");
+    Node figures = node_member(&node, "figures"), best = node_member(&node, "best");
+    node_require(&best);
+    point->best = node_bool(&best, false);
+    if (node_length(&figures, TECHNIQUE_MAX_FIGURES) != (size_t)figure_count)
+        node_fail(&figures, GP_ERROR_FORMAT, "expected %d numbers", figure_count);
+    for (int i = 0; i < figure_count; i++) {
+        Node figure = node_element(&figures, (size_t)i);
+        point->measured.figures[i] = read_value(&figure);
+    }
+    node_close(&node);
+}
+
+static void read_points(const Node *points, Chart *chart)
+{
+    node_require(points);
+    chart->count = (uint32_t)node_length(points, CHART_MAX_POINTS);
+    chart->points = gp_alloc(chart->count, sizeof *chart->points);
+    if (!chart->points) {
+        node_fail(points, GP_ERROR_MEMORY, "out of memory");
+        return;
+    }
+    for (uint32_t i = 0; i < chart->count; i++)
+        read_point(node_element(points, i), &chart->points[i], chart->figure_count);
+}
+
+static void read_chart(Node root, Chart *chart)
+{
+    read_text(&root, "technique", chart->technique, sizeof chart->technique);
+    read_text(&root, "title", chart->title, sizeof chart->title);
+    read_text(&root, "scene", chart->scene, sizeof chart->scene);
+    read_text(&root, "error_name", chart->error_name, sizeof chart->error_name);
+    read_text(&root, "machine", chart->machine, sizeof chart->machine);
+    read_text(&root, "isa", chart->isa, sizeof chart->isa);
+    chart->threads = (int)read_integer(&root, "threads", INT32_MAX);
+    chart->width = (uint32_t)read_integer(&root, "width", UINT32_MAX);
+    chart->height = (uint32_t)read_integer(&root, "height", UINT32_MAX);
+    Node figures = node_member(&root, "figures"), points = node_member(&root, "points");
+    node_require(&figures);
+    chart->figure_count = (int)node_length(&figures, TECHNIQUE_MAX_FIGURES);
+    for (int i = 0; i < chart->figure_count; i++) {
+        Node figure = node_element(&figures, (size_t)i);
+        read_string(&figure, chart->figures[i], sizeof chart->figures[i]);
+    }
+    read_points(&points, chart);
+    node_close(&root);
+}
+
+GpResult chart_read(const char *path, Chart *chart, GpError *error)
+{
+    Reader reader;
+    Chart read = { .points = NULL };
+    GpResult result = reader_open(&reader, path, error);
+    if (result)
+        return result;
+    read_chart(node_root(&reader), &read);
+    result = reader.result;
+    reader_close(&reader);
+    if (result)
+        chart_free(&read);
+    else
+        *chart = read;
+    return result;
+}

@@ -1,0 +1,243 @@
+/* All charts of a folder, of accuracy and of growth, on one page that needs no other file: pictures
+ * are in it. */
+#include "apps/charts/chart.h"
+
+#include "pipeline/io/file.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char style[] =
+    ":root { color-scheme: light dark; --ink: #1f2430; --soft: #5b6472; --line: #d5dae1;\n"
+    "        --ground: #f7f8fa; --sheet: #ffffff }\n"
+    "@media (prefers-color-scheme: dark) {\n"
+    "  :root { --ink: #e4e8ee; --soft: #9aa5b4; --line: #3a414d; --ground: #14171c;\n"
+    "          --sheet: #1c2027 } }\n"
+    "body { margin: 0 auto; padding: 24px; max-width: 1280px; color: var(--ink);\n"
+    "       background: var(--ground); font: 15px/1.5 system-ui, sans-serif }\n"
+    "h1 { font-size: 26px } h2 { font-size: 21px; margin: 48px 0 12px }\n"
+    "a { color: inherit } nav a { margin-right: 18px }\n"
+    "svg { display: block; width: 100%; height: auto; border-radius: 8px }\n"
+    ".wide { overflow-x: auto }\n"
+    "table { border-collapse: collapse; margin: 16px 0; background: var(--sheet) }\n"
+    "th, td { padding: 4px 12px; border-bottom: 1px solid var(--line); text-align: left }\n"
+    "td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }\n"
+    "code { font-size: 13px } .note, figcaption, summary { color: var(--soft) }\n"
+    ".pictures { display: grid; gap: 16px;\n"
+    "            grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)) }\n"
+    "figure { margin: 0 } figure img { width: 100%; border-radius: 6px }\n"
+    "figcaption { font-size: 13px }\n";
+
+/* --- tables ----------------------------------------------------------------------------------- */
+
+static void add_cell(Text *page, const char *element, const char *attributes, const char *content)
+{
+    text_add(page, "<%s%s>", element, attributes);
+    text_add_escaped(page, content);
+    text_add(page, "</%s>", element);
+}
+
+static void add_head(const Chart *chart, Text *page)
+{
+    add_cell(page, "th", "", "method");
+    add_cell(page, "th", "", "options");
+    add_cell(page, "th", " class=\"n\"", "ms");
+    add_cell(page, "th", " class=\"n\"", chart->error_name);
+    for (int i = 0; i < chart->figure_count; i++)
+        add_cell(page, "th", " class=\"n\"", chart->figures[i]);
+}
+
+static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
+{
+    add_cell(page, "td", "", point->method);
+    text_add(page, "<td><code>");
+    text_add_escaped(page, point->options);
+    text_add(page, "</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>", point->ms,
+             point->measured.error);
+    for (int i = 0; i < chart->figure_count; i++)
+        text_add(page, "<td class=\"n\">%.6g</td>", point->measured.figures[i]);
+}
+
+static void add_table(const Chart *chart, const ChartPoint *const *points, uint32_t count,
+                      Text *page)
+{
+    text_add(page, "<div class=\"wide\"><table>\n<thead><tr>");
+    add_head(chart, page);
+    text_add(page, "</tr></thead>\n<tbody>\n");
+    for (uint32_t i = 0; i < count; i++) {
+        text_add(page, "<tr>");
+        add_row(chart, points[i], page);
+        text_add(page, "</tr>\n");
+    }
+    text_add(page, "</tbody></table></div>\n");
+}
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+static void add_base64(Text *page, const unsigned char *bytes, size_t size)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < size; i += 3) {
+        size_t left = size - i;
+        unsigned bits = (unsigned)bytes[i] << 16;
+        bits |= left > 1 ? (unsigned)bytes[i + 1] << 8 : 0;
+        bits |= left > 2 ? bytes[i + 2] : 0u;
+        const char group[] = { digits[bits >> 18], digits[bits >> 12 & 63],
+                               left > 1 ? digits[bits >> 6 & 63] : '=',
+                               left > 2 ? digits[bits & 63] : '=', '\0' };
+        text_add(page, "%s", group);
+    }
+}
+
+/* A picture that is not there any more is left out: the chart is right without it. */
+static void add_picture(const char *folder, const ChartPoint *point, Text *page)
+{
+    char path[CHART_MAX_PATH];
+    GpFile file = { .data = NULL };
+    snprintf(path, sizeof path, "%s/%s", folder, point->picture);
+    if (!point->picture[0] || strchr(point->picture, '/') || gp_file_read(path, &file, NULL))
+        return;
+    text_add(page, "<figure><img alt=\"\" src=\"data:image/png;base64,");
+    add_base64(page, (const unsigned char *)file.data, file.size);
+    text_add(page, "\"><figcaption>");
+    text_add_escaped(page, point->method);
+    text_add(page, ": <code>");
+    text_add_escaped(page, point->options);
+    text_add(page, "</code>, %.3g ms, error %.6g</figcaption></figure>\n", point->ms,
+             point->measured.error);
+    gp_file_free(&file);
+}
+
+/* --- sections --------------------------------------------------------------------------------- */
+
+static void add_chart(const char *folder, const Chart *chart, const char *name, Text *page)
+{
+    const ChartPoint **points = gp_alloc(chart->count, sizeof(const ChartPoint *));
+    if (!points) {
+        page->failed = true;
+        return;
+    }
+    uint32_t best = chart_list_best(chart, points);
+    text_add(page, "<section id=\"");
+    text_add_escaped(page, name);
+    text_add(page, "\">\n");
+    add_cell(page, "h2", "", chart->title);
+    text_add(page, "\n");
+    chart_draw(chart, page);
+    text_add(page, "<p>The best settings, the fastest first: for each, nothing else measured is "
+                   "both faster and more exact.</p>\n");
+    add_table(chart, points, best, page);
+    text_add(page, "<div class=\"pictures\">\n");
+    for (uint32_t i = 0; i < best; i++)
+        add_picture(folder, points[i], page);
+    text_add(page, "</div>\n<details><summary>All %u settings</summary>\n", chart->count);
+    for (uint32_t i = 0; i < chart->count; i++)
+        points[i] = &chart->points[i];
+    add_table(chart, points, chart->count, page);
+    text_add(page, "</details>\n</section>\n");
+    gp_free(points);
+}
+
+/* --- growth ----------------------------------------------------------------------------------- */
+
+static void begin_line(const char *name, const char *title, Text *contents)
+{
+    text_add(contents, "<a href=\"#");
+    text_add_escaped(contents, name);
+    text_add(contents, "\">");
+    text_add_escaped(contents, title);
+}
+
+/* The picture as growth_write left it, and the technique's words on it, if there is one. */
+static void add_growth(const char *folder, const Technique *technique, Text *contents,
+                       Text *sections)
+{
+    char name[64], path[CHART_MAX_PATH];
+    GpFile file = { .data = NULL };
+    snprintf(name, sizeof name, "%s_growth", technique->name);
+    snprintf(path, sizeof path, "%s/%s.svg", folder, name);
+    if (!technique->growth || gp_file_read(path, &file, NULL))
+        return;
+    begin_line(name, technique->growth->title, contents);
+    text_add(contents, "</a>\n");
+    text_add(sections, "<section id=\"%s\">\n", name);
+    add_cell(sections, "h2", "", technique->growth->title);
+    text_add(sections, "\n%.*s", (int)file.size, file.data);
+    for (const char *const *text = technique->growth->text; *text; text++) {
+        add_cell(sections, "p", "", *text);
+        text_add(sections, "\n");
+    }
+    text_add(sections, "</section>\n");
+    gp_file_free(&file);
+}
+
+/* --- the page --------------------------------------------------------------------------------- */
+
+static int is_json(const struct dirent *entry)
+{
+    const char *dot = strrchr(entry->d_name, '.');
+    return dot && dot != entry->d_name && strcmp(dot, ".json") == 0;
+}
+
+/* Adds a chart's section and its line of the contents, or why there is none. */
+static void add_file(const char *folder, const char *file, Text *contents, Text *sections)
+{
+    char path[CHART_MAX_PATH], name[256];
+    Chart chart = { .points = NULL };
+    GpError error = { "" };
+    snprintf(path, sizeof path, "%s/%s", folder, file);
+    snprintf(name, sizeof name, "%.*s", (int)(strlen(file) - strlen(".json")), file);
+    GpResult result = chart_read(path, &chart, &error);
+    sections->failed |= result == GP_ERROR_MEMORY;
+    if (result) {
+        add_cell(sections, "p", " class=\"note\"", error.text);
+        text_add(sections, "\n");
+        return;
+    }
+    begin_line(name, chart.title, contents);
+    text_add(contents, " (");
+    text_add_escaped(contents, chart.scene);
+    text_add(contents, ")</a>\n");
+    add_chart(folder, &chart, name, sections);
+    chart_free(&chart);
+}
+
+static void join(const Text *contents, const Text *sections, Text *page)
+{
+    text_add(page,
+             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+             "<meta name=\"viewport\" content=\"width=device-width\">\n"
+             "<title>glasspipe: speed against accuracy</title>\n<style>\n%s</style>\n</head>\n"
+             "<body>\n<h1>Speed against accuracy</h1>\n"
+             "<p>Each chart holds every setting of a technique against its exact result. "
+             "Tooltips tell all figures of a point.</p>\n<nav>\n%s</nav>\n%s</body>\n</html>\n",
+             style, contents->data ? contents->data : "", sections->data ? sections->data : "");
+    page->failed |= contents->failed || sections->failed;
+}
+
+GpResult chart_write_page(const char *folder, GpError *error)
+{
+    struct dirent **entries;
+    int count = scandir(folder, &entries, is_json, alphasort);
+    if (count < 0)
+        return gp_fail(error, GP_ERROR_IO, "%.200s: %s", folder, strerror(errno));
+    Text contents = { .data = NULL }, sections = { .data = NULL }, page = { .data = NULL };
+    for (int i = 0; i < count; i++) {
+        add_file(folder, entries[i]->d_name, &contents, &sections);
+        free(entries[i]);
+    }
+    free(entries);
+    for (size_t i = 0; techniques[i]; i++)
+        add_growth(folder, techniques[i], &contents, &sections);
+    join(&contents, &sections, &page);
+    char path[CHART_MAX_PATH];
+    snprintf(path, sizeof path, "%s/index.html", folder);
+    GpResult result = text_write(path, &page, error);
+    text_free(&contents);
+    text_free(&sections);
+    text_free(&page);
+    return result;
+}

@@ -1,0 +1,206 @@
+#include "apps/charts/chart_plot.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- points ----------------------------------------------------------------------------------- */
+
+/* Figures that are numbers, and such as a measurement can give. */
+static bool has_place(const ChartPoint *point)
+{
+    double ms = point->ms, error = point->measured.error;
+    return ms >= 1e-6 && ms <= 1e9 && (error == 0 || (error >= 1e-12 && error <= 1e12));
+}
+
+static int number_of_method(Plot *plot, const char *method)
+{
+    for (int i = 0; i < plot->method_count; i++)
+        if (strcmp(plot->methods[i], method) == 0)
+            return i;
+    strcpy(plot->methods[plot->method_count], method);
+    return plot->method_count++;
+}
+
+static void make_scales(Plot *plot, const Chart *chart)
+{
+    enum { ZERO_STRIP = 44 };
+    double ms[2] = { HUGE_VAL, 0 }, error[2] = { HUGE_VAL, 0 };
+    for (uint32_t i = 0; i < chart->count; i++) {
+        const ChartPoint *point = &chart->points[i];
+        if (!has_place(point))
+            continue;
+        ms[0] = fmin(ms[0], point->ms);
+        ms[1] = fmax(ms[1], point->ms);
+        plot->has_zero |= point->measured.error == 0;
+        error[0] = point->measured.error > 0 ? fmin(error[0], point->measured.error) : error[0];
+        error[1] = fmax(error[1], point->measured.error);
+    }
+    double bottom = plot->box.bottom - (plot->has_zero ? ZERO_STRIP : 0);
+    plot->x = plot_scale(ms[0], ms[1], plot->box.left, plot->box.right);
+    plot->y = plot_scale(error[0], error[1], bottom, plot->box.top);
+    plot->zero_y = plot->box.bottom - ZERO_STRIP / 2.0;
+}
+
+double plot_error_place(const Plot *plot, double error)
+{
+    return error > 0 ? plot_place(&plot->y, error) : plot->zero_y;
+}
+
+/* --- labels ----------------------------------------------------------------------------------- */
+
+/* Whether all points of the point's method have this option (as much of a text as `length`). */
+static bool all_have(const Chart *chart, const ChartPoint *of, const char *option, size_t length)
+{
+    for (uint32_t i = 0; i < chart->count; i++) {
+        const ChartPoint *point = &chart->points[i];
+        if (strcmp(point->method, of->method) != 0)
+            continue;
+        bool found = false;
+        for (const char *at = point->options; *at && !found; at++)
+            found = strncmp(at, option, length) == 0 && (at[length] == ' ' || !at[length]);
+        if (!found)
+            return false;
+    }
+    return true;
+}
+
+/* What distinguishes a point from others of its method: "map 2048, slope 2"; the method's name
+ * where it is alone. */
+static void short_text(const Chart *chart, const ChartPoint *point, char text[SETTING_MAX_TEXT])
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (const char *at = point->options; (at = strstr(at, "--"));) {
+        const char *end = strstr(at + 2, " --");
+        size_t length = end ? (size_t)(end - at) : strlen(at);
+        if (!all_have(chart, point, at, length))
+            used += (size_t)snprintf(text + used, SETTING_MAX_TEXT - used, "%s%.*s",
+                                     used ? ", " : "", (int)(length - 2), at + 2);
+        at += length;
+    }
+    if (used == 0)
+        snprintf(text, SETTING_MAX_TEXT, "%s", point->method);
+}
+
+static PlotBox label_box(const PlotLabel *label)
+{
+    const double per_letter = 6.1, above = 10, below = 3;
+    double width = per_letter * (double)strlen(label->text);
+    double left = label->ends ? label->x - width : label->x;
+    return (PlotBox){ left, label->y - above, left + width, label->y + below };
+}
+
+/* Whether nothing else is where the label would be: no marker, no step of the front's line, no
+ * earlier label, no edge. */
+static bool is_free(const Plot *plot, const PlotLabel *label)
+{
+    const double radius = 6;
+    PlotBox box = label_box(label), inside = plot->box;
+    if (box.left < inside.left + 4 || box.right > inside.right - 4 || box.top < inside.top ||
+        box.bottom > inside.bottom - 2)
+        return false;
+    for (uint32_t i = 0; i < plot->count; i++) {
+        const PlotPoint *point = &plot->points[i];
+        if (plot_overlap(box, (PlotBox){ point->x - radius, point->y - radius, point->x + radius,
+                                         point->y + radius }))
+            return false;
+    }
+    for (uint32_t i = 0; i + 1 < plot->best_count; i++) {
+        double x = plot_place(&plot->x, plot->best[i]->ms);
+        double y = plot_error_place(plot, plot->best[i]->measured.error);
+        double next_x = plot_place(&plot->x, plot->best[i + 1]->ms);
+        double next_y = plot_error_place(plot, plot->best[i + 1]->measured.error);
+        if (plot_overlap(box, (PlotBox){ x, y - 1, next_x, y + 1 }) ||
+            plot_overlap(box, (PlotBox){ next_x - 1, y, next_x + 1, next_y }))
+            return false;
+    }
+    for (uint32_t i = 0; i < plot->label_count; i++)
+        if (plot_overlap(box, label_box(&plot->labels[i])))
+            return false;
+    return true;
+}
+
+/* Left of the front and below it there are no points, so labels go there first. */
+static void place_label(Plot *plot, PlotLabel *label)
+{
+    static const struct {
+        double x, y;
+        bool ends, apart;
+    } places[] = {
+        { -10, 4, true, false },  { -6, 16, true, false },  { -4, 18, false, false },
+        { 10, -8, false, false }, { -14, 30, true, true },  { 4, 32, false, true },
+        { -22, 46, true, true },  { 8, 48, false, true },   { -30, 62, true, true },
+        { 14, 64, false, true },  { 16, -24, false, true }, { -44, 78, true, true },
+        { 18, 80, false, true },  { 24, -40, false, true }, { -58, 94, true, true },
+        { 22, 96, false, true },
+    };
+    for (size_t i = 0; i < GP_COUNT(places); i++) {
+        label->x = label->dot[0] + places[i].x;
+        label->y = label->dot[1] + places[i].y;
+        label->ends = places[i].ends;
+        label->apart = places[i].apart;
+        if (is_free(plot, label)) {
+            plot->labels[plot->label_count++] = *label;
+            return;
+        }
+    }
+}
+
+static void make_labels(Plot *plot, const Chart *chart)
+{
+    for (uint32_t i = 0; i < plot->best_count; i++) {
+        const ChartPoint *point = plot->best[i];
+        PlotLabel label = { .dot = { plot_place(&plot->x, point->ms),
+                                     plot_error_place(plot, point->measured.error) } };
+        short_text(chart, point, label.text);
+        place_label(plot, &label);
+    }
+}
+
+/* --- all of it -------------------------------------------------------------------------------- */
+
+static void make_points(Plot *plot, const Chart *chart)
+{
+    for (uint32_t i = 0; i < chart->count; i++) {
+        const ChartPoint *point = &chart->points[i];
+        int method = number_of_method(plot, point->method);
+        if (has_place(point))
+            plot->points[plot->count++] =
+                (PlotPoint){ point, plot_place(&plot->x, point->ms),
+                             plot_error_place(plot, point->measured.error), method };
+        else
+            plot->left_out++;
+    }
+    uint32_t kept = 0, count = chart_list_best(chart, plot->best);
+    for (uint32_t i = 0; i < count; i++)
+        if (has_place(plot->best[i]))
+            plot->best[kept++] = plot->best[i];
+    plot->best_count = kept;
+}
+
+GpResult plot_create(const Chart *chart, PlotBox box, Plot *plot)
+{
+    *plot = (Plot){ .box = box,
+                    .points = gp_alloc(chart->count, sizeof *plot->points),
+                    .best = gp_alloc(chart->count, sizeof(const ChartPoint *)),
+                    .methods = gp_alloc(chart->count, sizeof *plot->methods),
+                    .labels = gp_alloc(chart->count, sizeof *plot->labels) };
+    if (!plot->points || !plot->best || !plot->methods || !plot->labels) {
+        plot_free(plot);
+        return GP_ERROR_MEMORY;
+    }
+    make_scales(plot, chart);
+    make_points(plot, chart);
+    make_labels(plot, chart);
+    return GP_OK;
+}
+
+void plot_free(Plot *plot)
+{
+    gp_free(plot->points);
+    gp_free(plot->best);
+    gp_free(plot->methods);
+    gp_free(plot->labels);
+    *plot = (Plot){ .points = NULL };
+}

@@ -1,0 +1,44 @@
+/* The geometry of a chart's picture: its points on their axes, and where labels find room. */
+#ifndef APPS_CHARTS_CHART_PLOT_H
+#define APPS_CHARTS_CHART_PLOT_H
+
+#include "apps/charts/chart.h"
+#include "apps/charts/plot_scale.h"
+
+/* A point that has a place. */
+typedef struct PlotPoint {
+    const ChartPoint *point;
+    double x, y;
+    int method; /* number of its method, in the order of the chart */
+} PlotPoint;
+
+typedef struct PlotLabel {
+    char text[SETTING_MAX_TEXT];
+    double x, y;      /* of the text's base line; x: its begin, or its end */
+    double dot[2];    /* the point that it belongs to */
+    bool ends, apart; /* x is the end; far enough to need a line to its point */
+} PlotLabel;
+
+typedef struct Plot {
+    PlotBox box;    /* inside the axes */
+    PlotScale x, y; /* milliseconds; error */
+    bool has_zero;  /* points without any error are in a strip of their own, at zero_y */
+    double zero_y;
+    PlotPoint *points;
+    uint32_t count, left_out; /* with a place; without: no numbers, or absurd ones */
+    const ChartPoint **best;  /* the front, the fastest first */
+    uint32_t best_count;
+    char (*methods)[64];
+    int method_count;
+    PlotLabel *labels;
+    uint32_t label_count;
+} Plot;
+
+/* Lays out a chart in a box. errors GP_ERROR_MEMORY; owns: the caller, until plot_free */
+GpResult plot_create(const Chart *chart, PlotBox box, Plot *plot);
+void plot_free(Plot *plot);
+
+/* Place of an error; that of none is in the strip. */
+double plot_error_place(const Plot *plot, double error);
+
+#endif

@@ -1,0 +1,244 @@
+#include "apps/charts/chart_run.h"
+
+#include "apps/base/machine.h"
+#include "apps/frame/picture.h"
+#include "apps/frame/timing.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
+
+/* What the settings of one chart share. */
+typedef struct Run {
+    const ChartJob *job;
+    void *scene, *setting;
+    double *each; /* times of frames */
+    double start_ms;
+    uint32_t total; /* settings of the sweep */
+    Chart chart;
+    GpError *error;
+} Run;
+
+/* --- one setting ------------------------------------------------------------------------------ */
+
+/* Builds a setting's frame and draws it for the first time. in work: zeroed; to be freed always */
+static GpResult draw_first(const Run *run, const char *options, Work *work, Frame *frame,
+                           bool *goes, GpError *error)
+{
+    const Technique *technique = run->job->technique;
+    memcpy(run->setting, technique->defaults, technique->setting_bytes);
+    GpResult result = setting_parse(technique->fields, run->setting, options, error);
+    if (result)
+        return result;
+    result = technique->build(run->scene, run->setting, work, error);
+    *goes = result != GP_ERROR_INVALID;
+    return result ? result : frame_first(run->job->device, &work->list, frame, error);
+}
+
+static void describe_frame(Chart *chart, bool is_picture, const Work *work, const Frame *frame)
+{
+    const GpSurface *picture = work->color ? work->color : work->depth;
+    chart->width = is_picture ? picture->width : 0;
+    chart->height = is_picture ? picture->height : 0;
+    chart->threads = frame->threads;
+    text_copy(chart->isa, sizeof chart->isa, frame->isa);
+}
+
+/* The error belongs to the first frame, the times to those after it. */
+static GpResult measure(Run *run, const Work *work, Frame *frame, ChartPoint *point)
+{
+    double seconds = run->job->seconds;
+    const TimingPlan plan = { .seconds = seconds,
+                              .least_frames = LEAST_FRAMES,
+                              .most_seconds = seconds > MOST_SECONDS ? seconds : MOST_SECONDS };
+    Timing timing;
+    const Technique *technique = run->job->technique;
+    describe_frame(&run->chart, !technique->makes_volumes, work, frame);
+    technique->measure(run->scene, work, &point->measured);
+    GpResult result =
+        timing_run(run->job->device, &work->list, &plan, run->each, frame, &timing, run->error);
+    if (result)
+        return result;
+    point->ms = timing.ms;
+    point->min_ms = timing.min_ms;
+    point->cpu_ms = timing.cpu_ms;
+    point->frames = timing.frames;
+    return GP_OK;
+}
+
+/* Rewrites a line on a terminal once the work takes longer than a second. */
+static void show_progress(const Run *run, uint32_t number, const char *text)
+{
+    bool long_work = meter_clock_ms(CLOCK_MONOTONIC) - run->start_ms > 1000;
+    if (run->job->options->quiet || !long_work || !isatty(STDERR_FILENO))
+        return;
+    if (number < run->total)
+        fprintf(stderr, "\r\033[K%u/%u %s", number + 1, run->total, text);
+    else
+        fputs("\r\033[K", stderr);
+}
+
+/* Adds the point of a setting, unless it does not go with the scene. */
+static GpResult add_point(Run *run, const char *method, const char *options)
+{
+    Chart *chart = &run->chart;
+    ChartPoint *point = &chart->points[chart->count];
+    Work work = { .color = NULL };
+    Frame frame = { .isa = "" };
+    bool goes = true;
+    text_copy(point->method, sizeof point->method, method);
+    text_copy(point->options, sizeof point->options, options);
+    GpResult result = draw_first(run, options, &work, &frame, &goes, run->error);
+    if (!result)
+        result = measure(run, &work, &frame, point);
+    work_free(&work);
+    if (!result)
+        chart->count++;
+    if (goes)
+        return result;
+    show_progress(run, run->total, "");
+    notice(run->job->options, "%s, %s: left out: %s", method, options, run->error->text);
+    run->error->text[0] = '\0';
+    return GP_OK;
+}
+
+/* --- the sweep -------------------------------------------------------------------------------- */
+
+static GpResult sweep_method(Run *run, const TechniqueSweep *sweep, uint32_t *number)
+{
+    size_t count = technique_expand(sweep->options, NULL, 0);
+    char(*texts)[SETTING_MAX_TEXT] = gp_alloc(count, sizeof *texts);
+    if (!texts)
+        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result = GP_OK;
+    technique_expand(sweep->options, texts, count);
+    for (size_t i = 0; i < count && !result; i++) {
+        show_progress(run, (*number)++, texts[i]);
+        result = add_point(run, sweep->method, texts[i]);
+    }
+    gp_free(texts);
+    return result;
+}
+
+static GpResult sweep_all(Run *run)
+{
+    const TechniqueSweep *sweep = run->job->technique->sweep;
+    for (size_t i = 0; sweep[i].method; i++)
+        run->total += (uint32_t)technique_expand(sweep[i].options, NULL, 0);
+    GP_ASSERT(run->total <= CHART_MAX_POINTS);
+    run->chart.points = gp_alloc(run->total, sizeof *run->chart.points);
+    if (!run->chart.points)
+        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result = GP_OK;
+    uint32_t number = 0;
+    for (size_t i = 0; sweep[i].method && !result; i++)
+        result = sweep_method(run, &sweep[i], &number);
+    show_progress(run, run->total, "");
+    if (!result && run->chart.count == 0)
+        return gp_fail(run->error, GP_ERROR_INVALID, "%.200s: no setting goes with this scene",
+                       run->job->scene);
+    chart_mark_best(&run->chart);
+    return result;
+}
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+static GpResult write_picture(const Run *run, ChartPoint *point, const char *name)
+{
+    char path[CHART_MAX_PATH];
+    Work work = { .color = NULL };
+    Frame frame;
+    bool goes;
+    snprintf(path, sizeof path, "%s/%s", run->job->folder, name);
+    GpResult result = draw_first(run, point->options, &work, &frame, &goes, run->error);
+    if (!result)
+        result =
+            picture_write_surface(path, work.color ? work.color : work.depth, true, run->error);
+    work_free(&work);
+    if (!result)
+        snprintf(point->picture, sizeof point->picture, "%s", name);
+    return result;
+}
+
+/* Pictures of points spread over the front, its ends among them. Those that an earlier chart had
+ * more of are removed. */
+static GpResult write_pictures(Run *run)
+{
+    Chart *chart = &run->chart;
+    const ChartPoint **best = gp_alloc(chart->count, sizeof(const ChartPoint *));
+    char stem[64], name[96], path[CHART_MAX_PATH];
+    if (!best)
+        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
+    uint32_t count = chart_list_best(chart, best);
+    uint32_t wanted = count < CHART_MAX_PICTURES ? count : CHART_MAX_PICTURES;
+    chart_name(run->job->technique, run->job->scene, stem, sizeof stem);
+    GpResult result = GP_OK;
+    for (uint32_t i = 0; i < CHART_MAX_PICTURES && !result; i++) {
+        snprintf(name, sizeof name, "%s_%u.png", stem, i + 1);
+        snprintf(path, sizeof path, "%s/%s", run->job->folder, name);
+        uint32_t place = wanted > 1 ? i * (count - 1) / (wanted - 1) : 0;
+        if (i < wanted)
+            result = write_picture(run, &chart->points[best[place] - chart->points], name);
+        else
+            unlink(path);
+    }
+    gp_free(best);
+    return result;
+}
+
+/* --- all of it -------------------------------------------------------------------------------- */
+
+static void describe(const ChartJob *job, Chart *chart)
+{
+    const Technique *technique = job->technique;
+    text_copy(chart->technique, sizeof chart->technique, technique->name);
+    text_copy(chart->title, sizeof chart->title, technique->title);
+    text_copy(chart->scene, sizeof chart->scene, job->scene);
+    text_copy(chart->error_name, sizeof chart->error_name, technique->error_name);
+    for (int i = 0; technique->figures && technique->figures[i]; i++) {
+        GP_ASSERT(i < TECHNIQUE_MAX_FIGURES);
+        text_copy(chart->figures[i], sizeof chart->figures[i], technique->figures[i]);
+        chart->figure_count = i + 1;
+    }
+    char machine[256];
+    meter_machine(machine, sizeof machine);
+    text_copy(chart->machine, sizeof chart->machine, machine);
+}
+
+static GpResult run_opened(Run *run)
+{
+    const Technique *technique = run->job->technique;
+    run->setting = gp_alloc(1, technique->setting_bytes);
+    run->each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run->each);
+    if (!run->setting || !run->each)
+        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result =
+        technique->find_truth(run->scene, gp_device_threads(run->job->device), run->error);
+    if (!result)
+        result = sweep_all(run);
+    if (!result && run->job->folder)
+        result = write_pictures(run);
+    return result;
+}
+
+GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error)
+{
+    Run run = { .job = job, .start_ms = meter_clock_ms(CLOCK_MONOTONIC), .error = error };
+    const Options *options = job->options;
+    GpResult result =
+        job->technique->open(job->scene, options->width, options->height, &run.scene, error);
+    if (result)
+        return result;
+    describe(job, &run.chart);
+    result = run_opened(&run);
+    job->technique->close(run.scene);
+    gp_free(run.setting);
+    gp_free(run.each);
+    if (result)
+        chart_free(&run.chart);
+    else
+        *chart = run.chart;
+    return result;
+}

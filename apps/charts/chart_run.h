@@ -1,0 +1,26 @@
+/* Measuring a chart: the sweep of a technique over a scene. */
+#ifndef APPS_CHARTS_CHART_RUN_H
+#define APPS_CHARTS_CHART_RUN_H
+
+#include "apps/charts/chart.h"
+#include "apps/commands/options.h"
+
+typedef struct ChartJob {
+    const Technique *technique;
+    const char *scene;      /* path */
+    const char *folder;     /* where pictures of the front go; NULL: none are made */
+    double seconds;         /* for each setting, after its first frame */
+    const Options *options; /* size, and what may be said on stderr */
+    GpDevice *device;
+} ChartJob;
+
+/* Opens the scene, finds the truth, measures all settings of the sweep, marks the front and writes
+ * at most CHART_MAX_PICTURES pictures of it as NAME_1.png and so on (see chart_name). Settings that
+ * do not go with the scene are left out with a message.
+ * out    chart: untouched on failure; error: not NULL
+ * errors those of the scene and of the truth; GP_ERROR_INVALID: no setting goes with the scene;
+ *        GP_ERROR_IO: a picture could not be written; GP_ERROR_MEMORY
+ * owns   the caller, until chart_free */
+GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error);
+
+#endif

@@ -1,0 +1,263 @@
+/* Growth as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so
+ * that powers are straight lines. */
+#include "apps/charts/scaling.h"
+#include "apps/charts/svg.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    WIDTH = 1240,
+    HEIGHT = 730,
+    MARGIN = 32,
+    LEGEND_Y = 106,
+    NAME_LEFT = 66, /* of the time axis, from its box */
+    STRIP = 52,     /* above the scale of times, for names of scenes */
+    STRIP_ROWS = 3,
+    STRIP_ROW = 15,
+    MAX_NAMES = 14, /* of lines: as many as there are markers */
+};
+
+static const PlotBox boxes[TECHNIQUE_PANELS] = { { 104, 158, 612, 630 }, { 700, 158, 1208, 630 } };
+
+static const double letter_width = 6.6; /* about, of small words */
+static const double degrees = 180 / 3.14159265358979323846;
+
+/* What all parts of a panel share. */
+typedef struct Panel {
+    const Growth *growth;
+    const TechniquePanel *table;
+    int number;
+    PlotBox box;
+    PlotScale x, y;
+} Panel;
+
+static bool has_place(const GrowthPoint *point)
+{
+    return point->amount > 0 && point->ms > 0 && isfinite(point->amount) && isfinite(point->ms);
+}
+
+/* Times have one scale in all panels, so that they can be compared. */
+static Panel make_panel(const Growth *growth, int number)
+{
+    double x[2] = { HUGE_VAL, 0 }, y[2] = { HUGE_VAL, 0 };
+    for (uint32_t i = 0; i < growth->count; i++) {
+        const GrowthPoint *point = &growth->points[i];
+        if (!has_place(point))
+            continue;
+        y[0] = fmin(y[0], point->ms);
+        y[1] = fmax(y[1], point->ms);
+        if (point->panel != number)
+            continue;
+        x[0] = fmin(x[0], point->amount);
+        x[1] = fmax(x[1], point->amount);
+    }
+    Panel panel = { .growth = growth,
+                    .table = &growth->technique->growth->panels[number],
+                    .number = number,
+                    .box = boxes[number] };
+    panel.x = plot_scale(x[0], x[1], panel.box.left, panel.box.right);
+    panel.x.doubles = panel.table->doubles;
+    panel.y = plot_scale(y[0], y[1], panel.box.bottom, panel.box.top + STRIP);
+    return panel;
+}
+
+/* --- lines ------------------------------------------------------------------------------------ */
+
+/* Different names of lines, in the table's order. */
+static int list_names(const TechniqueGrowth *table, const char *names[MAX_NAMES])
+{
+    int count = 0;
+    for (int p = 0; p < TECHNIQUE_PANELS; p++)
+        for (const TechniqueLine *line = table->panels[p].lines; line->name; line++) {
+            int known = 0;
+            while (known < count && strcmp(names[known], line->name) != 0)
+                known++;
+            GP_ASSERT(known < MAX_NAMES);
+            names[known] = line->name;
+            count = known == count ? count + 1 : count;
+        }
+    return count;
+}
+
+static int number_of_name(const Growth *growth, const char *name)
+{
+    const char *names[MAX_NAMES];
+    int count = list_names(growth->technique->growth, names), number = 0;
+    while (number < count - 1 && strcmp(names[number], name) != 0)
+        number++;
+    return number;
+}
+
+/* The next point of a line from index `i` on; the count of all where there is none. */
+static uint32_t next_of_line(const Panel *panel, int line, uint32_t i)
+{
+    const Growth *growth = panel->growth;
+    while (i < growth->count && (growth->points[i].panel != panel->number ||
+                                 growth->points[i].line != line || !has_place(&growth->points[i])))
+        i++;
+    return i;
+}
+
+static void add_tooltip(const Panel *panel, const GrowthPoint *point, Text *svg)
+{
+    text_add(svg, "<title>");
+    text_add_escaped(svg, growth_name(panel->growth, point));
+    text_add(svg, "\n");
+    text_add_escaped(svg, point->scene);
+    text_add(svg, "\n");
+    text_add_escaped(svg, point->options);
+    text_add(svg, "\n%.10g ", point->amount);
+    text_add_escaped(svg, panel->table->axis);
+    text_add(svg, "\n%.3g ms (least %.3g, processor %.3g; %u frames)</title>", point->ms,
+             point->min_ms, point->cpu_ms, point->frames);
+}
+
+static void draw_line(const Panel *panel, int line, Text *svg)
+{
+    const Growth *growth = panel->growth;
+    const int series = number_of_name(growth, panel->table->lines[line].name);
+    uint32_t first = next_of_line(panel, line, 0);
+    text_add(svg, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" d=\"", svg_color(series));
+    for (uint32_t i = first; i < growth->count; i = next_of_line(panel, line, i + 1))
+        text_add(svg, "%s%.1f %.1f", i == first ? "M" : "L",
+                 plot_place(&panel->x, growth->points[i].amount),
+                 plot_place(&panel->y, growth->points[i].ms));
+    text_add(svg, "\"/>\n");
+    for (uint32_t i = first; i < growth->count; i = next_of_line(panel, line, i + 1)) {
+        const GrowthPoint *point = &growth->points[i];
+        text_add(svg, "<g>");
+        add_tooltip(panel, point, svg);
+        svg_marker(svg, plot_place(&panel->x, point->amount), plot_place(&panel->y, point->ms),
+                   series, false);
+        text_add(svg, "</g>\n");
+    }
+}
+
+/* Whether a point lies where a name of this width would run, ending at `end`, below a line in the
+ * direction of a unit vector. */
+static bool covers_point(const Panel *panel, const double end[2], const double along[2],
+                         double width)
+{
+    const double below = 9, reach = 14;
+    for (uint32_t i = 0; i < panel->growth->count; i++) {
+        const GrowthPoint *point = &panel->growth->points[i];
+        if (point->panel != panel->number || !has_place(point))
+            continue;
+        double x = plot_place(&panel->x, point->amount) - end[0];
+        double y = plot_place(&panel->y, point->ms) - end[1];
+        double back = -(x * along[0] + y * along[1]), aside = y * along[0] - x * along[1];
+        if (back > -reach && back < width + reach && fabs(aside - below) < reach)
+            return true;
+    }
+    return false;
+}
+
+/* From the lower left corner to the scale's right or upper end; its name runs along it, below, as
+ * far out as there is room. */
+static void draw_guide(const Panel *panel, const TechniqueGuide *guide, Text *svg)
+{
+    const PlotScale *x = &panel->x, *y = &panel->y;
+    double most = fmin(x->high / x->low, pow(y->high / y->low, 1 / guide->power));
+    double length[2] = { plot_place(x, x->low * most) - x->begin,
+                         plot_place(y, y->low * pow(most, guide->power)) - y->begin };
+    svg_dots(svg, x->begin, y->begin, x->begin + length[0], y->begin + length[1]);
+
+    double whole = hypot(length[0], length[1]), width = letter_width * (double)strlen(guide->name);
+    double along[2] = { length[0] / whole, length[1] / whole }, end[2];
+    for (double share = 1; share > 0; share -= 0.1) {
+        double reach = share * whole - 10;
+        end[0] = x->begin + reach * along[0];
+        end[1] = y->begin + reach * along[1];
+        if (!covers_point(panel, end, along, width))
+            break;
+    }
+    char turned[256];
+    snprintf(turned, sizeof turned, "%s dy=\"13\" transform=\"rotate(%.1f %.1f %.1f)\"",
+             svg_small_words, atan2(along[1], along[0]) * degrees, end[0], end[1]);
+    svg_words(svg, end[0], end[1], "end", turned, guide->name);
+}
+
+/* --- scenes ----------------------------------------------------------------------------------- */
+
+/* Names of scenes above their points, in rows, where a panel has more than one amount for a
+ * setting. What finds no room is left out. */
+static void draw_scenes(const Panel *panel, Text *svg)
+{
+    const Growth *growth = panel->growth;
+    double used[STRIP_ROWS] = { 0 };
+    for (uint32_t i = next_of_line(panel, 0, 0); i < growth->count;
+         i = next_of_line(panel, 0, i + 1)) {
+        const GrowthPoint *point = &growth->points[i];
+        char name[64];
+        int row = 0;
+        text_stem(point->scene, name, sizeof name);
+        double x = plot_place(&panel->x, point->amount),
+               width = letter_width * (double)strlen(name);
+        double end = fmin(x + width / 2, panel->box.right - 4);
+        while (row < STRIP_ROWS && used[row] > end - width)
+            row++;
+        if (row == STRIP_ROWS || !strchr(panel->table->lines[0].scenes, '|'))
+            continue;
+        used[row] = end;
+        double y = panel->box.top + STRIP_ROW * (row + 1);
+        svg_line(svg, x, y + 4, x, panel->box.bottom, svg_grid);
+        svg_words(svg, end, y, "end", svg_small_words, name);
+    }
+}
+
+/* --- all of it -------------------------------------------------------------------------------- */
+
+static void draw_panel(const Panel *panel, Text *svg)
+{
+    const PlotBox box = panel->box;
+    char name[96];
+    text_add(svg, "<g fill=\"%s\">\n", svg_soft);
+    snprintf(name, sizeof name, "%s (logarithmic)", panel->table->axis);
+    svg_axis_below(svg, &panel->x, box, name);
+    svg_axis_left(svg, &panel->y, box, box.left - NAME_LEFT,
+                  "time in milliseconds (median, logarithmic)");
+    svg_border(svg, box);
+    for (const TechniqueGuide *guide = panel->table->guides; guide->name; guide++)
+        draw_guide(panel, guide, svg);
+    draw_scenes(panel, svg);
+    text_add(svg, "</g>\n");
+    svg_words(svg, box.left, box.top - 12, "start", " font-size=\"15\" font-weight=\"bold\"",
+              panel->table->title);
+    for (int line = 0; panel->table->lines[line].name; line++)
+        draw_line(panel, line, svg);
+}
+
+static void draw_legend(const Growth *growth, Text *svg)
+{
+    const char *names[MAX_NAMES];
+    int count = list_names(growth->technique->growth, names);
+    double x = MARGIN + 8;
+    for (int i = 0; i < count; i++) {
+        svg_marker(svg, x, LEGEND_Y - 4, i, false);
+        svg_words(svg, x + 14, LEGEND_Y, "start", " font-size=\"13\"", names[i]);
+        x += 50 + 1.1 * letter_width * (double)strlen(names[i]);
+    }
+}
+
+void growth_draw(const Growth *growth, Text *svg)
+{
+    char note[320];
+    svg_begin(svg, WIDTH, HEIGHT, growth->technique->growth->title);
+    svg_words(svg, MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"",
+              growth->technique->growth->title);
+    snprintf(note, sizeof note, "Measured on %s, %s, %d thread%s.", growth->machine, growth->isa,
+             growth->threads, growth->threads == 1 ? "" : "s");
+    svg_words(svg, MARGIN, 74, "start", " font-size=\"13\"", note);
+    draw_legend(growth, svg);
+    for (int number = 0; number < TECHNIQUE_PANELS; number++) {
+        Panel panel = make_panel(growth, number);
+        draw_panel(&panel, svg);
+    }
+    svg_words(svg, MARGIN, HEIGHT - 18, "start", " font-size=\"13\" font-style=\"italic\"",
+              "How to read: low is better. A line that rises less steeply than a dotted one grows "
+              "by less than that.");
+    svg_end(svg);
+}

@@ -1,0 +1,148 @@
+/* Measuring the growth of a technique. */
+#include "apps/charts/scaling.h"
+
+#include "apps/base/machine.h"
+#include "apps/techniques/timed_setting.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
+
+/* What all lines share. */
+typedef struct Run {
+    const Options *options;
+    TechniqueClock clock;
+    Growth growth;
+    Text missing; /* scenes without a file, a line each */
+    GpError *error;
+} Run;
+
+/* Paths are longer than settings, but not these: technique_expand takes both. */
+typedef char List[SETTING_MAX_TEXT];
+
+/* All alternatives of a text. errors GP_ERROR_MEMORY; owns: the caller, until gp_free */
+static GpResult expand(const char *text, List **list, size_t *count, GpError *error)
+{
+    *count = technique_expand(text, NULL, 0);
+    *list = gp_alloc(*count, sizeof **list);
+    if (!*list)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    technique_expand(text, *list, *count);
+    return GP_OK;
+}
+
+static size_t count_points(const TechniqueGrowth *table)
+{
+    size_t count = 0;
+    for (int p = 0; p < TECHNIQUE_PANELS; p++)
+        for (const TechniqueLine *line = table->panels[p].lines; line->name; line++)
+            count +=
+                technique_expand(line->scenes, NULL, 0) * technique_expand(line->options, NULL, 0);
+    return count;
+}
+
+/* Measures a setting as the next point. */
+static GpResult add_point(Run *run, GrowthPoint point, void *scene, const char *options)
+{
+    Growth *growth = &run->growth;
+    const Technique *technique = growth->technique;
+    Work work = { .color = NULL };
+    Frame frame;
+    Timing timing;
+    GpResult result =
+        technique_time(&run->clock, technique, scene, options, &work, &frame, &timing, run->error);
+    if (result)
+        return result;
+    text_copy(point.options, sizeof point.options, options);
+    point.amount = technique->growth->panels[point.panel].amount(scene, &work);
+    point.ms = timing.ms;
+    point.min_ms = timing.min_ms;
+    point.cpu_ms = timing.cpu_ms;
+    point.frames = timing.frames;
+    growth->points[growth->count++] = point;
+    growth->threads = frame.threads;
+    text_copy(growth->isa, sizeof growth->isa, frame.isa);
+    work_free(&work);
+    return GP_OK;
+}
+
+/* Says so once for each scene. */
+static void leave_out(Run *run, const char *path)
+{
+    char line[SETTING_MAX_TEXT + 1];
+    snprintf(line, sizeof line, "%s\n", path);
+    if (run->missing.data && strstr(run->missing.data, line))
+        return;
+    text_add(&run->missing, "%s", line);
+    notice(run->options, "left out: %s", run->error->text);
+}
+
+/* The settings of a line on one of its scenes. */
+static GpResult run_scene(Run *run, int panel, int line, const char *path)
+{
+    const Technique *technique = run->growth.technique;
+    void *scene;
+    List *options;
+    size_t count;
+    GpResult result = technique->open(path, 0, 0, &scene, run->error);
+    if (result == GP_ERROR_IO) {
+        leave_out(run, path);
+        return GP_OK;
+    }
+    if (result)
+        return result;
+    GrowthPoint point = { .panel = panel, .line = line };
+    text_copy(point.scene, sizeof point.scene, path);
+    result =
+        expand(technique->growth->panels[panel].lines[line].options, &options, &count, run->error);
+    for (size_t i = 0; i < count && !result; i++)
+        result = add_point(run, point, scene, options[i]);
+    gp_free(options);
+    technique->close(scene);
+    return result;
+}
+
+static GpResult run_panel(Run *run, int panel)
+{
+    const TechniqueLine *lines = run->growth.technique->growth->panels[panel].lines;
+    GpResult result = GP_OK;
+    for (int line = 0; lines[line].name && !result; line++) {
+        List *scenes;
+        size_t count;
+        result = expand(lines[line].scenes, &scenes, &count, run->error);
+        for (size_t i = 0; i < count && !result; i++)
+            result = run_scene(run, panel, line, scenes[i]);
+        gp_free(scenes);
+    }
+    return result;
+}
+
+GpResult growth_run(const Technique *technique, GpDevice *device, const Options *options,
+                    double seconds, Growth *growth, GpError *error)
+{
+    Run run = { .options = options, .error = error };
+    run.clock = (TechniqueClock){ .device = device,
+                                  .plan = { seconds, LEAST_FRAMES,
+                                            seconds > MOST_SECONDS ? seconds : MOST_SECONDS },
+                                  .each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run.clock.each) };
+    run.growth.technique = technique;
+    run.growth.points = gp_alloc(count_points(technique->growth), sizeof *run.growth.points);
+    char machine[256];
+    meter_machine(machine, sizeof machine);
+    text_copy(run.growth.machine, sizeof run.growth.machine, machine);
+    GpResult result = GP_OK;
+    if (!run.clock.each || !run.growth.points)
+        result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    for (int panel = 0; panel < TECHNIQUE_PANELS && !result; panel++)
+        result = run_panel(&run, panel);
+    if (!result && run.growth.count == 0)
+        result = GP_ERROR_IO; /* the last scene's message is there */
+    gp_free(run.clock.each);
+    text_free(&run.missing);
+    if (result)
+        growth_free(&run.growth);
+    else
+        *growth = run.growth;
+    return result;
+}

@@ -1,0 +1,296 @@
+/* glasspipe bench: frames that other renderers can draw too, against the clock. */
+#include "apps/bench/cases.h"
+#include "apps/commands/paper_tables.h"
+#include "apps/commands/commands.h"
+#include "apps/frame/run_statistics.h"
+#include "apps/base/json.h"
+#include "apps/base/machine.h"
+#include "apps/commands/options.h"
+#include "apps/frame/timing.h"
+#include "pipeline/io/image/image.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { MAX_CASES = 64, MIN_FRAMES = 20, KEY_IMAGES = 0x200, KEY_PHASES, KEY_TABLE };
+
+typedef struct Bench {
+    Options options; /* first: see options.h */
+    const BenchCase *cases[MAX_CASES];
+    size_t case_count;
+    const char *images; /* NULL: none written */
+    double seconds;     /* for each case, after the first frame */
+    bool list;
+    const BenchTable *table; /* NULL: cases are drawn */
+} Bench;
+
+/* clang-format off */
+static const struct argp_option own_options[] = {
+    { "list", 'l', NULL, 0, "List the cases", 0 },
+    { "time", 't', "SECONDS", 0, "Draw each case for so long (default: 3)", 0 },
+    { "images", KEY_IMAGES, "DIR", 0, "Write each case's picture to DIR/CASE.png", 0 },
+    { "table", KEY_TABLE, "NUMBER", 0, "Measure a table of the publications again, beside what was "
+      "printed: 2.1, 2.2 (voxelization), 4.1 or 4.2 (shadows)", 0 },
+    { "phases", KEY_PHASES, NULL, 0, "Look at the clock inside tiles too: costs some time", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+static error_t add_case(struct argp_state *state, Bench *bench, const char *name)
+{
+    const BenchCase *found = bench_case_find(name);
+    if (!found)
+        argp_error(state, "no case '%s'; -l lists them", name);
+    if (bench->case_count == MAX_CASES)
+        argp_error(state, "more than %d cases", MAX_CASES);
+    bench->cases[bench->case_count++] = found;
+    return 0;
+}
+
+static error_t set_table(struct argp_state *state, Bench *bench, const char *id)
+{
+    char list[64];
+    bench_table_list(list, sizeof list);
+    bench->table = bench_table_find(id);
+    if (!bench->table)
+        argp_error(state, "--table: expected one of %s, not '%s'", list, id);
+    return 0;
+}
+
+static error_t parse_bench(int key, char *text, struct argp_state *state)
+{
+    Bench *bench = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case 'l':
+        bench->list = true;
+        return 0;
+    case 't':
+        bench->seconds = options_real(state, "--time", text);
+        return 0;
+    case KEY_IMAGES:
+        bench->images = text;
+        return 0;
+    case KEY_TABLE:
+        return set_table(state, bench, text);
+    case KEY_PHASES:
+        bench->options.timed = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        return add_case(state, bench, text);
+    case ARGP_KEY_END:
+        if (bench->table && bench->case_count)
+            argp_error(state, "--table draws scenes of its own, no cases");
+        if (bench->options.width)
+            argp_error(state, "--size: the cases have sizes of their own");
+        for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)
+            bench->cases[i] = &bench_cases[i];
+        if (bench->case_count == 0)
+            bench->case_count = bench_case_count;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_frame, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    own_options,
+    parse_bench,
+    "[CASE...]",
+    "Examples:\n"
+    "  glasspipe bench\n"
+    "  glasspipe bench -l\n"
+    "  glasspipe bench bunny_phong points -t 1 --threads 2\n"
+    "  glasspipe bench --images out/bench\n"
+    "  glasspipe bench --table 2.1\n"
+    "\n"
+    "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
+    "median "
+    "and the least time of a frame, and what was drawn.\v"
+    "Cases that need a mesh which is not there are left out with a message.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* --- measuring ----------------------------------------------------------------------------------- */
+
+typedef struct Times {
+    double setup_ms, first_ms;
+    Timing frames;  /* after the first */
+    double others;  /* processors that other processes kept busy; negative: unknown */
+    double peak_mb; /* memory in use at most, less what was before the case: its data count */
+} Times;
+
+/* Draws the first frame, then others until both the time is over and there are enough, but at most
+ * twice the time. Where the first alone takes as long, it stands for all. */
+static GpResult measure(GpDevice *device, const GpList *list, double seconds, double *each,
+                        Frame *frame, Times *times, GpError *error)
+{
+    const TimingPlan plan = { .seconds = seconds,
+                              .least_frames = MIN_FRAMES,
+                              .most_seconds = 2 * seconds };
+    GpResult result = frame_first(device, list, frame, error);
+    times->first_ms = frame->first_ms;
+    return result ? result : timing_run(device, list, &plan, each, frame, &times->frames, error);
+}
+
+/* --- results ------------------------------------------------------------------------------------- */
+
+static GpResult write_image(const char *directory, const char *name, const uint8_t *rgba,
+                            uint32_t width, uint32_t height, GpError *error)
+{
+    char path[4096];
+    if (mkdir(directory, 0777) != 0 && errno != EEXIST)
+        return gp_fail(error, GP_ERROR_IO, "%s: %s", directory, strerror(errno));
+    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path)
+        return gp_fail(error, GP_ERROR_IO, "%s: the path is too long", directory);
+    size_t pixels = (size_t)width * height;
+    uint8_t *rgb = gp_alloc(pixels, 3);
+    if (!rgb)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    for (size_t i = 0; i < pixels; i++)
+        memcpy(rgb + 3 * i, rgba + 4 * i, 3);
+    GpImage image = {
+        .width = width, .height = height, .channels = 3, .type = GP_IMAGE_U8, .data = rgb
+    };
+    GpResult result = gp_image_write(path, &image, error);
+    gp_free(rgb);
+    return result;
+}
+
+/* Means, in milliseconds; what happens inside tiles only with --phases. */
+static json_t *phases_json(const Bench *bench, const Times *times)
+{
+    const struct {
+        const char *name;
+        double sum;
+        bool inside;
+    } rows[] = {
+        { "prepare", times->frames.phases.prepare, false },
+        { "vertices", times->frames.phases.vertices, false },
+        { "bins", times->frames.phases.bins, false },
+        { "tiles", times->frames.phases.tiles, false },
+        { "raster", times->frames.phases.raster, true },
+        { "shading", times->frames.phases.shading, true },
+        { "transfer", times->frames.phases.transfer, true },
+    };
+    json_t *object = json_object();
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        if (!rows[i].inside || bench->options.timed)
+            json_object_set_new(object, rows[i].name,
+                                json_real(rows[i].sum / times->frames.frames));
+    return object;
+}
+
+static void print_result(const Bench *bench, const BenchCase *drawn, const Times *times,
+                         const Frame *frame, uint32_t width, uint32_t height, uint32_t hash)
+{
+    char digits[9];
+    snprintf(digits, sizeof digits, "%08x", hash);
+    bool reference = bench->options.executor == GP_EXECUTOR_REFERENCE;
+    double megapixels = (double)width * height * 1e-6;
+    json_t *object = json_pack(
+        "{s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:s, s:I, s:f}", "case", drawn->name,
+        "renderer", "glasspipe", "threads", frame->threads, "width", (int)width, "height",
+        (int)height, "ms", times->frames.ms, "min_ms", times->frames.min_ms, "cpu_ms",
+        times->frames.cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
+        (json_int_t)times->frames.frames, "setup_ms", times->setup_ms);
+    if (drawn->layers > 0)
+        json_object_set_new(object, "mpix", json_real(drawn->layers * megapixels));
+    if (drawn->primitives > 1000)
+        json_object_set_new(object, "mprim", json_real(drawn->primitives * 1e-6));
+    if (drawn->flop > 0)
+        json_object_set_new(object, "gflop", json_real(drawn->flop * megapixels * 1e-3));
+    json_object_set_new(object, "peak_mb", json_real(times->peak_mb));
+    if (times->others >= 0)
+        json_object_set_new(object, "others", json_real(times->others));
+    frame_add_counters(frame, object);
+    if (!reference)
+        json_object_set_new(object, "phases", phases_json(bench, times));
+    json_object_set_new(object, "isa", json_string(frame->isa));
+    json_object_set_new(object, "executor", json_string(reference ? "reference" : "fast"));
+    json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
+    putchar('\n');
+    fflush(stdout);
+    json_decref(object);
+}
+
+static int show_picture(const Bench *bench, const BenchCase *drawn, const Work *work,
+                        const Times *times, const Frame *frame)
+{
+    uint32_t width, height;
+    bench_picture_size(work, &width, &height);
+    uint8_t *rgba = gp_alloc((size_t)width * height, 4);
+    if (!rgba)
+        return report(EXIT_INTERNAL, "out of memory");
+    (drawn->picture ? drawn->picture : bench_show)(work, rgba);
+    GpError error = { "" };
+    GpResult result = bench->images
+                          ? write_image(bench->images, drawn->name, rgba, width, height, &error)
+                          : GP_OK;
+    if (!result)
+        print_result(bench, drawn, times, frame, width, height,
+                     bench_picture_hash(rgba, width, height));
+    gp_free(rgba);
+    return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
+}
+
+/* One device for each case, so that cases do not inherit memory from each other. */
+static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
+{
+    Work work = { .color = NULL };
+    GpError error = { "" };
+    meter_reset_peak();
+    double start = meter_clock_ms(CLOCK_MONOTONIC), before_mb = meter_peak_mb();
+    if (drawn->build(drawn, &work, &error)) {
+        notice(&bench->options, "%s: skipped: %s", drawn->name, error.text);
+        work_free(&work);
+        return EXIT_DONE;
+    }
+    GpDevice *device = NULL;
+    Frame frame = { .isa = "" };
+    Times times = { .setup_ms = meter_clock_ms(CLOCK_MONOTONIC) - start };
+    int code = options_device(&bench->options, NULL, &device);
+    if (!code) {
+        MeterLoad load = meter_load_begin();
+        GpResult result = measure(device, &work.list, bench->seconds, each, &frame, &times, &error);
+        times.others = meter_others(&load);
+        times.peak_mb = meter_peak_mb() - before_mb;
+        code = result ? report(exit_of_run(result), "%s: %s", drawn->name, error.text)
+                      : show_picture(bench, drawn, &work, &times, &frame);
+    }
+    gp_device_destroy(&device);
+    work_free(&work);
+    return code;
+}
+
+int cmd_bench(int argc, char **argv)
+{
+    Bench bench = { .seconds = 3 };
+    options_parse(&parser, argc, argv, &bench);
+    if (bench.list) {
+        for (size_t i = 0; i < bench_case_count; i++)
+            puts(bench_cases[i].name);
+        return EXIT_DONE;
+    }
+    if (bench.table)
+        return bench_table_run(bench.table, &bench.options, bench.seconds);
+    double *each = gp_alloc(TIMING_MAX_FRAMES, sizeof *each);
+    if (!each)
+        return report(EXIT_INTERNAL, "out of memory");
+    int code = EXIT_DONE;
+    for (size_t i = 0; !code && i < bench.case_count; i++)
+        code = run_case(&bench, bench.cases[i], each);
+    gp_free(each);
+    return code;
+}

@@ -1,0 +1,168 @@
+/* glasspipe explain: which units every draw needs, and what its shaders cost. */
+#include "apps/commands/commands.h"
+#include "apps/base/json.h"
+#include "apps/commands/limits.h"
+#include "apps/commands/options.h"
+#include "apps/frame/passes.h"
+#include "apps/scene/scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Explain {
+    Options options; /* first: see options.h */
+    const char *scene;
+} Explain;
+
+static error_t parse_explain(int key, char *text, struct argp_state *state)
+{
+    Explain *explain = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case ARGP_KEY_ARG:
+        return options_positional(state, &explain->scene, 1, text);
+    case ARGP_KEY_END:
+        if (!explain->scene)
+            argp_error(state, "expected a scene file");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_common, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    NULL,
+    parse_explain,
+    "SCENE.json",
+    "Examples:\n"
+    "  glasspipe explain scenes/bunny.json\n"
+    "  glasspipe explain scenes/bunny.json --json\n"
+    "\n"
+    "Tells for every draw of a scene which units of the pipeline run and which are skipped, and "
+    "what its shaders use of their profiles' limits.\v"
+    "Exit code 1: some shader exceeds its profile.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* The lines of gp_needs_explain as an array of strings. */
+static json_t *units_json(const GpPass *pass, const GpDraw *draw)
+{
+    char text[4096];
+    GpNeeds needs = gp_draw_needs(pass, draw, gp_pixel_facts(draw->program).varyings_read);
+    gp_needs_explain(&needs, text, sizeof text);
+    json_t *lines = json_array();
+    char *rest = text;
+    for (char *line = strsep(&rest, "\n"); line; line = strsep(&rest, "\n"))
+        if (line[0])
+            json_array_append_new(lines, json_string(line));
+    return lines;
+}
+
+static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number)
+{
+    GpError error = { "" };
+    const GpProgram *program = draw->program;
+    bool fits = gp_program_check(program, &error) == GP_OK;
+    json_t *object = json_pack("{s:I, s:s, s:s, s:s, s:I, s:o}", "draw", (json_int_t)number, "name",
+                               draw->name ? draw->name : "", "program", program->name, "geometry",
+                               draw->geometry.primitive == GP_POINTS ? "points" : "triangles",
+                               "primitives", (json_int_t)gp_geometry_primitives(&draw->geometry),
+                               "units", units_json(pass, draw));
+    json_object_set_new(object, "fits", json_boolean(fits));
+    json_object_set_new(object, "problem", fits ? json_null() : json_string(error.text));
+    if (!program->count)
+        return object;
+    GpShaderCounts vertex = { 0 }, pixel = { 0 };
+    program->count(&vertex, &pixel);
+    json_object_set_new(object, "vertex_shader", limits_json(program->vertex_profile, &vertex));
+    if (program->code[0]->pixel)
+        json_object_set_new(object, "pixel_shader", limits_json(program->pixel_profile, &pixel));
+    return object;
+}
+
+static void print_draw(const json_t *draw)
+{
+    printf("\n  Draw %lld", (long long)json_integer_value(json_object_get(draw, "draw")));
+    const char *name = json_string_value(json_object_get(draw, "name"));
+    if (name[0])
+        printf(" \"%s\"", name);
+    printf(": %lld %s, program %s\n",
+           (long long)json_integer_value(json_object_get(draw, "primitives")),
+           json_string_value(json_object_get(draw, "geometry")),
+           json_string_value(json_object_get(draw, "program")));
+    size_t i;
+    const json_t *line;
+    json_array_foreach(json_object_get(draw, "units"), i, line)
+        printf("    %s\n", json_string_value(line));
+
+    limits_print(json_object_get(draw, "vertex_shader"), json_object_get(draw, "pixel_shader"));
+    const json_t *problem = json_object_get(draw, "problem");
+    if (json_is_string(problem))
+        printf("    exceeds its profile: %s\n", json_string_value(problem));
+}
+
+static void print_pass(const json_t *pass)
+{
+    printf("Pass %lld", (long long)json_integer_value(json_object_get(pass, "pass")));
+    const char *name = json_string_value(json_object_get(pass, "name"));
+    if (name[0])
+        printf(" \"%s\"", name);
+    printf(": %lldx%lld,", (long long)json_integer_value(json_object_get(pass, "width")),
+           (long long)json_integer_value(json_object_get(pass, "height")));
+    size_t i;
+    const json_t *item;
+    json_array_foreach(json_object_get(pass, "targets"), i, item)
+        printf(" %s", json_string_value(item));
+    printf(", group %lld\n", (long long)json_integer_value(json_object_get(pass, "group")));
+    json_array_foreach(json_object_get(pass, "draws"), i, item) print_draw(item);
+    putchar('\n');
+}
+
+/* The list is not checked first: gp_list_check refuses a program that exceeds its profile, and here
+ * that is the answer, not an error. */
+static int explain_list(const Explain *explain, const GpList *list)
+{
+    json_t *passes = passes_json(list);
+    if (!passes)
+        return report(EXIT_INTERNAL, "out of memory");
+    int code = EXIT_DONE;
+    for (uint32_t p = 0; p < list->pass_count; p++) {
+        const GpPass *pass = &list->passes[p];
+        json_t *draws = json_array(), *object = json_array_get(passes, p);
+        for (uint32_t i = 0; i < pass->draw_count; i++) {
+            json_t *draw = draw_json(pass, &pass->draws[i], i);
+            if (json_is_false(json_object_get(draw, "fits")))
+                code = EXIT_DIFFERS;
+            json_array_append_new(draws, draw);
+        }
+        json_object_set_new(object, "draws", draws);
+        if (!explain->options.json)
+            print_pass(object);
+    }
+    if (explain->options.json)
+        json_print(json_pack("{s:O}", "passes", passes));
+    json_decref(passes);
+    return code;
+}
+
+int cmd_explain(int argc, char **argv)
+{
+    Explain explain = { .scene = NULL };
+    options_parse(&parser, argc, argv, &explain);
+    Scene scene = { .picture = NULL };
+    SceneOptions size = { 0, 0 };
+    GpError error = { "" };
+    GpResult result = scene_load(explain.scene, &size, &scene, &error);
+    int code = result ? report(exit_of_input(result), "%s", error.text)
+                      : explain_list(&explain, &scene.list);
+    scene_free(&scene);
+    return code;
+}

@@ -1,0 +1,165 @@
+#include "apps/commands/history.h"
+
+#include "apps/base/json.h"
+
+static json_t *clear_event(const GpTraceEvent *event)
+{
+    const GpPass *pass = event->clear.pass;
+    json_t *targets = json_array(), *object = json_object();
+    for (int i = 0; i < GP_MAX_TARGETS; i++)
+        if (pass->color[i].surface && pass->color[i].clear)
+            json_array_append_new(targets,
+                                  json_pack("{s:i, s:s, s:o}", "target", i, "format",
+                                            gp_format_info(pass->color[i].surface->format)->name,
+                                            "color", json_floats(pass->color[i].clear_color, 4)));
+    json_object_set_new(object, "targets", targets);
+    if (pass->depth.surface && pass->depth.clear_depth)
+        json_object_set_new(object, "depth", json_number((double)pass->depth.depth_value));
+    if (pass->depth.surface && pass->depth.clear_stencil)
+        json_object_set_new(object, "stencil", json_integer(pass->depth.stencil_value));
+    return object;
+}
+
+static json_t *vertex_event(const GpTraceVertex *vertex)
+{
+    return json_pack("{s:I, s:o, s:o, s:o}", "vertex", (json_int_t)vertex->vertex, "inputs",
+                     json_floats(vertex->inputs, vertex->input_components), "clip",
+                     json_floats(vertex->clip, 4), "varyings",
+                     json_floats(vertex->varyings, vertex->varying_components));
+}
+
+static json_t *clip_event(const GpTraceClip *clip)
+{
+    json_t *corners = json_array();
+    for (int i = 0; i < 3; i++)
+        json_array_append_new(corners, json_floats(clip->clip[i], 4));
+    return json_pack("{s:o, s:i, s:i}", "clip", corners, "planes", (int)clip->planes, "corners",
+                     clip->corners);
+}
+
+static json_t *setup_event(const GpTraceSetup *setup)
+{
+    return json_pack("{s:[iii], s:[iii], s:o, s:o, s:I, s:b, s:o}", "x", setup->x[0], setup->x[1],
+                     setup->x[2], "y", setup->y[0], setup->y[1], setup->y[2], "z",
+                     json_floats(setup->z, 3), "rw", json_floats(setup->rw, 3), "area2",
+                     (json_int_t)setup->area2, "culled", setup->culled, "reason",
+                     json_text(setup->reason));
+}
+
+static json_t *raster_event(const GpTraceRaster *raster)
+{
+    return json_pack("{s:[III], s:b}", "edge", (json_int_t)raster->edge[0],
+                     (json_int_t)raster->edge[1], (json_int_t)raster->edge[2], "front",
+                     raster->front);
+}
+
+static json_t *interpolate_event(const GpTraceInterpolate *interpolate)
+{
+    return json_pack("{s:o, s:o, s:o}", "barycentric", json_floats(interpolate->barycentric, 3),
+                     "depth", json_number((double)interpolate->depth), "varyings",
+                     json_floats(interpolate->varyings, interpolate->components));
+}
+
+static json_t *texture_event(const GpTraceTexture *texture)
+{
+    json_t *texels = json_array();
+    for (int i = 0; i < texture->report.count; i++) {
+        const GpTexelUse *texel = &texture->report.texel[i];
+        json_array_append_new(texels, json_pack("{s:i, s:i, s:i, s:o, s:o}", "level", texel->level,
+                                                "x", texel->x, "y", texel->y, "weight",
+                                                json_number((double)texel->weight), "value",
+                                                json_floats(texel->value, 4)));
+    }
+    const GpSurface *surface = texture->surface;
+    return json_pack("{s:i, s:o, s:o, s:o, s:o, s:b, s:o, s:o}", "slot", texture->slot, "surface",
+                     json_text(surface ? surface->name : NULL), "format",
+                     json_text(surface ? gp_format_info(surface->format)->name : NULL), "coord",
+                     json_floats(texture->coord, 4), "lod",
+                     json_number((double)texture->report.lod), "magnified",
+                     texture->report.magnified, "texels", texels, "result",
+                     json_floats(texture->texel, 4));
+}
+
+static json_t *pixel_event(const GpTracePixel *pixel)
+{
+    json_t *colors = json_array();
+    for (int i = 0; i < pixel->targets; i++)
+        json_array_append_new(colors, json_floats(pixel->color[i], 4));
+    return json_pack("{s:o, s:o, s:b}", "color", colors, "depth", json_number((double)pixel->depth),
+                     "killed", pixel->killed);
+}
+
+static json_t *test_event(const GpTraceTest *test)
+{
+    json_t *object =
+        json_pack("{s:s, s:s, s:o, s:o, s:b}", "unit", test->unit, "compare",
+                  gp_compare_names[test->compare], "incoming", json_number(test->incoming),
+                  "stored", json_number(test->stored), "passed", test->passed);
+    json_object_set_new(object, "incoming_code", json_integer(test->incoming_code));
+    json_object_set_new(object, "stored_code", json_integer(test->stored_code));
+    if (test->stencil_before >= 0) {
+        json_object_set_new(object, "stencil_before", json_integer(test->stencil_before));
+        json_object_set_new(object, "stencil_after", json_integer(test->stencil_after));
+    }
+    return object;
+}
+
+static json_t *output_event(const GpTraceOutput *output)
+{
+    const GpBlend *blend = &output->blend;
+    bool separate = blend->alpha_op != GP_BLEND_OFF;
+    json_t *state = json_pack(
+        "{s:s, s:s, s:s, s:s, s:s, s:s, s:i}", "op", gp_blend_op_names[blend->op], "src",
+        gp_blend_factor_names[blend->src], "dst", gp_blend_factor_names[blend->dst], "alpha_op",
+        gp_blend_op_names[separate ? blend->alpha_op : blend->op], "alpha_src",
+        gp_blend_factor_names[separate ? blend->alpha_src : blend->src], "alpha_dst",
+        gp_blend_factor_names[separate ? blend->alpha_dst : blend->dst], "keep", blend->keep);
+    return json_pack("{s:i, s:s, s:o, s:o, s:o, s:o}", "target", output->target, "format",
+                     gp_format_info(output->surface->format)->name, "blend", state, "source",
+                     json_floats(output->source, 4), "destination",
+                     json_floats(output->destination, 4), "result", json_floats(output->result, 4));
+}
+
+static json_t *members(const GpTraceEvent *event)
+{
+    switch (event->kind) {
+    case GP_TRACE_CLEAR:
+        return clear_event(event);
+    case GP_TRACE_VERTEX:
+        return vertex_event(&event->vertex);
+    case GP_TRACE_CLIP:
+        return clip_event(&event->clip);
+    case GP_TRACE_SETUP:
+        return setup_event(&event->setup);
+    case GP_TRACE_RASTER:
+        return raster_event(&event->raster);
+    case GP_TRACE_INTERPOLATE:
+        return interpolate_event(&event->interpolate);
+    case GP_TRACE_TEXTURE:
+        return texture_event(&event->texture);
+    case GP_TRACE_PIXEL:
+        return pixel_event(&event->pixel);
+    case GP_TRACE_TEST:
+        return test_event(&event->test);
+    case GP_TRACE_OUTPUT:
+        return output_event(&event->output);
+    default:
+        return json_object();
+    }
+}
+
+json_t *history_json_event(const GpTraceEvent *event)
+{
+    json_t *object = json_pack("{s:s, s:I, s:o}", "kind", gp_trace_kind_names[event->kind], "pass",
+                               (json_int_t)event->pass, "pass_name", json_text(event->pass_name));
+    if (event->kind != GP_TRACE_CLEAR) {
+        json_object_set_new(object, "draw", json_integer(event->draw));
+        json_object_set_new(object, "draw_name", json_text(event->draw_name));
+        json_object_set_new(object, "primitive", json_integer(event->primitive));
+        json_object_set_new(object, "program", json_text(event->program_name));
+    }
+    json_t *rest = members(event);
+    json_object_update(object, rest);
+    json_decref(rest);
+    return object;
+}

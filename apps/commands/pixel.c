@@ -1,0 +1,161 @@
+/* glasspipe pixel: the history of one pixel, from the clear to the stored value. */
+#include "apps/commands/commands.h"
+#include "apps/commands/history.h"
+#include "apps/base/json.h"
+#include "apps/commands/options.h"
+#include "apps/frame/passes.h"
+#include "apps/scene/scene.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Pixel {
+    Options options;          /* first: see options.h */
+    const char *arguments[3]; /* scene, x, y */
+    const char *pass;         /* --pass, or NULL */
+    uint32_t x, y;
+} Pixel;
+
+enum { KEY_PASS = 0x200 };
+
+/* clang-format off */
+static const struct argp_option own_options[] = {
+    { "pass", KEY_PASS, "PASS", 0, "Follow the pixel through pass PASS (name or number) only "
+      "(default: through all passes of the picture's size)", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+static error_t parse_pixel(int key, char *text, struct argp_state *state)
+{
+    Pixel *pixel = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case KEY_PASS:
+        pixel->pass = text;
+        return 0;
+    case ARGP_KEY_ARG:
+        return options_positional(state, pixel->arguments, 3, text);
+    case ARGP_KEY_END:
+        if (!pixel->arguments[2])
+            argp_error(state, "expected a scene file, X and Y");
+        pixel->x = (uint32_t)options_number(state, "X", pixel->arguments[1], 0, INT32_MAX);
+        pixel->y = (uint32_t)options_number(state, "Y", pixel->arguments[2], 0, INT32_MAX);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_frame, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    own_options,
+    parse_pixel,
+    "SCENE.json X Y",
+    "Examples:\n"
+    "  glasspipe pixel scenes/bunny.json 256 200\n"
+    "  glasspipe pixel scenes/bunny.json 256 200 --json\n"
+    "  glasspipe pixel scenes/shadow.json 10 20 --pass 0\n"
+    "\n"
+    "Tells the history of one pixel: the clear, then every fragment that covers it, in order, with "
+    "what each unit of the pipeline saw and decided. X counts from the left, Y from the top, both "
+    "from 0.\v"
+    "Text shows six digits; --json shows the same, all floats exactly.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* What the trace's callback writes to. */
+typedef struct Watch {
+    const GpList *list;
+    uint32_t width, height; /* of the passes to follow */
+    HistoryText *text;      /* one of these two */
+    json_t *events;
+} Watch;
+
+/* A pass of another size has no pixel of the same place: a shadow map's (10, 20) is elsewhere. */
+static void watch_event(void *user, const GpTraceEvent *event)
+{
+    const Watch *watch = user;
+    uint32_t width, height;
+    gp_pass_size(&watch->list->passes[event->pass], &width, &height);
+    if (width != watch->width || height != watch->height)
+        return;
+    if (watch->text)
+        history_text_event(watch->text, event);
+    else
+        json_array_append_new(watch->events, history_json_event(event));
+}
+
+/* Runs the list under the trace, and prints. */
+static int tell(const Pixel *pixel, const Watch *watch, GpTrace trace)
+{
+    trace.event = watch_event;
+    trace.user = (void *)watch;
+    GpDevice *device = NULL;
+    int code = options_device(&pixel->options, &trace, &device);
+    if (code)
+        return code;
+
+    GpError error = { "" };
+    if (watch->text)
+        printf("Pixel (%u, %u) of %ux%u\n", pixel->x, pixel->y, watch->width, watch->height);
+    GpResult result = gp_device_run(device, watch->list, &error);
+    if (result)
+        code = report(exit_of_run(result), "%s: %s", pixel->arguments[0], error.text);
+    else if (watch->text)
+        history_text_end(watch->text);
+    else
+        json_print(json_pack("{s:I, s:I, s:I, s:I, s:O}", "x", (json_int_t)pixel->x, "y",
+                             (json_int_t)pixel->y, "width", (json_int_t)watch->width, "height",
+                             (json_int_t)watch->height, "events", watch->events));
+    gp_device_destroy(&device);
+    return code;
+}
+
+static int follow(const Pixel *pixel, const Scene *scene)
+{
+    const GpList *list = &scene->list;
+    HistoryText text = { .file = stdout, .color = stdout_wants_color(), .list = list };
+    Watch watch = { .list = list,
+                    .width = scene->picture->width,
+                    .height = scene->picture->height,
+                    .text = pixel->options.json ? NULL : &text };
+    GpTrace trace = { .one_pixel = true, .x = (int32_t)pixel->x, .y = (int32_t)pixel->y };
+    if (pixel->pass) {
+        trace.one_pass = true;
+        trace.pass = passes_find(list, pixel->pass);
+        if (trace.pass == list->pass_count)
+            return report(EXIT_USAGE,
+                          "--pass %s: the scene has no such pass; see glasspipe render "
+                          "--list-passes",
+                          pixel->pass);
+        gp_pass_size(&list->passes[trace.pass], &watch.width, &watch.height);
+    }
+    if (pixel->x >= watch.width || pixel->y >= watch.height)
+        return report(EXIT_USAGE, "pixel (%u, %u) is outside: X is 0 to %u, Y is 0 to %u", pixel->x,
+                      pixel->y, watch.width - 1, watch.height - 1);
+    watch.events = json_array();
+    int code = tell(pixel, &watch, trace);
+    json_decref(watch.events);
+    return code;
+}
+
+int cmd_pixel(int argc, char **argv)
+{
+    Pixel pixel = { .pass = NULL };
+    options_parse(&parser, argc, argv, &pixel);
+    Scene scene = { .picture = NULL };
+    SceneOptions size = { pixel.options.width, pixel.options.height };
+    GpError error = { "" };
+    GpResult result = scene_load(pixel.arguments[0], &size, &scene, &error);
+    int code = result ? report(exit_of_input(result), "%s", error.text) : follow(&pixel, &scene);
+    scene_free(&scene);
+    return code;
+}

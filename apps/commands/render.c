@@ -1,0 +1,138 @@
+/* glasspipe render: a scene by its passes, to a picture. */
+#include "apps/commands/commands.h"
+#include "apps/base/json.h"
+#include "apps/commands/options.h"
+#include "apps/commands/output.h"
+#include "apps/frame/passes.h"
+#include "apps/frame/picture.h"
+#include "apps/scene/scene.h"
+
+typedef struct Render {
+    Options options; /* first: see options.h */
+    const char *scene, *output, *dump;
+    bool list_passes;
+} Render;
+
+enum { KEY_DUMP = 0x200, KEY_LIST_PASSES };
+
+/* clang-format off */
+static const struct argp_option own_options[] = {
+    { "output", 'o', "FILE", 0, "Write the picture to FILE: .png, .exr, .pfm or .ppm "
+      "(default: out/NAME.png where out/ exists, else NAME.png)", 0 },
+    { "dump", KEY_DUMP, "PASS", 0, "Write what pass PASS (name or number) left in its first "
+      "target; PASS.1, PASS.2, PASS.3 for the others, PASS.depth for its depth", 0 },
+    { "list-passes", KEY_LIST_PASSES, NULL, 0, "Print the passes instead of rendering", 0 },
+    { NULL, 0, NULL, 0, NULL, 0 },
+};
+/* clang-format on */
+
+static error_t parse_render(int key, char *text, struct argp_state *state)
+{
+    Render *render = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        return options_start(state);
+    case 'o':
+        render->output = text;
+        return 0;
+    case KEY_DUMP:
+        render->dump = text;
+        return 0;
+    case KEY_LIST_PASSES:
+        render->list_passes = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        return options_positional(state, &render->scene, 1, text);
+    case ARGP_KEY_END:
+        if (!render->scene)
+            argp_error(state, "expected a scene file");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    { &options_frame, 0, NULL, 0 },
+    { NULL, 0, NULL, 0 },
+};
+
+static const struct argp parser = {
+    own_options,
+    parse_render,
+    "SCENE.json",
+    "Examples:\n"
+    "  glasspipe render scenes/bunny.json\n"
+    "  glasspipe render scenes/bunny.json -o bunny.exr --size 1920x1080\n"
+    "  glasspipe render scenes/bunny.json --list-passes\n"
+    "  glasspipe render scenes/bunny.json --dump main.depth -o depth.pfm\n"
+    "\n"
+    "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
+    "With --json the frame is rendered a second time, which is the one that is timed.",
+    children,
+    options_help,
+    NULL,
+};
+
+/* --- rendering ------------------------------------------------------------------------------- */
+
+static int render_scene(const Render *render, const char *output, GpDevice *device,
+                        const Scene *scene)
+{
+    GpError error = { "" };
+    GpList list = scene->list;
+    GpSurface *surface = scene->picture;
+    if (render->dump) {
+        uint32_t pass;
+        if (passes_find_target(&list, render->dump, &surface, &pass, &error))
+            return report(EXIT_USAGE, "--dump %s", error.text);
+        list.pass_count = pass + 1;
+    }
+    return output_frame(&render->options, render->scene, output, device, &list, surface, false,
+                        NULL);
+}
+
+static int list_passes(const Render *render, const GpList *list)
+{
+    json_t *passes = passes_json(list);
+    if (!passes)
+        return report(EXIT_INTERNAL, "out of memory");
+    if (render->options.json) {
+        json_print(json_pack("{s:o}", "passes", passes));
+        return EXIT_DONE;
+    }
+    passes_print(passes);
+    json_decref(passes);
+    return EXIT_DONE;
+}
+
+int cmd_render(int argc, char **argv)
+{
+    Render render = { .scene = NULL };
+    options_parse(&parser, argc, argv, &render);
+
+    /* Everything that can be refused without reading the scene is refused first. */
+    GpError error = { "" };
+    char path[4096];
+    output_default_path(render.scene, "png", path, sizeof path);
+    const char *output = render.output ? render.output : path;
+    if (picture_check_path(output, &error))
+        return report(EXIT_USAGE, "-o %s", error.text);
+    GpDevice *device = NULL;
+    int code = options_device(&render.options, NULL, &device);
+    if (code)
+        return code;
+
+    Scene scene = { .picture = NULL };
+    SceneOptions size = { render.options.width, render.options.height };
+    GpResult result = scene_load(render.scene, &size, &scene, &error);
+    if (result)
+        code = report(exit_of_input(result), "%s", error.text);
+    else if (render.list_passes)
+        code = list_passes(&render, &scene.list);
+    else
+        code = render_scene(&render, output, device, &scene);
+    scene_free(&scene);
+    gp_device_destroy(&device);
+    return code;
+}

@@ -1,0 +1,219 @@
+#include "apps/frame/picture.h"
+
+#include "pipeline/io/file.h"
+#include "pipeline/io/image/image.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Channel `wanted` of `channels` of a pixel that has `had`: grey is repeated, a missing alpha is
+ * 1. */
+static float channel_of(const float *pixel, int had, int wanted, int channels)
+{
+    bool alpha = channels % 2 == 0 && wanted == channels - 1;
+    if (!alpha)
+        return pixel[had > 2 ? wanted : 0];
+    return had % 2 == 0 ? pixel[had - 1] : 1.0f;
+}
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+static float load_sample(const GpImage *image, size_t index)
+{
+    switch (image->type) {
+    case GP_IMAGE_U8:
+        return gp_float_from_unorm(((const uint8_t *)image->data)[index], 8);
+    case GP_IMAGE_U16:
+        return gp_float_from_unorm(((const uint16_t *)image->data)[index], 16);
+    case GP_IMAGE_F16:
+        return gp_float_from_half(((const uint16_t *)image->data)[index]);
+    default:
+        return ((const float *)image->data)[index];
+    }
+}
+
+GpResult picture_read(const char *path, Picture *picture, GpError *error)
+{
+    GpImage image = { .data = NULL };
+    GpResult result = gp_image_read(path, &image, error);
+    if (result)
+        return result;
+    size_t count = (size_t)image.width * image.height * image.channels;
+    float *values = gp_alloc(count, sizeof *values);
+    if (values) {
+        for (size_t i = 0; i < count; i++)
+            values[i] = load_sample(&image, i);
+        *picture = (Picture){ image.width, image.height, (int)image.channels, values };
+    }
+    gp_image_free(&image);
+    return values ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+}
+
+GpResult picture_widen(Picture *picture, int channels, GpError *error)
+{
+    int had = picture->channels;
+    if (channels == had)
+        return GP_OK;
+    size_t pixels = (size_t)picture->width * picture->height;
+    float *values = gp_alloc(pixels, (size_t)channels * sizeof *values);
+    if (!values)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    for (size_t i = 0; i < pixels; i++)
+        for (int c = 0; c < channels; c++)
+            values[i * (size_t)channels + (size_t)c] =
+                channel_of(picture->values + i * (size_t)had, had, c, channels);
+    gp_free(picture->values);
+    picture->values = values;
+    picture->channels = channels;
+    return GP_OK;
+}
+
+void picture_free(Picture *picture)
+{
+    gp_free(picture->values);
+    *picture = (Picture){ .values = NULL };
+}
+
+/* --- writing ---------------------------------------------------------------------------------- */
+
+GpResult picture_check_path(const char *path, GpError *error)
+{
+    static const char *const known[] = { "png", "exr", "pfm", "ppm" };
+    char extension[8];
+    struct stat status;
+    gp_file_extension(path, extension);
+    for (size_t i = 0; i < GP_COUNT(known); i++) {
+        if (strcmp(extension, known[i]) != 0)
+            continue;
+        if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
+            return gp_fail(error, GP_ERROR_INVALID, "%s: is a directory", path);
+        return GP_OK;
+    }
+    return gp_fail(error, GP_ERROR_INVALID,
+                   "%s: expected a name that ends in .png, .exr, .pfm or "
+                   ".ppm",
+                   path);
+}
+
+/* How a file holds a picture: what its format can, and of that what fits the source best. */
+static void choose_samples(const char *path, GpImageType source, GpImage *image)
+{
+    char extension[8];
+    gp_file_extension(path, extension);
+    bool pfm = strcmp(extension, "pfm") == 0, ppm = strcmp(extension, "ppm") == 0;
+    if (pfm || strcmp(extension, "exr") == 0)
+        image->type = source == GP_IMAGE_F16 && !pfm ? GP_IMAGE_F16 : GP_IMAGE_F32;
+    else
+        image->type = source == GP_IMAGE_U16 ? GP_IMAGE_U16 : GP_IMAGE_U8;
+    if (ppm)
+        image->channels = 3;
+    else if (pfm)
+        image->channels = image->channels > 2 ? 3 : 1;
+}
+
+static void store_sample(const GpImage *image, size_t index, float value)
+{
+    switch (image->type) {
+    case GP_IMAGE_U8:
+        ((uint8_t *)image->data)[index] = (uint8_t)gp_unorm_from_float(value, 8);
+        break;
+    case GP_IMAGE_U16:
+        ((uint16_t *)image->data)[index] = (uint16_t)gp_unorm_from_float(value, 16);
+        break;
+    case GP_IMAGE_F16:
+        ((uint16_t *)image->data)[index] = gp_half_from_float(value);
+        break;
+    default:
+        ((float *)image->data)[index] = value;
+    }
+}
+
+static GpResult write_picture(const char *path, const Picture *picture, GpImageType source,
+                              GpError *error)
+{
+    GpImage image = { .width = picture->width,
+                      .height = picture->height,
+                      .channels = (uint32_t)picture->channels };
+    choose_samples(path, source, &image);
+    size_t pixels = (size_t)image.width * image.height;
+    image.data = gp_alloc(pixels, image.channels * gp_image_sample_size(image.type));
+    if (!image.data)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+    int had = picture->channels, channels = (int)image.channels;
+    for (size_t i = 0; i < pixels; i++)
+        for (int c = 0; c < channels; c++)
+            store_sample(&image, i * (size_t)channels + (size_t)c,
+                         channel_of(picture->values + i * (size_t)had, had, c, channels));
+    GpResult result = gp_image_write(path, &image, error);
+    gp_free(image.data);
+    return result;
+}
+
+GpResult picture_write(const char *path, const Picture *picture, GpError *error)
+{
+    return write_picture(path, picture, GP_IMAGE_U8, error);
+}
+
+/* --- surfaces --------------------------------------------------------------------------------- */
+
+void picture_print_hash(const GpSurface *surface, uint64_t hash)
+{
+    printf("hash %s %ux%u %016" PRIx64 "\n", gp_format_info(surface->format)->name, surface->width,
+           surface->height, hash);
+}
+
+/* Level 0 as floats. Codes survive: dividing by the largest and rounding back is exact (R23, R24).
+ * Two channels become red and green of three, since a picture's two are grey and alpha. */
+static GpResult picture_of_surface(const GpSurface *surface, Picture *picture, GpError *error)
+{
+    const GpFormatInfo *info = gp_format_info(surface->format);
+    int channels = info->is_depth ? 1 : info->channels == 2 ? 3 : info->channels;
+    size_t pixels = (size_t)surface->width * surface->height;
+    float *values = gp_alloc(pixels, (size_t)channels * sizeof *values);
+    if (!values)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    for (size_t i = 0; i < pixels; i++) {
+        float rgba[4];
+        gp_texel_load(surface->format, surface->level[0].texels + i * info->bytes, rgba);
+        if (info->channels == 2)
+            rgba[2] = 0;
+        memcpy(values + i * (size_t)channels, rgba, (size_t)channels * sizeof *values);
+    }
+    *picture = (Picture){ surface->width, surface->height, channels, values };
+    return GP_OK;
+}
+
+/* The samples that hold a format's values without loss, or with the least of the integers. */
+static GpImageType samples_of(GpFormat format)
+{
+    const GpFormatInfo *info = gp_format_info(format);
+    if (info->is_depth)
+        return GP_IMAGE_U16;
+    return info->is_float && info->bytes == 2 * info->channels ? GP_IMAGE_F16 : GP_IMAGE_U8;
+}
+
+static void drop_alpha(Picture *picture)
+{
+    if (picture->channels != 4)
+        return;
+    size_t pixels = (size_t)picture->width * picture->height;
+    for (size_t i = 0; i < pixels; i++)
+        memmove(picture->values + 3 * i, picture->values + 4 * i, 3 * sizeof *picture->values);
+    picture->channels = 3;
+}
+
+GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
+                               GpError *error)
+{
+    Picture picture = { .values = NULL };
+    GpResult result = picture_of_surface(surface, &picture, error);
+    if (result)
+        return result;
+    if (opaque)
+        drop_alpha(&picture);
+    result = write_picture(path, &picture, samples_of(surface->format), error);
+    picture_free(&picture);
+    return result;
+}

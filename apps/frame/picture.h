@@ -1,0 +1,43 @@
+/* Pictures: floats between files and the comparison, and a surface's way to a file. */
+#ifndef APPS_FRAME_PICTURE_H
+#define APPS_FRAME_PICTURE_H
+
+#include "pipeline/resources/surface.h"
+
+/* Floats, row 0 at the top; codes are divided by their largest. Owns values. */
+typedef struct Picture {
+    uint32_t width, height;
+    int channels;  /* 1 grey, 2 grey and alpha, 3 red green blue, 4 with alpha */
+    float *values; /* [height][width][channels] */
+} Picture;
+
+/* Reads a picture file. Errors: GP_ERROR_IO, GP_ERROR_FORMAT, GP_ERROR_MEMORY, with the path.
+ * Owns: the caller, until picture_free. */
+GpResult picture_read(const char *path, Picture *picture, GpError *error);
+void picture_free(Picture *picture); /* a zeroed picture is fine; zeroes it */
+
+/* Gives a picture more channels: grey is repeated, a missing alpha is 1. Errors: GP_ERROR_MEMORY.
+ */
+GpResult picture_widen(Picture *picture, int channels, GpError *error);
+
+/* Whether a file of this name could be written, as far as its name tells: a known extension, no
+ * directory. Errors: GP_ERROR_INVALID. */
+GpResult picture_check_path(const char *path, GpError *error);
+
+/* Writes a picture in the format of the path's extension: eight bits a channel, clamped to [0, 1],
+ * in PNG and PPM; PPM and PFM lose alpha. Errors: GP_ERROR_INVALID (extension), GP_ERROR_IO, GP_ERROR_MEMORY; never
+ * leaves half a file. */
+GpResult picture_write(const char *path, const Picture *picture, GpError *error);
+
+/* --- surfaces --------------------------------------------------------------------------------- */
+
+/* Prints "hash FORMAT WxH 0123456789abcdef" to stdout; hash is gp_surface_hash's. */
+void picture_print_hash(const GpSurface *surface, uint64_t hash);
+
+/* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
+ * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.
+ * Errors as picture_write's. */
+GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
+                               GpError *error);
+
+#endif

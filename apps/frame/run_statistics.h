@@ -1,0 +1,34 @@
+/* Frames: running a list with a clock at hand, and the report of --json. */
+#ifndef APPS_FRAME_RUN_STATISTICS_H
+#define APPS_FRAME_RUN_STATISTICS_H
+
+#include "pipeline/glasspipe.h"
+
+#include <jansson.h>
+
+/* Times in milliseconds, and what the device did for one frame. */
+typedef struct Frame {
+    double first_ms; /* the first frame, which also touches all memory for the first time */
+    double first_cpu_ms;
+    double ms, cpu_ms; /* a later one: wall clock, and processor time of all threads; 0: not run */
+    GpCounters counters;
+    GpPhases phases; /* of the last frame */
+    const char *isa;
+    GpExecutor executor;
+    int threads;
+} Frame;
+
+/* Runs a list for the first time on a new device. Errors: those of gp_device_run. */
+GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError *error);
+
+/* Runs it again, for the clock. A list that does not clear its targets draws over its first frame:
+ * hash and write the picture before. */
+GpResult frame_again(GpDevice *device, const GpList *list, Frame *frame, GpError *error);
+
+/* Sets what the device counted in the first frame. */
+void frame_add_counters(const Frame *frame, json_t *object);
+
+/* The object of --json. The caller owns it. */
+json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface);
+
+#endif

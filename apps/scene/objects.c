@@ -1,0 +1,338 @@
+/* Objects from JSON: geometry, brought to the world, with material and state. */
+#include "apps/scene/loader.h"
+
+#include "pipeline/io/file.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    MAX_INLINE = 4096, /* vertices or triangles that a scene file may hold itself */
+    FAR = 1000000,
+};
+
+/* --- where geometry comes from --------------------------------------------------------------- */
+
+/* Reads row `index` of an array of arrays of `count` numbers. */
+static void read_row(const Node *rows, size_t index, float *values, int count)
+{
+    Node row = node_element(rows, index);
+    node_require(&row);
+    node_numbers(&row, values, count, -FAR, FAR);
+}
+
+static void read_triangles(const Node *triangles, Shape *shape)
+{
+    for (uint32_t i = 0; i < shape->index_count / 3; i++) {
+        Node row = node_element(triangles, i);
+        node_require(&row);
+        if (node_length(&row, 3) != 3)
+            node_fail(&row, GP_ERROR_FORMAT, "expected three vertex numbers");
+        for (uint32_t k = 0; k < 3; k++) {
+            Node corner = node_element(&row, k);
+            shape->indices[3 * i + k] =
+                (uint32_t)node_integer(&corner, 0, 0, (long)shape->vertex_count - 1);
+        }
+    }
+}
+
+/* A mesh that stands in the scene file: positions and triangles, and normals, texcoords and colors
+ * of each vertex where they are given. */
+static void read_inline(Node node, Shape *shape)
+{
+    Node positions = node_member(&node, "positions"), triangles = node_member(&node, "triangles");
+    Node normals = node_member(&node, "normals"), texcoords = node_member(&node, "texcoords");
+    Node colors = node_member(&node, "colors");
+    node_require(&positions);
+    node_require(&triangles);
+    size_t vertices = node_length(&positions, MAX_INLINE);
+    size_t faces = node_length(&triangles, MAX_INLINE);
+    const Node *optional[] = { &normals, &texcoords, &colors };
+    for (size_t i = 0; i < GP_COUNT(optional); i++)
+        if (node_exists(optional[i]) && node_length(optional[i], MAX_INLINE) != vertices)
+            node_fail(optional[i], GP_ERROR_FORMAT, "expected one row for each position");
+    node_close(&node);
+    if (node.reader->result || vertices == 0 || faces == 0) {
+        node_fail(&node, GP_ERROR_FORMAT, "no vertices or no triangles");
+        return;
+    }
+    GpResult result = shape_alloc(shape, (uint32_t)vertices, (uint32_t)faces * 3);
+    if (result) {
+        node_fail(&node, result, "no memory");
+        return;
+    }
+    read_triangles(&triangles, shape);
+    for (size_t i = 0; i < vertices; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        read_row(&positions, i, vertex->position, 3);
+        if (node_exists(&normals))
+            read_row(&normals, i, vertex->normal, 3);
+        if (node_exists(&texcoords))
+            read_row(&texcoords, i, vertex->texcoord, 2);
+        if (node_exists(&colors))
+            read_row(&colors, i, vertex->color, 4);
+    }
+    if (!node_exists(&normals))
+        shape_compute_normals(shape);
+}
+
+static GpResult load_file(const char *name, bool points, Shape *shape, GpError *error)
+{
+    char path[1024];
+    GpResult result = gp_data_find(name, path, sizeof path, error);
+    if (result)
+        return result;
+    return points ? scene_load_points(path, shape, error) : scene_load_mesh(path, shape, error);
+}
+
+/* "mesh": a name, or the mesh itself; "points": a name. */
+static void read_shape(const Node *node, bool points, Shape *shape)
+{
+    if (!points && json_is_object(node->value)) {
+        read_inline(*node, shape);
+        return;
+    }
+    const char *name = node_string(node, NULL);
+    if (!name)
+        return;
+    GpError reason = { "" };
+    GpResult result;
+    if (strncmp(name, "builtin:", 8) != 0) {
+        result = load_file(name, points, shape, &reason);
+    } else {
+        result = points ? shape_create_points(name + 8, shape) : shape_create(name + 8, shape);
+        gp_fail(&reason, result, "no builtin %s '%.40s'", points ? "points" : "mesh", name + 8);
+    }
+    if (result)
+        scene_fail(node, result, &reason);
+}
+
+/* --- to the world ---------------------------------------------------------------------------- */
+
+static void bounds(const Shape *shape, double low[3], double high[3])
+{
+    for (int k = 0; k < 3; k++) {
+        low[k] = (double)INFINITY;
+        high[k] = -(double)INFINITY;
+        for (uint32_t i = 0; i < shape->vertex_count; i++) {
+            double x = (double)shape->vertices[i].position[k];
+            low[k] = x < low[k] ? x : low[k];
+            high[k] = x > high[k] ? x : high[k];
+        }
+    }
+}
+
+/* "fit" [x, y, z, size]: the centre of the box goes to x and z, its floor to y, its longest side to
+ * size. */
+static void read_fit(const Node *node, const Shape *shape, double m[4][4])
+{
+    double fit[4] = { 0 }, low[3], high[3], longest = 0;
+    node_doubles(node, fit, 4, -FAR, FAR);
+    if (!(fit[3] > 0))
+        node_fail(node, GP_ERROR_FORMAT, "expected x, y, z and a size above 0");
+    bounds(shape, low, high);
+    for (int i = 0; i < 3; i++)
+        longest = high[i] - low[i] > longest ? high[i] - low[i] : longest;
+    double s = longest > 0 ? fit[3] / longest : 1;
+    matrix_identity(m);
+    for (int i = 0; i < 3; i++) {
+        m[i][i] = s;
+        m[i][3] = fit[i] - s * (i == 1 ? low[i] : 0.5 * (low[i] + high[i]));
+    }
+}
+
+/* "transform": scale, then rotate [axis x, y, z, degrees], then translate; all before "fit". */
+static void read_transform(Node node, double m[4][4])
+{
+    Node scale_node = node_member(&node, "scale"), rotate = node_member(&node, "rotate");
+    Node translate = node_member(&node, "translate");
+    double scale[3] = { 1, 1, 1 }, turn[4] = { 0, 1, 0, 0 }, move[3] = { 0 };
+    if (json_is_number(scale_node.value))
+        scale[0] = scale[1] = scale[2] = node_double(&scale_node, 1, -FAR, FAR);
+    else
+        node_doubles(&scale_node, scale, 3, -FAR, FAR);
+    node_doubles(&rotate, turn, 4, -FAR, FAR);
+    node_doubles(&translate, move, 3, -FAR, FAR);
+    if (vector_dot(turn, turn) == 0.0)
+        node_fail(&rotate, GP_ERROR_FORMAT, "expected an axis with some length, and degrees");
+    if (scale[0] == 0.0 || scale[1] == 0.0 || scale[2] == 0.0)
+        node_fail(&scale_node, GP_ERROR_FORMAT, "expected numbers other than 0");
+
+    matrix_rotation(turn, turn[3], m);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++)
+            m[i][j] *= scale[j];
+        m[i][3] = move[i];
+    }
+    node_close(&node);
+}
+
+/* Positions by m, normals by its inverse transpose. A mirror image's triangles are turned round, so
+ * that they keep their outside. */
+static void transform_shape(Shape *shape, double m[4][4])
+{
+    double normals[3][3];
+    matrix_normals(m, normals);
+    bool mirrored = vector_dot(m[0], normals[0]) < 0.0;
+    for (uint32_t i = 0; i < shape->vertex_count; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        double p[3], n[3], world[3], normal[3];
+        for (int k = 0; k < 3; k++) {
+            p[k] = (double)vertex->position[k];
+            n[k] = (double)vertex->normal[k];
+        }
+        for (int k = 0; k < 3; k++) {
+            world[k] = vector_dot(m[k], p) + m[k][3];
+            normal[k] = vector_dot(normals[k], n) * (mirrored ? -1.0 : 1.0);
+        }
+        vector_normalize(normal);
+        for (int k = 0; k < 3; k++) {
+            vertex->position[k] = (float)world[k];
+            vertex->normal[k] = (float)normal[k];
+        }
+    }
+    for (uint32_t i = 0; mirrored && i < shape->index_count; i += 3) {
+        uint32_t swap = shape->indices[i + 1];
+        shape->indices[i + 1] = shape->indices[i + 2];
+        shape->indices[i + 2] = swap;
+    }
+}
+
+/* --- vertices -------------------------------------------------------------------------------- */
+
+/* "color": one colour for all vertices, or "position": the place in the box as red, green, blue. */
+static void read_color(const Node *node, Shape *shape)
+{
+    static const char *const sources[] = { "position", "normal" };
+    float color[4] = { 1, 1, 1, 1 };
+    double low[3], high[3];
+    if (!node_exists(node))
+        return;
+    int source = json_is_string(node->value) ? node_name(node, 0, sources, 2) : -1;
+    if (source < 0)
+        node_numbers(node, color, 4, 0, 1);
+    bounds(shape, low, high);
+    for (uint32_t i = 0; i < shape->vertex_count; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        for (int k = 0; k < 3; k++) {
+            double size = high[k] > low[k] ? high[k] - low[k] : 1;
+            if (source == 0)
+                color[k] = (float)(((double)vertex->position[k] - low[k]) / size);
+            else if (source == 1)
+                color[k] = 0.5f + 0.5f * vertex->normal[k];
+        }
+        memcpy(vertex->color, color, sizeof color);
+    }
+}
+
+/* "tile" [u, v]: texture coordinates times these. "size": the diameter of points. */
+static void read_tile_and_size(const Node *tile_node, const Node *size_node, Shape *shape)
+{
+    float tile[2] = { 1, 1 };
+    node_numbers(tile_node, tile, 2, -1000, 1000);
+    float size = node_number(size_node, 0, 0, FAR);
+    for (uint32_t i = 0; i < shape->vertex_count; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        vertex->texcoord[0] *= tile[0];
+        vertex->texcoord[1] *= tile[1];
+        if (node_exists(size_node))
+            vertex->size = size;
+    }
+}
+
+static void bind_streams(const Shape *shape, GpGeometry *geometry)
+{
+    const ShapeVertex *first = shape->vertices;
+    const uint32_t stride = sizeof *first;
+    geometry->primitive = shape->indices ? GP_TRIANGLES : GP_POINTS;
+    geometry->vertex_count = shape->vertex_count;
+    geometry->indices = shape->indices;
+    geometry->index_count = shape->index_count;
+    geometry->streams[GP_POSITION] =
+        (GpStream){ first->position, stride, .components = 3, .type = GP_FLOAT32 };
+    geometry->streams[GP_NORMAL] =
+        (GpStream){ first->normal, stride, .components = 3, .type = GP_FLOAT32 };
+    geometry->streams[GP_TEXCOORD0] =
+        (GpStream){ first->texcoord, stride, .components = 2, .type = GP_FLOAT32 };
+    geometry->streams[GP_COLOR] =
+        (GpStream){ first->color, stride, .components = 4, .type = GP_FLOAT32 };
+    geometry->streams[GP_POINT_SIZE] =
+        (GpStream){ &first->size, stride, .components = 1, .type = GP_FLOAT32 };
+}
+
+/* --- objects --------------------------------------------------------------------------------- */
+
+/* Hands the arrays over to the scene; an empty shape where that failed. */
+static void keep_shape(Loader *loader, const Node *node, Shape *shape)
+{
+    bool vertices = scene_own_memory(loader, shape->vertices);
+    bool indices = !shape->indices || scene_own_memory(loader, shape->indices);
+    if (!vertices || !indices)
+        *shape = (Shape){ 0 };
+    if (!shape->vertex_count)
+        node_fail(node, GP_ERROR_FORMAT, "no vertices");
+}
+
+/* Reads "mesh" or "points" and all that changes their vertices. */
+static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
+{
+    Node mesh = node_member(node, "mesh"), points = node_member(node, "points");
+    Node fit = node_member(node, "fit"), transform = node_member(node, "transform");
+    Node color = node_member(node, "color"), tile = node_member(node, "tile");
+    Node size = node_member(node, "size");
+    Shape shape = { 0 };
+    double m[4][4];
+    if (node_exists(&mesh) == node_exists(&points))
+        node_fail(node, GP_ERROR_FORMAT, "expected a mesh or points");
+    read_shape(node_exists(&mesh) ? &mesh : &points, node_exists(&points), &shape);
+    if (loader->reader.result) {
+        shape_free(&shape);
+        return;
+    }
+    keep_shape(loader, node, &shape);
+    if (node_exists(&transform)) {
+        read_transform(transform, m);
+        transform_shape(&shape, m);
+    }
+    if (node_exists(&fit)) {
+        read_fit(&fit, &shape, m);
+        transform_shape(&shape, m);
+    }
+    read_color(&color, &shape);
+    read_tile_and_size(&tile, &size, &shape);
+    bind_streams(&shape, geometry);
+}
+
+void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
+{
+    Node name = node_member(&node, "name"), viewport = node_member(&node, "viewport");
+    draw->name = scene_copy(loader, node_string(&name, ""));
+    SceneView own = *view; /* an object's viewport does not change the pass's matrix */
+    scene_read_viewport(viewport, &own.viewport);
+    draw->viewport = own.viewport;
+    if (view->has_depth)
+        draw->state.depth = (GpDepthState){ .test = GP_LESS_EQUAL, .write = true };
+    read_geometry(loader, &node, &draw->geometry);
+    scene_read_state(node_member(&node, "state"), view, &draw->state);
+    if (!loader->reader.result)
+        scene_read_material(loader, node_member(&node, "material"), &own,
+                            draw->geometry.primitive == GP_POINTS ? "sprite" : "phong", draw);
+    node_close(&node);
+}
+
+void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
+{
+    Shape shape = { 0 };
+    draw->name = "quad";
+    draw->viewport = view->viewport;
+    GpResult result = shape_create("quad", &shape);
+    if (result) {
+        node_fail(&node, result, "no memory");
+        return;
+    }
+    keep_shape(loader, &node, &shape);
+    bind_streams(&shape, &draw->geometry);
+    scene_read_state(node_member(&node, "state"), view, &draw->state);
+    scene_read_material(loader, node_member(&node, "material"), view, "blit", draw);
+    node_close(&node);
+}

@@ -1,0 +1,168 @@
+/* Passes from JSON: targets, and the draws into them. */
+#include "apps/scene/loader.h"
+
+#include <string.h>
+
+/* Bytes that all surfaces of a scene's passes may have together. */
+static const uint64_t max_texels = (uint64_t)1 << 30;
+
+static GpFormat read_format(const Node *node, GpFormat fallback)
+{
+    const char *name = node_string(node, NULL);
+    GpFormat format = name ? gp_format_from_name(name) : fallback;
+    if (format == GP_FORMAT_NONE)
+        node_fail(node, GP_ERROR_FORMAT, "no such format");
+    return format == GP_FORMAT_NONE ? fallback : format;
+}
+
+/* "use": a target of an earlier pass, kept unless it is cleared; otherwise a new surface. */
+static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view, GpFormat format,
+                               bool *is_new)
+{
+    Node use = node_member(node, "use"), format_node = node_member(node, "format");
+    *is_new = !node_exists(&use);
+    if (!*is_new) {
+        const char *name = node_string(&use, NULL);
+        return name ? scene_target(loader, &use, name) : NULL;
+    }
+    GpSurfaceDesc desc = { .format = read_format(&format_node, format),
+                           .width = view->width,
+                           .height = view->height };
+    GpSurface *surface = NULL;
+    GpError reason = { "" };
+    loader->texels += (uint64_t)desc.width * desc.height * gp_format_info(desc.format)->bytes;
+    if (loader->texels > max_texels)
+        node_fail(node, GP_ERROR_FORMAT, "the targets take over %d MB", (int)(max_texels >> 20));
+    if (loader->reader.result)
+        return NULL;
+    GpResult result = gp_surface_create(&desc, &surface, &reason);
+    if (result)
+        scene_fail(node, result, &reason);
+    else
+        scene_own(loader, surface);
+    return surface;
+}
+
+/* "clear": a colour, or false. What is not said: the background for new surfaces. */
+static void read_color_target(Loader *loader, Node node, const SceneView *view,
+                              GpColorTarget *target)
+{
+    Node clear = node_member(&node, "clear");
+    target->surface = read_surface(loader, &node, view, GP_A8R8G8B8, &target->clear);
+    memcpy(target->clear_color, view->background, sizeof view->background);
+    if (node_exists(&clear)) {
+        target->clear = !node_is_false(&clear);
+        if (target->clear)
+            node_numbers(&clear, target->clear_color, 4, -65504, 65504);
+    }
+    if (target->surface && !gp_format_info(target->surface->format)->is_target)
+        node_fail(&node, GP_ERROR_FORMAT, "%s is no format for a colour target",
+                  gp_format_info(target->surface->format)->name);
+    node_close(&node);
+}
+
+/* "depth": false, or an object with "clear": a depth or false, "stencil": a value or false. */
+static void read_depth_target(Loader *loader, Node node, const SceneView *view,
+                              GpDepthTarget *target)
+{
+    if (node_is_false(&node))
+        return;
+    Node clear = node_member(&node, "clear"), stencil = node_member(&node, "stencil");
+    bool is_new;
+    target->surface = read_surface(loader, &node, view, GP_D24S8, &is_new);
+    target->clear_depth = node_exists(&clear) ? !node_is_false(&clear) : is_new;
+    target->clear_stencil = node_exists(&stencil) ? !node_is_false(&stencil) : is_new;
+    target->depth_value = 1;
+    if (target->clear_depth)
+        target->depth_value = node_number(&clear, 1, 0, 1);
+    if (target->clear_stencil)
+        target->stencil_value = (uint8_t)node_integer(&stencil, 0, 0, 255);
+    if (target->surface) {
+        const GpFormatInfo *info = gp_format_info(target->surface->format);
+        target->clear_stencil = target->clear_stencil && info->has_stencil;
+        if (!info->is_depth)
+            node_fail(&node, GP_ERROR_FORMAT, "%s is no format for depth", info->name);
+    }
+    if (node_exists(&node))
+        node_close(&node);
+}
+
+static void read_targets(Loader *loader, Node *node, const SceneView *view, GpPass *pass)
+{
+    Node targets = node_member(node, "targets");
+    if (node_exists(&targets)) {
+        size_t count = node_length(&targets, GP_MAX_TARGETS);
+        for (size_t i = 0; i < count; i++)
+            read_color_target(loader, node_element(&targets, i), view, &pass->color[i]);
+    } else {
+        read_color_target(loader, targets, view, &pass->color[0]);
+    }
+    read_depth_target(loader, node_member(node, "depth"), view, &pass->depth);
+}
+
+static void read_draws(Loader *loader, Node *node, const SceneView *view, GpPass *pass)
+{
+    Node objects = node_member(node, "objects"), quad = node_member(node, "quad");
+    size_t count = node_length(&objects, SCENE_MAX_OBJECTS);
+    GpDraw *draws = scene_alloc(loader, count + 1, sizeof *draws);
+    if (!draws)
+        return;
+    pass->draws = draws;
+    for (size_t i = 0; i < count && !loader->reader.result; i++)
+        scene_read_object(loader, node_element(&objects, i), view, &draws[i]);
+    if (node_exists(&quad))
+        scene_read_quad(loader, quad, view, &draws[count++]);
+    pass->draw_count = (uint32_t)count;
+}
+
+const char *scene_copy(Loader *loader, const char *text)
+{
+    size_t size = strlen(text) + 1;
+    char *copy = scene_alloc(loader, size, 1);
+    return copy ? memcpy(copy, text, size) : "";
+}
+
+void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, GpPass *pass)
+{
+    SceneView own = *view;
+    scene_read_viewport(node_member(node, "viewport"), &own.viewport);
+    double width = (double)own.viewport.width, height = (double)own.viewport.height;
+    double aspect = width > 0 ? width / height : (double)own.width / own.height;
+    camera_matrix(&own.camera, aspect, own.world_to_clip);
+    if (!pass->name)
+        pass->name = "main";
+    read_targets(loader, node, &own, pass);
+    own.has_depth = pass->depth.surface != NULL;
+    if (!loader->reader.result)
+        read_draws(loader, node, &own, pass);
+}
+
+void scene_read_size(const Node *node, SceneView *view)
+{
+    if (!node_exists(node))
+        return;
+    if (node_length(node, 2) != 2) {
+        node_fail(node, GP_ERROR_FORMAT, "expected a width and a height");
+        return;
+    }
+    Node width = node_element(node, 0), height = node_element(node, 1);
+    view->width = (uint32_t)node_integer(&width, view->width, 1, GP_MAX_SIZE);
+    view->height = (uint32_t)node_integer(&height, view->height, 1, GP_MAX_SIZE);
+}
+
+void scene_read_pass(Loader *loader, Node node, GpPass *pass)
+{
+    SceneView view = loader->view;
+    Node name = node_member(&node, "name"), size_node = node_member(&node, "size");
+    node_require(&name);
+    pass->name = scene_copy(loader, node_string(&name, ""));
+    if (strchr(pass->name, '.') || !pass->name[0])
+        node_fail(&name, GP_ERROR_FORMAT, "expected a name without dots");
+    for (uint32_t i = 0; i < loader->scene->list.pass_count; i++)
+        if (strcmp(loader->scene->list.passes[i].name, pass->name) == 0)
+            node_fail(&name, GP_ERROR_FORMAT, "another pass has this name");
+    scene_read_size(&size_node, &view);
+    scene_read_camera(node_member(&node, "camera"), &view.camera);
+    scene_read_pass_body(loader, &node, &view, pass);
+    node_close(&node);
+}

@@ -1,0 +1,59 @@
+/* Scenes: a JSON description turned into surfaces, geometry and a list of passes. */
+#ifndef APPS_SCENE_SCENE_H
+#define APPS_SCENE_SCENE_H
+
+#include "apps/base/camera.h"
+#include "pipeline/glasspipe.h"
+
+enum { SCENE_MAX_LIGHTS = 8 };
+
+typedef struct SceneOptions {
+    uint32_t width, height; /* 0: the scene's own size */
+} SceneOptions;
+
+/* What a light's shadow map shall see and be; zero where the scene leaves it to the technique. */
+typedef struct SceneShadow {
+    bool wanted;
+    double up[3];
+    double fovy;      /* degrees; 0: the cone's, or all six sides of the light */
+    double height;    /* of a direction's wall of rays, world units; 0: as the scene needs */
+    double near, far; /* far 0: both as the scene needs */
+    uint32_t map;     /* texels a side */
+    GpFormat format;
+} SceneShadow;
+
+typedef struct SceneLight {
+    double position[3]; /* world; for a direction: the direction towards the light, unit length */
+    bool directional;
+    bool aims;    /* looks at `at`; else it shines to all sides */
+    double at[3]; /* world */
+    double cone;  /* degrees from the middle of its cone to the edge; 0: no edge */
+    double size;  /* side of the square that shines, across its aim; 0: a point */
+    float color[3];
+    float range; /* world units; 0: no end. Only programs that have many lights look at it */
+    SceneShadow shadow;
+} SceneLight;
+
+/* Everything that a scene's list points to. Owned by the caller until scene_free. */
+typedef struct Scene {
+    GpList list;
+    GpSurface *picture; /* the colour target that `render` writes */
+    GpSurface *depth;   /* its depth target, or NULL */
+    Camera camera;
+    SceneLight lights[SCENE_MAX_LIGHTS];
+    uint32_t light_count;
+    float ambient[3], background[4];
+    struct SceneStore *store; /* meshes, textures, uniforms, draws: private */
+} Scene;
+
+/* Reads a scene file and everything it names.
+ * errors GP_ERROR_IO (file); GP_ERROR_FORMAT (JSON, unknown keys, wrong types, numbers out of
+ *        range, missing meshes and pictures) with the JSON path and the line, such as
+ *        "x.json:12: objects[1].material.shininess: expected a number in [0, 10000]";
+ *        GP_ERROR_MEMORY */
+GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene, GpError *error);
+
+/* Frees everything and zeroes the struct; a zeroed scene is fine. */
+void scene_free(Scene *scene);
+
+#endif

@@ -1,0 +1,245 @@
+/* Fixed-function state, cameras and viewports from JSON. The names are those of the tables in
+ * pipeline/resources/state.c. */
+#include "apps/scene/loader.h"
+
+#include <string.h>
+
+enum { FAR = 1000000 }; /* no coordinate of a scene lies beyond */
+
+static void read_compare(Node *object, const char *key, GpCompare *compare)
+{
+    Node node = node_member(object, key);
+    *compare = (GpCompare)node_name(&node, (int)*compare, gp_compare_names, GP_COMPARES);
+}
+
+static void read_byte(Node *object, const char *key, uint8_t *byte)
+{
+    Node node = node_member(object, key);
+    *byte = (uint8_t)node_integer(&node, *byte, 0, 255);
+}
+
+static void read_depth(Node node, GpDepthState *depth)
+{
+    if (!node_exists(&node))
+        return;
+    read_compare(&node, "test", &depth->test);
+    Node write = node_member(&node, "write");
+    depth->write = node_bool(&write, depth->write);
+    node_close(&node);
+}
+
+static void read_stencil_op(Node *object, const char *key, GpStencilOp *op)
+{
+    Node node = node_member(object, key);
+    *op = (GpStencilOp)node_name(&node, (int)*op, gp_stencil_op_names, GP_STENCIL_OPS);
+}
+
+static void read_stencil_face(Node *object, GpStencilFace *face)
+{
+    read_compare(object, "test", &face->test);
+    read_stencil_op(object, "fail", &face->fail);
+    read_stencil_op(object, "depth_fail", &face->depth_fail);
+    read_stencil_op(object, "pass", &face->pass);
+}
+
+/* The members of the object itself serve all triangles, or the clockwise ones where there is a
+ * "back". */
+static void read_stencil(Node node, GpStencilState *stencil)
+{
+    if (!node_exists(&node))
+        return;
+    stencil->enable = true;
+    read_stencil_face(&node, &stencil->front);
+    Node back = node_member(&node, "back");
+    if (node_exists(&back)) {
+        stencil->two_sided = true;
+        read_stencil_face(&back, &stencil->back);
+        node_close(&back);
+    }
+    read_byte(&node, "reference", &stencil->reference);
+    read_byte(&node, "ignore", &stencil->ignore);
+    read_byte(&node, "keep", &stencil->keep);
+    node_close(&node);
+}
+
+static void read_alpha_test(Node node, GpAlphaTest *test)
+{
+    if (!node_exists(&node))
+        return;
+    read_compare(&node, "test", &test->test);
+    read_byte(&node, "reference", &test->reference);
+    node_close(&node);
+}
+
+static void read_blend_op(Node *object, const char *key, GpBlendOp *op)
+{
+    Node node = node_member(object, key);
+    *op = (GpBlendOp)node_name(&node, (int)*op, gp_blend_op_names, GP_BLEND_OPS);
+}
+
+static void read_factor(Node *object, const char *key, GpBlendFactor *factor)
+{
+    Node node = node_member(object, key);
+    *factor =
+        (GpBlendFactor)node_name(&node, (int)*factor, gp_blend_factor_names, GP_BLEND_FACTORS);
+}
+
+/* "keep": the letters of the channels that are not written, such as "a" or "rgba". */
+static void read_keep(Node node, uint8_t *keep)
+{
+    static const char channels[] = "rgba";
+    const char *letters = node_string(&node, "");
+    for (const char *at = letters; *at; at++) {
+        const char *channel = strchr(channels, *at);
+        if (channel)
+            *keep |= (uint8_t)(1 << (channel - channels));
+        else
+            node_fail(&node, GP_ERROR_FORMAT, "expected letters out of rgba");
+    }
+}
+
+static void read_blend(Node *node, GpBlend *blend)
+{
+    read_blend_op(node, "op", &blend->op);
+    read_factor(node, "src", &blend->src);
+    read_factor(node, "dst", &blend->dst);
+    read_blend_op(node, "alpha_op", &blend->alpha_op);
+    read_factor(node, "alpha_src", &blend->alpha_src);
+    read_factor(node, "alpha_dst", &blend->alpha_dst);
+    read_keep(node_member(node, "keep"), &blend->keep);
+    node_close(node);
+}
+
+/* One object for all targets, or an array of one a target. */
+static void read_blends(Node node, GpBlend blend[GP_MAX_TARGETS])
+{
+    if (!node_exists(&node))
+        return;
+    if (!json_is_array(node.value)) {
+        read_blend(&node, &blend[0]);
+        for (int i = 1; i < GP_MAX_TARGETS; i++)
+            blend[i] = blend[0];
+        return;
+    }
+    size_t count = node_length(&node, GP_MAX_TARGETS);
+    for (size_t i = 0; i < count; i++) {
+        Node element = node_element(&node, i);
+        read_blend(&element, &blend[i]);
+    }
+}
+
+static void read_scissor(Node node, GpRasterState *raster)
+{
+    double box[4] = { 0 };
+    if (!node_exists(&node))
+        return;
+    node_doubles(&node, box, 4, 0, GP_MAX_SIZE);
+    for (int i = 0; i < 4; i++)
+        if (box[i] != (double)(int32_t)box[i])
+            node_fail(&node, GP_ERROR_FORMAT, "expected whole numbers x0, y0, x1, y1");
+    raster->scissor = true;
+    raster->scissor_x0 = (int32_t)box[0];
+    raster->scissor_y0 = (int32_t)box[1];
+    raster->scissor_x1 = (int32_t)box[2];
+    raster->scissor_y1 = (int32_t)box[3];
+}
+
+/* A world-space plane p with p . (x, y, z, 1) >= 0 on the side that stays is, in clip space, p
+ * times the inverse of the matrix that takes the world there. */
+static void read_clip_plane(const Node *node, const SceneView *view, float plane[4])
+{
+    double world[4] = { 0 }, matrix[4][4], inverse[4][4];
+    node_require(node);
+    node_doubles(node, world, 4, -FAR, FAR);
+    for (int i = 0; i < 16; i++)
+        matrix[i / 4][i % 4] = (double)view->world_to_clip[i / 4][i % 4];
+    matrix_identity(inverse);
+    matrix_inverse(matrix, inverse);
+    for (int j = 0; j < 4; j++)
+        plane[j] = (float)(world[0] * inverse[0][j] + world[1] * inverse[1][j] +
+                           world[2] * inverse[2][j] + world[3] * inverse[3][j]);
+}
+
+void scene_read_state(Node node, const SceneView *view, GpState *state)
+{
+    if (!node_exists(&node))
+        return;
+    GpRasterState *raster = &state->raster;
+    Node cull = node_member(&node, "cull");
+    raster->cull = (GpCull)node_name(&cull, (int)raster->cull, gp_cull_names, GP_CULLS);
+    read_scissor(node_member(&node, "scissor"), raster);
+    Node bias = node_member(&node, "depth_bias"), slope = node_member(&node, "slope_depth_bias");
+    raster->depth_bias = node_number(&bias, raster->depth_bias, -1, 1);
+    raster->slope_depth_bias = node_number(&slope, raster->slope_depth_bias, -1000, 1000);
+
+    Node planes = node_member(&node, "clip_planes");
+    size_t count = node_length(&planes, GP_MAX_CLIP_PLANES);
+    for (size_t i = 0; i < count; i++) {
+        Node plane = node_element(&planes, i);
+        read_clip_plane(&plane, view, raster->clip_plane[i]);
+        raster->clip_planes |= (uint8_t)(1u << i);
+    }
+    read_depth(node_member(&node, "depth"), &state->depth);
+    read_stencil(node_member(&node, "stencil"), &state->stencil);
+    read_alpha_test(node_member(&node, "alpha_test"), &state->alpha_test);
+    read_blends(node_member(&node, "blend"), state->blend);
+    Node constant = node_member(&node, "blend_constant");
+    node_numbers(&constant, state->blend_constant, 4, 0, 1);
+    node_close(&node);
+}
+
+void scene_read_viewport(Node node, GpViewport *viewport)
+{
+    if (!node_exists(&node))
+        return;
+    float box[4] = { viewport->x, viewport->y, viewport->width, viewport->height };
+    float depth[2] = { 0, 1 };
+    Node rectangle = node_member(&node, "box"), range = node_member(&node, "depth");
+    Node centers = node_member(&node, "d3d9_centers");
+    node_numbers(&rectangle, box, 4, -GP_MAX_SIZE, GP_MAX_SIZE);
+    if (node_exists(&rectangle) && !(box[2] > 0 && box[3] > 0))
+        node_fail(&rectangle, GP_ERROR_FORMAT, "expected x, y, and a width and height above 0");
+    node_numbers(&range, depth, 2, 0, 1);
+    if (depth[1] <= depth[0])
+        node_fail(&range, GP_ERROR_FORMAT, "expected the smaller depth first");
+    *viewport = (GpViewport){ .x = box[0],
+                              .y = box[1],
+                              .width = box[2],
+                              .height = box[3],
+                              .min_depth = depth[0],
+                              .max_depth = depth[1],
+                              .d3d9_centers = node_bool(&centers, viewport->d3d9_centers) };
+    node_close(&node);
+}
+
+void scene_read_camera(Node node, Camera *camera)
+{
+    if (!node_exists(&node))
+        return;
+    Node eye = node_member(&node, "eye"), at = node_member(&node, "at");
+    Node up = node_member(&node, "up"), fovy = node_member(&node, "fovy");
+    Node height = node_member(&node, "height");
+    Node near = node_member(&node, "near"), far = node_member(&node, "far");
+    node_doubles(&eye, camera->eye, 3, -FAR, FAR);
+    node_doubles(&at, camera->at, 3, -FAR, FAR);
+    node_doubles(&up, camera->up, 3, -FAR, FAR);
+    camera->fovy = node_double(&fovy, camera->fovy, 0.1, 170);
+    if (node_exists(&height)) {
+        if (node_exists(&fovy))
+            node_fail(&height, GP_ERROR_FORMAT, "a camera has fovy or height, not both");
+        camera->fovy = 0;
+        camera->height = node_double(&height, 1, 0.000001, FAR);
+    }
+    camera->near = node_double(&near, camera->near, 0.000001, FAR);
+    camera->far = node_double(&far, camera->far, 0.000001, FAR);
+    if (camera->far <= camera->near)
+        node_fail(node_exists(&far) ? &far : &near, GP_ERROR_FORMAT, "far is not beyond near");
+
+    double forward[3], square[3];
+    for (int i = 0; i < 3; i++)
+        forward[i] = camera->at[i] - camera->eye[i];
+    vector_cross(forward, camera->up, square);
+    if (vector_dot(square, square) == 0.0)
+        node_fail(&node, GP_ERROR_FORMAT, "eye, at and up give no direction");
+    node_close(&node);
+}

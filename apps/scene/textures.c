@@ -1,0 +1,106 @@
+/* Textures from JSON: procedural pictures, files, and targets of earlier passes. */
+#include "apps/scene/patterns.h"
+#include "apps/scene/loader.h"
+
+#include "pipeline/io/file.h"
+
+#include <string.h>
+
+/* --- pictures -------------------------------------------------------------------------------- */
+
+static GpResult load_file(const char *name, bool srgb, bool mips, GpSurface **surface,
+                          GpError *error)
+{
+    char path[1024];
+    GpResult result = gp_data_find(name, path, sizeof path, error);
+    return result ? result : scene_load_image(path, srgb, mips, surface, error);
+}
+
+/* A picture that the scene has already, or a new one. */
+static const GpSurface *find_image(Loader *loader, const Node *node, const char *name, bool srgb,
+                                   bool mips)
+{
+    for (uint32_t i = 0; i < loader->image_count; i++) {
+        const SceneImage *image = &loader->images[i];
+        if (strcmp(image->name, name) == 0 && image->srgb == srgb && image->mips == mips)
+            return image->surface;
+    }
+    if (loader->image_count == GP_COUNT(loader->images)) {
+        node_fail(node, GP_ERROR_FORMAT, "more than %zu pictures", GP_COUNT(loader->images));
+        return NULL;
+    }
+    GpSurface *surface = NULL;
+    GpError reason = { "" };
+    GpResult result = strncmp(name, "builtin:", 8) == 0
+                          ? pattern_create(name + 8, srgb, mips, &surface, &reason)
+                          : load_file(name, srgb, mips, &surface, &reason);
+    if (result) {
+        scene_fail(node, result, &reason);
+        return NULL;
+    }
+    loader->images[loader->image_count++] = (SceneImage){ name, surface, srgb, mips };
+    scene_own(loader, surface);
+    return surface;
+}
+
+/* --- samplers -------------------------------------------------------------------------------- */
+
+static void read_filter(Node *object, const char *key, GpFilter *filter)
+{
+    Node node = node_member(object, key);
+    *filter = (GpFilter)node_name(&node, (int)*filter, gp_filter_names, GP_FILTERS);
+}
+
+/* "address": one name for both directions, or two. */
+static void read_address(const Node *node, GpSampler *sampler)
+{
+    Node u = *node, v = *node;
+    if (json_is_array(node->value) && node_length(node, 2) == 2) {
+        u = node_element(node, 0);
+        v = node_element(node, 1);
+    }
+    sampler->address_u =
+        (GpAddress)node_name(&u, (int)sampler->address_u, gp_address_names, GP_ADDRESSES);
+    sampler->address_v =
+        (GpAddress)node_name(&v, (int)sampler->address_v, gp_address_names, GP_ADDRESSES);
+}
+
+static void read_sampler(Node *object, GpSampler *sampler)
+{
+    read_filter(object, "min", &sampler->min);
+    read_filter(object, "mag", &sampler->mag);
+    Node mip = node_member(object, "mip"), address = node_member(object, "address");
+    Node border = node_member(object, "border"), bias = node_member(object, "lod_bias");
+    Node low = node_member(object, "min_lod"), high = node_member(object, "max_lod");
+    Node compare = node_member(object, "compare");
+    sampler->mip =
+        (GpMipFilter)node_name(&mip, (int)sampler->mip, gp_mip_filter_names, GP_MIP_FILTERS);
+    read_address(&address, sampler);
+    node_numbers(&border, sampler->border, 4, 0, 1);
+    sampler->lod_bias = node_number(&bias, 0, -16, 15);
+    sampler->min_lod = node_number(&low, 0, 0, GP_MAX_LEVELS);
+    sampler->max_lod = node_number(&high, 0, 0, GP_MAX_LEVELS);
+    sampler->compare = node_bool(&compare, false);
+}
+
+void scene_read_texture(Loader *loader, Node node, GpTexture *texture)
+{
+    Node image = node_member(&node, "image"), srgb_node = node_member(&node, "srgb");
+    node_require(&image);
+    const char *name = node_string(&image, "");
+    bool is_target = strncmp(name, "pass:", 5) == 0;
+    bool srgb = node_bool(&srgb_node, false);
+    GpSampler *sampler = &texture->sampler;
+    sampler->min = sampler->mag = GP_LINEAR;
+    sampler->mip = is_target ? GP_MIP_NONE : GP_MIP_LINEAR;
+    sampler->address_u = sampler->address_v = is_target ? GP_CLAMP : GP_WRAP;
+    read_sampler(&node, sampler);
+    node_close(&node);
+    if (loader->reader.result)
+        return;
+    if (is_target && srgb)
+        node_fail(&srgb_node, GP_ERROR_FORMAT, "targets of passes are linear");
+    texture->surface = is_target
+                           ? scene_target(loader, &image, name)
+                           : find_image(loader, &image, name, srgb, sampler->mip != GP_MIP_NONE);
+}

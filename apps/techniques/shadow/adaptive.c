@@ -1,0 +1,202 @@
+/* Adaptive shadow maps: Fernando, Fernandez, Bala and Greenberg, SIGGRAPH 2001.
+ *
+ * DEVIATES: theirs is a quadtree that grows from frame to frame; here there are two levels, the map
+ * and tiles of it, all chosen anew for each frame. A frame of ours is a list that is built once: a
+ * level more would be a read-back more, and a page table that is read once for each level.
+ *
+ * What asks is drawn; what the processor does is what it does in the paper: it reads which tiles were
+ * asked for and gives them places. */
+#include "apps/scene/bounds.h"
+#include "apps/techniques/shadow/parts.h"
+
+#include <math.h>
+
+enum {
+    TILES = SHADOW_TILES,
+    FACTOR = 4,        /* texels of a tile to one of the map, a side */
+    REQUEST_SHARE = 2, /* of the picture's pixels one in so many, each way, asks */
+};
+
+static const float nothing[4] = { 0 };
+
+uint32_t shadow_tile_draws(uint32_t objects)
+{
+    return objects + 1 + SHADOW_MAX_TILES * objects;
+}
+
+/* --- asking ----------------------------------------------------------------------------------- */
+
+static GpSurface *draw_request(const ShadowBuild *build, const ShadowLamp *lamp)
+{
+    Work *work = build->work;
+    const GpPass *scene = &build->scene->list.passes[0];
+    uint32_t width = (build->scene->picture->width + REQUEST_SHARE - 1) / REQUEST_SHARE;
+    uint32_t height = (build->scene->picture->height + REQUEST_SHARE - 1) / REQUEST_SHARE;
+    GpSurface *request = work_surface(work, GP_R32F, width, height, 1);
+    ShadowTilesUniforms *uniforms = work_alloc(work, scene->draw_count, sizeof *uniforms);
+    work_pass(work, "request", request, work_surface(work, GP_D32F, width, height, 1), nothing);
+    for (uint32_t i = 0; i < scene->draw_count; i++) {
+        const GpDraw *object = &scene->draws[i];
+        shadow_set_uniforms(build, lamp, object, &uniforms[i]);
+        GpDraw *draw = work_draw(work, &shadow_request_program, &uniforms[i], &object->geometry);
+        draw->name = object->name;
+        draw->state.raster = object->state.raster;
+        draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
+        draw->textures[1] = (GpTexture){ lamp->map, shadow_map_sampler(build->setting) };
+    }
+    return request;
+}
+
+/* A point for each pixel of the request: vertices that read a texture, in place of a read-back of the
+ * whole picture. */
+static GpSurface *draw_marks(const ShadowBuild *build, const GpSurface *request)
+{
+    static const ShadowMarkUniforms uniforms = { TILES };
+    Work *work = build->work;
+    GpSurface *marks = work_surface(work, GP_A8R8G8B8, TILES, TILES, 1);
+    uint32_t count = request->width * request->height;
+    float(*pixel)[2] = work_alloc(work, count, sizeof *pixel);
+    for (uint32_t i = 0; i < count; i++) {
+        pixel[i][0] = ((float)(i % request->width) + 0.5f) / (float)request->width;
+        pixel[i][1] = ((float)(i / request->width) + 0.5f) / (float)request->height;
+    }
+    GpGeometry points = { .primitive = GP_POINTS, .vertex_count = count };
+    points.streams[GP_TEXCOORD0] = (GpStream){ .data = pixel, .components = 2 };
+    work_pass(work, "mark", marks, NULL, nothing);
+    GpDraw *draw = work_draw(work, &shadow_mark_program, &uniforms, &points);
+    draw->textures[0].surface = request;
+    return marks;
+}
+
+/* Runs the passes from `first` on. */
+static GpResult run(const Work *work, uint32_t first, GpError *error)
+{
+    GpDevice *device;
+    GpResult result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
+    if (result)
+        return result;
+    const GpList list = { work->list.passes + first, work->list.pass_count - first };
+    result = gp_device_run(device, &list, error);
+    gp_device_destroy(&device);
+    return result;
+}
+
+/* --- places ----------------------------------------------------------------------------------- */
+
+static uint32_t *texel(const GpSurface *surface, uint32_t tile)
+{
+    return (uint32_t *)(void *)gp_surface_texel(surface->level, 4, tile % TILES, tile / TILES);
+}
+
+/* Numbers of the marked tiles, row by row; those that the atlas has no room for stay as they are on
+ * the map. */
+static uint32_t find_marked(const GpSurface *marks, uint32_t room, uint32_t tiles[])
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < TILES * TILES && count < room; i++)
+        if (*texel(marks, i))
+            tiles[count++] = i;
+    return count;
+}
+
+static void fill_table(const uint32_t tiles[], uint32_t count, ShadowLamp *lamp)
+{
+    for (uint32_t i = 0; i < count; i++)
+        *texel(lamp->table, tiles[i]) =
+            0xff000000 | (i % lamp->columns) << 16 | (i / lamp->columns) << 8;
+}
+
+/* Tiles that are neighbours in the map and in the atlas, from tiles[0] on. */
+static uint32_t run_length(const ShadowLamp *lamp, const uint32_t tiles[], uint32_t slot,
+                           uint32_t count)
+{
+    uint32_t length = 1;
+    while (slot + length < count && (slot + length) % lamp->columns != 0 &&
+           tiles[slot + length] == tiles[slot] + length && tiles[slot + length] % TILES != 0)
+        length++;
+    return length;
+}
+
+/* The map's view of `length` tiles in a row. */
+static void crop(double from[4][4], uint32_t tile, uint32_t length, float to[4][4])
+{
+    double x = (2.0 * (tile % TILES) + length) / TILES - 1;
+    double y = 1 - (2.0 * (tile / TILES) + 1) / TILES;
+    for (int i = 0; i < 4; i++) {
+        to[0][i] = (float)((from[0][i] - x * from[3][i]) * TILES / length);
+        to[1][i] = (float)((from[1][i] - y * from[3][i]) * TILES);
+        to[2][i] = (float)from[2][i];
+        to[3][i] = (float)from[3][i];
+    }
+}
+
+/* False where all of a box is on the outer side of one of a view's four sides. */
+static bool may_see(float clip[4][4], const Box *box)
+{
+    int outside[4] = { 0 };
+    for (int corner = 0; corner < 8; corner++) {
+        double out[4];
+        for (int k = 0; k < 4; k++) {
+            out[k] = (double)clip[k][3];
+            for (int i = 0; i < 3; i++)
+                out[k] += (double)clip[k][i] * (corner >> i & 1 ? box->high[i] : box->low[i]);
+        }
+        for (int k = 0; k < 2; k++) {
+            outside[k] += out[k] > out[3];
+            outside[2 + k] += out[k] < -out[3];
+        }
+    }
+    for (int k = 0; k < 4; k++)
+        if (outside[k] == 8)
+            return false;
+    return true;
+}
+
+static void draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, const uint32_t tiles[],
+                       uint32_t count)
+{
+    const GpPass *scene = &build->scene->list.passes[0];
+    Box *boxes = work_alloc(build->work, scene->draw_count, sizeof *boxes);
+    float(*clip)[4][4] = work_alloc(build->work, count, sizeof *clip);
+    float size = (float)lamp->tile;
+    for (uint32_t i = 0; i < scene->draw_count; i++)
+        boxes[i] = draw_box(&scene->draws[i]);
+    for (uint32_t slot = 0, length; slot < count; slot += length) {
+        length = run_length(lamp, tiles, slot, count);
+        crop(lamp->view[0].clip, tiles[slot], length, clip[slot]);
+        const GpViewport viewport = { .x = (float)(slot % lamp->columns) * size,
+                                      .y = (float)(slot / lamp->columns) * size,
+                                      .width = (float)length * size,
+                                      .height = size };
+        for (uint32_t i = 0; i < scene->draw_count; i++)
+            if (may_see(clip[slot], &boxes[i]))
+                shadow_draw_caster(build, lamp, i, clip[slot], &viewport, true);
+    }
+}
+
+GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, GpError *error)
+{
+    Work *work = build->work;
+    uint32_t first = work->list.pass_count - 1;
+    const GpSurface *marks = draw_marks(build, draw_request(build, lamp));
+    GpResult result = run(work, first, error);
+    if (result)
+        return result;
+
+    uint32_t tiles[SHADOW_MAX_TILES];
+    lamp->tile = lamp->size * FACTOR < TILES ? 1 : lamp->size * FACTOR / TILES;
+    uint32_t side = GP_MAX_SIZE / lamp->tile, room = side * side;
+    uint32_t count = find_marked(marks, room < SHADOW_MAX_TILES ? room : SHADOW_MAX_TILES, tiles);
+    if (count == 0)
+        return GP_OK;
+    lamp->columns = (uint32_t)ceil(sqrt(count));
+    lamp->rows = (count + lamp->columns - 1) / lamp->columns;
+    lamp->table = work_surface(work, GP_A8R8G8B8, TILES, TILES, 1);
+    lamp->atlas = work_surface(work, shadow_map_format(build->setting, lamp->light),
+                               lamp->columns * lamp->tile, lamp->rows * lamp->tile, 1);
+    fill_table(tiles, count, lamp);
+    work_pass(work, "tiles", NULL, lamp->atlas, NULL)->depth.clear_stencil =
+        gp_format_info(lamp->atlas->format)->has_stencil;
+    draw_tiles(build, lamp, tiles, count);
+    return GP_OK;
+}

@@ -1,0 +1,131 @@
+#include "apps/techniques/shadow/light_view.h"
+#include "apps/techniques/shadow/light_fit.h"
+#include "apps/scene/bounds.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- the light's own view --------------------------------------------------------------------- */
+
+static Camera aim(const Scene *scene, const SceneLight *light, int side)
+{
+    static const double sides[6][2][3] = {
+        { { 1, 0, 0 }, { 0, 1, 0 } },  { { -1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 0 }, { 0, 0, -1 } },
+        { { 0, -1, 0 }, { 0, 0, 1 } }, { { 0, 0, 1 }, { 0, 1, 0 } },  { { 0, 0, -1 }, { 0, 1, 0 } },
+    };
+    const SceneShadow *shadow = &light->shadow;
+    Camera camera = { .fovy = shadow->fovy, .near = shadow->near, .far = shadow->far };
+    if (!light->directional && !light->aims) {
+        camera.fovy = 90;
+        for (int k = 0; k < 3; k++) {
+            camera.eye[k] = light->position[k];
+            camera.at[k] = light->position[k] + sides[side][0][k];
+            camera.up[k] = sides[side][1][k];
+        }
+        return camera;
+    }
+    memcpy(camera.up, shadow->up, sizeof camera.up);
+    memcpy(camera.at, light->at, sizeof camera.at);
+    memcpy(camera.eye, light->position, sizeof camera.eye);
+    if (!light->directional) {
+        camera.fovy = shadow->fovy > 0 ? shadow->fovy : light->cone > 0 ? 2 * light->cone : 90;
+        return camera;
+    }
+    /* A wall of rays over the ball around the scene's box. */
+    Box box = scene_box(scene);
+    double middle[3], size[3];
+    for (int k = 0; k < 3; k++) {
+        middle[k] = 0.5 * (box.low[k] + box.high[k]);
+        size[k] = box.high[k] - box.low[k];
+    }
+    double radius = 0.5 * sqrt(vector_dot(size, size)) * 1.001;
+    camera.fovy = 0;
+    camera.height = shadow->height > 0 ? shadow->height : 2 * radius;
+    for (int k = 0; k < 3; k++) {
+        camera.at[k] = light->aims ? light->at[k] : middle[k];
+        camera.eye[k] = camera.at[k] + 2 * radius * light->position[k];
+    }
+    return camera;
+}
+
+/* An up that is not along the view. */
+static void straighten(Camera *camera)
+{
+    double forward[3], right[3];
+    for (int k = 0; k < 3; k++)
+        forward[k] = camera->at[k] - camera->eye[k];
+    vector_cross(forward, camera->up, right);
+    if (vector_dot(right, right) >
+        1e-12 * vector_dot(forward, forward) * vector_dot(camera->up, camera->up))
+        return;
+    double x = fabs(forward[0]) < fabs(forward[1]);
+    memcpy(camera->up, (double[3]){ x, 1 - x, 0 }, sizeof camera->up);
+}
+
+/* Distances along the view of the vertices that are before the light. */
+static void find_depths(const Scene *scene, const SceneLight *light, double view[4][4],
+                        double *nearest, double *farthest)
+{
+    const GpPass *pass = &scene->list.passes[0];
+    *nearest = HUGE_VAL;
+    *farthest = 0;
+    for (uint32_t i = 0; i < pass->draw_count; i++) {
+        const GpDraw *draw = &pass->draws[i];
+        bool casts = !only_receives(scene, light, draw);
+        for (uint32_t j = 0; j < draw->geometry.vertex_count; j++) {
+            double position[3];
+            draw_position(draw, j, position);
+            double distance = -(vector_dot(view[2], position) + view[2][3]);
+            *farthest = fmax(*farthest, distance);
+            if (casts)
+                *nearest = fmin(*nearest, distance);
+        }
+    }
+}
+
+/* Depths of all six sides, where the scene has none: nothing is farther along a side than away. */
+static void find_reach(const Scene *scene, const SceneLight *light, Camera *camera)
+{
+    double farthest = 0;
+    if (camera->far > 0)
+        return;
+    for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
+        const GpDraw *draw = &scene->list.passes[0].draws[i];
+        for (uint32_t j = 0; j < draw->geometry.vertex_count; j++) {
+            double position[3];
+            draw_position(draw, j, position);
+            for (int k = 0; k < 3; k++)
+                farthest = fmax(farthest, fabs(position[k] - light->position[k]));
+        }
+    }
+    camera->far = farthest > 0 ? farthest * 1.001 : 1;
+    camera->near = camera->far * 1e-3;
+}
+
+LightView light_view(const Scene *scene, const SceneLight *light, int side, LightFit fit)
+{
+    static const double radians_per_degree = 3.14159265358979323846 / 180;
+    Camera camera = aim(scene, light, side);
+    straighten(&camera);
+    double to_eye[4][4], projection[4][4];
+    camera_view(&camera, to_eye);
+    bool six_sides = !light->directional && !light->aims;
+    if (six_sides) /* one depth range for all sides */
+        find_reach(scene, light, &camera);
+    else if (!(camera.far > 0) || fit != LIGHT_FIT_LIGHT) {
+        double nearest, farthest;
+        find_depths(scene, light, to_eye, &nearest, &farthest);
+        camera.far = farthest > 0 ? farthest * 1.001 : 1;
+        camera.near = fmin(fmax(nearest * 0.999, camera.far * 1e-3), camera.far * 0.999);
+    }
+    LightView view = { .parallel = light->directional, .near = camera.near, .far = camera.far };
+    view.width = view.parallel ? camera.height : 2 * tan(camera.fovy / 2 * radians_per_degree);
+    camera_projection(&camera, 1, projection);
+    matrix_multiply(projection, to_eye, view.clip);
+
+    if (!six_sides && fit != LIGHT_FIT_LIGHT)
+        light_fit_casters(scene, light, &view);
+    if (!six_sides && fit == LIGHT_FIT_EYE)
+        light_fit_eye(scene, light, &view);
+    return view;
+}

@@ -1,0 +1,238 @@
+#include "apps/techniques/shadow/technique.h"
+
+#include "apps/scene/bounds.h"
+#include "apps/techniques/shadow/shadow.h"
+#include "apps/truth/shadow_error.h"
+
+#include <stddef.h>
+#include <math.h>
+#include <string.h>
+
+/* --- settings --------------------------------------------------------------------------------- */
+
+static const char *const methods[] = { "plain", "hardware", NULL };
+static const char *const filters[] = { "nearest", "bilinear", "soft", NULL };
+static const char *const facings[] = { "smooth", "flat", NULL };
+static const char *const depths[] = { "auto", "d16", "d24", "d32f", "r32f", NULL };
+static const char *const casters[] = { "all", "near", "far", NULL };
+static const char *const fits[] = { "light", "casters", "eye", "adaptive", NULL };
+static const char *const outsides[] = { "lit", "printed", NULL };
+
+#define NAMED(field) SETTING_NAME, offsetof(ShadowSetting, field), 0, 0
+
+static const SettingField fields[] = {
+    { "method", "NAME",
+      "plain: depths as colours, compared in the shader; hardware: a depth surface "
+      "that compares when it is read (default)",
+      NAMED(method), methods },
+    { "filter", "NAME",
+      "nearest, bilinear (default): the share of 2x2 texels; soft: as wide as the "
+      "light makes its penumbra",
+      NAMED(filter), filters },
+    { "map", "N", "Texels a side of the map, 16 to 8192 (default: the light's, else 1024)",
+      SETTING_INTEGER, offsetof(ShadowSetting, map), 16, GP_MAX_SIZE, NULL },
+    { "depth", "FORMAT", "d16, d24 or d32f of the hardware method, r32f of the plain one",
+      NAMED(depth), depths },
+    { "bias", "E", "Taken from a pixel's depth before it is compared, 0 to 1 (default: chosen)",
+      SETTING_NUMBER, offsetof(ShadowSetting, bias), 0, 1, NULL },
+    { "slope", "S", "Added to the map's depth, times its change over a texel (default: chosen)",
+      SETTING_NUMBER, offsetof(ShadowSetting, slope), 0, 64, NULL },
+    { "normal-offset", "T", "Look surfaces up T texels above themselves (default: 0)",
+      SETTING_NUMBER, offsetof(ShadowSetting, offset), 0, 64, NULL },
+    { "casters", "SIDES", "all (default); near: turned to the light; far: turned away from it",
+      NAMED(casters), casters },
+    { "fit", "TO",
+      "What the map covers: light, all that it shines at; casters, the box of what can "
+      "cast a shadow (default); eye, the same, finer where the eye is near; adaptive, finer where "
+      "shadows end",
+      NAMED(fit), fits },
+    { "facing", "HOW",
+      "What faces away from the light is dark: smooth, by normals; flat, by "
+      "triangles (default)",
+      NAMED(facing), facings },
+    { "outside", "HOW",
+      "Beside the map and behind the light: lit (default), or printed, as the "
+      "thesis's arithmetic has it",
+      NAMED(outside), outsides },
+    { .name = NULL },
+};
+
+/* --- sweep ------------------------------------------------------------------------------------ */
+
+#define AS_PRINTED " --fit light --facing smooth --outside printed"
+
+static const TechniqueSweep sweep[] = {
+    { "plain, nearest",
+      "--method plain --filter nearest --map 512|1024|2048|4096 --bias 0.001|0.004" AS_PRINTED },
+    { "plain, four compares",
+      "--method plain --filter bilinear --map 512|1024|2048|4096 --bias 0.001|0.004" AS_PRINTED },
+    { "hardware, nearest",
+      "--filter nearest --map 512|1024|2048|4096 --bias 0.001|0.004 --slope 0" AS_PRINTED },
+    { "hardware, 2x2", "--map 512|1024|2048|4096 --bias 0.001|0.004 --slope 0" AS_PRINTED },
+    { "slope-scaled bias", "--fit light --facing smooth --map 512|1024|2048|4096" },
+    { "dark by triangles", "--fit light --map 512|1024|2048|4096" },
+    { "16 bits", "--fit light --depth d16 --map 512|1024|2048|4096" },
+    { "far sides", "--fit light --casters far --map 512|1024|2048|4096" },
+    { "normal offset", "--fit light --normal-offset 0.5 --map 512|1024|2048|4096" },
+    { "fit to casters", "--map 256|512|1024|2048|4096" },
+    { "fit, near sides", "--casters near --depth d32f --map 256|512|1024|2048|3072|4096|4608" },
+    { "fit to the eye",
+      "--fit eye --casters near --depth d32f --map 256|512|1024|2048|3072|3328|4096" },
+    { "adaptive", "--fit adaptive --casters near --depth d32f --map 256|512|1024|1536" },
+    { "soft", "--method plain --filter soft --map 512|1024|2048" },
+    { .method = NULL },
+};
+
+/* --- truth ------------------------------------------------------------------------------------ */
+
+typedef struct Study {
+    Scene scene;
+    ShadowTruth truth;
+} Study;
+
+static GpResult open_scene(const char *path, uint32_t width, uint32_t height, void **opened,
+                           GpError *error)
+{
+    Study *study = gp_alloc(1, sizeof *study);
+    if (!study)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory");
+    const SceneOptions options = { width, height };
+    GpResult result = scene_load(path, &options, &study->scene, error);
+    if (result)
+        gp_free(study);
+    else
+        *opened = study;
+    return result;
+}
+
+static void close_scene(void *opened)
+{
+    Study *study = opened;
+    shadow_truth_free(&study->truth);
+    scene_free(&study->scene);
+    gp_free(study);
+}
+
+static GpResult build(void *opened, const void *setting, Work *work, GpError *error)
+{
+    const Study *study = opened;
+    return tech_shadow_build(&study->scene, setting, work, error);
+}
+
+/* All triangles of the scene, for rays. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */
+static GpResult collect_triangles(const Scene *scene, TruthScene **made)
+{
+    const GpPass *pass = &scene->list.passes[0];
+    uint32_t count = 0, done = 0;
+    for (uint32_t i = 0; i < pass->draw_count; i++)
+        count += pass->draws[i].geometry.index_count / 3;
+    TruthTriangle *triangles = gp_alloc(count, sizeof *triangles);
+    if (!triangles)
+        return GP_ERROR_MEMORY;
+    for (uint32_t i = 0; i < pass->draw_count; i++) {
+        const GpGeometry *geometry = &pass->draws[i].geometry;
+        for (uint32_t j = 0; j < geometry->index_count; j++)
+            draw_position(&pass->draws[i], geometry->indices[j],
+                          triangles[done + j / 3].corner[j % 3]);
+        done += geometry->index_count / 3;
+    }
+    GpResult result = truth_scene_create(triangles, count, made);
+    gp_free(triangles);
+    return result;
+}
+
+static void set_square(const SceneLight *light, TruthLight *truth)
+{
+    double forward[3], right[3], up[3];
+    for (int k = 0; k < 3; k++)
+        forward[k] = light->at[k] - light->position[k];
+    vector_cross(forward, light->shadow.up, right);
+    vector_cross(right, forward, up);
+    vector_normalize(right);
+    vector_normalize(up);
+    for (int k = 0; k < 3; k++) {
+        truth->side[0][k] = light->size * right[k];
+        truth->side[1][k] = light->size * up[k];
+    }
+}
+
+static TruthLight true_light(const SceneLight *light)
+{
+    TruthLight truth = { .kind = TRUTH_POINT, .half_angle = light->cone };
+    if (light->directional)
+        truth.kind = TRUTH_DIRECTIONAL;
+    else if (light->size > 0)
+        truth.kind = TRUTH_AREA;
+    else if (light->cone > 0)
+        truth.kind = TRUTH_CONE;
+    memcpy(truth.position, light->position, sizeof truth.position);
+    memcpy(truth.towards, light->position, sizeof truth.towards);
+    for (int k = 0; k < 3; k++)
+        truth.axis[k] = light->at[k] - light->position[k];
+    if (light->size > 0)
+        set_square(light, &truth);
+    return truth;
+}
+
+static GpResult find_truth(void *opened, int threads, GpError *error)
+{
+    Study *study = opened;
+    const Scene *scene = &study->scene;
+    if (scene->light_count != 1)
+        return gp_fail(error, GP_ERROR_INVALID, "the truth is for one light, not %u",
+                       scene->light_count);
+    const ShadowView view = { .camera = scene->camera,
+                              .width = scene->picture->width,
+                              .height = scene->picture->height,
+                              .light = true_light(&scene->lights[0]),
+                              .threads = threads };
+    TruthScene *triangles = NULL;
+    GpResult result = collect_triangles(scene, &triangles);
+    if (!result)
+        result = shadow_truth_cast(triangles, &view, &study->truth);
+    truth_scene_destroy(&triangles);
+    return gp_fail(error, result, "no memory for the truth");
+}
+
+static const char *const figures[] = { "acne", "leak", "rmse", "covered", NULL };
+
+/* Alpha is the visibility; where depth stayed clear, nothing was drawn. */
+static void measure(const void *opened, const Work *work, TechniqueError *error)
+{
+    const Study *study = opened;
+    size_t pixels = (size_t)study->truth.width * study->truth.height;
+    float *visibility = gp_alloc(pixels, sizeof *visibility);
+    *error = (TechniqueError){ .error = (double)NAN };
+    if (!visibility)
+        return;
+    for (size_t i = 0; i < pixels; i++) {
+        float depth;
+        memcpy(&depth, work->depth->level[0].texels + i * sizeof depth, sizeof depth);
+        uint8_t alpha = work->color->level[0].texels[4 * i + 3];
+        visibility[i] = depth < 1 ? (float)alpha / 255 : SHADOW_NOTHING;
+    }
+    ShadowError shadow = shadow_error(&study->truth, visibility, NULL);
+    gp_free(visibility);
+    error->error = shadow.acne + shadow.leak;
+    error->figures[0] = shadow.acne;
+    error->figures[1] = shadow.leak;
+    error->figures[2] = shadow.rmse;
+    error->figures[3] = shadow.covered;
+}
+
+const Technique shadow_technique = {
+    .name = "shadow",
+    .title = "Shadow maps: time against wrong pixels",
+    .scene = "scenes/shadow_bunny.json",
+    .fields = fields,
+    .defaults = &shadow_defaults,
+    .setting_bytes = sizeof(ShadowSetting),
+    .sweep = sweep,
+    .error_name = "wrong pixels",
+    .figures = figures,
+    .open = open_scene,
+    .close = close_scene,
+    .build = build,
+    .find_truth = find_truth,
+    .measure = measure,
+};

@@ -1,0 +1,95 @@
+#include "apps/techniques/technique.h"
+
+#include "apps/techniques/shadow/technique.h"
+#include "apps/techniques/voxel/technique.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const Technique *const techniques[] = {
+    &shadow_technique,
+    &voxel_technique,
+    &solid_technique,
+    NULL,
+};
+
+const Technique *technique_find(const char *name)
+{
+    for (size_t i = 0; techniques[i]; i++)
+        if (strcmp(techniques[i]->name, name) == 0)
+            return techniques[i];
+    return NULL;
+}
+
+GpResult technique_build(const Technique *technique, void *scene, const char *options, Work *work,
+                         GpError *error)
+{
+    void *setting = gp_alloc(1, technique->setting_bytes);
+    if (!setting)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    memcpy(setting, technique->defaults, technique->setting_bytes);
+    GpResult result = setting_parse(technique->fields, setting, options, error);
+    if (!result)
+        result = technique->build(scene, setting, work, error);
+    gp_free(setting);
+    return result;
+}
+
+/* --- sweeps ----------------------------------------------------------------------------------- */
+
+/* A word of a sweep's text: what all combinations have, "--map=" or nothing, and the list. */
+typedef struct Word {
+    const char *begin, *list, *end;
+    size_t count; /* of alternatives */
+} Word;
+
+static size_t split(const char *options, Word *words, size_t room)
+{
+    size_t count = 0;
+    for (const char *at = options + strspn(options, " "); *at; at += strspn(at, " ")) {
+        GP_ASSERT(count < room);
+        Word word = { .begin = at, .list = at, .count = 1 };
+        at += strcspn(at, " ");
+        word.end = at;
+        const char *equals = memchr(word.begin, '=', (size_t)(at - word.begin));
+        if (equals)
+            word.list = equals + 1;
+        for (const char *c = word.list; c < word.end; c++)
+            word.count += *c == '|';
+        words[count++] = word;
+    }
+    return count;
+}
+
+/* Appends a word with one of its alternatives; returns the length of the text. */
+static size_t append(const Word *word, size_t alternative, char *text, size_t length)
+{
+    const char *value = word->list, *end;
+    for (; alternative > 0; alternative--)
+        value = strchr(value, '|') + 1;
+    for (end = value; end < word->end && *end != '|'; end++)
+        ;
+    length +=
+        (size_t)snprintf(text + length, SETTING_MAX_TEXT - length, "%s%.*s%.*s", length ? " " : "",
+                         (int)(word->list - word->begin), word->begin, (int)(end - value), value);
+    GP_ASSERT(length < SETTING_MAX_TEXT);
+    return length;
+}
+
+size_t technique_expand(const char *options, char (*texts)[SETTING_MAX_TEXT], size_t room)
+{
+    Word words[2 * SETTING_MAX_FIELDS];
+    size_t count = split(options, words, GP_COUNT(words)), total = 1;
+    for (size_t i = 0; i < count; i++)
+        total *= words[i].count;
+    for (size_t k = 0; k < total && k < room; k++) {
+        size_t length = 0, period = total, rest = k;
+        texts[k][0] = '\0';
+        for (size_t i = 0; i < count; i++) {
+            period /= words[i].count;
+            length = append(&words[i], rest / period, texts[k], length);
+            rest %= period;
+        }
+    }
+    return total;
+}

@@ -1,0 +1,24 @@
+/* Settings of techniques against the clock. */
+#ifndef APPS_TECHNIQUES_TIMED_SETTING_H
+#define APPS_TECHNIQUES_TIMED_SETTING_H
+
+#include "apps/techniques/technique.h"
+#include "apps/frame/timing.h"
+
+/* Where and for how long. */
+typedef struct TechniqueClock {
+    GpDevice *device;
+    TimingPlan plan;
+    double *each; /* room for TIMING_MAX_FRAMES numbers */
+} TechniqueClock;
+
+/* Builds the frame of a setting, a text of options, and draws it by the clock's plan.
+ * in     work: zeroed
+ * out    work: as it was drawn; frame: of the last; timing
+ * errors those of technique_build and gp_device_run; *work is then empty
+ * owns   the caller, until work_free */
+GpResult technique_time(const TechniqueClock *clock, const Technique *technique, void *scene,
+                        const char *options, Work *work, Frame *frame, Timing *timing,
+                        GpError *error);
+
+#endif

@@ -1,0 +1,186 @@
+#include "apps/techniques/voxel/facts.h"
+
+#include "apps/base/json.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+/* --- solids ----------------------------------------------------------------------------------- */
+
+static size_t solid_bytes(uint32_t size)
+{
+    return ((size_t)size * size * size + 7) / 8;
+}
+
+uint64_t voxel_odd_columns(const uint8_t *parity, uint32_t size)
+{
+    const size_t columns = (size_t)size * size;
+    uint64_t count = 0;
+    for (size_t i = 0; i < columns; i++)
+        count += parity[i / 8] >> i % 8 & 1;
+    return count;
+}
+
+uint64_t voxel_disagreements(const uint8_t *const solids[3], uint32_t size)
+{
+    const size_t bytes = solid_bytes(size);
+    uint64_t count = 0;
+    for (size_t i = 0; i < bytes; i++) {
+        unsigned differs = (solids[0][i] ^ solids[1][i]) | (solids[0][i] ^ solids[2][i]);
+        count += (unsigned)__builtin_popcount(differs);
+    }
+    return count;
+}
+
+/* --- finding ---------------------------------------------------------------------------------- */
+
+GpResult voxel_facts_find(const VoxelScene *scene, VoxelFacts *facts, GpError *error)
+{
+    const GpMesh *mesh = &scene->mesh;
+    VoxelFacts found = { .has_solids = false };
+    GpResult result = mesh_report(mesh->positions, mesh->vertex_count, mesh->indices,
+                                  mesh->triangle_count, &found.mesh);
+    if (!result)
+        *facts = found;
+    return result ? gp_fail(error, result, "out of memory") : GP_OK;
+}
+
+/* The model turned so that `axis` becomes z, and the two after it x and y. */
+static VoxelModel turn(const VoxelModel *model, int axis)
+{
+    VoxelModel turned = *model;
+    for (int k = 0; k < 3; k++)
+        memcpy(turned.motion.to_voxels[k], model->motion.to_voxels[(axis + 1 + k) % 3],
+               sizeof turned.motion.to_voxels[k]);
+    return turned;
+}
+
+/* Sets the bit of a voxel's place in the volume as it was before it was turned. */
+static void set_turned_back(size_t i, uint32_t size, int axis, uint8_t *back)
+{
+    const size_t step[3] = { 1, size, (size_t)size * size };
+    const size_t x = i % size, y = i / size % size, z = i / step[2];
+    size_t to = x * step[(axis + 1) % 3] + y * step[(axis + 2) % 3] + z * step[axis];
+    back[to / 8] = (uint8_t)(back[to / 8] | 1u << to % 8);
+}
+
+/* Bits of a volume that was made so, turned back. out back: zeroed */
+static void turn_back(const uint8_t *turned, uint32_t size, int axis, uint8_t *back)
+{
+    const size_t bytes = solid_bytes(size);
+    for (size_t byte = 0; byte < bytes; byte++)
+        for (unsigned bits = turned[byte]; bits; bits &= bits - 1)
+            set_turned_back(8 * byte + (size_t)__builtin_ctz(bits), size, axis, back);
+}
+
+static GpResult find_solid(const VoxelModel *model, uint32_t size, GpDevice *device, uint8_t *bits,
+                           GpError *error)
+{
+    const VoxelSetting setting = {
+        .kind = VOXEL_SOLID, .method = VOXEL_XOR, .size = size, .bits = 1, .axes = 3
+    };
+    Work work = { .color = NULL };
+    Worksheet sheet;
+    uint32_t passes, draws;
+    tech_voxel_room(&setting, &passes, &draws);
+    work_reserve(&work, passes, draws);
+    GpResult result = tech_voxel_build(model, &setting, &work, &sheet, error);
+    if (!result)
+        result = gp_device_run(device, &work.list, error);
+    if (!result)
+        worksheet_read(&sheet, bits);
+    work_free(&work);
+    return result;
+}
+
+GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevice *device,
+                                 VoxelFacts *facts, GpError *error)
+{
+    const VoxelScene in_its_box = { .mesh = scene->mesh }; /* nothing is cut off */
+    const VoxelBox box = voxel_scene_box(&in_its_box, size);
+    const VoxelModel model = voxel_scene_model(scene, &box);
+    const size_t bytes = solid_bytes(size);
+    uint8_t *turned = gp_alloc(bytes, 1);
+    uint8_t *solids[3] = { gp_alloc(bytes, 1), gp_alloc(bytes, 1), gp_alloc(bytes, 1) };
+    uint64_t odd_columns[3] = { 0 };
+    GpResult result = turned && solids[0] && solids[1] && solids[2]
+                          ? GP_OK
+                          : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    for (int axis = 0; axis < 3 && !result; axis++) {
+        VoxelModel along = turn(&model, axis);
+        result = find_solid(&along, size, device, turned, error);
+        if (!result) {
+            odd_columns[axis] = voxel_odd_columns(turned, size);
+            turn_back(turned, size, axis, solids[axis]);
+        }
+    }
+    if (!result) {
+        const uint8_t *const all[3] = { solids[0], solids[1], solids[2] };
+        memcpy(facts->odd_columns, odd_columns, sizeof odd_columns);
+        facts->disagreements = voxel_disagreements(all, size);
+        facts->has_solids = true;
+    }
+    gp_free(turned);
+    for (int axis = 0; axis < 3; axis++)
+        gp_free(solids[axis]);
+    return result;
+}
+
+/* --- telling ---------------------------------------------------------------------------------- */
+
+typedef struct Count {
+    const char *name; /* in JSON; in print with spaces */
+    uint64_t value;
+} Count;
+
+enum { MAX_COUNTS = 12 };
+
+static int list_counts(const VoxelFacts *facts, Count *counts)
+{
+    const MeshReport *mesh = &facts->mesh;
+    const Count all[MAX_COUNTS] = {
+        { "edges", mesh->edges },
+        { "open_edges", mesh->open_edges },
+        { "crowded_edges", mesh->crowded_edges },
+        { "odd_edges", mesh->odd_edges },
+        { "turned_edges", mesh->turned_edges },
+        { "duplicate_triangles", mesh->duplicates },
+        { "degenerate_triangles", mesh->degenerate },
+        { "odd_columns_x", facts->odd_columns[0] },
+        { "odd_columns_y", facts->odd_columns[1] },
+        { "odd_columns_z", facts->odd_columns[2] },
+        { "disagreeing_voxels", facts->disagreements },
+    };
+    const int of_mesh = 7, of_all = 11;
+    memcpy(counts, all, sizeof all);
+    return facts->has_solids ? of_all : of_mesh;
+}
+
+void voxel_facts_print(const VoxelFacts *facts)
+{
+    Count counts[MAX_COUNTS];
+    int count = list_counts(facts, counts);
+    printf("%-22s %s\n", "closed", facts->mesh.is_closed ? "yes" : "no");
+    printf("%-22s %s\n", "inside out", facts->mesh.is_inside_out ? "yes" : "no");
+    printf("%-22s %.9g\n", "enclosed volume", facts->mesh.volume);
+    for (int i = 0; i < count; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "%s", counts[i].name);
+        for (char *c = name; *c; c++)
+            *c = *c == '_' ? ' ' : *c;
+        printf("%-22s %" PRIu64 "\n", name, counts[i].value);
+    }
+}
+
+json_t *voxel_facts_json(const VoxelFacts *facts)
+{
+    Count counts[MAX_COUNTS];
+    int count = list_counts(facts, counts);
+    json_t *object =
+        json_pack("{s:b, s:b, s:o}", "closed", facts->mesh.is_closed, "inside_out",
+                  facts->mesh.is_inside_out, "enclosed_volume", json_number(facts->mesh.volume));
+    for (int i = 0; i < count; i++)
+        json_object_set_new(object, counts[i].name, json_integer((json_int_t)counts[i].value));
+    return object;
+}

@@ -1,0 +1,212 @@
+/* Voxels of functions: the sign at middles, or at the eight corners of each voxel, which the blend
+ * unit puts together: a voxel is of the surface where some corner is inside, and not all of them
+ * are. */
+#include "apps/techniques/voxel/inputs/inputs.h"
+
+#include "apps/scene/shapes.h"
+#include "shaders_c/common/texel_copy.h"
+#include "shaders_c/voxel/voxel_field.h"
+#include "shaders_c/voxel/voxel_implicit.h"
+
+#include <math.h>
+#include <string.h>
+
+_Static_assert((int)VOXEL_FUNCTION_DEGREE == (int)POLYNOMIAL_DEGREE, "one degree");
+
+enum { CORNERS = 8 };
+
+uint32_t voxel_input_draws(const Worksheet *sheet)
+{
+    const uint32_t draws = sheet->slabs * (CORNERS + 1);
+    return draws > SHAPE_TEAPOT_PATCHES ? draws : SHAPE_TEAPOT_PATCHES;
+}
+
+GpResult voxel_function_parse(const char *text, VoxelFunction *function, GpError *error)
+{
+    static const char quartic[] = "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8 = 0";
+    Polynomial polynomial;
+    GpResult result =
+        polynomial_parse(strcmp(text, "quartic") == 0 ? quartic : text, &polynomial, error);
+    if (result == GP_OK)
+        *function = (VoxelFunction){ .polynomial = polynomial };
+    return result;
+}
+
+VoxelBox voxel_box_of_cube(double reach, uint32_t size)
+{
+    return (VoxelBox){ .size = size,
+                       .scale = size / (2 * reach),
+                       .offset = { size / 2.0, size / 2.0, size / 2.0 } };
+}
+
+/* --- samples ---------------------------------------------------------------------------------- */
+
+/* What the draws of one kind of function need. */
+typedef struct Sampling {
+    const VoxelFunction *function;
+    const VoxelBox *box;
+    Work *work;
+    const Worksheet *sheet;
+    VoxelImplicitUniforms *next_polynomial; /* one for each draw */
+    VoxelFieldUniforms *next_field;
+    GpSurface *field; /* of a callback */
+    Worksheet layout; /* the field's patches */
+} Sampling;
+
+/* Bounds below which samples of a slab are inside; none is past the end. */
+static void bound_samples(const Worksheet *sheet, uint32_t slab, float inside[])
+{
+    for (uint32_t k = 0; k < sheet->per_texel; k++)
+        inside[k] = slab * sheet->per_texel + k < sheet->size ? 0 : -INFINITY;
+}
+
+/* Draws the samples of a slab at a place in its voxels. */
+static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const float place[3])
+{
+    VoxelImplicitUniforms *u = s->next_polynomial++;
+    const double scale = 1 / s->box->scale;
+    *u = (VoxelImplicitUniforms){
+        .size = (float)s->sheet->size,
+        .first = { place[0], place[1], (float)(slab * s->sheet->per_texel) + place[2] },
+        .scale = (float)scale,
+    };
+    for (int k = 0; k < 3; k++)
+        u->offset[k] = (float)(-s->box->offset[k] * scale);
+    bound_samples(s->sheet, slab, u->inside);
+    for (int i = 0; i < POLYNOMIAL_SIDE; i++)
+        for (int j = 0; j < POLYNOMIAL_SIDE; j++)
+            for (int k = 0; k < POLYNOMIAL_SIDE; k++)
+                u->coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
+    return worksheet_draw(s->work,
+                          corner ? &voxel_implicit_corner_program : &voxel_implicit_program, u,
+                          s->sheet, slab);
+}
+
+static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
+{
+    VoxelFieldUniforms *u = s->next_field++;
+    *u = (VoxelFieldUniforms){ .size = (float)s->sheet->size,
+                               .texel = { 1.0f / (float)s->field->width,
+                                          1.0f / (float)s->field->height },
+                               .next = corner ? place[2] : 0 };
+    bound_samples(s->sheet, slab, u->inside);
+    for (uint32_t i = 0; i < VOXEL_FIELD_PATCHES; i++) {
+        const uint32_t last = s->layout.slabs - 1;
+        const uint32_t patch = slab * (s->sheet->per_texel / s->layout.per_texel) + i;
+        const GpViewport v = worksheet_patch(&s->layout, patch < last ? patch : last);
+        u->origin[i][0] = v.x + (corner ? place[0] : 0);
+        u->origin[i][1] = v.y + (corner ? place[1] : 0);
+    }
+    GpDraw *draw = worksheet_draw(
+        s->work, corner ? &voxel_field_corner_program : &voxel_field_program, u, s->sheet, slab);
+    draw->textures[0].surface = s->field;
+    return draw;
+}
+
+static GpDraw *draw_samples(Sampling *s, uint32_t slab, bool corner, const float place[3])
+{
+    return (s->function->evaluate ? draw_field : draw_polynomial)(s, slab, corner, place);
+}
+
+/* --- callbacks -------------------------------------------------------------------------------- */
+
+enum { PER_TEXEL = 4 };
+
+/* Patches of a field: as a worksheet's, four samples a texel. */
+static GpResult plan_field(uint32_t samples, Worksheet *layout, GpError *error)
+{
+    const uint32_t slabs = (samples + PER_TEXEL - 1) / PER_TEXEL, columns = GP_MAX_SIZE / samples;
+    const uint32_t rows = (slabs + columns - 1) / columns;
+    if (rows * samples > GP_MAX_SIZE)
+        return gp_fail(
+            error, GP_ERROR_INVALID,
+            "%u samples a side of a function: more than a texture of %d x %d texels holds", samples,
+            GP_MAX_SIZE, GP_MAX_SIZE);
+    *layout = (Worksheet){ .size = samples,
+                           .per_texel = PER_TEXEL,
+                           .slabs = slabs,
+                           .columns = columns < slabs ? columns : slabs };
+    return GP_OK;
+}
+
+/* Evaluates one layer of samples, which is one component of a patch.
+ * in   place: of the samples in their voxels */
+static void fill_layer(const Sampling *s, uint32_t z, float place)
+{
+    const size_t bytes = PER_TEXEL * sizeof(float);
+    const GpViewport patch = worksheet_patch(&s->layout, z / PER_TEXEL);
+    for (uint32_t y = 0; y < s->layout.size; y++) {
+        float *texels = (float *)(void *)gp_surface_texel(&s->field->level[0], bytes,
+                                                          (uint32_t)patch.x, (uint32_t)patch.y + y);
+        for (uint32_t x = 0; x < s->layout.size; x++) {
+            const uint32_t voxel[3] = { x, y, z };
+            double at[3];
+            for (int k = 0; k < 3; k++)
+                at[k] = (voxel[k] + (double)place - s->box->offset[k]) / s->box->scale;
+            texels[PER_TEXEL * x + z % PER_TEXEL] =
+                (float)s->function->evaluate(s->function->user, at);
+        }
+    }
+}
+
+static void fill_field(Sampling *s, float place)
+{
+    const Worksheet *layout = &s->layout;
+    const uint32_t rows = (layout->slabs + layout->columns - 1) / layout->columns;
+    s->field = work_surface(s->work, GP_A32B32G32R32F, layout->columns * layout->size,
+                            rows * layout->size, 1);
+    for (uint32_t z = 0; z < layout->size; z++)
+        fill_layer(s, z, place);
+}
+
+/* --- volumes ---------------------------------------------------------------------------------- */
+
+static void draw_solid(Sampling *s)
+{
+    static const float middle[3] = { 0.5f, 0.5f, 0.5f };
+    worksheet_pass(s->work, "inside", s->sheet);
+    for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
+        draw_samples(s, slab, false, middle);
+}
+
+static void draw_surface(Sampling *s)
+{
+    const GpSurface *sheet = s->sheet->texels;
+    GpSurface *all = work_surface(s->work, sheet->format, sheet->width, sheet->height, 1);
+    GpPass *pass = worksheet_pass(s->work, "corners", s->sheet);
+    pass->color[1] =
+        (GpColorTarget){ .surface = all, .clear = true, .clear_color = { 1, 1, 1, 1 } };
+    for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
+        for (int i = 0; i < CORNERS; i++) {
+            const float corner[3] = { (float)(i & 1), (float)(i >> 1 & 1), (float)(i >> 2) };
+            GpDraw *draw = draw_samples(s, slab, true, corner);
+            draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
+            draw->state.blend[1].op = GP_BLEND_LOGIC_AND;
+        }
+    worksheet_pass(s->work, "not all corners", s->sheet)->color[0].clear = false;
+    for (uint32_t slab = 0; slab < s->sheet->slabs; slab++) {
+        GpDraw *draw = worksheet_draw(s->work, &texel_copy_program, NULL, s->sheet, slab);
+        draw->state.blend[0].op = GP_BLEND_LOGIC_XOR;
+        draw->textures[0].surface = all;
+    }
+}
+
+GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Work *work,
+                        const Worksheet *sheet, GpError *error)
+{
+    GP_ASSERT(sheet->bits == 1);
+    const bool solid = kind == VOXEL_SOLID;
+    Sampling s = { .function = function, .box = box, .work = work, .sheet = sheet };
+    const uint32_t draws = sheet->slabs * (solid ? 1 : CORNERS);
+    if (function->evaluate) {
+        GpResult result = plan_field(sheet->size + !solid, &s.layout, error);
+        if (result)
+            return result;
+        fill_field(&s, solid ? 0.5f : 0);
+        s.next_field = work_alloc(work, draws, sizeof *s.next_field);
+    } else {
+        s.next_polynomial = work_alloc(work, draws, sizeof *s.next_polynomial);
+    }
+    (solid ? draw_solid : draw_surface)(&s);
+    return GP_OK;
+}

@@ -1,0 +1,162 @@
+#include "apps/techniques/voxel/inputs/pair.h"
+
+/* --- places ----------------------------------------------------------------------------------- */
+
+/* A model's space in another's: p' = scale p + offset. */
+typedef struct Similarity {
+    double scale, offset[3];
+} Similarity;
+
+static double longest_side(const VoxelBounds *bounds)
+{
+    double longest = 0;
+    for (int k = 0; k < 3; k++) {
+        const double side = bounds->high[k] - bounds->low[k];
+        longest = side > longest ? side : longest;
+    }
+    return longest;
+}
+
+static Similarity place_beside(const VoxelPlace *place, const VoxelBounds *bounds,
+                               const VoxelBounds *other)
+{
+    const double side = longest_side(other), own = longest_side(bounds);
+    Similarity to = { .scale = place->fit > 0 && own > 0 ? place->fit * side / own : 1 };
+    for (int k = 0; k < 3; k++) {
+        const double middle = (bounds->low[k] + bounds->high[k]) / 2;
+        const double others = (other->low[k] + other->high[k]) / 2;
+        to.offset[k] = place->move[k] * side;
+        to.offset[k] += place->fit > 0 ? others - to.scale * middle : 0;
+    }
+    return to;
+}
+
+/* The box of a model whose space lies so in that of another, which has a box. */
+static VoxelBox box_beside(const Similarity *to, const VoxelBox *other)
+{
+    VoxelBox box = { .size = other->size, .scale = other->scale * to->scale };
+    for (int k = 0; k < 3; k++)
+        box.offset[k] = other->scale * to->offset[k] + other->offset[k];
+    return box;
+}
+
+static void place_two(const VoxelPair *pair, uint32_t size, VoxelBox boxes[2])
+{
+    const VoxelScene *first = pair->scenes[0];
+    VoxelBounds both = voxel_scene_bounds(first);
+    const VoxelBounds second = voxel_scene_bounds(pair->scenes[1]);
+    const Similarity to = place_beside(&pair->place, &second, &both);
+    for (int k = 0; k < 3; k++) {
+        const double low = to.scale * second.low[k] + to.offset[k];
+        const double high = to.scale * second.high[k] + to.offset[k];
+        both.low[k] = low < both.low[k] ? low : both.low[k];
+        both.high[k] = high > both.high[k] ? high : both.high[k];
+    }
+    boxes[0] = first->is_placed ? voxel_scene_box(first, size) : voxel_box_of(&both, size);
+    boxes[1] = box_beside(&to, &boxes[0]);
+}
+
+/* In its volume, as beside a cube that fills it. */
+static VoxelBox place_one(const VoxelPair *pair, uint32_t size)
+{
+    const VoxelScene *scene = pair->scenes[0];
+    const double least = VOXEL_BOX_MARGIN, most = size - VOXEL_BOX_MARGIN;
+    const VoxelBounds cube = { { least, least, least }, { most, most, most } };
+    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    if (scene->is_placed || !(pair->place.fit > 0))
+        return voxel_scene_box(scene, size);
+    const Similarity to = place_beside(&pair->place, &bounds, &cube);
+    return box_beside(&to, &(VoxelBox){ .size = size, .scale = 1 });
+}
+
+/* --- passes ----------------------------------------------------------------------------------- */
+
+static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpError *error)
+{
+    if (pair->scenes[1] && pair->combine == VOXEL_TOUCHING && setting->bits != 1)
+        return gp_fail(error, GP_ERROR_INVALID, "--combine collide: one bit a voxel, not %u",
+                       setting->bits);
+    if (pair->scenes[1] && setting->bits == 16)
+        return gp_fail(error, GP_ERROR_INVALID, "--with: 1 or 8 bits a voxel, not 16");
+    if (pair->scenes[1] && pair->scenes[0]->twist != 0)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "--twist turns about the middle of the volume: not --with another model");
+    return worksheet_check(setting->size, setting->bits, error);
+}
+
+static void reserve(const VoxelPair *pair, const VoxelSetting *setting, const Worksheet *sheet,
+                    uint32_t more_passes, uint32_t more_draws, Work *work)
+{
+    uint32_t passes, draws;
+    voxel_scene_room(setting, sheet, &passes, &draws);
+    if (pair->scenes[1]) {
+        passes = 2 * passes + VOXEL_COMBINE_PASSES;
+        draws = 2 * draws + voxel_combine_draws(sheet);
+    }
+    work_reserve(work, passes + more_passes, draws + more_draws);
+}
+
+static GpResult draw_model(const VoxelPair *pair, int which, const VoxelSetting *setting,
+                           const VoxelBox *box, Work *work, VoxelPairMade *made, GpError *error)
+{
+    GpError reason;
+    GpResult result =
+        voxel_scene_draw(pair->scenes[which], setting, box, work, &made->sheets[which], &reason);
+    return result ? gp_fail(error, result, "%.100s: %s", pair->names[which], reason.text) : GP_OK;
+}
+
+static VoxelRange range_around(const VoxelRange *a, const VoxelRange *b)
+{
+    VoxelRange range;
+    for (int k = 0; k < 3; k++) {
+        range.low[k] = a->low[k] < b->low[k] ? a->low[k] : b->low[k];
+        range.end[k] = a->end[k] > b->end[k] ? a->end[k] : b->end[k];
+    }
+    return range;
+}
+
+static void combine(const VoxelPair *pair, const VoxelRange ranges[2], Work *work,
+                    VoxelPairMade *made)
+{
+    const Worksheet *first = &made->sheets[0], *second = &made->sheets[1];
+    const VoxelRange common = voxel_range_common(&ranges[0], &ranges[1]);
+    made->around = range_around(&ranges[0], &ranges[1]);
+    made->range = pair->combine == VOXEL_UNION        ? made->around
+                  : pair->combine == VOXEL_DIFFERENCE ? ranges[0]
+                                                      : common;
+    made->result = worksheet_make(work, first->size, first->bits);
+    if (pair->combine == VOXEL_TOUCHING)
+        voxel_collide(work, first, second, &common, &made->result);
+    else
+        voxel_combine(work, first, second, (VoxelCombine)pair->combine, &made->result);
+}
+
+GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, uint32_t more_passes,
+                          uint32_t more_draws, Work *work, VoxelPairMade *made, GpError *error)
+{
+    GpResult result = check(pair, setting, error);
+    if (result)
+        return result;
+    const bool two = pair->scenes[1] != NULL;
+    VoxelBox boxes[2];
+    if (two)
+        place_two(pair, setting->size, boxes);
+    else
+        boxes[0] = place_one(pair, setting->size);
+    *made = (VoxelPairMade){ .box = boxes[0] };
+    for (int i = 0; i <= two; i++)
+        made->sheets[i] = worksheet_make(work, setting->size, setting->bits);
+    reserve(pair, setting, &made->sheets[0], more_passes, more_draws, work);
+    VoxelRange ranges[2];
+    for (int i = 0; i <= two && !result; i++) {
+        result = draw_model(pair, i, setting, &boxes[i], work, made, error);
+        ranges[i] = voxel_scene_range(pair->scenes[i], &boxes[i]);
+    }
+    if (result)
+        return result;
+    made->result = made->sheets[0];
+    made->range = made->around = ranges[0];
+    if (two)
+        combine(pair, ranges, work, made);
+    return GP_OK;
+}

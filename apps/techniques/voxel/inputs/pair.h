@@ -1,0 +1,39 @@
+/* One model in a volume, or two: where each of them lies, and what becomes of the voxels they share. */
+#ifndef APPS_TECHNIQUES_VOXEL_INPUTS_PAIR_H
+#define APPS_TECHNIQUES_VOXEL_INPUTS_PAIR_H
+
+#include "apps/techniques/voxel/combine.h"
+#include "apps/techniques/voxel/inputs/scene.h"
+
+/* Follows VoxelCombine. */
+enum { VOXEL_TOUCHING = VOXEL_DIFFERENCE + 1 }; /* the voxels that both have; both can be shown */
+
+/* How a model is put beside, or into, something else. */
+typedef struct VoxelPlace {
+    double fit;     /* its longest side in those of the other, with the same middle; 0: as it is */
+    double move[3]; /* after that, in longest sides of the other */
+} VoxelPlace;
+
+typedef struct VoxelPair {
+    const VoxelScene *scenes[2]; /* the second NULL: none */
+    const char *names[2];        /* for messages */
+    VoxelPlace place;            /* of the second; without one, of the first in its volume */
+    int combine;                 /* VoxelCombine, VOXEL_TOUCHING */
+} VoxelPair;
+
+typedef struct VoxelPairMade {
+    Worksheet sheets[2]; /* of each model */
+    Worksheet result;    /* of both; of one model its own */
+    VoxelRange range;    /* what the result may lie in */
+    VoxelRange around;   /* what the models may lie in */
+    VoxelBox box;        /* of the first model */
+} VoxelPairMade;
+
+/* Makes worksheets and appends the passes of models and of what becomes of them. Two models lie in the
+ * box of both, unless the first is placed.
+ * in     work: without passes; more_passes, more_draws: room for those that the caller appends
+ * errors those of voxel_scene_draw; GP_ERROR_INVALID: voxels of so many bits cannot be combined so */
+GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, uint32_t more_passes,
+                          uint32_t more_draws, Work *work, VoxelPairMade *made, GpError *error);
+
+#endif

@@ -1,0 +1,203 @@
+/* Voxels of parametric surfaces and of points. */
+#include "apps/techniques/voxel/inputs/inputs.h"
+
+#include "apps/scene/shapes.h"
+#include "shaders_c/voxel/voxel_parametric.h"
+#include "shaders_c/voxel/voxel_points.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- surfaces --------------------------------------------------------------------------------- */
+
+#define TURN 6.28318530717958647692
+
+/* Lengths of the derivatives by u and v are at most those of slope; the surface is in the box from
+ * -reach to reach. */
+typedef struct Surface {
+    const char *name;
+    const GpProgram *program;
+    float radius, width;
+    double slope[2];
+    float reach[3];
+} Surface;
+
+/* A point of the band is at most radius + width/2 from the axis, and width/2 from the circle, about
+ * which it turns half as fast; of the figure of eight at most 5/4, and (1, 2) is the longest
+ * derivative of (sin v, sin 2v). */
+static const Surface surfaces[] = {
+    { "sphere", &voxel_sphere_program, 1, 0, { TURN, TURN / 2 }, { 1, 1, 1 } },
+    { "torus", &voxel_torus_program, 0.7f, 0.3f, { TURN, TURN * 0.3 }, { 1, 0.3f, 1 } },
+    { "moebius", &voxel_moebius_program, 0.75f, 0.5f, { TURN * 1.01, 0.5 }, { 1, 0.25f, 1 } },
+    { "klein", &voxel_klein_program, 2, 0, { TURN * 3.31, TURN * 2.237 }, { 3.25f, 1.25f, 3.25f } },
+};
+
+static const char teapot[] = "teapot";
+
+const char *const voxel_parametric_names[] = {
+    "sphere", "torus", "moebius", "klein", teapot, NULL
+};
+
+static const Surface *find_surface(const char *name)
+{
+    for (size_t i = 0; i < GP_COUNT(surfaces); i++)
+        if (strcmp(name, surfaces[i].name) == 0)
+            return &surfaces[i];
+    return NULL;
+}
+
+static GpResult refuse_name(const char *name, GpError *error)
+{
+    return gp_fail(error, GP_ERROR_INVALID,
+                   "'%.40s' is no parametric surface: expected sphere, torus, moebius, klein or "
+                   "teapot",
+                   name);
+}
+
+GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, GpError *error)
+{
+    if (strcmp(name, teapot) == 0) {
+        float control[SHAPE_TEAPOT_PATCHES][4][4][3];
+        shape_teapot_control(control);
+        *box = voxel_box(control[0][0][0], NULL, SHAPE_TEAPOT_PATCHES * 4 * 4, size);
+        return GP_OK;
+    }
+    const Surface *surface = find_surface(name);
+    if (!surface)
+        return refuse_name(name, error);
+    const float *r = surface->reach;
+    const float corners[2][3] = { { -r[0], -r[1], -r[2] }, { r[0], r[1], r[2] } };
+    *box = voxel_box(corners[0], NULL, 2, size);
+    return GP_OK;
+}
+
+/* --- grids of points -------------------------------------------------------------------------- */
+
+static double points_along(double slope, double step, const VoxelBox *box)
+{
+    return ceil(slope * box->scale / step) + 1;
+}
+
+static double points_of(const double slope[2], double step, const VoxelBox *box)
+{
+    return points_along(slope[0], step, box) * points_along(slope[1], step, box);
+}
+
+/* Appends the points of a surface, at most `step` voxels apart. */
+static void draw_grid(Work *work, const GpProgram *program, const VoxelParametricUniforms *uniforms,
+                      const double slope[2], double step, const VoxelBox *box)
+{
+    const uint32_t columns = (uint32_t)points_along(slope[0], step, box);
+    const uint32_t rows = (uint32_t)points_along(slope[1], step, box);
+    float(*uv)[2] = work_alloc(work, (size_t)columns * rows, sizeof *uv);
+    for (uint32_t row = 0; row < rows; row++)
+        for (uint32_t column = 0; column < columns; column++) {
+            float *point = uv[(size_t)row * columns + column];
+            point[0] = (float)(column / (columns - 1.0));
+            point[1] = (float)(row / (rows - 1.0));
+        }
+    const GpGeometry grid = { .primitive = GP_POINTS,
+                              .vertex_count = columns * rows,
+                              .streams = { [GP_TEXCOORD0] = { uv, 0, 2, GP_FLOAT32 } } };
+    work_draw(work, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
+}
+
+static VoxelPointsUniforms place_points(const VoxelBox *box, const Worksheet *sheet)
+{
+    return (VoxelPointsUniforms){
+        .sheet = worksheet_layout(sheet),
+        .scale = (float)box->scale,
+        .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
+    };
+}
+
+/* A patch's derivative is a mean of three times the steps between its control points. */
+static void bound_slopes(const float control[4][4][3], double slope[2])
+{
+    slope[0] = slope[1] = 0;
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 3; j++) {
+            const float *pair[2][2] = { { control[i][j], control[i][j + 1] },
+                                        { control[j][i], control[j + 1][i] } };
+            for (int way = 0; way < 2; way++) {
+                double square = 0;
+                for (int k = 0; k < 3; k++) {
+                    const double d = (double)pair[way][1][k] - (double)pair[way][0][k];
+                    square += d * d;
+                }
+                const double length = 3 * sqrt(square);
+                slope[way] = length > slope[way] ? length : slope[way];
+            }
+        }
+}
+
+static GpResult check_points(double points, double step, GpError *error)
+{
+    if (points <= VOXEL_PARAMETRIC_MAX_POINTS)
+        return GP_OK;
+    return gp_fail(error, GP_ERROR_INVALID, "%.3g points of %g voxels apart: at most %d", points,
+                   step, VOXEL_PARAMETRIC_MAX_POINTS);
+}
+
+static GpResult draw_teapot(double step, const VoxelBox *box, Work *work, const Worksheet *sheet,
+                            GpError *error)
+{
+    float control[SHAPE_TEAPOT_PATCHES][4][4][3];
+    double slope[SHAPE_TEAPOT_PATCHES][2], points = 0;
+    shape_teapot_control(control);
+    for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
+        bound_slopes(control[i], slope[i]);
+        points += points_of(slope[i], step, box);
+    }
+    GpResult result = check_points(points, step, error);
+    if (result)
+        return result;
+    VoxelParametricUniforms *uniforms = work_alloc(work, SHAPE_TEAPOT_PATCHES, sizeof *uniforms);
+    worksheet_pass(work, "patches", sheet);
+    for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
+        uniforms[i].place = place_points(box, sheet);
+        memcpy(uniforms[i].control, control[i], sizeof control[i]);
+        draw_grid(work, &voxel_bezier_program, &uniforms[i], slope[i], step, box);
+    }
+    return GP_OK;
+}
+
+GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Work *work,
+                          const Worksheet *sheet, GpError *error)
+{
+    GP_ASSERT(sheet->bits == 1 && step > 0);
+    if (strcmp(name, teapot) == 0)
+        return draw_teapot(step, box, work, sheet, error);
+    const Surface *surface = find_surface(name);
+    if (!surface)
+        return refuse_name(name, error);
+    GpResult result = check_points(points_of(surface->slope, step, box), step, error);
+    if (result)
+        return result;
+    VoxelParametricUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    uniforms->place = place_points(box, sheet);
+    uniforms->radius = surface->radius;
+    uniforms->width = surface->width;
+    worksheet_pass(work, surface->name, sheet);
+    draw_grid(work, surface->program, uniforms, surface->slope, step, box);
+    return GP_OK;
+}
+
+/* --- points ----------------------------------------------------------------------------------- */
+
+GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Work *work,
+                      const Worksheet *sheet, GpError *error)
+{
+    GP_ASSERT(sheet->bits == 1);
+    if (count == 0)
+        return gp_fail(error, GP_ERROR_INVALID, "no points");
+    VoxelPointsUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    *uniforms = place_points(box, sheet);
+    const GpGeometry points = { .primitive = GP_POINTS,
+                                .vertex_count = count,
+                                .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };
+    worksheet_pass(work, "points", sheet);
+    work_draw(work, &voxel_points_program, uniforms, &points)->state.blend[0].op =
+        GP_BLEND_LOGIC_OR;
+    return GP_OK;
+}

@@ -1,0 +1,267 @@
+#include "apps/techniques/voxel/inputs/scene.h"
+
+#include "apps/scene/shapes.h"
+#include "pipeline/io/file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define QUARTIC_REACH 2.27
+#define RADIANS       0.017453292519943295 /* in a degree */
+
+enum { ANY_SIZE = 64 }; /* of a volume, where only its place counts */
+
+/* --- files and names -------------------------------------------------------------------------- */
+
+/* The arrays of a mesh from the vertices of a shape. errors GP_ERROR_MEMORY */
+static GpResult mesh_of_shape(const Shape *shape, GpMesh *mesh)
+{
+    const uint32_t count = shape->vertex_count;
+    *mesh = (GpMesh){ .positions = gp_alloc(count, 3 * sizeof(float)),
+                      .normals = gp_alloc(count, 3 * sizeof(float)),
+                      .colors = gp_alloc(count, 4 * sizeof(float)),
+                      .indices = gp_alloc(shape->index_count, sizeof(uint32_t)),
+                      .vertex_count = count,
+                      .triangle_count = shape->index_count / 3 };
+    if (!mesh->positions || !mesh->normals || !mesh->colors || !mesh->indices) {
+        gp_mesh_free(mesh);
+        return GP_ERROR_MEMORY;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const ShapeVertex *vertex = &shape->vertices[i];
+        memcpy(mesh->positions + 3 * (size_t)i, vertex->position, sizeof vertex->position);
+        memcpy(mesh->normals + 3 * (size_t)i, vertex->normal, sizeof vertex->normal);
+        memcpy(mesh->colors + 4 * (size_t)i, vertex->color, sizeof vertex->color);
+    }
+    memcpy(mesh->indices, shape->indices, shape->index_count * sizeof *mesh->indices);
+    return GP_OK;
+}
+
+static GpResult make_builtin(const char *name, GpMesh *mesh, GpError *error)
+{
+    Shape shape;
+    GpResult result = shape_create(name, &shape);
+    if (result == GP_ERROR_INVALID)
+        return gp_fail(error, result, "no builtin mesh '%.40s'", name);
+    if (!result) {
+        result = mesh_of_shape(&shape, mesh);
+        shape_free(&shape);
+    }
+    return result ? gp_fail(error, result, "out of memory") : GP_OK;
+}
+
+/* What follows a prefix of a name, or NULL. */
+static const char *after(const char *path, const char *prefix)
+{
+    const size_t length = strlen(prefix);
+    return strncmp(path, prefix, length) == 0 ? path + length : NULL;
+}
+
+static GpResult open_function(const char *text, VoxelScene *scene, GpError *error)
+{
+    GpResult result = voxel_function_parse(text, &scene->function, error);
+    scene->input = VOXEL_FUNCTION;
+    scene->reach = strcmp(text, "quartic") == 0 ? QUARTIC_REACH : VOXEL_FUNCTION_REACH;
+    return result;
+}
+
+static GpResult open_surface(const char *name, VoxelScene *scene, GpError *error)
+{
+    VoxelBox box;
+    scene->input = VOXEL_PARAMETRIC;
+    snprintf(scene->surface, sizeof scene->surface, "%s", name);
+    return voxel_parametric_box(name, ANY_SIZE, &box, error);
+}
+
+static GpResult open_file(const char *path, VoxelScene *scene, GpError *error)
+{
+    char found[4096];
+    GpResult result = gp_data_find(path, found, sizeof found, error);
+    if (!result)
+        result = gp_mesh_read(found, GP_MESH_ALLOW_POINTS, &scene->mesh, error);
+    if (!result && scene->mesh.triangle_count == 0)
+        scene->input = VOXEL_POINTS;
+    return result;
+}
+
+GpResult voxel_scene_open(const char *path, VoxelScene *scene, GpError *error)
+{
+    const char *builtin = after(path, "builtin:"), *function = after(path, "implicit:"),
+               *surface = after(path, "parametric:");
+    VoxelScene opened = { .input = VOXEL_MESH };
+    GpResult result = builtin    ? make_builtin(builtin, &opened.mesh, error)
+                      : function ? open_function(function, &opened, error)
+                      : surface  ? open_surface(surface, &opened, error)
+                                 : open_file(path, &opened, error);
+    if (!result)
+        *scene = opened;
+    return result;
+}
+
+void voxel_scene_close(VoxelScene *scene)
+{
+    gp_mesh_free(&scene->mesh);
+    *scene = (VoxelScene){ .is_placed = false };
+}
+
+/* --- boxes ------------------------------------------------------------------------------------ */
+
+/* Room for every vertex wherever it turns about the middle of a box, along y. */
+static void widen_to_turn(const GpMesh *mesh, VoxelBounds *bounds)
+{
+    const double x = (bounds->low[0] + bounds->high[0]) / 2;
+    const double z = (bounds->low[2] + bounds->high[2]) / 2;
+    double most = 0;
+    for (size_t i = 0; i < 3 * (size_t)mesh->triangle_count; i++) {
+        const float *p = mesh->positions + 3 * (size_t)mesh->indices[i];
+        const double aside = (double)p[0] - x, back = (double)p[2] - z;
+        most = fmax(most, aside * aside + back * back);
+    }
+    const double radius = sqrt(most);
+    bounds->low[0] = x - radius;
+    bounds->high[0] = x + radius;
+    bounds->low[2] = z - radius;
+    bounds->high[2] = z + radius;
+}
+
+/* The cube whose volume a box is, less the margin. */
+static VoxelBounds bounds_of_box(const VoxelBox *box)
+{
+    VoxelBounds bounds;
+    for (int k = 0; k < 3; k++) {
+        bounds.low[k] = (VOXEL_BOX_MARGIN - box->offset[k]) / box->scale;
+        bounds.high[k] = (box->size - VOXEL_BOX_MARGIN - box->offset[k]) / box->scale;
+    }
+    return bounds;
+}
+
+VoxelBounds voxel_scene_bounds(const VoxelScene *scene)
+{
+    const double reach = scene->reach;
+    if (scene->input == VOXEL_FUNCTION)
+        return (VoxelBounds){ { -reach, -reach, -reach }, { reach, reach, reach } };
+    if (scene->input == VOXEL_PARAMETRIC) {
+        VoxelBox box;
+        GpError error;
+        GP_ASSERT(voxel_parametric_box(scene->surface, ANY_SIZE, &box, &error) == GP_OK);
+        return bounds_of_box(&box);
+    }
+    const GpMesh *mesh = &scene->mesh;
+    if (scene->input == VOXEL_POINTS)
+        return voxel_bounds(mesh->positions, NULL, mesh->vertex_count);
+    VoxelBounds bounds = voxel_bounds(mesh->positions, mesh->indices, 3 * mesh->triangle_count);
+    if (scene->twist != 0)
+        widen_to_turn(&scene->mesh, &bounds);
+    return bounds;
+}
+
+VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size)
+{
+    if (!scene->is_placed && scene->input == VOXEL_FUNCTION)
+        return voxel_box_of_cube(scene->reach, size);
+    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    VoxelBox box = voxel_box_of(&bounds, size);
+    if (scene->is_placed) {
+        box.scale = scene->scale;
+        memcpy(box.offset, scene->offset, sizeof box.offset);
+    }
+    return box;
+}
+
+VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box)
+{
+    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    float to_voxels[4][4];
+    voxel_box_matrix(box, to_voxels);
+    return voxel_range(bounds.low, bounds.high, to_voxels, box->size);
+}
+
+/* --- passes ----------------------------------------------------------------------------------- */
+
+VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box)
+{
+    const GpMesh *mesh = &scene->mesh;
+    return (VoxelModel){ .positions = mesh->positions,
+                         .normals = mesh->normals,
+                         .colors = mesh->colors,
+                         .indices = mesh->indices,
+                         .vertex_count = mesh->vertex_count,
+                         .triangle_count = mesh->triangle_count,
+                         .motion = voxel_still(box) };
+}
+
+void voxel_scene_room(const VoxelSetting *setting, const Worksheet *sheet, uint32_t *passes,
+                      uint32_t *draws)
+{
+    tech_voxel_room(setting, passes, draws);
+    *passes += VOXEL_INPUT_PASSES;
+    *draws += voxel_input_draws(sheet);
+}
+
+/* What a setting asks of an input that is no mesh. */
+static GpResult check_input(const VoxelScene *scene, const VoxelSetting *setting, GpError *error)
+{
+    static const char *const names[] = { [VOXEL_FUNCTION] = "a function",
+                                         [VOXEL_PARAMETRIC] = "a parametric surface",
+                                         [VOXEL_POINTS] = "points" };
+    const char *name = names[scene->input];
+    if (setting->method != VOXEL_AUTO)
+        return gp_fail(error, GP_ERROR_INVALID, "%s: --method is for meshes", name);
+    if (setting->bits != 1)
+        return gp_fail(error, GP_ERROR_INVALID, "%s: one bit a voxel, not %u", name, setting->bits);
+    if (setting->kind == VOXEL_SOLID && scene->input != VOXEL_FUNCTION)
+        return gp_fail(error, GP_ERROR_INVALID, "%s: no inside, so no --kind solid", name);
+    if (scene->twist != 0)
+        return gp_fail(error, GP_ERROR_INVALID, "%s: --twist is for meshes", name);
+    return GP_OK;
+}
+
+static bool can_twist(int method)
+{
+    return method == VOXEL_AUTO || method == VOXEL_CONSERVATIVE || method == VOXEL_THIN ||
+           method == VOXEL_XOR;
+}
+
+/* A twisted model is one that moves, as far as lists of triangles are concerned. */
+static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Work *work,
+                            VoxelModel *model, int method, GpError *error)
+{
+    if (!can_twist(method))
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "--twist: expected --method conservative, thin or xor");
+    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    const double height = (bounds.high[1] - bounds.low[1]) * box->scale;
+    if (height > 0)
+        model->motion.twist = (float)(scene->twist * RADIANS / height);
+    model->most_twist = model->motion.twist;
+    model->motions = work_alloc(work, 1, sizeof *model->motions);
+    return GP_OK;
+}
+
+static GpResult draw_mesh(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
+                          Work *work, const Worksheet *sheet, GpError *error)
+{
+    VoxelModel model = voxel_scene_model(scene, box);
+    if (scene->twist != 0) {
+        GpResult result = twist_model(scene, box, work, &model, setting->method, error);
+        if (result)
+            return result;
+    }
+    return tech_voxel_draw(&model, setting, work, sheet, error);
+}
+
+GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
+                          Work *work, const Worksheet *sheet, GpError *error)
+{
+    if (scene->input == VOXEL_MESH)
+        return draw_mesh(scene, setting, box, work, sheet, error);
+    GpResult result = check_input(scene, setting, error);
+    if (result)
+        return result;
+    if (scene->input == VOXEL_FUNCTION)
+        return voxel_implicit(&scene->function, box, setting->kind, work, sheet, error);
+    if (scene->input == VOXEL_PARAMETRIC)
+        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_STEP, box, work, sheet, error);
+    return voxel_points(scene->mesh.positions, scene->mesh.vertex_count, box, work, sheet, error);
+}

@@ -1,0 +1,65 @@
+/* What is to be voxelized, and where its volume lies: a mesh, a function, a parametric surface, or
+ * points. */
+#ifndef APPS_TECHNIQUES_VOXEL_INPUTS_SCENE_H
+#define APPS_TECHNIQUES_VOXEL_INPUTS_SCENE_H
+
+#include "apps/techniques/voxel/voxel.h"
+#include "apps/techniques/voxel/inputs/inputs.h"
+#include "apps/techniques/voxel/range.h"
+#include "pipeline/io/mesh/mesh.h"
+
+typedef enum VoxelInput {
+    VOXEL_MESH,
+    VOXEL_FUNCTION,   /* below 0 is inside */
+    VOXEL_PARAMETRIC, /* a surface of voxel_parametric_names */
+    VOXEL_POINTS,     /* the vertices of a mesh */
+} VoxelInput;
+
+#define VOXEL_MOST_TWIST 1440.0
+
+typedef struct VoxelScene {
+    int input;    /* VoxelInput */
+    GpMesh mesh;  /* also of points */
+    double twist; /* of a mesh: degrees from its floor to its top, about the middle of its volume */
+    bool is_placed; /* by a scale and an offset of the user's, not by the model's box */
+    double scale, offset[3];
+
+    /* private */
+    VoxelFunction function;
+    double reach; /* of a function: the half side of its cube */
+    char surface[16];
+} VoxelScene;
+
+/* Reads a mesh file, looked for as data is (gp_data_find), whose vertices are points where it has no
+ * faces; or makes builtin:NAME (apps/scene/shapes.h), implicit:FUNCTION (voxel_function_parse) or
+ * parametric:NAME (voxel_parametric_names).
+ * errors those of gp_data_find, gp_mesh_read and voxel_function_parse; GP_ERROR_INVALID: no such name
+ * owns   the caller, until voxel_scene_close */
+GpResult voxel_scene_open(const char *path, VoxelScene *scene, GpError *error);
+void voxel_scene_close(VoxelScene *scene); /* a zeroed one is fine */
+
+/* The box of all that may be set. Of a function it is the cube that is looked at; of a twisted mesh it
+ * has room for every angle. */
+VoxelBounds voxel_scene_bounds(const VoxelScene *scene);
+
+/* Where a volume of `size` voxels a side lies in the model's space. */
+VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size);
+
+/* The voxels that a model may set. */
+VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box);
+
+/* The mesh of a scene as tech_voxel_draw takes it, borrowed and not twisted. */
+VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);
+
+/* Upper bounds of the passes and draws that voxel_scene_draw appends, for work_reserve. */
+void voxel_scene_room(const VoxelSetting *setting, const Worksheet *sheet, uint32_t *passes,
+                      uint32_t *draws);
+
+/* Appends the passes of a model in its box.
+ * in     sheet: of the setting's size and bits, which worksheet_check lets pass
+ * errors those of tech_voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with
+ *        what the model is */
+GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
+                          Work *work, const Worksheet *sheet, GpError *error);
+
+#endif

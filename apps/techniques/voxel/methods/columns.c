@@ -1,0 +1,166 @@
+/* Surfaces by columns: conservative and thin. A triangle is a point that carries its corners. */
+#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/lists.h"
+#include "shaders_c/voxel/voxel_columns.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SLAB = 32, CORNERS = 9 }; /* voxels of a slab; floats of a triangle */
+
+/* Longer than this in x or y, a triangle is drawn as a rectangle: a square round it has too many
+ * columns that it does not cross. */
+#define LONG_SIDE 24.0f
+
+/* Slabs that a triangle may reach beyond its lowest; one that moves may lie anywhere over them. */
+static float slabs_beyond(const VoxelExtent *extent)
+{
+    return floorf(extent->high / SLAB) - floorf(extent->low / SLAB);
+}
+
+static bool in_one_column(const VoxelExtent *extent, float step)
+{
+    return extent->in_column && slabs_beyond(extent) >= step;
+}
+
+static bool in_square(const VoxelExtent *extent, float step)
+{
+    return extent->side <= LONG_SIDE && slabs_beyond(extent) >= step;
+}
+
+static bool in_columns(const VoxelExtent *extent, float step)
+{
+    return !extent->in_column && in_square(extent, step);
+}
+
+static bool in_rectangle(const VoxelExtent *extent, float step)
+{
+    return extent->side > LONG_SIDE && slabs_beyond(extent) >= step;
+}
+
+static bool sampled_in_square(const VoxelExtent *extent, float step)
+{
+    return extent->meets_lines && in_square(extent, step);
+}
+
+/* --- streams ---------------------------------------------------------------------------------- */
+
+static void copy_corners(const VoxelModel *model, uint32_t triangle, float corners[CORNERS])
+{
+    for (int j = 0; j < 3; j++)
+        memcpy(corners + 3 * j,
+               model->positions + 3 * (size_t)model->indices[3 * (size_t)triangle + (size_t)j],
+               3 * sizeof *corners);
+}
+
+static void bind_corners(GpGeometry *geometry, const float *data, uint32_t stride)
+{
+    for (int j = 0; j < 3; j++)
+        geometry->streams[GP_TEXCOORD0 + j] =
+            (GpStream){ .data = data + 3 * j, .stride = stride, .components = 3 };
+    geometry->streams[GP_POSITION] = geometry->streams[GP_TEXCOORD0];
+}
+
+/* One vertex for each triangle of a list. */
+static GpGeometry make_points(const VoxelModel *model, Work *work, const uint32_t *list,
+                              uint32_t count)
+{
+    float *corners = work_alloc(work, (size_t)count * CORNERS, sizeof *corners);
+    for (uint32_t i = 0; i < count; i++)
+        copy_corners(model, list[i], corners + (size_t)i * CORNERS);
+    GpGeometry points = { .primitive = GP_POINTS, .vertex_count = count };
+    bind_corners(&points, corners, CORNERS * sizeof *corners);
+    return points;
+}
+
+/* Four vertices and two triangles for each of a list. */
+static GpGeometry make_rectangles(const VoxelModel *model, Work *work, const uint32_t *list,
+                                  uint32_t count)
+{
+    enum { FLOATS = CORNERS + 1 };
+    static const uint32_t halves[6] = { 0, 1, 2, 0, 2, 3 };
+    float *vertices = work_alloc(work, (size_t)count * 4 * FLOATS, sizeof *vertices);
+    uint32_t *indices = work_alloc(work, (size_t)count * 6, sizeof *indices);
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t j = 0; j < 4; j++) {
+            float *vertex = vertices + ((size_t)i * 4 + j) * FLOATS;
+            copy_corners(model, list[i], vertex);
+            vertex[CORNERS] = (float)j;
+        }
+        for (uint32_t j = 0; j < 6; j++)
+            indices[(size_t)i * 6 + j] = 4 * i + halves[j];
+    }
+    GpGeometry geometry = { .vertex_count = 4 * count,
+                            .indices = indices,
+                            .index_count = 6 * count };
+    bind_corners(&geometry, vertices, FLOATS * sizeof *vertices);
+    geometry.streams[GP_TEXCOORD3] = (GpStream){ .data = vertices + CORNERS,
+                                                 .stride = FLOATS * sizeof *vertices,
+                                                 .components = 1 };
+    return geometry;
+}
+
+/* --- draws ------------------------------------------------------------------------------------ */
+
+static void add_draw(const VoxelModel *model, Work *work, const Worksheet *sheet,
+                     const GpProgram *program, uint32_t step, const GpGeometry *geometry)
+{
+    VoxelColumnsUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    *uniforms = (VoxelColumnsUniforms){ .sheet = worksheet_layout(sheet), .step = (float)step };
+    voxel_set_motion(model, &uniforms->motion);
+    work_draw(work, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
+}
+
+/* Points of a draw: as many as stay in a core's caches from their vertices to their pixels. */
+enum { POINTS_A_DRAW = 1 << 15 };
+
+/* The triangles that one program draws, and how. */
+typedef struct Share {
+    VoxelChoice *choice;
+    const GpProgram *program;
+    bool is_rectangles;
+} Share;
+
+static const Share touched[] = {
+    { in_one_column, &voxel_touched_column_program, false },
+    { in_columns, &voxel_touched_program, false },
+    { in_rectangle, &voxel_touched_rectangle_program, true },
+};
+
+static const Share sampled[] = {
+    { sampled_in_square, &voxel_sampled_program, false },
+    { in_rectangle, &voxel_sampled_rectangle_program, true },
+};
+
+static void draw_list(const VoxelModel *model, Work *work, const Worksheet *sheet,
+                      const Share *share, VoxelList list, uint32_t step)
+{
+    const uint32_t room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
+    for (uint32_t done = 0; done < list.count; done += room) {
+        const uint32_t *from = list.triangles + done;
+        const uint32_t next = list.count - done < room ? list.count - done : room;
+        GpGeometry geometry = share->is_rectangles ? make_rectangles(model, work, from, next)
+                                                   : make_points(model, work, from, next);
+        add_draw(model, work, sheet, share->program, step, &geometry);
+    }
+}
+
+void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *work,
+                   const Worksheet *sheet)
+{
+    const bool thin = setting->method == VOXEL_THIN;
+    const Share *shares = thin ? sampled : touched;
+    const size_t share_count = thin ? GP_COUNT(sampled) : GP_COUNT(touched);
+    VoxelExtent *extents = work_alloc(work, model->triangle_count, sizeof *extents);
+    voxel_extents(model, extents);
+
+    worksheet_pass(work, thin ? "sampled" : "touched", sheet);
+    for (size_t i = 0; i < share_count; i++) {
+        VoxelList list = { NULL, model->triangle_count };
+        for (uint32_t step = 0; list.count && step < sheet->slabs; step++) {
+            /* what reaches so far has reached all slabs before */
+            list = voxel_choose(work, extents, list, shares[i].choice, (float)step);
+            draw_list(model, work, sheet, &shares[i], list, step);
+        }
+    }
+}

@@ -1,0 +1,58 @@
+/* Voxels from a layered depth image: surfaces along z are peeled off one after the other, which
+ * also sorts them, and a column is inside from each odd one to the next.
+ * DEVIATES: a list cannot look whether a layer came out empty, so all VOXEL_LDI_LAYERS are drawn;
+ * empty ones cost their geometry, and nothing else.
+ * source Heidelberger, Teschner and Gross, "Real-time volumetric intersections of deforming
+ *        objects", Vision, Modeling and Visualization 2003 */
+#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/along.h"
+#include "shaders_c/voxel/voxel_layers.h"
+
+static void peel(const VoxelModel *model, uint32_t size, Work *work,
+                 GpSurface *layers[VOXEL_LDI_LAYERS])
+{
+    static const float no_layer[4] = { VOXEL_NO_LAYER };
+    const GpGeometry geometry = voxel_model_geometry(model);
+    GpSurface *depth = work_surface(work, GP_D32F, size, size, 1);
+    VoxelPeelUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    voxel_along_view(model, size, 2, false, uniforms->to_clip);
+    for (int i = 0; i < VOXEL_LDI_LAYERS; i++) {
+        layers[i] = work_surface(work, GP_R32F, size, size, 1);
+        work_pass(work, "layer", layers[i], depth, no_layer);
+        GpDraw *draw = work_draw(work, i ? &voxel_peel_next_program : &voxel_peel_first_program,
+                                 uniforms, &geometry);
+        draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
+        if (i)
+            draw->textures[0].surface = layers[i - 1];
+    }
+}
+
+/* Draws a patch from one layer, or from two. */
+static void fill_patch(Work *work, const Worksheet *sheet, uint32_t slab,
+                       const WorksheetSlab *uniforms, const GpSurface *entry, const GpSurface *exit)
+{
+    const GpProgram *program = exit ? &voxel_between_program : &voxel_layer_program;
+    GpDraw *draw = worksheet_draw(work, program, uniforms, sheet, slab);
+    draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
+    draw->textures[0].surface = entry;
+    draw->textures[1].surface = exit;
+}
+
+void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Work *work,
+               const Worksheet *sheet)
+{
+    GpSurface *layers[VOXEL_LDI_LAYERS];
+    peel(model, setting->size, work, layers);
+
+    WorksheetSlab *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
+    worksheet_pass(work, "layers to voxels", sheet);
+    for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
+        uniforms[slab] = worksheet_slab(sheet, slab);
+        if (setting->kind == VOXEL_SOLID)
+            for (int i = 0; i + 1 < VOXEL_LDI_LAYERS; i += 2)
+                fill_patch(work, sheet, slab, &uniforms[slab], layers[i], layers[i + 1]);
+        else
+            for (int i = 0; i < VOXEL_LDI_LAYERS; i++)
+                fill_patch(work, sheet, slab, &uniforms[slab], layers[i], NULL);
+    }
+}

@@ -1,0 +1,33 @@
+/* Index lists of voxelization: which triangles a draw needs, found once for a model that stands
+ * still. That is the processor's part, as in the thesis (section 2.2); nothing here makes a
+ * voxel. */
+#ifndef APPS_TECHNIQUES_VOXEL_METHODS_LISTS_H
+#define APPS_TECHNIQUES_VOXEL_METHODS_LISTS_H
+
+#include "apps/techniques/voxel/voxel.h"
+
+/* What a triangle may be drawn to, in voxels and with room for rounding. */
+typedef struct VoxelExtent {
+    float low, high;  /* z; of a model that moves: round 0, its longest edge apart */
+    float side;       /* the longer side of its box in x and y */
+    bool in_column;   /* that box is certainly within one voxel's square */
+    bool meets_lines; /* the box may hold a line's two middles: others have no sample */
+} VoxelExtent;
+
+/* out  extents: [model->triangle_count] */
+void voxel_extents(const VoxelModel *model, VoxelExtent *extents);
+
+typedef bool VoxelChoice(const VoxelExtent *extent, float about);
+
+/* Triangles by number, in order. */
+typedef struct VoxelList {
+    const uint32_t *triangles; /* NULL: all, from 0 on */
+    uint32_t count;
+} VoxelList;
+
+/* Those of a list that a choice takes.
+ * owns   work */
+VoxelList voxel_choose(Work *work, const VoxelExtent *extents, VoxelList from, VoxelChoice *choice,
+                       float about);
+
+#endif

@@ -1,0 +1,36 @@
+/* Pictures of voxelized models: of one or of what two make, alone or inside a scanned volume. */
+#ifndef APPS_TECHNIQUES_VOXEL_PICTURES_PICTURE_H
+#define APPS_TECHNIQUES_VOXEL_PICTURES_PICTURE_H
+
+#include "apps/techniques/voxel/inputs/pair.h"
+#include "apps/techniques/voxel/pictures/view.h"
+#include "pipeline/io/volume/volume.h"
+
+typedef enum VoxelUp { VOXEL_UP_Y, VOXEL_UP_Z, VOXEL_UP_X, VOXEL_DOWN_Y, VOXEL_DOWN_Z } VoxelUp;
+
+typedef struct VoxelPicture {
+    uint32_t width, height;
+    int look, shading;         /* VoxelViewMode, VoxelShading */
+    double azimuth, elevation; /* of the eye, in degrees: to the right, upwards */
+    int up;                    /* the axis that points up in the picture */
+    double zoom;               /* larger by so much than what fills the picture */
+    bool shows_both;           /* both models, and where they touch; else their result */
+    bool is_solid;
+} VoxelPicture;
+
+extern const VoxelPicture voxel_picture_defaults;
+
+/* Room for what voxel_picture_build appends. */
+enum { VOXEL_PICTURE_PASSES = VOXEL_VIEW_PASSES + 1, VOXEL_PICTURE_DRAWS = VOXEL_VIEW_DRAWS + 1 };
+
+/* Appends the passes of a picture behind those that make its volumes.
+ * in     made: of one bit a voxel
+ *        scan: NULL: none; else of any type, whose longest side fills the volume and whose values
+ *        from the least to the greatest are seen from not at all to as bone
+ * out    work->color: A8R8G8B8
+ * errors those of voxel_view_build; GP_ERROR_INVALID: a scan in a volume that is too large, or more
+ *        than one bit a voxel; GP_ERROR_MEMORY */
+GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *made,
+                             const GpVolume *scan, Work *work, GpError *error);
+
+#endif

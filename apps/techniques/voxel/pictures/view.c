@@ -1,0 +1,324 @@
+#include "apps/techniques/voxel/pictures/view.h"
+
+#include "apps/frame/view_slices.h"
+#include "shaders_c/common/texel_copy.h"
+#include "shaders_c/voxel/voxel_blocks.h"
+#include "shaders_c/voxel/voxel_light.h"
+#include "shaders_c/voxel/voxel_scan.h"
+
+#include <string.h>
+
+const VoxelView voxel_view_defaults = {
+    .paint = { { 0.80f, 0.72f, 0.60f }, 0.12f },
+    .second_paint = { { 0.45f, 0.62f, 0.82f }, 0.12f },
+    .hit_paint = { { 0.86f, 0.10f, 0.08f }, 0.6f },
+    .light = { -0.45f, 0.7f, 0.75f },
+    .background = { 0.11f, 0.12f, 0.14f },
+};
+
+/* What the passes of one picture share. */
+typedef struct ViewBuild {
+    const Worksheet *sheet;
+    const VoxelView *view;
+    Work *work;
+    uint32_t width, height;
+    double aspect;
+    ViewSlices slices;
+    GpSurface *blocks;
+    GpSurface *found, *depth; /* the voxel that each pixel shows; NULL until drawn */
+} ViewBuild;
+
+/* Distance of a camera from a volume's middle, in its sides, at which a cube fills the picture. */
+#define AROUND 2.4
+
+enum { RAMP = 256 }; /* texels of a transfer ramp */
+
+static const float nothing[4] = { 0 };
+/* Colours come multiplied by alpha. */
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
+
+Camera voxel_camera(const VoxelBox *box, const Camera *model)
+{
+    Camera camera = *model;
+    for (int k = 0; k < 3; k++) {
+        camera.eye[k] = box->scale * model->eye[k] + box->offset[k];
+        camera.at[k] = box->scale * model->at[k] + box->offset[k];
+    }
+    camera.height *= box->scale;
+    camera.near *= box->scale;
+    camera.far *= box->scale;
+    return camera;
+}
+
+Camera voxel_camera_around(uint32_t size, double azimuth, double elevation)
+{
+    double sine[2], cosine[2];
+    angle_sincos(azimuth, &sine[0], &cosine[0]);
+    angle_sincos(elevation, &sine[1], &cosine[1]);
+    const double way[3] = { sine[0] * cosine[1], sine[1], cosine[0] * cosine[1] };
+    Camera camera = { .up = { 0, 1, 0 }, .fovy = 30 };
+    for (int k = 0; k < 3; k++) {
+        camera.at[k] = size / 2.0;
+        camera.eye[k] = size * (0.5 + AROUND * way[k]);
+    }
+    camera.near = size * (AROUND - 1);
+    camera.far = size * (AROUND + 1);
+    return camera;
+}
+
+uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double aspect)
+{
+    ViewSlices slices;
+    GpError error;
+    return view_slices_find(range, camera, aspect, &slices, &error) ? 0
+                                                                    : view_slices_count(&slices);
+}
+
+/* --- blocks ----------------------------------------------------------------------------------- */
+
+static void find_blocks(ViewBuild *build)
+{
+    Work *work = build->work;
+    const Worksheet *sheet = build->sheet, *second = build->view->second;
+    const uint32_t columns = (sheet->size + VOXEL_BLOCK - 1) / VOXEL_BLOCK;
+    const uint32_t width = columns * sheet->slabs;
+    GpSurface *rows = work_surface(work, GP_A8R8G8B8, width, sheet->size, 1);
+    build->blocks = work_surface(work, GP_A8R8G8B8, width, columns, 1);
+    const VoxelBlocksUniforms uniforms = { .sheet = worksheet_layout(sheet),
+                                           .columns = (float)columns,
+                                           .width = (float)width,
+                                           .height = (float)sheet->size };
+    const void *own = work_copy(work, &uniforms, sizeof uniforms);
+    work_pass(work, "rows of blocks", rows, NULL, nothing);
+    GpDraw *draw = work_draw(work, &voxel_block_rows_program, own, &worksheet_cover);
+    draw->textures[0].surface = sheet->texels;
+    draw->textures[1].surface = second ? second->texels : sheet->texels;
+    work_pass(work, "blocks", build->blocks, NULL, nothing);
+    work_draw(work, &voxel_blocks_program, own, &worksheet_cover)->textures[0].surface = rows;
+}
+
+/* --- slices ----------------------------------------------------------------------------------- */
+
+static VoxelViewUniforms slices_uniforms(const ViewBuild *build)
+{
+    const VoxelView *view = build->view;
+    const VoxelPaint *paints[3] = { &view->paint, &view->second_paint, &view->hit_paint };
+    VoxelViewUniforms uniforms = view_slices_uniforms(&build->slices, build->aspect);
+    uniforms.sheet = worksheet_layout(build->sheet);
+    uniforms.block_columns = (float)build->blocks->height;
+    uniforms.blocks_width = (float)build->blocks->width;
+    uniforms.blocks_height = (float)build->blocks->height;
+    for (int k = 0; k < 3; k++) {
+        memcpy(uniforms.colors[k], paints[k]->color, sizeof paints[k]->color);
+        uniforms.colors[k][3] = paints[k]->opacity;
+    }
+    return uniforms;
+}
+
+/* Worksheets are read by points, of slots 0 and 1. */
+static GpDraw *draw_slices(const ViewBuild *build, const GpProgram *one, const GpProgram *two,
+                           bool nearest_first)
+{
+    const VoxelViewUniforms uniforms = slices_uniforms(build);
+    const GpGeometry quads = view_slices_quads(build->work, &build->slices, nearest_first);
+    GpDraw *draw = work_draw(build->work, build->view->second ? two : one,
+                             work_copy(build->work, &uniforms, sizeof uniforms), &quads);
+    draw->textures[0].surface = build->sheet->texels;
+    draw->textures[3].surface = build->blocks;
+    if (build->view->second)
+        draw->textures[1].surface = build->view->second->texels;
+    return draw;
+}
+
+static void find_voxels(ViewBuild *build)
+{
+    build->found = work_surface(build->work, GP_A16B16G16R16F, build->width, build->height, 1);
+    build->depth = work_surface(build->work, GP_D32F, build->width, build->height, 1);
+    work_pass(build->work, "voxels", build->found, build->depth, nothing);
+    GpDraw *draw = draw_slices(build, &voxel_first_program, &voxel_first_two_program, true);
+    draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
+}
+
+/* --- light ------------------------------------------------------------------------------------ */
+
+/* Smoothed density of every pattern of six voxels in a row, and its slope. */
+static GpSurface *make_run_table(Work *work)
+{
+    GpSurface *table = work_surface(work, GP_A16B16G16R16F, VOXEL_RUN_PATTERNS, VOXEL_RUN_ROWS, 1);
+    for (uint32_t row = 0; row < VOXEL_RUN_ROWS; row++)
+        for (uint32_t pattern = 0; pattern < VOXEL_RUN_PATTERNS; pattern++) {
+            float density = 0, slope = 0;
+            for (int k = 0; k < VOXEL_RUN; k++) {
+                const float distance = (float)(k - 2) - (float)row / VOXEL_RUN_ROWS;
+                const float rest = 1 - distance * distance / 9;
+                density += pattern >> k & 1 ? rest * rest : 0;
+                slope += pattern >> k & 1 ? 4 * distance * rest / 9 : 0;
+            }
+            gp_texel_store(table->format, gp_surface_texel(&table->level[0], 8, pattern, row),
+                           (float[4]){ density, density, slope, 0 }, 0);
+        }
+    return table;
+}
+
+static void set_ray(const ViewBuild *build, VoxelLightUniforms *uniforms)
+{
+    const Camera *camera = &build->view->camera;
+    const CameraFrame frame = camera_frame(camera, build->aspect);
+    double light[3];
+    for (int k = 0; k < 3; k++)
+        light[k] = (double)build->view->light[0] * frame.right[k] +
+                   (double)build->view->light[1] * frame.up[k] -
+                   (double)build->view->light[2] * frame.forward[k];
+    vector_normalize(light);
+    for (int k = 0; k < 3; k++) {
+        uniforms->eye[k] = (float)camera->eye[k];
+        uniforms->at[k] = (float)frame.forward[k];
+        uniforms->right[k] = (float)(frame.right[k] * frame.half_width);
+        uniforms->up[k] = (float)(frame.up[k] * frame.half_height);
+        uniforms->light[k] = (float)light[k];
+    }
+    uniforms->perspective = camera->fovy > 0 ? 1 : 0;
+}
+
+/* Lights the voxels of one kind, all of which a volume has. */
+static void light_voxels(const ViewBuild *build, const Worksheet *sheet, const VoxelPaint *paint,
+                         float kind, const GpSurface *table)
+{
+    const VoxelView *view = build->view;
+    const bool smooth = view->shading == VOXEL_SMOOTH;
+    const float across = 1 / (float)sheet->texels->width, down = 1 / (float)sheet->texels->height;
+    VoxelLightUniforms uniforms = { .sheet = worksheet_layout(sheet),
+                                    .slabs = (float)sheet->slabs,
+                                    .across = { across, 0, across, 0 },
+                                    .down = { 0, down, 0, down },
+                                    .kind = kind };
+    set_ray(build, &uniforms);
+    memcpy(uniforms.color, paint->color, sizeof uniforms.color);
+    GpDraw *draw =
+        work_draw(build->work, smooth ? &voxel_light_smooth_program : &voxel_light_faces_program,
+                  work_copy(build->work, &uniforms, sizeof uniforms), &worksheet_cover);
+    draw->textures[0].surface = build->found;
+    if (!smooth)
+        return;
+    draw->textures[1].surface = sheet->texels;
+    draw->textures[2].surface = table;
+}
+
+static void light_found(const ViewBuild *build)
+{
+    const VoxelView *view = build->view;
+    const GpSurface *table = view->shading == VOXEL_SMOOTH ? make_run_table(build->work) : NULL;
+    light_voxels(build, build->sheet, &view->paint, VOXEL_KIND_FIRST, table);
+    if (!view->second)
+        return;
+    light_voxels(build, build->sheet, &view->hit_paint, VOXEL_KIND_BOTH, table);
+    light_voxels(build, view->second, &view->second_paint, VOXEL_KIND_SECOND, table);
+}
+
+/* --- haze ------------------------------------------------------------------------------------- */
+
+static GpSurface *make_ramp(Work *work, const uint8_t *transfer)
+{
+    GpSurface *ramp = work_surface(work, GP_A8R8G8B8, RAMP, 1, 1);
+    for (uint32_t i = 0; i < RAMP; i++) {
+        float rgba[4];
+        for (int c = 0; c < 4; c++)
+            rgba[c] = (float)transfer[4 * i + (uint32_t)c] / 255;
+        gp_texel_store(GP_A8R8G8B8, gp_surface_texel(&ramp->level[0], 4, i, 0), rgba, 0);
+    }
+    return ramp;
+}
+
+/* The scan, with the voxels in it unless those are opaque, and have been drawn. */
+static GpDraw *draw_scan(const ViewBuild *build)
+{
+    static const GpSampler linear = {
+        .min = GP_LINEAR, .mag = GP_LINEAR, .address_u = GP_CLAMP, .address_v = GP_CLAMP
+    };
+    const VoxelView *view = build->view;
+    VoxelLightUniforms light;
+    set_ray(build, &light);
+    VoxelScanUniforms uniforms = { .slices = slices_uniforms(build),
+                                   .slopes = worksheet_layout(view->scan) };
+    for (int k = 0; k < 3; k++) {
+        uniforms.light[k] = light.light[k];
+        uniforms.to_eye[k] = -light.at[k];
+    }
+    const GpGeometry quads = view_slices_quads(build->work, &build->slices, false);
+    const bool mixed = view->mode == VOXEL_TRANSPARENT;
+    GpDraw *draw = work_draw(build->work, mixed ? &voxel_scan_mixed_program : &voxel_scan_program,
+                             work_copy(build->work, &uniforms, sizeof uniforms), &quads);
+    if (mixed) {
+        draw->textures[0].surface = build->sheet->texels;
+        draw->textures[3].surface = build->blocks;
+    }
+    draw->textures[1] = (GpTexture){ view->scan->texels, linear };
+    draw->textures[2] = (GpTexture){ make_ramp(build->work, view->transfer), linear };
+    return draw;
+}
+
+/* Summed up in halves, since many slices add less than a byte can tell. */
+static void draw_haze(const ViewBuild *build)
+{
+    Work *work = build->work;
+    GpSurface *haze = work_surface(work, GP_A16B16G16R16F, build->width, build->height, 1);
+    GpPass *pass = work_pass(work, "haze", haze, build->depth, nothing);
+    pass->depth.clear_depth = false;
+    GpDraw *draw = build->view->scan
+                       ? draw_scan(build)
+                       : draw_slices(build, &voxel_haze_program, &voxel_haze_two_program, false);
+    draw->state.blend[0] = over;
+    draw->state.depth.test = build->depth ? GP_LESS : GP_ALWAYS;
+
+    work_pass(work, "over", work->color, NULL, nothing)->color[0].clear = false;
+    draw = work_draw(work, &texel_copy_program, NULL, &worksheet_cover);
+    draw->textures[0].surface = haze;
+    draw->state.blend[0] = over;
+}
+
+static GpResult check_view(const Worksheet *sheet, const VoxelView *view, GpError *error)
+{
+    const Worksheet *second = view->second, *scan = view->scan;
+    if (sheet->bits != 1)
+        return gp_fail(error, GP_ERROR_INVALID, "slices show volumes of 1 bit a voxel, not %u",
+                       sheet->bits);
+    if (second && (second->size != sheet->size || second->bits != sheet->bits))
+        return gp_fail(error, GP_ERROR_INVALID, "volumes of %u and %u voxels a side in one picture",
+                       sheet->size, second->size);
+    if (scan && scan->size != sheet->size)
+        return gp_fail(error, GP_ERROR_INVALID, "a scan of %u voxels a side around %u", scan->size,
+                       sheet->size);
+    if (scan && second && view->mode == VOXEL_TRANSPARENT)
+        return gp_fail(error, GP_ERROR_INVALID, "a scan with two transparent volumes in it");
+    return GP_OK;
+}
+
+GpResult voxel_view_build(const Worksheet *sheet, const VoxelView *view, uint32_t width,
+                          uint32_t height, Work *work, GpError *error)
+{
+    ViewBuild build = { .sheet = sheet,
+                        .view = view,
+                        .work = work,
+                        .width = width,
+                        .height = height,
+                        .aspect = (double)width / height };
+    const float background[4] = { view->background[0], view->background[1], view->background[2],
+                                  1 };
+    const bool anywhere = view->scan || voxel_range_is_empty(&view->range);
+    const VoxelRange range = anywhere ? voxel_range_whole(sheet->size) : view->range;
+    GpResult result = check_view(sheet, view, error);
+    if (!result)
+        result = view_slices_find(&range, &view->camera, build.aspect, &build.slices, error);
+    if (result)
+        return result;
+    work->color = work_surface(work, GP_A8R8G8B8, width, height, 1);
+    find_blocks(&build);
+    if (view->mode == VOXEL_OPAQUE)
+        find_voxels(&build);
+    work_pass(work, "light", work->color, NULL, background);
+    if (view->mode == VOXEL_OPAQUE)
+        light_found(&build);
+    if (view->mode == VOXEL_TRANSPARENT || view->scan)
+        draw_haze(&build);
+    return GP_OK;
+}

@@ -1,0 +1,61 @@
+/* Pictures of volumes of bits: worksheets drawn by slices. */
+#ifndef APPS_TECHNIQUES_VOXEL_PICTURES_VIEW_H
+#define APPS_TECHNIQUES_VOXEL_PICTURES_VIEW_H
+
+#include "apps/base/camera.h"
+#include "apps/techniques/voxel/box.h"
+#include "apps/techniques/voxel/range.h"
+#include "apps/techniques/voxel/flat_texture.h"
+
+typedef enum VoxelViewMode { VOXEL_OPAQUE, VOXEL_TRANSPARENT } VoxelViewMode;
+typedef enum VoxelShading { VOXEL_SMOOTH, VOXEL_FACES_OF_CUBES } VoxelShading;
+
+typedef struct VoxelPaint {
+    float color[3];
+    float opacity; /* transparent: share of light that is lost on a way of one voxel */
+} VoxelPaint;
+
+typedef struct VoxelView {
+    Camera camera; /* in voxels: voxel_camera */
+    int mode, shading;
+    VoxelRange range;        /* where voxels may be, which is faster; empty: anywhere */
+    VoxelPaint paint;        /* of the volume */
+    const Worksheet *second; /* NULL: none; else of the same layout */
+    VoxelPaint second_paint; /* of the second alone */
+    VoxelPaint hit_paint;    /* of voxels that both have */
+    const Worksheet *scan;   /* NULL: none; else what voxel_scan_slopes made, of the same size */
+    const uint8_t *transfer; /* of a scan: [256][4] red, green, blue, opacity of a voxel */
+    float light[3];          /* towards it: right, up, towards the eye; any length but 0 */
+    float background[3];
+} VoxelView;
+
+extern const VoxelView voxel_view_defaults;
+
+/* A camera of the model's space, in its volume's. */
+Camera voxel_camera(const VoxelBox *box, const Camera *model);
+
+/* A camera that looks at the middle of a volume, all of which is in the picture: from in front,
+ * along -z, at 0 degrees; azimuth turns it to the right, elevation upwards, less than 90. */
+Camera voxel_camera_around(uint32_t size, double azimuth, double elevation);
+
+/* Slices that the view of a range takes: those of each layer of voxels are so close that between
+ * two of them no ray of the picture moves by more than one voxel along any axis. 0: the view is too
+ * wide for slices across one axis. */
+uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double aspect);
+
+/* Appends the passes of a picture. Opaque voxels are lit as Phong did; each pixel shows the first
+ * voxel on its ray. Transparent ones are laid over each other, the farthest first, and fade light
+ * by the way in them. A scan fades it too, by samples linear between voxels; opaque voxels stand in
+ * it, and transparent ones are mixed with it. The eye may be inside the volume; of the slab that it
+ * is in, nothing is drawn.
+ * in     sheet: 1 bit a voxel; borrowed, as are the view's, until the list has run
+ * out    work->color: A8R8G8B8
+ * errors GP_ERROR_INVALID: more bits, a view too wide for slices across one axis, volumes of
+ *        different sizes, a scan with two transparent volumes in it */
+GpResult voxel_view_build(const Worksheet *sheet, const VoxelView *view, uint32_t width,
+                          uint32_t height, Work *work, GpError *error);
+
+/* Upper bounds of the passes and draws, for work_reserve. */
+enum { VOXEL_VIEW_PASSES = 8, VOXEL_VIEW_DRAWS = 8 };
+
+#endif

@@ -1,0 +1,53 @@
+/* What is true of a model: its exact voxels at a size, as bounds; its surface and its inside, at no
+ * size. Found when a volume is first held against them, and kept. */
+#ifndef APPS_TECHNIQUES_VOXEL_TRUTHS_H
+#define APPS_TECHNIQUES_VOXEL_TRUTHS_H
+
+#include "apps/techniques/voxel/inputs/scene.h"
+#include "apps/truth/voxel_distance.h"
+#include "apps/truth/voxel_probes.h"
+
+/* Volumes of bits between two that are exact: what must be set, and what may be. In between lie the
+ * voxels that rounding decides. */
+typedef enum VoxelTruthKind {
+    VOXEL_TRUTH_TOUCHED, /* by a triangle; undecided within 1/1000 voxel */
+    VOXEL_TRUTH_SAMPLED, /* by lines through middles along three axes; within 1/1000 voxel */
+    VOXEL_TRUTH_INSIDE,  /* an odd number of triangles above the middle; within 1/128 voxel */
+} VoxelTruthKind;
+
+enum { VOXEL_MAX_TRUTHS = 32 };
+
+typedef struct VoxelTruth {
+    VoxelTruthKind kind;
+    uint32_t size;
+    uint8_t *least, *most;
+} VoxelTruth;
+
+/* Those of one scene, in the order of their finding. */
+typedef struct VoxelTruths {
+    VoxelTruth truths[VOXEL_MAX_TRUTHS];
+    int count;
+    bool has_distance, has_probes;
+    VoxelDistance distance;
+    VoxelProbes probes;
+} VoxelTruths;
+
+/* The truth of a kind and a size: kept, or found now. NULL without memory, or without room. */
+const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
+                                    VoxelTruthKind kind, uint32_t size);
+
+/* How far a volume of `size` is from the model's surface, and the surface from it: the larger of both
+ * (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In
+ * thousandths, of the model's longest side and of its enclosed volume. NaN without memory. */
+double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+                             const uint8_t *bits);
+double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+                                 const uint8_t *bits);
+
+void voxel_truths_free(VoxelTruths *truths); /* zeroes it; a zeroed one is fine */
+
+/* Voxels of a volume of bits that must be set and are not, and those that must not be and are. */
+void voxel_truth_compare(const VoxelTruth *truth, const uint8_t *bits, uint64_t *missing,
+                         uint64_t *extra);
+
+#endif

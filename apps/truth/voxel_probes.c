@@ -1,0 +1,162 @@
+#include "apps/truth/voxel_probes.h"
+
+#include "apps/truth/even_points.h"
+#include "apps/truth/triangle.h"
+
+enum {
+    PROBES = 2000000,
+    CELLS = 512, /* a side of the grid by which those above and below a triangle are found */
+};
+
+static const double wider = 1.125; /* than the model's box */
+
+/* Probes by cells of x and y: those of cell i are from start[i] to start[i + 1] of `order`. */
+typedef struct Grid {
+    uint32_t *start, *order;
+} Grid;
+
+static void place_of(const VoxelProbes *probes, uint32_t i, double point[3])
+{
+    truth_even_in_cube(i, point);
+    for (int k = 0; k < 3; k++)
+        point[k] = probes->low[k] + probes->side * point[k];
+}
+
+/* --- the grid ---------------------------------------------------------------------------------- */
+
+static uint32_t cell_of(uint32_t i)
+{
+    double place[3];
+    truth_even_in_cube(i, place);
+    return (uint32_t)(place[1] * CELLS) * CELLS + (uint32_t)(place[0] * CELLS);
+}
+
+/* Counts, sums, and fills from the back, so that each cell's start is reached at last. */
+static void fill_grid(const Grid *grid)
+{
+    for (uint32_t i = 0; i < PROBES; i++)
+        grid->start[cell_of(i)]++;
+    for (uint32_t i = 1; i <= CELLS * CELLS; i++)
+        grid->start[i] += grid->start[i - 1];
+    for (uint32_t i = PROBES; i-- > 0;)
+        grid->order[--grid->start[cell_of(i)]] = i;
+}
+
+/* Cells that lie between two places, in full or in part. */
+static void cells_between(double low, double high, double origin, double side, uint32_t range[2])
+{
+    const double scale = CELLS / side, places[2] = { low, high };
+    for (int i = 0; i < 2; i++)
+        range[i] = (uint32_t)fmin(fmax((places[i] - origin) * scale, 0), CELLS - 1);
+}
+
+/* --- inside ------------------------------------------------------------------------------------ */
+
+/* Turns over those of a row of cells that a triangle is above. */
+static void turn_row(const VoxelProbes *probes, const Grid *grid, uint32_t first, uint32_t last,
+                     const TruthTriangle *triangle, const TruthProjection *projection)
+{
+    double normal[3];
+    truth_normal(triangle, normal);
+    for (uint32_t k = grid->start[first]; k < grid->start[last + 1]; k++) {
+        const uint32_t i = grid->order[k];
+        double point[3];
+        place_of(probes, i, point);
+        if (truth_covers(projection, point[0], point[1]) &&
+            point[2] < truth_depth(triangle, normal, projection, point[0], point[1]))
+            probes->inside[i / 8] = (uint8_t)(probes->inside[i / 8] ^ 1u << i % 8);
+    }
+}
+
+static void turn_below(const VoxelProbes *probes, const Grid *grid, const TruthTriangle *triangle)
+{
+    const TruthProjection projection = truth_project(triangle, 2);
+    uint32_t range[2][2];
+    if (projection.area == 0) /* seen from its edge */
+        return;
+    for (int k = 0; k < 2; k++) {
+        double low, high;
+        truth_bounds(triangle, k, &low, &high);
+        cells_between(low, high, probes->low[k], probes->side, range[k]);
+    }
+    for (uint32_t y = range[1][0]; y <= range[1][1]; y++)
+        turn_row(probes, grid, y * CELLS + range[0][0], y * CELLS + range[0][1], triangle,
+                 &projection);
+}
+
+static void set_cube(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)
+{
+    double middle[3];
+    for (int k = 0; k < 3; k++) {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (uint32_t i = 0; i < count; i++) {
+            double from, to;
+            truth_bounds(&triangles[i], k, &from, &to);
+            low = fmin(low, from);
+            high = fmax(high, to);
+        }
+        probes->side = fmax(probes->side, high - low);
+        middle[k] = 0.5 * (low + high);
+    }
+    probes->side *= wider;
+    for (int k = 0; k < 3; k++)
+        probes->low[k] = middle[k] - 0.5 * probes->side;
+}
+
+GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)
+{
+    const size_t bytes = (PROBES + 7) / 8;
+    VoxelProbes made = { .inside = gp_alloc(bytes, 1) };
+    const Grid grid = { gp_alloc(CELLS * CELLS + 1, sizeof *grid.start),
+                        gp_alloc(PROBES, sizeof *grid.order) };
+    bool good = made.inside && grid.start && grid.order;
+    if (good) {
+        set_cube(triangles, count, &made);
+        fill_grid(&grid);
+        for (uint32_t i = 0; i < count; i++)
+            turn_below(&made, &grid, &triangles[i]);
+        for (size_t i = 0; i < bytes; i++)
+            made.inside_count += (unsigned)__builtin_popcount(made.inside[i]);
+        *probes = made;
+    } else {
+        voxel_probes_free(&made);
+    }
+    gp_free(grid.start);
+    gp_free(grid.order);
+    return good ? GP_OK : GP_ERROR_MEMORY;
+}
+
+void voxel_probes_free(VoxelProbes *probes)
+{
+    gp_free(probes->inside);
+    *probes = (VoxelProbes){ .inside = NULL };
+}
+
+/* --- wrong ------------------------------------------------------------------------------------- */
+
+/* out  place: the bit of the voxel that a point lies in; false: in none */
+static bool find_voxel(const VoxelSpace *space, const double point[3], size_t *place)
+{
+    size_t at[3];
+    for (int k = 0; k < 3; k++) {
+        const double p = space->scale * point[k] + space->offset[k];
+        if (!(p >= 0 && p < space->size))
+            return false;
+        at[k] = (size_t)p;
+    }
+    *place = at[0] + space->size * (at[1] + space->size * at[2]);
+    return true;
+}
+
+double voxel_probes_wrong(const VoxelProbes *probes, const VoxelSpace *space, const uint8_t *bits)
+{
+    uint64_t wrong = 0;
+    for (uint32_t i = 0; i < PROBES; i++) {
+        double point[3];
+        size_t voxel;
+        place_of(probes, i, point);
+        if (find_voxel(space, point, &voxel))
+            wrong += ((probes->inside[i / 8] >> i % 8) ^ (bits[voxel / 8] >> voxel % 8)) & 1;
+    }
+    return (double)wrong / fmax((double)probes->inside_count, 1);
+}

@@ -1,0 +1,62 @@
+/* The exact voxels of a mesh, in double: which a triangle touches, which lie inside.
+ *
+ * A volume of N a side has its voxel (x, y, z) at [x, x+1] x [y, y+1] x [z, z+1], and its bit at
+ * i = x + N (y + N z): byte i/8, bit i%8 from the low end. All triangles here are in voxel space.
+ */
+#ifndef APPS_TRUTH_VOXEL_TRUTH_H
+#define APPS_TRUTH_VOXEL_TRUTH_H
+
+#include "pipeline/base/base.h"
+#include "apps/truth/ray_triangle.h"
+
+/* From the mesh's space to voxels: q = scale * p + offset. */
+typedef struct VoxelSpace {
+    uint32_t size; /* N */
+    double scale, offset[3];
+} VoxelSpace;
+
+/* The box of the vertices that triangles refer to fills N - 2.5 voxels of its longest side,
+ * centred.
+ * in   count: triangles, at least 1; a box without size has scale 1 */
+VoxelSpace voxel_space(const float *positions, const uint32_t *indices, uint32_t count,
+                       uint32_t size);
+
+/* Triangles of a mesh in voxel space. */
+void voxel_triangles(const float *positions, const uint32_t *indices, uint32_t count,
+                     const VoxelSpace *space, TruthTriangle *triangles);
+
+/* Bytes of a volume's bits. */
+size_t voxel_bytes(uint32_t size);
+
+/* Sets every voxel whose closed box, grown by `margin` to each side (shrunk where it is negative),
+ * a triangle touches.
+ * in/out bits: [voxel_bytes(size)]
+ * source Akenine-Moller, "Fast 3D triangle-box overlap testing", JGT 6(1), 2001: thirteen axes */
+void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size, double margin,
+                   uint8_t *bits);
+
+/* Sets the voxels that sampling finds: a triangle is looked at along axes, in lines through the
+ * middles of voxels; where it is met within `margin` of a line (beyond its edges too), and within
+ * `margin` of a voxel, that is set. With a negative margin those that are met for certain.
+ * in     all_axes: along each axis; else along the one that the triangle's normal is nearest to
+ *        (the first of equals)
+ * in/out bits: [voxel_bytes(size)] */
+void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, bool all_axes,
+                double margin, uint8_t *bits);
+
+/* Sets the voxels whose middle has an odd number of triangles above it, along z.
+ * in/out bits: [voxel_bytes(size)], which are inverted: begin with zeros
+ * note   A middle that lies exactly below an edge is below one of the two triangles: edges are told
+ *        by one rule from both sides. */
+void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, uint8_t *bits);
+
+/* Sets the voxels whose middle lies within `distance` of a triangle: those of which inside and
+ * outside are a matter of rounding.
+ * in/out bits: [voxel_bytes(size)] */
+void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,
+                uint8_t *bits);
+
+/* Number of bits that are set. */
+uint64_t voxel_count(const uint8_t *bits, uint32_t size);
+
+#endif

@@ -1,0 +1,181 @@
+#include "pipeline/base/pool.h"
+
+#include "pipeline/base/fpcontrol.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <unistd.h>
+
+typedef struct Worker {
+    GpPool *pool;
+    int number;
+    pthread_t thread;
+} Worker;
+
+/* Looks at a word that is about to change before a thread sleeps. The phases of a frame follow each
+ * other within the tenth of a millisecond that the longer wait takes; waking a thread takes as long.
+ * Where threads are more than processors, whoever looks is in the way of one that works. */
+enum { LOOKS = 4000, LOOKS_IF_CROWDED = 200 };
+
+struct GpPool {
+    int threads;
+    int looks;       /* of a worker, before it sleeps */
+    Worker *workers; /* number 0 has no thread of its own */
+    pthread_mutex_t mutex;
+    pthread_cond_t work_came, work_done;
+    unsigned round;     /* calls of gp_pool_run so far; workers wait for it to change */
+    atomic_uint called; /* the same, said once the mutex is free: who looks would run into it */
+    atomic_int inside;  /* workers that have joined the round and not finished it */
+    bool open; /* the round may still be joined: whoever wakes too late is not waited for */
+    bool stop;
+
+    GpPoolFn function;
+    void *context;
+    uint32_t count;
+    atomic_uint next; /* item */
+};
+
+static void pause_briefly(void)
+{
+#if defined __x86_64__ || defined __i386__
+    __builtin_ia32_pause();
+#elif defined __aarch64__
+    __asm__ volatile("yield");
+#endif
+}
+
+static void do_items(GpPool *pool, int worker)
+{
+    GpFpControl control = gp_fp_enter();
+    for (;;) {
+        uint32_t item = atomic_fetch_add_explicit(&pool->next, 1, memory_order_relaxed);
+        if (item >= pool->count)
+            break;
+        pool->function(pool->context, item, worker);
+    }
+    gp_fp_leave(control);
+}
+
+static void *work(void *argument)
+{
+    Worker *worker = argument;
+    GpPool *pool = worker->pool;
+    unsigned seen = 0;
+    for (;;) {
+        for (int look = 0; look < pool->looks && atomic_load(&pool->called) == seen; look++)
+            pause_briefly();
+        pthread_mutex_lock(&pool->mutex);
+        while (pool->round == seen && !pool->stop)
+            pthread_cond_wait(&pool->work_came, &pool->mutex);
+        seen = pool->round;
+        bool join = pool->open, stop = pool->stop;
+        if (join)
+            atomic_fetch_add(&pool->inside, 1);
+        pthread_mutex_unlock(&pool->mutex);
+        if (stop)
+            return NULL;
+        if (!join)
+            continue;
+        do_items(pool, worker->number);
+        if (atomic_fetch_sub(&pool->inside, 1) > 1)
+            continue;
+        pthread_mutex_lock(&pool->mutex); /* whoever saw others inside is asleep by then */
+        pthread_cond_signal(&pool->work_done);
+        pthread_mutex_unlock(&pool->mutex);
+    }
+}
+
+static void stop_workers(GpPool *pool, int started)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->stop = true;
+    pthread_cond_broadcast(&pool->work_came);
+    pthread_mutex_unlock(&pool->mutex);
+    for (int i = 1; i < started; i++)
+        pthread_join(pool->workers[i].thread, NULL);
+    pthread_cond_destroy(&pool->work_came);
+    pthread_cond_destroy(&pool->work_done);
+    pthread_mutex_destroy(&pool->mutex);
+    gp_free(pool->workers);
+    gp_free(pool);
+}
+
+GpResult gp_pool_create(int threads, GpPool **pool, GpError *error)
+{
+    GP_ASSERT(threads >= 1 && threads <= 1024);
+    GpPool *p = gp_alloc(1, sizeof *p);
+    Worker *workers = gp_alloc((size_t)threads, sizeof *workers);
+    if (!p || !workers) {
+        gp_free(p);
+        gp_free(workers);
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for %d threads", threads);
+    }
+    p->threads = threads;
+    p->looks = threads <= sysconf(_SC_NPROCESSORS_ONLN) ? LOOKS : LOOKS_IF_CROWDED;
+    p->workers = workers;
+    pthread_mutex_init(&p->mutex, NULL);
+    pthread_cond_init(&p->work_came, NULL);
+    pthread_cond_init(&p->work_done, NULL);
+    for (int i = 1; i < threads; i++) {
+        workers[i].pool = p;
+        workers[i].number = i;
+        if (pthread_create(&workers[i].thread, NULL, work, &workers[i])) {
+            stop_workers(p, i);
+            return gp_fail(error, GP_ERROR_MEMORY, "the system gives no more than %d threads", i);
+        }
+    }
+    *pool = p;
+    return GP_OK;
+}
+
+void gp_pool_destroy(GpPool **pool)
+{
+    if (*pool)
+        stop_workers(*pool, (*pool)->threads);
+    *pool = NULL;
+}
+
+int gp_pool_threads(const GpPool *pool)
+{
+    return pool->threads;
+}
+
+static void open_round(GpPool *pool)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->open = true;
+    const unsigned round = ++pool->round;
+    pthread_cond_broadcast(&pool->work_came);
+    pthread_mutex_unlock(&pool->mutex);
+    atomic_store(&pool->called, round);
+}
+
+static void close_round(GpPool *pool)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->open = false;
+    pthread_mutex_unlock(&pool->mutex);
+    for (int look = 0; look < pool->looks && atomic_load(&pool->inside); look++)
+        pause_briefly();
+    if (!atomic_load(&pool->inside))
+        return;
+    pthread_mutex_lock(&pool->mutex);
+    while (atomic_load(&pool->inside))
+        pthread_cond_wait(&pool->work_done, &pool->mutex);
+    pthread_mutex_unlock(&pool->mutex);
+}
+
+void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
+{
+    GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
+    bool alone = pool->threads == 1 || count <= 1;
+    pool->function = function;
+    pool->context = context;
+    pool->count = count;
+    atomic_store_explicit(&pool->next, 0, memory_order_relaxed);
+    if (!alone)
+        open_round(pool);
+    do_items(pool, 0);
+    if (!alone)
+        close_round(pool);
+}

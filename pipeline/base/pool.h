@@ -1,0 +1,23 @@
+/* A pool of threads that run numbered items of work, and sleep in between. */
+#ifndef GP_POOL_H
+#define GP_POOL_H
+
+#include "pipeline/base/base.h"
+
+typedef struct GpPool GpPool;
+
+/* Does one item. worker: 0..threads-1, the same for all items that one thread does in a call. */
+typedef void (*GpPoolFn)(void *context, uint32_t item, int worker);
+
+/* Creates a pool of `threads` workers, 1..1024; the thread that calls gp_pool_run is worker 0.
+ * errors GP_ERROR_MEMORY, also where the system refuses a thread */
+GpResult gp_pool_create(int threads, GpPool **pool, GpError *error);
+void gp_pool_destroy(GpPool **pool); /* NULL-safe, sets NULL */
+
+int gp_pool_threads(const GpPool *pool);
+
+/* Runs items 0..count-1, each once, by any worker in any order; returns when all are done. What one
+ * item writes, later calls see. Results must not depend on the worker. One caller at a time. */
+void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context);
+
+#endif

@@ -1,0 +1,290 @@
+/* Binning in lanes: GP_LANES triangles or points at a time are culled and put in the bins of their
+ * tiles. */
+#include "pipeline/fast/lanes/raster/sprite.h"
+
+enum {
+    FITS = 1 << 15,         /* largest extent, in sub-pixels, at which areas fit into 32 bits */
+    TINY = 2 * GP_SUBPIXELS /* a smaller extent holds at most two centres */
+};
+
+/* GP_LANES triangles of one draw on the screen. */
+typedef struct Batch {
+    itg x[3], y[3];
+    flt z; /* of some corner */
+    itg low_x, low_y, high_x, high_y;
+    itg x0, y0, x1, y1; /* pixels whose centres may be inside, ends included */
+} Batch;
+
+GP_INLINE itg least(const itg a[3])
+{
+    return itg_lesser(a[0], itg_lesser(a[1], a[2]));
+}
+
+GP_INLINE itg most(const itg a[3])
+{
+    return itg_greater(a[0], itg_greater(a[1], a[2]));
+}
+
+/* Corners of triangles of a draw, counted from its first; beyond `count` the first stands in. */
+GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, Batch *batch)
+{
+    const uint32_t *indices = d->draw->geometry.indices, *number = indices + 3 * first;
+    uint32_t made[3 * GP_LANES];
+    if (!indices || count < GP_LANES) {
+        for (uint32_t i = 0; i < 3 * GP_LANES; i++) {
+            uint32_t at = 3 * first + (i < 3 * count ? i : i % 3);
+            made[i] = indices ? indices[at] : at;
+        }
+        number = made;
+    }
+    for (int k = 0; k < 3; k++) {
+        const void *record[GP_LANES];
+        GP_UNROLL
+        for (int lane = 0; lane < GP_LANES; lane++)
+            record[lane] = &d->positions[number[3 * lane + k] - d->first_vertex];
+        itg word[4];
+        lanes_load4(record, word);
+        batch->x[k] = word[0];
+        batch->y[k] = word[1];
+        batch->z = (flt)word[2];
+    }
+}
+
+GP_INLINE void set_boxes(const FastDraw *d, Batch *b)
+{
+    const int32_t half = GP_SUBPIXELS / 2;
+    b->low_x = least(b->x);
+    b->low_y = least(b->y);
+    b->high_x = most(b->x);
+    b->high_y = most(b->y);
+    b->x0 = itg_greater((b->low_x + (half - 1)) >> GP_SUBPIXEL_BITS, itg_set(d->rect.x0));
+    b->y0 = itg_greater((b->low_y + (half - 1)) >> GP_SUBPIXEL_BITS, itg_set(d->rect.y0));
+    b->x1 = itg_lesser((b->high_x - half) >> GP_SUBPIXEL_BITS, itg_set(d->rect.x1 - 1));
+    b->y1 = itg_lesser((b->high_y - half) >> GP_SUBPIXEL_BITS, itg_set(d->rect.y1 - 1));
+}
+
+/* Triangles that miss the four centres at and beyond (x0, y0), which are all that a tiny one may
+ * cover. Centres on an edge are taken to be covered: the tiles know better. */
+GP_INLINE msk misses_centers(const Batch *b, itg area2)
+{
+    const itg turn = area2 < 0; /* edges of a triangle that turns the other way are reversed */
+    const itg px = b->x0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    const itg py = b->y0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    itg out[4] = { itg_set(0), itg_set(0), itg_set(0), itg_set(0) };
+    GP_UNROLL
+    for (int i = 0; i < 3; i++) {
+        int from = (i + 1) % 3, to = (i + 2) % 3;
+        itg dx = ((b->x[to] - b->x[from]) ^ turn) - turn;
+        itg dy = ((b->y[to] - b->y[from]) ^ turn) - turn;
+        itg edge = cross_lanes(dx, py - b->y[from], dy, px - b->x[from]);
+        itg right = (itg)((utg)edge - (utg)dy * GP_SUBPIXELS);
+        itg down = (itg)((utg)dx * GP_SUBPIXELS);
+        out[0] |= edge;
+        out[1] |= right;
+        out[2] |= (itg)((utg)edge + (utg)down);
+        out[3] |= (itg)((utg)right + (utg)down);
+    }
+    return (msk)((out[0] & out[1] & out[2] & out[3]) < 0);
+}
+
+/* Triangles that face the way that is drawn and may hold a centre.
+ * out  front: those that turn clockwise */
+GP_INLINE unsigned drawn_lanes(const FastDraw *d, const Batch *b, unsigned *front)
+{
+    itg area2 =
+        cross_lanes(b->x[1] - b->x[0], b->y[2] - b->y[0], b->x[2] - b->x[0], b->y[1] - b->y[0]);
+    *front = msk_bits((msk)(area2 > 0));
+    GpCull cull = d->draw->state.raster.cull;
+    msk drawn = cull == GP_CULL_CW    ? (msk)(area2 < 0)
+                : cull == GP_CULL_CCW ? (msk)(area2 > 0)
+                                      : (msk)(area2 != 0);
+    drawn &= (msk)(b->x0 <= b->x1) & (msk)(b->y0 <= b->y1);
+    msk tiny = drawn & (msk)(b->high_x - b->low_x < TINY) & (msk)(b->high_y - b->low_y < TINY);
+    if (msk_bits(tiny))
+        drawn &= ~(tiny & misses_centers(b, area2));
+    return msk_bits(drawn);
+}
+
+/* Triangles that are too large for lanes, or meet a plane: they are left to the code that takes one
+ * at a time. `none`: those with all corners outside one plane. */
+GP_INLINE unsigned lanes_alone(const Batch *b, unsigned *none)
+{
+    itg large = (itg)(b->high_x - b->low_x >= FITS) | (itg)(b->high_y - b->low_y >= FITS);
+    itg outside = b->low_x < FAST_NOWHERE / 2;
+    *none = 0;
+    if (msk_bits((msk)outside)) {
+        itg planes = b->x[0] & b->x[1] & b->x[2] & FAST_OUTSIDE_ALL;
+        *none = msk_bits((itg)(b->high_x < FAST_NOWHERE / 2) & (itg)(planes != 0));
+    }
+    return msk_bits(large | outside) & ~*none;
+}
+
+/* The tiles that primitives touch: columns x0..x1 and rows y0..y1. */
+typedef struct TileBoxes {
+    itg x0, y0, x1, y1;
+    itg first; /* number of the tile at (x0, y0) */
+} TileBoxes;
+
+GP_INLINE TileBoxes tile_boxes(const FastPass *pass, itg x0, itg y0, itg x1, itg y1)
+{
+    const int bits = __builtin_ctz(FAST_TILE);
+    TileBoxes t = { .x0 = x0 >> bits, .y0 = y0 >> bits, .x1 = x1 >> bits, .y1 = y1 >> bits };
+    t.first = t.y0 * (int32_t)pass->tiles_x + t.x0;
+    return t;
+}
+
+/* Those that touch no tile but their first. */
+GP_INLINE unsigned in_one_tile(const TileBoxes *tiles)
+{
+    return msk_bits((msk)(((tiles->x0 ^ tiles->x1) | (tiles->y0 ^ tiles->y1)) == 0));
+}
+
+/* One of the triangles from `first` on, of which the tile may have others. */
+GP_INLINE void add_to_group(FastRange *range, uint32_t tile, uint32_t first, unsigned lane)
+{
+    FastHits *last = fast_last_group(range, tile);
+    if (last->first == first)
+        last->lanes |= lane;
+    else
+        fast_add_to_tile(range, tile, (FastHits){ first, lane });
+}
+
+/* Puts triangles of the same tile there together, of all `lanes`. */
+GP_INLINE void bin_lanes(FastRange *range, uint32_t first, unsigned lanes, itg tiles)
+{
+    int32_t tile[GP_LANES];
+    __builtin_memcpy(tile, &tiles, sizeof tile);
+    for (unsigned left = lanes; left;) {
+        const int32_t present = tile[__builtin_ctz(left)];
+        const unsigned in = lanes & msk_bits((msk)(tiles == present));
+        add_to_group(range, (uint32_t)present, first, in);
+        left -= left & in; /* in a register for numbers: those for masks have no short way to it */
+    }
+}
+
+/* Neighbours mostly touch the same few tiles: bins them as one group a tile. Small ones touch up to
+ * two by two, which are taken one after the other.
+ * in   side: the number of its first tile */
+GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t side, uint32_t first,
+                            unsigned lanes, const TileBoxes *tiles)
+{
+    const itg columns = tiles->x1 - tiles->x0, rows = tiles->y1 - tiles->y0;
+    const unsigned wide = lanes & msk_bits((msk)((columns | rows) > 1));
+    const unsigned right = lanes & ~wide & msk_bits((msk)(columns > 0));
+    const unsigned down = lanes & ~wide & msk_bits((msk)(rows > 0));
+    const itg number = tiles->first + (int32_t)side;
+    bin_lanes(range, first, lanes & ~wide, number);
+    if (right | down | wide) {
+        bin_lanes(range, first, right, number + 1);
+        bin_lanes(range, first, down, number + (int32_t)pass->tiles_x);
+        bin_lanes(range, first, right & down, number + (int32_t)pass->tiles_x + 1);
+    }
+    for (unsigned left = wide; left; left &= left - 1) {
+        const int lane = __builtin_ctz(left);
+        for (int32_t y = tiles->y0[lane]; y <= tiles->y1[lane]; y++)
+            for (int32_t x = tiles->x0[lane]; x <= tiles->x1[lane]; x++)
+                add_to_group(range, side + (uint32_t)y * pass->tiles_x + (uint32_t)x, first,
+                             left & -left);
+    }
+}
+
+/* Bins each facing on its own, and one depth of each as a sample. */
+GP_INLINE void bin_sides(const FastPass *pass, FastRange *range, uint32_t first,
+                         const unsigned lanes[2], const TileBoxes *tiles, flt z)
+{
+    for (uint32_t side = 0; side < 2; side++) {
+        if (!lanes[side])
+            continue;
+        range->sampled[side]++;
+        range->depth[side] += z[__builtin_ctz(lanes[side])];
+        bin_together(pass, range, side * pass->tiles_x * pass->tiles_y, first, lanes[side], tiles);
+    }
+}
+
+/* A run of up to GP_LANES triangles of one draw. */
+static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
+                          uint32_t count)
+{
+    Batch b;
+    unsigned none, front;
+    load_corners(d, first - d->first_primitive, count, &b);
+    set_boxes(d, &b);
+    unsigned alone = lanes_alone(&b, &none);
+    unsigned left = ((drawn_lanes(d, &b, &front) & ~none) | alone) & (unsigned)((1u << count) - 1);
+    if (left & alone) {
+        for (; left; left &= left - 1)
+            fast_bin_triangle(pass, d, range, first + (uint32_t)__builtin_ctz(left));
+        return;
+    }
+    const TileBoxes tiles = tile_boxes(pass, b.x0, b.y0, b.x1, b.y1);
+    if (pass->sides == 1)
+        bin_together(pass, range, 0, first, left, &tiles);
+    else
+        bin_sides(pass, range, first, (const unsigned[2]){ left & front, left & ~front }, &tiles,
+                  b.z);
+}
+
+/* Whether half of `lanes` begin in the tile of the first of them: neighbours of a mesh mostly do, of
+ * other points hardly ever. */
+static bool are_together(const TileBoxes *tiles, unsigned lanes)
+{
+    if (!lanes)
+        return false;
+    const itg first = itg_set(tiles->first[__builtin_ctz(lanes)]);
+    const unsigned same = lanes & msk_bits((msk)(tiles->first == first));
+    return 2 * __builtin_popcount(same) >= __builtin_popcount(lanes);
+}
+
+/* A run of points of one draw. */
+static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
+                       uint32_t count)
+{
+    const uint32_t *indices = d->draw->geometry.indices;
+    uint32_t vertex[GP_LANES];
+    GP_UNROLL
+    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
+        uint32_t at = first - d->first_primitive + (lane < count ? lane : 0);
+        vertex[lane] = (indices ? indices[at] : at) - d->first_vertex;
+    }
+    Sprites s = place_sprites(d, vertex, &d->rect);
+    const TileBoxes tiles = tile_boxes(pass, s.x0, s.y0, s.x1, s.y1);
+    const unsigned one = in_one_tile(&tiles);
+    unsigned left = s.drawn & (unsigned)((1u << count) - 1);
+    if (are_together(&tiles, left)) {
+        bin_together(pass, range, 0, first, left, &tiles);
+        return;
+    }
+    for (; left; left &= left - 1) { /* in each tile order counts */
+        const uint32_t lane = (uint32_t)__builtin_ctz(left);
+        if (one >> lane & 1)
+            fast_add_to_tile(range, (uint32_t)tiles.first[lane], (FastHits){ first + lane, 1 });
+        else
+            fast_bin_box(pass, range, first + lane,
+                         &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
+    }
+}
+
+/* Always some primitives at least, so that a pass comes to its end whatever the limit. */
+void FAST(bin_range)(const FastPass *pass, FastRange *range)
+{
+    uint32_t first = range->first, end = range->end;
+    uint32_t number = fast_find_draw(pass, first);
+    while (first < end) {
+        const FastDraw *d = &pass->draws[number];
+        uint32_t draw_end = d->first_primitive + d->primitive_count;
+        uint32_t stop = draw_end < end ? draw_end : end;
+        bool triangles = d->draw->geometry.primitive == GP_TRIANGLES;
+        while (first < stop) {
+            uint32_t count = stop - first < GP_LANES ? stop - first : GP_LANES;
+            if (triangles)
+                bin_triangles(pass, d, range, first, count);
+            else
+                bin_points(pass, d, range, first, count);
+            first += count;
+            if (!fast_budget_left(range->budget))
+                end = stop = first;
+        }
+        number++;
+    }
+    range->reached = first;
+}

@@ -1,0 +1,362 @@
+/* Blending and write masks of GP_LANES pixels inside the tile. */
+#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/output/quantize.h"
+
+#include <string.h>
+
+/* --- blending ------------------------------------------------------------------------------------------- */
+
+/* All of this is written out where it is used, so that a blend known to the compiler leaves only the
+ * operations that it asks for. */
+
+typedef struct Operands {
+    flt source[4], target[4];
+    float constant[4];
+} Operands;
+
+GP_INLINE flt factor(GpBlendFactor name, int c, const Operands *o)
+{
+    const flt one = flt_set(1);
+    flt headroom = 1.0f - o->target[3];
+    switch (name) {
+    case GP_ONE:
+        return one;
+    case GP_SRC_COLOR:
+        return o->source[c];
+    case GP_INV_SRC_COLOR:
+        return 1.0f - o->source[c];
+    case GP_SRC_ALPHA:
+        return o->source[3];
+    case GP_INV_SRC_ALPHA:
+        return 1.0f - o->source[3];
+    case GP_DEST_ALPHA:
+        return o->target[3];
+    case GP_INV_DEST_ALPHA:
+        return headroom;
+    case GP_DEST_COLOR:
+        return o->target[c];
+    case GP_INV_DEST_COLOR:
+        return 1.0f - o->target[c];
+    case GP_SRC_ALPHA_SAT:
+        return c == 3 ? one : flt_select(o->source[3] < headroom, o->source[3], headroom);
+    case GP_BLEND_CONSTANT:
+        return flt_set(o->constant[c]);
+    case GP_INV_BLEND_CONSTANT:
+        return flt_set(1.0f - o->constant[c]);
+    default:
+        return flt_set(0);
+    }
+}
+
+static flt logic(GpBlendOp op, flt s, flt d)
+{
+    itg source = itg_unorm8(s), target = itg_unorm8(d);
+    itg code = op == GP_BLEND_LOGIC_AND  ? source & target
+               : op == GP_BLEND_LOGIC_OR ? source | target
+                                         : source ^ target;
+    return flt_unpack_unorm8(code, 0);
+}
+
+GP_INLINE flt scaled(flt v, GpBlendFactor name, int c, const Operands *o)
+{
+    return name == GP_ONE ? v : v * factor(name, c, o); /* v * 1 is v */
+}
+
+GP_INLINE flt operate(GpBlendOp op, GpBlendFactor by_source, GpBlendFactor by_target, int c,
+                      const Operands *o)
+{
+    flt s = o->source[c], d = o->target[c];
+    switch (op) {
+    case GP_BLEND_ADD:
+        return scaled(s, by_source, c, o) + scaled(d, by_target, c, o);
+    case GP_BLEND_SUBTRACT:
+        return scaled(s, by_source, c, o) - scaled(d, by_target, c, o);
+    case GP_BLEND_REV_SUBTRACT:
+        return scaled(d, by_target, c, o) - scaled(s, by_source, c, o);
+    case GP_BLEND_MIN:
+        return flt_select((msk)(s < d) | (msk)(d != d), s, d);
+    case GP_BLEND_MAX:
+        return flt_select((msk)(s > d) | (msk)(d != d), s, d);
+    case GP_BLEND_LOGIC_AND:
+    case GP_BLEND_LOGIC_OR:
+    case GP_BLEND_LOGIC_XOR:
+        return logic(op, s, d);
+    default:
+        return s;
+    }
+}
+
+GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4])
+{
+    GP_UNROLL
+    for (int c = 0; c < 4; c++) {
+        bool separate = c == 3 && blend->alpha_op != GP_BLEND_OFF;
+        result[c] = operate(separate ? blend->alpha_op : blend->op,
+                            separate ? blend->alpha_src : blend->src,
+                            separate ? blend->alpha_dst : blend->dst, c, o);
+    }
+}
+
+/* --- targets ------------------------------------------------------------------------------------- */
+
+/* Shaded patches on their way into one target. Whole ones are rows with all lanes alive. */
+typedef struct Merge {
+    const FastPatch *patches;
+    const FastMix *mixes; /* of the same numbers */
+    const unsigned *live; /* of each patch */
+    int count;
+    int layers;       /* patches are [layer][pixels]; those of all layers lie on the same pixels */
+    const flt *color; /* of the first patch; `stride` vectors further the next */
+    int stride;
+    float constant[4]; /* as the target clamps it */
+    FastPlanes *planes;
+} Merge;
+
+/* The place of a patch's first pixel. */
+GP_INLINE uint32_t place_of(const Merge *m, int p)
+{
+    return fast_at(m->patches[p].x, m->patches[p].y);
+}
+
+GP_INLINE itg load_pixels(const Merge *m, bool whole, int p, uint32_t at, const void *plane)
+{
+    if (whole)
+        return load_lanes((const uint32_t *)plane + at, false);
+    if (m->patches[p].mixed)
+        return itg_gather(plane, m->mixes[p].at * 4);
+    return load_patch(plane, &m->patches[p]);
+}
+
+GP_INLINE void store_pixels(const Merge *m, bool whole, int p, uint32_t at, void *plane, itg words)
+{
+    if (whole) {
+        store_lanes((uint32_t *)plane + at, false, words);
+        return;
+    }
+    if (!m->patches[p].mixed) {
+        store_patch(plane, &m->patches[p], m->live[p], words);
+        return;
+    }
+    const itg *to = &m->mixes[p].at;
+    for (unsigned live = m->live[p]; live; live &= live - 1) {
+        const int lane = __builtin_ctz(live);
+        ((uint32_t *)plane)[(*to)[lane]] = (uint32_t)words[lane];
+    }
+}
+
+/* Zeros that are added leave an 8-bit target's codes as they are: each is what its value is stored as. */
+GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
+{
+    if (blend->op != GP_BLEND_ADD || blend->src != GP_ONE || blend->dst != GP_ONE ||
+        blend->alpha_op != GP_BLEND_OFF)
+        return false;
+    itg bits = (itg)color[0] | (itg)color[1] | (itg)color[2] | (itg)color[3];
+    return !msk_any((msk)(bits != 0));
+}
+
+GP_INLINE void merge_words(const GpBlend *blend, const Merge *from, bool whole)
+{
+    const Merge copy = *from, *m = &copy; /* which no store can change */
+    static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
+    uint32_t kept = 0;
+    for (int c = 0; c < 4; c++)
+        kept |= blend->keep >> c & 1 ? bytes[c] : 0;
+    Operands o;
+    memcpy(o.constant, m->constant, sizeof o.constant);
+    const flt *color = m->color;
+    for (int p = 0; p < m->count; p++, color += m->stride) {
+        if (!m->live[p] || adds_nothing(blend, color))
+            continue;
+        const uint32_t at = place_of(m, p);
+        itg before = itg_set(0);
+        if (blend->op != GP_BLEND_OFF || kept)
+            before = load_pixels(m, whole, p, at, m->planes->packed);
+        itg word;
+        if (blend->op != GP_BLEND_OFF) {
+            flt result[4];
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                o.source[c] = clamped(color[c]);
+            colors_of(before, o.target);
+            blend_lanes(blend, &o, result); /* from -1 to 2: needs no clamping */
+            word = word_of(result);
+        } else
+            word = word_of_any(color);
+        if (kept)
+            word = (word & (int32_t)~kept) | (before & (int32_t)kept);
+        store_pixels(m, whole, p, at, m->planes->packed, word);
+    }
+}
+
+/* Both factors are shares of one whole, and so is what they leave of numbers up to 1: of the operations
+ * none rounds past 1. */
+static bool is_average(const GpBlend *blend)
+{
+    return blend->op == GP_BLEND_ADD && blend->src == GP_SRC_ALPHA &&
+           blend->dst == GP_INV_SRC_ALPHA && blend->alpha_op == GP_BLEND_OFF;
+}
+
+/* Several whole layers: between them pixels stay what reading their codes back gives. */
+GP_INLINE void merge_layers(const GpBlend *blend, const Merge *from)
+{
+    const Merge copy = *from, *m = &copy;
+    const int pixels = m->count / m->layers;
+    flt target[FAST_BLOCK / 2][4];
+    for (int p = 0; p < pixels; p++)
+        colors_of(load_pixels(m, true, p, place_of(m, p), m->planes->packed), target[p]);
+    Operands o;
+    memcpy(o.constant, m->constant, sizeof o.constant);
+    const flt *color = m->color;
+    for (int k = 0; k < m->layers; k++)
+        for (int p = 0; p < pixels; p++, color += m->stride) {
+            flt result[4];
+            GP_UNROLL
+            for (int c = 0; c < 4; c++) {
+                o.source[c] = clamped(color[c]);
+                o.target[c] = target[p][c];
+            }
+            blend_lanes(blend, &o, result);
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                if (!(blend->keep >> c & 1))
+                    target[p][c] =
+                        flt_through_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
+        }
+    for (int p = 0; p < pixels; p++)
+        store_pixels(m, true, p, place_of(m, p), m->planes->packed, word_of(target[p]));
+}
+
+/* Formats other than A8R8G8B8. */
+GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *from, bool whole)
+{
+    const Merge copy = *from, *m = &copy;
+    const bool is_float = format != GP_R8;
+    const int channels = format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
+    const flt *color = m->color;
+    Operands o;
+    memcpy(o.constant, m->constant, sizeof o.constant);
+    for (int p = 0; p < m->count; p++, color += m->stride) {
+        if (!m->live[p])
+            continue;
+        const uint32_t at = place_of(m, p);
+        flt result[4] = { color[0], color[1], color[2], color[3] };
+        if (blend->op != GP_BLEND_OFF) {
+            GP_UNROLL
+            for (int c = 0; c < 4; c++) {
+                o.source[c] = is_float ? color[c] : clamped(color[c]);
+                o.target[c] = c < channels
+                                  ? (flt)load_pixels(m, whole, p, at, m->planes->channel[c])
+                                  : flt_set(1);
+            }
+            blend_lanes(blend, &o, result);
+        }
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            if (c < channels && !(blend->keep >> c & 1))
+                store_pixels(m, whole, p, at, m->planes->channel[c],
+                             (itg)through(format, result[c]));
+    }
+}
+
+/* The blends of nearly all draws. */
+static const GpBlend replace = { .op = GP_BLEND_OFF };
+static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
+static const GpBlend under = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
+
+static bool is_blend(const GpBlend *blend, const GpBlend *known)
+{
+    return blend->op == known->op && blend->alpha_op == GP_BLEND_OFF && !(blend->keep & 15) &&
+           (blend->op == GP_BLEND_OFF || (blend->src == known->src && blend->dst == known->dst));
+}
+
+static void merge_layers_by(const GpBlend *blend, const Merge *m)
+{
+    if (is_blend(blend, &over))
+        merge_layers(&over, m);
+    else
+        merge_layers(blend, m);
+}
+
+/* The same code for any blend, and for each of those that are common. */
+GP_INLINE void merge_words_by(const GpBlend *blend, const Merge *m, bool whole)
+{
+    if (whole && m->layers > 1 && blend->op != GP_BLEND_OFF)
+        merge_layers_by(blend, m);
+    else if (is_blend(blend, &replace))
+        merge_words(&replace, m, whole);
+    else if (is_blend(blend, &add))
+        merge_words(&add, m, whole);
+    else if (is_blend(blend, &over))
+        merge_words(&over, m, whole);
+    else if (is_blend(blend, &under))
+        merge_words(&under, m, whole);
+    else
+        merge_words(blend, m, whole);
+}
+
+GP_INLINE void merge_channels_by(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+{
+    if (format == GP_A16B16G16R16F && is_blend(blend, &add))
+        merge_channels(&add, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A16B16G16R16F && is_blend(blend, &under))
+        merge_channels(&under, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A32B32G32R32F && is_blend(blend, &add))
+        merge_channels(&add, GP_A32B32G32R32F, m, whole);
+    else
+        merge_channels(blend, format, m, whole);
+}
+
+GP_INLINE void merge_by(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+{
+    if (format == GP_A8R8G8B8)
+        merge_words_by(blend, m, whole);
+    else
+        merge_channels_by(blend, format, m, whole);
+}
+
+/* The same code for any patches, and for whole ones, which need neither masks nor shapes. */
+static void merge_target(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+{
+    if (whole)
+        merge_by(blend, format, m, true);
+    else
+        merge_by(blend, format, m, false);
+}
+
+static bool are_whole(const FastPatch *patches, const unsigned *live, int count)
+{
+    unsigned other = 0; /* without branches: mostly all are, or the first is not */
+    for (int p = 0; p < count; p++)
+        other |= (live[p] ^ ALL_LANES) | (patches[p].wide ^ GP_LANES) | patches[p].mixed;
+    return !other;
+}
+
+void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches,
+                         const unsigned *live, int count, const flt *color)
+{
+    const GpState *state = &d->draw->state;
+    const int written = gp_program_targets(d->draw->program);
+    const bool whole = are_whole(patches, live, count);
+    Merge m = { .patches = patches,
+                .mixes = tile->mixes,
+                .live = live,
+                .count = count,
+                .layers = tile->layer_count ? (int)tile->layer_count : 1,
+                .stride = tile->layers_alike ? 0 : 4 * written };
+    for (int t = 0; t < written && t < tile->targets; t++) {
+        GpFormat format = d->pass->color[t].surface->format;
+        m.color = color + 4 * t;
+        m.planes = tile->planes[t];
+        const GpBlend *blend = &state->blend[t];
+        if (fast_is_bitwise(blend, format)) {
+            FAST(merge_bits)(tile, blend, m.planes, patches, live, count, m.color, m.stride);
+            continue;
+        }
+        for (int c = 0; c < 4; c++) {
+            float k = state->blend_constant[c];
+            m.constant[c] = gp_format_info(format)->is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
+        }
+        merge_target(blend, format, &m, whole);
+    }
+}

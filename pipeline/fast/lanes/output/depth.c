@@ -1,0 +1,84 @@
+/* Depth and stencil of GP_LANES pixels inside the tile, in any state. */
+#include "pipeline/fast/lanes/output/depth.h"
+
+#include "pipeline/fast/lanes/quads.h"
+
+/* --- the stencil plane -------------------------------------------------------------------------- */
+
+static itg load_stencil(const uint8_t *from, bool quads)
+{
+    const itg x = lane_columns(quads), y = lane_rows(quads);
+    itg words;
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        words[lane] = from[fast_at(x[lane], y[lane])];
+    return words;
+}
+
+static void store_stencil(uint8_t *to, bool quads, itg words)
+{
+    const itg x = lane_columns(quads), y = lane_rows(quads);
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        to[fast_at(x[lane], y[lane])] = (uint8_t)words[lane];
+}
+
+/* --- stencil operations ------------------------------------------------------------------------- */
+
+/* As gp_stencil_apply; the bits above a byte are cut off later. */
+static itg apply(GpStencilOp op, itg stored, uint8_t reference)
+{
+    switch (op) {
+    case GP_STENCIL_ZERO:
+        return itg_set(0);
+    case GP_STENCIL_REPLACE:
+        return itg_set(reference);
+    case GP_STENCIL_INCR_SAT:
+        return itg_lesser(stored + 1, itg_set(255));
+    case GP_STENCIL_DECR_SAT:
+        return itg_greater(stored - 1, itg_set(0));
+    case GP_STENCIL_INVERT:
+        return ~stored;
+    case GP_STENCIL_INCR:
+        return stored + 1;
+    case GP_STENCIL_DECR:
+        return stored - 1;
+    default:
+        return stored;
+    }
+}
+
+/* Updates the stencils of live lanes; returns those whose stencil test passes. */
+static msk test_stencil(const GpStencilState *s, bool front, uint8_t *stencil, bool quads, msk live,
+                        msk nearer)
+{
+    const GpStencilFace *face = s->two_sided && !front ? &s->back : &s->front;
+    const uint8_t looked_at = (uint8_t)~s->ignore;
+    itg stored = load_stencil(stencil, quads);
+    msk passed =
+        compare_codes(face->test, itg_set(s->reference & looked_at), stored & (int32_t)looked_at);
+    itg result = itg_select(nearer, apply(face->pass, stored, s->reference),
+                            apply(face->depth_fail, stored, s->reference));
+    result = itg_select(passed, result, apply(face->fail, stored, s->reference));
+    result = itg_select(itg_set(s->keep), stored, result);
+    store_stencil(stencil, quads, itg_select(live, result, stored));
+    return passed;
+}
+
+msk FAST(test_depth_stencil)(Tile *tile, const FastDraw *d, uint32_t at, bool quads, msk live,
+                             flt z, bool front)
+{
+    const GpState *state = &d->draw->state;
+    const flt low = flt_set(d->viewport.min_depth), high = flt_set(d->viewport.max_depth);
+    z = flt_select((msk)(z < low), low, z);
+    z = flt_select((msk)(z > high), high, z);
+    itg stored = load_lanes(tile->depth + at, quads);
+    itg incoming = depth_codes(tile->depth_format, z);
+    msk passed = compare_codes(state->depth.test, incoming, stored);
+    if (d->needs.stencil)
+        passed &= test_stencil(&state->stencil, front, tile->stencil + at, quads, live, passed);
+    passed &= live;
+    if (state->depth.write)
+        store_lanes(tile->depth + at, quads, itg_select(passed, incoming, stored));
+    return passed;
+}

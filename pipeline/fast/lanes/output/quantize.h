@@ -1,0 +1,53 @@
+/* What a target makes of a value: the code that is stored, or what reading that back gives. */
+#ifndef GP_FAST_OUTPUT_QUANTIZE_H
+#define GP_FAST_OUTPUT_QUANTIZE_H
+
+#include "pipeline/fast/lanes/tile.h"
+
+/* To [0, 1], NaN to 0. */
+GP_INLINE flt clamped(flt v)
+{
+    return flt_lesser(flt_greater(v, flt_set(0)), flt_set(1));
+}
+
+GP_INLINE flt through(GpFormat format, flt v)
+{
+    switch (format) {
+    case GP_A8R8G8B8:
+    case GP_R8:
+        return flt_through_unorm8(clamped(v));
+    case GP_G16R16F:
+    case GP_A16B16G16R16F:
+        return flt_through_half(v);
+    default:
+        return v;
+    }
+}
+
+/* The word of A8R8G8B8, of values up to 2. */
+GP_INLINE itg word_of(const flt rgba[4])
+{
+    return itg_pack_unorm8((flt[4]){ rgba[2], rgba[1], rgba[0], rgba[3] });
+}
+
+/* The same of any values. */
+GP_INLINE itg word_of_any(const flt rgba[4])
+{
+    flt most[4];
+    GP_UNROLL
+    for (int c = 0; c < 4; c++)
+        most[c] = flt_lesser(flt_set(1), rgba[c]); /* NaN stays, and is stored as 0 */
+    return word_of(most);
+}
+
+enum { RED_BYTE = 2, GREEN_BYTE = 1, BLUE_BYTE = 0, ALPHA_BYTE = 3 };
+
+GP_INLINE void colors_of(itg word, flt rgba[4])
+{
+    rgba[0] = flt_unpack_unorm8(word, RED_BYTE);
+    rgba[1] = flt_unpack_unorm8(word, GREEN_BYTE);
+    rgba[2] = flt_unpack_unorm8(word, BLUE_BYTE);
+    rgba[3] = flt_unpack_unorm8(word, ALPHA_BYTE);
+}
+
+#endif

@@ -1,0 +1,229 @@
+/* Large triangles: their rows, a lane vector at a time. */
+#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/raster/fragment_path.h"
+
+/* --- edges inside the tile -------------------------------------------------------------------- */
+
+/* An edge function in 1/256ths of its exact value: pixel steps are multiples of 256 sub-pixels, so
+ * its low eight bits never change, and the sign of the rest decides. In 32 bits, because an edge
+ * that has one sign all over the tile is replaced by a constant. */
+typedef struct TileEdge {
+    int32_t value, right, down; /* at the tile's first centre; a pixel to the right; one down */
+} TileEdge;
+
+typedef struct Coverage {
+    TileEdge edge[3];
+    int32_t x0, y0, x1, y1; /* in the tile, ends included */
+    bool whole;             /* every pixel of the box is inside */
+} Coverage;
+
+static int64_t edge_at_origin(const Tile *tile, const GpTriangle *t, int i)
+{
+    int64_t x = (int64_t)tile->x0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    int64_t y = (int64_t)tile->y0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+    return t->a[i] * x + t->b[i] * y + t->c[i];
+}
+
+/* Returns false where the edge leaves no pixel of the box inside. */
+static bool set_edge(const Tile *tile, const GpTriangle *t, int i, Coverage *coverage)
+{
+    int64_t value = (edge_at_origin(tile, t, i) - !t->accepts_zero[i]) >> GP_SUBPIXEL_BITS;
+    int64_t right = t->a[i], down = t->b[i];
+    int64_t first = value + right * coverage->x0 + down * coverage->y0;
+    int64_t across = right * (coverage->x1 - coverage->x0);
+    int64_t along = down * (coverage->y1 - coverage->y0);
+    int64_t low = first + (across < 0 ? across : 0) + (along < 0 ? along : 0);
+    int64_t high = first + (across > 0 ? across : 0) + (along > 0 ? along : 0);
+    if (high < 0)
+        return false;
+    coverage->edge[i] = (TileEdge){ 0, 0, 0 };
+    if (low >= 0)
+        return true;
+    coverage->edge[i] = (TileEdge){ (int32_t)value, (int32_t)right, (int32_t)down };
+    coverage->whole = false;
+    return true;
+}
+
+static bool find_coverage(const Tile *tile, const GpTriangle *t, Coverage *coverage)
+{
+    *coverage = (Coverage){ .x0 = t->x0 - tile->x0,
+                            .y0 = t->y0 - tile->y0,
+                            .x1 = t->x1 - tile->x0,
+                            .y1 = t->y1 - tile->y0,
+                            .whole = true };
+    for (int i = 0; i < 3; i++)
+        if (!set_edge(tile, t, i, coverage))
+            return false;
+    return true;
+}
+
+/* --- lanes ------------------------------------------------------------------------------------ */
+
+/* Lanes of a row, or of quads: their places, and what edges and depth gain from the first to each. */
+typedef struct LaneGains {
+    itg column, row;
+    utg inside[3];
+    dbl edge[2];
+} LaneGains;
+
+static LaneGains lane_gains(const GpTriangle *t, const Coverage *coverage, bool quads)
+{
+    LaneGains gains = { .column = lane_columns(quads), .row = lane_rows(quads) };
+    for (int i = 0; i < 3; i++)
+        gains.inside[i] = (utg)gains.column * (uint32_t)coverage->edge[i].right +
+                          (utg)gains.row * (uint32_t)coverage->edge[i].down;
+    for (int i = 0; i < 2; i++)
+        gains.edge[i] = dbl_from_itg(gains.column) * (double)(t->a[i + 1] * GP_SUBPIXELS) +
+                        dbl_from_itg(gains.row) * (double)(t->b[i + 1] * GP_SUBPIXELS);
+    return gains;
+}
+
+/* Lanes from (x, y) on that are covered. */
+GP_INLINE msk covered(const Coverage *coverage, const LaneGains *gains, int32_t x, int32_t y)
+{
+    itg column = gains->column + x, row = gains->row + y;
+    itg out = (coverage->x1 - column) | (column - coverage->x0) | (coverage->y1 - row) |
+              (row - coverage->y0);
+    for (int i = 0; i < 3 && !coverage->whole; i++) {
+        const TileEdge *e = &coverage->edge[i];
+        out |= (itg)(gains->inside[i] + ((uint32_t)e->value + (uint32_t)e->right * (uint32_t)x +
+                                         (uint32_t)e->down * (uint32_t)y));
+    }
+    return (msk)(out >= 0);
+}
+
+/* z_base + (E_1 k_1 + E_2 k_2), with the exact edge values in binary64 (CONVENTIONS.md). */
+typedef struct DepthPlane {
+    double base, step[2];
+    double edge[2], right[2], down[2];
+} DepthPlane;
+
+static DepthPlane depth_plane(const Tile *tile, const GpTriangle *t)
+{
+    DepthPlane plane = { .base = t->z_base, .step = { t->z_step[0], t->z_step[1] } };
+    for (int i = 0; i < 2; i++) {
+        plane.edge[i] = (double)edge_at_origin(tile, t, i + 1);
+        plane.right[i] = (double)(t->a[i + 1] * GP_SUBPIXELS);
+        plane.down[i] = (double)(t->b[i + 1] * GP_SUBPIXELS);
+    }
+    return plane;
+}
+
+GP_INLINE flt depth_at(const DepthPlane *p, const LaneGains *gains, int32_t x, int32_t y)
+{
+    double e1 = p->edge[0] + p->right[0] * x + p->down[0] * y; /* exact: integers below 2^53 */
+    double e2 = p->edge[1] + p->right[1] * x + p->down[1] * y;
+    dbl z = p->base + ((e1 + gains->edge[0]) * p->step[0] + (e2 + gains->edge[1]) * p->step[1]);
+    return __builtin_convertvector(z, flt);
+}
+
+/* The usual test wants numbers: depth is one everywhere where all that makes it is finite. */
+static EarlyTest early_test(const Filler *f, const GpTriangle *t)
+{
+    bool number = (t->z_base + t->z_step[0] + t->z_step[1]) * 0.0 == 0.0;
+    return number || f->early == EARLY_NONE ? f->early : EARLY_ANY;
+}
+
+/* --- user clip planes ------------------------------------------------------------------------- */
+
+/* The slow way, pixel by pixel: the reference's own units on a quad. */
+static msk inside_clip_planes(const Tile *tile, const GpTriangle *t, itg x, itg y, msk live)
+{
+    for (int lane = 0; lane < GP_LANES; lane++) {
+        if (!live[lane])
+            continue;
+        int64_t center_x = (int64_t)(tile->x0 + x[lane]) * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+        int64_t center_y = (int64_t)(tile->y0 + y[lane]) * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+        GpQuad quad = { .mask = 1 };
+        for (int i = 0; i < 3; i++)
+            quad.edge[i][0] = t->a[i] * center_x + t->b[i] * center_y + t->c[i];
+        gp_interpolate_barycentrics(t, &quad);
+        gp_interpolate_clip(t, tile->draw->needs.clip_planes, &quad);
+        if (!quad.mask)
+            live[lane] = 0;
+    }
+    return live;
+}
+
+/* --- filling ---------------------------------------------------------------------------------- */
+
+static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage,
+                         int32_t nearest)
+{
+    const FastDraw *d = f->d;
+    const bool quads = d->route == FAST_ORDERED && d->needs.quads;
+    const int32_t wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
+    const int32_t first_x = quads ? coverage->x0 & ~1 : coverage->x0;
+    const int32_t first_y = quads ? coverage->y0 & ~1 : coverage->y0;
+    const EarlyTest early = early_test(f, t);
+    if (coverage->whole && early == EARLY_NONE && d->route == FAST_ORDERED && !quads &&
+        !d->needs.clip_planes) {
+        const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
+        FAST(queue_box)(f->tile, f->number, &box);
+        return;
+    }
+    const DepthPlane plane = depth_plane(f->tile, t);
+    const LaneGains gains = lane_gains(t, coverage, quads);
+    for (int32_t y = first_y; y <= coverage->y1; y += high)
+        for (int32_t x = first_x; x <= coverage->x1; x += wide) {
+            msk live = covered(coverage, &gains, x, y);
+            if (nearest) /* worth finding only where much is hidden: 0 elsewhere */
+                live &= (msk)(nearest - f->allowance <
+                              load_lanes(f->tile->depth + fast_at(x, y), quads));
+            if (!msk_bits(live))
+                continue;
+            if (d->needs.clip_planes)
+                live = inside_clip_planes(f->tile, t, gains.column + x, gains.row + y, live);
+            flt z = early == EARLY_NONE ? flt_set(0) : depth_at(&plane, &gains, x, y);
+            route_lanes(f, early, d->route, quads, x, y, live, z);
+        }
+}
+
+/* Nothing that was seen in the tile is seen any more, and all shows one record. */
+static bool hides_tile(const Filler *f, const Coverage *coverage)
+{
+    return coverage->whole && f->d->route == FAST_VISIBLE && f->early == EARLY_NONE &&
+           !f->d->needs.clip_planes && coverage->x0 == 0 && coverage->y0 == 0 &&
+           coverage->x1 == f->tile->width - 1 && coverage->y1 == f->tile->height - 1;
+}
+
+void FAST(fill_triangle)(Tile *tile, const GpTriangle *t)
+{
+    if (tile->draw->nearest_wins)
+        FAST(keep_triangle)(tile, t);
+    else
+        FAST(fill_large)(tile, t, 0);
+}
+
+void FAST(fill_large)(Tile *tile, const GpTriangle *t, int32_t nearest)
+{
+    const FastDraw *d = tile->draw;
+    Coverage coverage;
+    if (!find_coverage(tile, t, &coverage))
+        return;
+    Filler filler = FAST(filler)(tile);
+    filler.front = t->front;
+    if (d->route != FAST_DEPTH_ONLY) {
+        FAST(reserve_records)(tile, 1);
+        filler.number = tile->record_count++;
+        FastRecord *record = &tile->records[filler.number];
+        FastWide *wide = &tile->wide[tile->wide_count];
+        *record = (FastRecord){ .inverse_area = t->inverse_area,
+                                .ratio1 = t->rw_ratio[0],
+                                .ratio2 = t->rw_ratio[1],
+                                .face = t->front ? 1.0f : -1.0f,
+                                .kind = FAST_WIDE,
+                                .wide = tile->wide_count++ };
+        for (int i = 0; i < 3; i++)
+            record->corner[i] = t->corner[i].varying;
+        for (int i = 0; i < 2; i++) {
+            wide->edge.c[i] = edge_at_origin(tile, t, i + 1);
+            wide->edge.a[i] = t->a[i + 1] * GP_SUBPIXELS;
+            wide->edge.b[i] = t->b[i + 1] * GP_SUBPIXELS;
+        }
+    }
+    if (hides_tile(&filler, &coverage))
+        tile->backdrop = filler.number;
+    else
+        fill_covered(&filler, t, &coverage, nearest);
+}

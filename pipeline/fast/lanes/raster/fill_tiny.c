@@ -1,0 +1,81 @@
+/* Triangles of a few pixels, the bulk of a fine mesh: pixel by pixel, in one list over all of a
+ * batch. */
+#include "pipeline/fast/lanes/raster/batch.h"
+
+/* Depth at a pixel of the lane's 4x4 box. */
+GP_INLINE float depth_at(const Batch *b, uint32_t lane, int32_t x, int32_t y)
+{
+    double e1 = b->edge[1][lane] + GP_SUBPIXELS * (b->right[1][lane] * x + b->down[1][lane] * y);
+    double e2 = b->edge[2][lane] + GP_SUBPIXELS * (b->right[2][lane] * x + b->down[2][lane] * y);
+    return (float)(b->base[lane] + (e1 * b->step[0][lane] + e2 * b->step[1][lane]));
+}
+
+GP_INLINE uint32_t depth_code(const Filler *f, float z)
+{
+    z = z > f->low ? z : f->low; /* as nearer_codes */
+    z = z < f->high ? z : f->high;
+    if (f->tile->depth_format == GP_D32F)
+        return gp_float_bits(z);
+    return (uint32_t)((double)z * f->scale + 0.5);
+}
+
+/* Tests and writes depth without a branch where the test is the usual one: which pixels pass is hard
+ * to foresee. */
+GP_INLINE bool test_depth(const Filler *f, EarlyTest early, uint32_t *depth, float z)
+{
+    const uint32_t code = depth_code(f, z), stored = *depth;
+    if (early == EARLY_ANY) {
+        const GpDepthState *state = &f->d->draw->state.depth;
+        bool passes = gp_compare_codes(state->test, code, stored);
+        if (passes && state->write)
+            *depth = code;
+        return passes;
+    }
+    bool passes = (int32_t)code - f->allowance < (int32_t)stored;
+    *depth = passes ? code : stored;
+    return passes;
+}
+
+GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Batch *b, unsigned lanes)
+{
+    enum { LANES_OF_WORD = 4, PIXELS_OF_LANE = 16 };
+    typedef uint16_t boxes __attribute__((vector_size(2 * GP_LANES)));
+    Tile *tile = f->tile;
+    boxes covered = __builtin_convertvector(b->covered & mask_of(lanes), boxes);
+    uint64_t word[GP_LANES / LANES_OF_WORD];
+    __builtin_memcpy(word, &covered, sizeof word);
+    const uint32_t first = (uint32_t)__builtin_ctz(lanes), number = tile->record_count - first;
+    unsigned seen = 0;
+    for (uint32_t i = 0; i < GP_LANES / LANES_OF_WORD; i++)
+        for (uint64_t left = word[i]; left; left &= left - 1) {
+            uint32_t bit = (uint32_t)__builtin_ctzll(left);
+            uint32_t lane = i * LANES_OF_WORD + bit / PIXELS_OF_LANE;
+            int32_t x = bit & 3, y = bit >> 2 & 3;
+            uint32_t at = fast_at(b->x[lane] + x, b->y[lane] + y);
+            bool passes = early == EARLY_NONE ||
+                          test_depth(f, early, &tile->depth[at], depth_at(b, lane, x, y));
+            if (visible) {
+                tile->seen[at] = passes ? number + lane : tile->seen[at];
+                seen |= (unsigned)passes << lane;
+            }
+        }
+    /* records of triangles that are not seen stay unwritten */
+    for (unsigned left = seen; left; left &= left - 1) {
+        uint32_t lane = (uint32_t)__builtin_ctz(left);
+        tile->record_count = number + lane;
+        FAST(write_record)(f->d, b, lane, &tile->records[tile->record_count++]);
+    }
+}
+
+void FAST(fill_tiny)(const Filler *f, const Batch *b, unsigned lanes)
+{
+    const bool visible = f->d->route == FAST_VISIBLE;
+    if (f->early == EARLY_NONE)
+        fill(f, EARLY_NONE, visible, b, lanes);
+    else if (f->early == EARLY_ANY)
+        fill(f, EARLY_ANY, visible, b, lanes);
+    else if (visible)
+        fill(f, EARLY_NEARER_FLOAT, true, b, lanes);
+    else
+        fill(f, EARLY_NEARER_FLOAT, false, b, lanes);
+}

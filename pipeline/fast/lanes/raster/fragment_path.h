@@ -1,0 +1,80 @@
+/* Where covered pixels go: through the early tests, then along the route of their draw. */
+#ifndef GP_FAST_RASTER_FRAGMENT_PATH_H
+#define GP_FAST_RASTER_FRAGMENT_PATH_H
+
+#include "pipeline/fast/lanes/output/depth.h"
+#include "pipeline/fast/lanes/quads.h"
+
+/* What is tested before the shader. The usual test, where nearer pixels pass and are written and
+ * nothing looks at the stencil, is short enough to stand inside the loops over pixels; it may only
+ * be asked where depth is a number.
+ *
+ * Where tests come late, the usual one is also asked early, without writing: what is stored only
+ * comes nearer while fragments of the draw wait, so one that fails now would fail then too. */
+typedef enum EarlyTest {
+    EARLY_NONE,         /* nothing looks at depth or stencil, early or late */
+    EARLY_NEARER_FLOAT, /* the usual, for D32F */
+    EARLY_NEARER_UNORM, /* for D16 and D24 */
+    EARLY_ANY,          /* all else; where tests come late, none */
+} EarlyTest;
+
+GP_INLINE bool is_usual(EarlyTest early)
+{
+    return early == EARLY_NEARER_FLOAT || early == EARLY_NEARER_UNORM;
+}
+
+/* What all triangles of a batch share, and the one at work. */
+typedef struct Filler {
+    Tile *tile;
+    const FastDraw *d;
+    EarlyTest early;
+    float low, high;   /* the viewport's depths; 0 is never -0 */
+    double scale;      /* of unorm codes */
+    int32_t allowance; /* 1 where equal depths pass */
+    uint32_t number;   /* of the record, where one is needed */
+    bool front;
+} Filler;
+
+Filler FAST(filler)(Tile *tile);
+
+/* Codes of finite depths, for the usual test. The greater one comes out as `low` where both are 0,
+ * so that no -0 is left. */
+GP_INLINE itg nearer_codes(const Filler *f, EarlyTest early, flt z)
+{
+    z = flt_lesser(flt_greater(z, flt_set(f->low)), flt_set(f->high));
+    if (early == EARLY_NEARER_FLOAT)
+        return (itg)z;
+    return __builtin_convertvector(__builtin_convertvector(z, dbl) * f->scale + 0.5, itg);
+}
+
+/* Lanes of a row, or of quads, from (x, y) of the tile on: the tests that come early, and on along
+ * the draw's route.
+ * in   early: the filler's, or EARLY_ANY in its place; z: not clamped; matters unless EARLY_NONE
+ * returns the lanes that passed */
+GP_INLINE msk route_lanes(const Filler *f, EarlyTest early, FastRoute route, bool quads, int32_t x,
+                          int32_t y, msk live, flt z)
+{
+    Tile *tile = f->tile;
+    const uint32_t at = fast_at(x, y);
+    if (is_usual(early)) {
+        itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
+        live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
+        if (route != FAST_ORDERED || !f->d->late_depth)
+            store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
+    } else if (early == EARLY_ANY && !f->d->late_depth)
+        live = FAST(test_depth_stencil)(tile, f->d, at, quads, live, z, f->front);
+
+    if (route == FAST_VISIBLE) {
+        itg seen = load_lanes(tile->seen + at, quads);
+        store_lanes(tile->seen + at, quads, itg_select(live, itg_set((int32_t)f->number), seen));
+    } else if (route == FAST_ORDERED) {
+        unsigned lanes = msk_bits(live);
+        if (lanes && quads)
+            FAST(queue_quads)(tile, f->number, x, y, lanes, z);
+        else if (lanes)
+            FAST(queue_row)(tile, f->number, x, y, lanes, z);
+    }
+    return live;
+}
+
+#endif

@@ -1,0 +1,145 @@
+/* Large triangles of a draw whose nearest fragment wins, nearest first.
+ *
+ * Where only nearer fragments pass, and what survives the shader replaces all that was there, two
+ * fragments of a pixel may change places if their depths differ: the farther one is hidden in the end.
+ * So large triangles of such a draw wait for each other and are filled front to back, and what is
+ * hidden never meets the shader. Back to front, as such draws often come, this saves all layers but
+ * those that are seen through the holes of others. */
+#include "pipeline/fast/lanes/raster/fragment_path.h"
+
+#include <math.h>
+
+/* --- the order ------------------------------------------------------------------------------------- */
+
+typedef struct Range {
+    double low, high;
+} Range;
+
+/* Depths in the tile, before they are rounded to binary32: least and greatest at corners of the box,
+ * but for three roundings of the terms' size at most, there and anywhere. No range where some corner
+ * has no number. */
+static Range depth_range(const GpTriangle *t)
+{
+    Range range = { HUGE_VAL, -HUGE_VAL };
+    double size = 0;
+    for (int corner = 0; corner < 4; corner++) {
+        int64_t x = (int64_t)(corner & 1 ? t->x1 : t->x0) * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+        int64_t y = (int64_t)(corner & 2 ? t->y1 : t->y0) * GP_SUBPIXELS + GP_SUBPIXELS / 2;
+        double part[2];
+        for (int i = 0; i < 2; i++)
+            part[i] = (double)(t->a[i + 1] * x + t->b[i + 1] * y + t->c[i + 1]) * t->z_step[i];
+        const double z = t->z_base + (part[0] + part[1]);
+        const double terms = fabs(t->z_base) + fabs(part[0]) + fabs(part[1]);
+        range.low = z < range.low ? z : range.low;
+        range.high = z > range.high ? z : range.high;
+        size = terms > size ? terms : size;
+    }
+    range.low -= 0x1p-48 * size;
+    range.high += 0x1p-48 * size;
+    return range;
+}
+
+static int32_t depth_code(const Filler *f, double z)
+{
+    return nearer_codes(f, f->early, flt_set((float)z))[0];
+}
+
+/* Where depth is no number it has a place of its own in the order, so the triangle keeps its own. */
+static void find_codes(Tile *tile, FastKept *kept)
+{
+    const Filler f = FAST(filler)(tile);
+    const Range range = depth_range(&kept->triangle);
+    const bool number = (range.low + range.high) * 0.0 == 0.0;
+    kept->nearest = number ? depth_code(&f, range.low) : 0;
+    kept->farthest = number ? depth_code(&f, range.high) : INT32_MAX;
+}
+
+/* Goes before those that it is nearer than, all of it. */
+void FAST(keep_triangle)(Tile *tile, const GpTriangle *triangle)
+{
+    if (tile->kept_count == FAST_KEPT)
+        FAST(fill_kept)(tile);
+    const uint32_t number = tile->kept_count++;
+    FastKept *kept = &tile->kept[number];
+    kept->triangle = *triangle;
+    find_codes(tile, kept);
+    uint8_t *place = &tile->kept_order[number];
+    while (place > tile->kept_order && kept->farthest < tile->kept[place[-1]].nearest) {
+        place[0] = place[-1];
+        place--;
+    }
+    *place = (uint8_t)number;
+}
+
+/* --- what is hidden ------------------------------------------------------------------------------ */
+
+enum { STRIPS = FAST_TILE / GP_LANES }; /* of a row */
+
+/* Where in the tile the nearest depth of a triangle would pass, as far as strips tell. */
+typedef struct Passing {
+    int32_t top, bottom; /* rows */
+    itg columns[STRIPS]; /* negative: in some row */
+} Passing;
+
+static void find_passing(const Tile *tile, const FastBox *box, int32_t bound, Passing *passing)
+{
+    const int32_t first = box->x0 / GP_LANES, last = box->x1 / GP_LANES;
+    *passing = (Passing){ .top = FAST_TILE, .bottom = -1 };
+    for (int32_t y = box->y0; y <= box->y1; y++) {
+        const uint32_t *row = tile->depth + fast_at(0, y);
+        itg somewhere = itg_set(0);
+        for (int32_t i = first; i <= last; i++)
+            somewhere |= bound - load_lanes(row + i * GP_LANES, false);
+        if (!msk_bits((msk)(somewhere < 0)))
+            continue;
+        for (int32_t i = first; i <= last; i++)
+            passing->columns[i] |= bound - load_lanes(row + i * GP_LANES, false);
+        passing->top = passing->bottom < 0 ? y : passing->top;
+        passing->bottom = y;
+    }
+}
+
+/* Cuts a box in the tile to where the nearest depth would pass; false: nowhere. */
+static bool cut_to_passing(const Tile *tile, int32_t bound, FastBox *box)
+{
+    Passing passing;
+    find_passing(tile, box, bound, &passing);
+    int32_t left = FAST_TILE, right = -1;
+    for (int32_t i = 0; i < STRIPS; i++) {
+        const unsigned bits = msk_bits((msk)(passing.columns[i] < 0));
+        if (!bits)
+            continue;
+        left = right < 0 ? i * GP_LANES + __builtin_ctz(bits) : left;
+        right = i * GP_LANES + 31 - __builtin_clz(bits);
+    }
+    box->x0 = left > box->x0 ? left : box->x0;
+    box->x1 = right < box->x1 ? right : box->x1;
+    box->y0 = passing.top;
+    box->y1 = passing.bottom;
+    return box->x0 <= box->x1 && box->y0 <= box->y1;
+}
+
+static void fill_visible(Tile *tile, const Filler *f, FastKept *kept)
+{
+    GpTriangle *t = &kept->triangle;
+    FastBox box = { t->x0 - tile->x0, t->y0 - tile->y0, t->x1 - tile->x0, t->y1 - tile->y0 };
+    if (!cut_to_passing(tile, kept->nearest - f->allowance, &box))
+        return;
+    t->x0 = tile->x0 + box.x0;
+    t->y0 = tile->y0 + box.y0;
+    t->x1 = tile->x0 + box.x1;
+    t->y1 = tile->y0 + box.y1;
+    FAST(fill_large)(tile, t, kept->nearest);
+}
+
+void FAST(fill_kept)(Tile *tile)
+{
+    if (!tile->kept_count)
+        return;
+    const Filler f = FAST(filler)(tile);
+    for (uint32_t i = 0; i < tile->kept_count; i++) {
+        FAST(flush_patches)(tile); /* they may hide it */
+        fill_visible(tile, &f, &tile->kept[tile->kept_order[i]]);
+    }
+    tile->kept_count = 0;
+}

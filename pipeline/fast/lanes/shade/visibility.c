@@ -1,0 +1,259 @@
+/* What is seen: after the last opaque draw, every pixel that shows a record is shaded, once. */
+#include "pipeline/fast/lanes/shade/mix.h"
+#include "pipeline/fast/lanes/shade/patch.h"
+
+#include <string.h>
+
+enum {
+    TOGETHER = FAST_BLOCK / 2, /* mixes: all that they go through fits into a core's first cache */
+    DENSE = GP_LANES * 5 / 8,  /* a part of the tile with so many pixels is shaded as it is */
+
+    CELL_HIGH = 2, /* cells are GP_LANES pixels wide: two rows, or two patches of quads */
+    CELLS_ACROSS = FAST_TILE / GP_LANES,
+};
+
+/* --- what waits for the shader ------------------------------------------------------------------- */
+
+/* Blocks that fill up with what is seen of one draw. */
+typedef struct Collector {
+    Tile *tile;
+    const FastDraw *d;
+    int patches; /* of one triangle each */
+    int mixes;   /* of several */
+
+    /* pixels of sparse parts, to be packed; a place is x, y << 8 and whether it lives */
+    uint32_t sparse;
+    uint32_t record[2 * GP_LANES], place[2 * GP_LANES];
+} Collector;
+
+enum { PLACE_LIVES = 1 << 16 };
+
+typedef enum MixShape { ROW, QUADS, PACKED } MixShape;
+
+static void shade_collected_mixes(Collector *c)
+{
+    if (c->mixes)
+        FAST(shade_mixes)(c->tile, c->d, c->tile->mixes, c->mixes);
+    c->mixes = 0;
+}
+
+/* Field by field, as set_patch. */
+static void add_mix(Collector *c, itg record, itg x, itg y, unsigned live, MixShape shape)
+{
+    if (c->mixes == TOGETHER)
+        shade_collected_mixes(c);
+    FastMix *mix = &c->tile->mixes[c->mixes++];
+    mix->record = record;
+    mix->x = x;
+    mix->y = y;
+    mix->live = live;
+    mix->packed = shape == PACKED;
+    mix->quads = shape == QUADS;
+}
+
+GP_INLINE itg load_words(const uint32_t *from)
+{
+    return (itg)flt_load((const float *)(const void *)from);
+}
+
+/* Lanes that stay empty repeat the first. */
+static void add_packed(Collector *c)
+{
+    const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
+    itg record = itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0]));
+    itg place = itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]));
+    const unsigned live = msk_bits(filled & (msk)((place & PLACE_LIVES) != 0));
+    add_mix(c, record, place & 255, place >> 8 & 255, live, PACKED);
+}
+
+static void pack(Collector *c, unsigned lanes, itg record, itg place)
+{
+    itg_compress(c->record + c->sparse, lanes, record);
+    itg_compress(c->place + c->sparse, lanes, place);
+    c->sparse += (uint32_t)__builtin_popcount(lanes);
+    if (c->sparse < GP_LANES)
+        return;
+    add_packed(c);
+    c->sparse -= GP_LANES;
+    memcpy(c->record, c->record + GP_LANES, sizeof(itg));
+    memcpy(c->place, c->place + GP_LANES, sizeof(itg));
+}
+
+static void shade_collected_patches(Collector *c)
+{
+    if (c->patches)
+        FAST(shade_patches)(c->tile, c->d, c->tile->patches, c->patches, NULL);
+    c->patches = 0;
+}
+
+/* The queue of ordered draws is empty here: its room serves. */
+static void add_patch(Collector *c, uint32_t record, const FastPatch *place)
+{
+    if (c->patches == FAST_BLOCK)
+        shade_collected_patches(c);
+    set_patch(&c->tile->patches[c->patches++], record, place->x, place->y, ALL_LANES, place->wide);
+}
+
+/* --- collecting ---------------------------------------------------------------------------------- */
+
+static void collect_row(Collector *c, const FastPatch *row, itg seen, msk mine)
+{
+    unsigned live = msk_bits(mine);
+    uint32_t some = c->tile->seen[fast_at(row->x + __builtin_ctz(live), row->y)];
+    if (msk_bits(seen == (int32_t)some) == ALL_LANES)
+        add_patch(c, some, row);
+    else if (__builtin_popcount(live) >= DENSE)
+        add_mix(c, itg_select(mine, seen, itg_set((int32_t)some)), patch_x(row), patch_y(row), live,
+                ROW);
+    else
+        pack(c, live, seen, patch_x(row) | patch_y(row) << 8 | PLACE_LIVES);
+}
+
+/* In every lane the greatest of its quad. */
+static itg quad_greatest(itg a)
+{
+    a = itg_greater(a, GP_QUAD_SHUFFLE(a, 1, 0, 3, 2));
+    return itg_greater(a, GP_QUAD_SHUFFLE(a, 2, 3, 0, 1));
+}
+
+/* Quads stay together: there are whole ones only. */
+static void pack_quads(Collector *c, itg record, itg x, itg y, unsigned live)
+{
+    unsigned any = (live | live >> 1 | live >> 2 | live >> 3) & 0x1111;
+    pack(c, any * 15, record, x | y << 8 | (mask_of(live) & PLACE_LIVES));
+}
+
+/* Whole quads, for shaders that look at their neighbours: a quad is shaded once for every triangle
+ * that is seen in it. */
+static void collect_quads(Collector *c, const FastPatch *quads, itg seen, msk mine)
+{
+    if (msk_bits(mine & (seen == seen[0])) == ALL_LANES) {
+        add_patch(c, (uint32_t)seen[0], quads);
+        return;
+    }
+    const itg some = itg_set(seen[__builtin_ctz(msk_bits(mine))]);
+    const itg x = patch_x(quads), y = patch_y(quads);
+    for (itg left = seen & mine; msk_bits(left != 0); left &= ~mine) {
+        itg record = quad_greatest(left);
+        mine = (left == record) & (left != 0);
+        const bool dense = __builtin_popcount(msk_bits(record != 0)) >= DENSE;
+        record = itg_select(record != 0, record, some);
+        if (dense)
+            add_mix(c, record, x, y, msk_bits(mine), QUADS);
+        else
+            pack_quads(c, record, x, y, msk_bits(mine));
+    }
+}
+
+/* --- runs ---------------------------------------------------------------------------------------- */
+
+static uint32_t run_end(const Tile *tile, uint32_t run)
+{
+    return run + 1 < tile->run_count ? tile->runs[run + 1].first_record : tile->record_count;
+}
+
+static void number_records(Tile *tile)
+{
+    memset(tile->run_of, 0, tile->record_count * sizeof *tile->run_of);
+    for (uint32_t run = 1; run < tile->run_count; run++)
+        for (uint32_t record = tile->runs[run].first_record; record < run_end(tile, run); record++)
+            tile->run_of[record] = (uint16_t)run;
+    for (uint32_t run = 0; run < tile->run_count; run++)
+        tile->runs[run].cells = 0;
+}
+
+/* Lanes that do not show a record from first to end. */
+GP_INLINE itg without(itg seen, int32_t first, int32_t end)
+{
+    return seen & ((seen < first) | (seen >= end));
+}
+
+/* Adds a cell to every run that it shows. */
+static uint16_t sort_cell(Tile *tile, int32_t x, int32_t y, uint16_t count)
+{
+    const uint32_t *row[CELL_HIGH] = { tile->seen + fast_at(x, y), tile->seen + fast_at(x, y + 1) };
+    itg upper = load_words(row[0]), lower = load_words(row[1]);
+    for (;;) {
+        const unsigned up = msk_bits(upper != 0), down = msk_bits(lower != 0);
+        if (!(up | down))
+            return count;
+        const uint32_t record = up ? row[0][__builtin_ctz(up)] : row[1][__builtin_ctz(down)];
+        const uint32_t run = tile->run_of[record];
+        tile->cells[++count].x = (uint8_t)x;
+        tile->cells[count].y = (uint8_t)y;
+        tile->cells[count].next = tile->runs[run].cells;
+        tile->runs[run].cells = count;
+        const int32_t first = (int32_t)tile->runs[run].first_record;
+        const int32_t end = (int32_t)run_end(tile, run);
+        upper = without(upper, first, end);
+        lower = without(lower, first, end);
+    }
+}
+
+/* In one scan of the tile, however many runs there are. The last cell comes first: lists grow at
+ * their front. */
+static void sort_cells(Tile *tile)
+{
+    uint16_t count = 0;
+    const int32_t rows = (tile->height + CELL_HIGH - 1) / CELL_HIGH;
+    for (int32_t cell = rows * CELLS_ACROSS; cell-- > 0;)
+        count =
+            sort_cell(tile, cell % CELLS_ACROSS * GP_LANES, cell / CELLS_ACROSS * CELL_HIGH, count);
+}
+
+static void collect_part(Collector *c, const FastPatch *part, uint32_t run)
+{
+    const Tile *tile = c->tile;
+    itg seen = load_patch(tile->seen, part);
+    msk mine =
+        (seen >= (int32_t)tile->runs[run].first_record) & (seen < (int32_t)run_end(tile, run));
+    if (!msk_bits(mine))
+        return;
+    if (part->wide)
+        collect_row(c, part, seen, mine);
+    else
+        collect_quads(c, part, seen, mine);
+}
+
+static void shade_run(Tile *tile, uint32_t run)
+{
+    Collector c = { .tile = tile, .d = &tile->pass->draws[tile->runs[run].draw] };
+    const bool quads = c.d->needs.quads;
+    const int across = quads ? QUADS_WIDE : 0, down = quads ? 0 : 1;
+    for (uint32_t at = tile->runs[run].cells; at; at = tile->cells[at].next)
+        for (int i = 0; i < 2; i++) {
+            FastPatch part = { .x = (uint8_t)(tile->cells[at].x + i * across),
+                               .y = (uint8_t)(tile->cells[at].y + i * down),
+                               .wide = quads ? 0 : GP_LANES };
+            collect_part(&c, &part, run);
+        }
+    if (c.sparse)
+        add_packed(&c);
+    shade_collected_mixes(&c);
+    shade_collected_patches(&c);
+}
+
+static bool is_visible(const Tile *tile, uint32_t run)
+{
+    return tile->pass->draws[tile->runs[run].draw].route == FAST_VISIBLE;
+}
+
+void FAST(flush_seen)(Tile *tile)
+{
+    FastPhase before = fast_turn_to(tile, FAST_SHADING);
+    FAST(settle_backdrop)(tile);
+    bool any = false;
+    for (uint32_t run = 0; run < tile->run_count; run++)
+        any |= is_visible(tile, run);
+    if (any) {
+        number_records(tile);
+        sort_cells(tile);
+        for (uint32_t run = 0; run < tile->run_count; run++)
+            if (tile->runs[run].cells)
+                shade_run(tile, run);
+        memset(tile->seen, 0, sizeof tile->seen);
+    }
+    tile->record_count = FAST_NO_RECORD + 1;
+    tile->run_count = tile->wide_count = 0;
+    fast_turn_to(tile, before);
+}

@@ -1,0 +1,191 @@
+/* OpenImageIO's codecs on bytes in memory: it opens no file, so what was checked is what is read,
+ * and gp_file_write alone decides what appears on the disk. */
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <cfenv>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <vector>
+
+extern "C" {
+#include "pipeline/io/image/image_codec.h"
+}
+
+namespace
+{
+using namespace OIIO;
+
+/* Codecs may switch the rounding mode or denormals; pixels must not depend on what was read. */
+class KeepFloatEnvironment
+{
+  public:
+    KeepFloatEnvironment()
+    {
+        std::fegetenv(&environment_);
+    }
+
+    ~KeepFloatEnvironment()
+    {
+        std::fesetenv(&environment_);
+    }
+
+    KeepFloatEnvironment(const KeepFloatEnvironment &) = delete;
+    KeepFloatEnvironment &operator=(const KeepFloatEnvironment &) = delete;
+
+  private:
+    std::fenv_t environment_;
+};
+
+/* Once: no threads of its own. */
+void configure()
+{
+    static std::once_flag once;
+    std::call_once(once, [] {
+        attribute("threads", 1);
+        attribute("exr_threads", -1);
+    });
+}
+
+const char *codec_name(GpImageFormat format)
+{
+    return format == GP_IMAGE_PNG ? "png" : format == GP_IMAGE_EXR ? "openexr" : "targa";
+}
+
+const struct {
+    TypeDesc::BASETYPE base;
+    GpImageType type;
+} sample_types[] = {
+    { TypeDesc::UINT8, GP_IMAGE_U8 },
+    { TypeDesc::UINT16, GP_IMAGE_U16 },
+    { TypeDesc::HALF, GP_IMAGE_F16 },
+    { TypeDesc::FLOAT, GP_IMAGE_F32 },
+};
+
+/* The message of a codec is taken in any case: what is left would be printed later. */
+GpResult fail(const char *path, const std::string &reason, GpError *error)
+{
+    return gp_fail(error, GP_ERROR_FORMAT, "%s: %s", path,
+                   reason.empty() ? "not a picture of this format" : reason.c_str());
+}
+
+GpResult decode(const GpImageSource &source, ImageInput &input, GpImage *image, GpError *error)
+{
+    const ImageSpec &spec = input.spec();
+    GpImage result = {};
+    bool is_known = false;
+    for (const auto &entry : sample_types) {
+        if (entry.base == spec.format.basetype) {
+            result.type = entry.type;
+            is_known = true;
+        }
+    }
+    if (!is_known || spec.nchannels < 1 || spec.nchannels > 4 || spec.depth > 1 || spec.deep)
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: %d channels of %s are not read",
+                       source.path, spec.nchannels, spec.format.c_str());
+    if (uint32_t(spec.width) != source.width || uint32_t(spec.height) != source.height)
+        return fail(source.path, "its header is ambiguous", error);
+    result.width = source.width;
+    result.height = source.height;
+    result.channels = uint32_t(spec.nchannels);
+    size_t samples = size_t(result.width) * result.height * result.channels;
+    result.data = gp_alloc(samples, gp_image_sample_size(result.type));
+    if (!result.data)
+        return GP_ERROR_MEMORY;
+    /* read_image takes 64 MiB beside the picture to convert; most pictures need no conversion. */
+    bool is_native = spec.tile_width == 0 && spec.channelformats.empty();
+    bool is_read =
+        is_native ? input.read_native_scanlines(0, 0, spec.y, spec.y + spec.height, 0, result.data)
+                  : input.read_image(0, 0, 0, spec.nchannels, spec.format, result.data);
+    if (!is_read) {
+        gp_free(result.data);
+        return fail(source.path, input.geterror(), error);
+    }
+    *image = result;
+    return GP_OK;
+}
+
+GpResult encode(const char *path, GpImageFormat format, const GpImage &image,
+                std::vector<unsigned char> *bytes, GpError *error)
+{
+    TypeDesc type;
+    for (const auto &entry : sample_types) {
+        if (entry.type == image.type)
+            type = TypeDesc(entry.base);
+    }
+    ImageSpec spec(int(image.width), int(image.height), int(image.channels), type);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (format == GP_IMAGE_EXR) {
+        spec.attribute("compression", "zip");
+        spec.attribute("DateTime", ""); /* else the present time is put in */
+    }
+    auto output = ImageOutput::create(codec_name(format));
+    if (!output)
+        return fail(path, OIIO::geterror(), error);
+    Filesystem::IOVecOutput proxy(*bytes);
+    bool is_done = output->set_ioproxy(&proxy) &&
+                   output->open(std::string("picture.") + codec_name(format), spec) &&
+                   output->write_image(type, image.data);
+    is_done = output->close() && is_done;
+    std::string reason = output->geterror();
+    return is_done ? GP_OK : fail(path, reason, error);
+}
+} // namespace
+
+extern "C" GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image,
+                                         GpError *error)
+{
+    KeepFloatEnvironment keep;
+    try {
+        configure();
+        ImageSpec config, spec;
+        config.attribute("oiio:UnassociatedAlpha", 1);
+        Filesystem::IOMemReader proxy(source->file.data, source->file.size);
+        auto input = ImageInput::create(codec_name(source->format));
+        if (!input || !input->set_ioproxy(&proxy))
+            return fail(source->path, OIIO::geterror(), error);
+        GpResult result;
+        if (input->open(source->path, spec, config))
+            result = decode(*source, *input, image, error);
+        else
+            result = fail(source->path, input->geterror(), error);
+        input->close();
+        input->geterror();
+        if (result != GP_ERROR_MEMORY)
+            return result;
+    } catch (const std::bad_alloc &) {
+        /* falls through to the message below */
+    } catch (const std::exception &problem) {
+        return fail(source->path, problem.what(), error);
+    }
+    return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for %ux%u pixels", source->path,
+                   source->width, source->height);
+}
+
+extern "C" GpResult gp_image_encode_oiio(const char *path, GpImageFormat format,
+                                         const GpImage *image, GpFile *file, GpError *error)
+{
+    KeepFloatEnvironment keep;
+    try {
+        configure();
+        std::vector<unsigned char> bytes;
+        GpResult result = encode(path, format, *image, &bytes, error);
+        if (result != GP_OK)
+            return result;
+        char *data = static_cast<char *>(gp_alloc(bytes.size(), 1));
+        if (data) {
+            std::memcpy(data, bytes.data(), bytes.size());
+            file->data = data;
+            file->size = bytes.size();
+            return GP_OK;
+        }
+    } catch (const std::bad_alloc &) {
+        /* falls through to the message below */
+    } catch (const std::exception &problem) {
+        return fail(path, problem.what(), error);
+    }
+    return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory to encode %ux%u pixels", path,
+                   image->width, image->height);
+}

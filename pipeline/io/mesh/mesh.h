@@ -1,0 +1,61 @@
+/* Triangle meshes from files: OFF, OBJ, PLY, STL and OM.
+ *
+ * OpenMesh reads the formats; its half-edge structure, which cannot hold non-manifold faces, is not
+ * built, so every face of the file arrives. Before OpenMesh sees a byte, the whole file is checked
+ * (mesh_check.h): its readers trust what a file says.
+ */
+#ifndef GP_IO_MESH_H
+#define GP_IO_MESH_H
+
+#include "pipeline/base/base.h"
+
+/* Arrays are packed and belong to the mesh.
+ *
+ * Vertices are those of the file in its order, unreferenced ones included, except that
+ *  - STL has no vertices, only corners: equal positions are welded (by OpenMesh, by value), and
+ *    vertices are numbered by their first use;
+ *  - OBJ corners that give one vertex different normals or texture coordinates get copies of the
+ *    vertex, which are appended after all vertices of the file.
+ * Triangles are in file order; a polygon v0 v1 v2 v3 .. is the fan (v0 v1 v2) (v0 v2 v3) .. */
+typedef struct GpMesh {
+    float *positions;  /* [3 * vertex_count], finite, the file's own unit and axes */
+    float *normals;    /* [3 * vertex_count], never absent, see gp_mesh_read */
+    float *colors;     /* [4 * vertex_count] r g b a as stored, 1 for white; NULL without */
+    float *texcoords;  /* [2 * vertex_count] u v, v as in the file; NULL without */
+    uint32_t *indices; /* [3 * triangle_count], all < vertex_count */
+    uint32_t vertex_count, triangle_count;
+    uint32_t skipped_count; /* faces without area that OpenMesh drops: STL corners that weld, OBJ
+                               polygons with fewer than three different vertices */
+    bool had_normals, had_colors, had_texcoords; /* the file stored them for its vertices */
+} GpMesh;
+
+typedef enum GpMeshFlags {
+    GP_MESH_TRIANGLES = 0,        /* a file without any face is an error */
+    GP_MESH_ALLOW_POINTS = 1 << 0 /* a file with vertices only is a point set */
+} GpMeshFlags;
+
+/* Reads a mesh. The format is that of the extension (any case), confirmed by what the file starts
+ * with where its format has such a mark.
+ * in     path: as for fopen; flags
+ * out    mesh: untouched on failure. Normals are the file's, as stored; a vertex whose normal is
+ *        absent or (0, 0, 0) gets that of gp_mesh_normals
+ * errors GP_ERROR_IO (file access); GP_ERROR_FORMAT with "path: line 12: ..." or "path: byte 34:
+ *        ..." (truncated, impossible counts, an index out of range, a number that is none or is
+ *        not finite, no vertices, no faces); GP_ERROR_UNSUPPORTED (valid, but not read here: an
+ *        unknown extension, four-dimensional OFF, binary OFF ...); GP_ERROR_MEMORY
+ * owns   the caller frees the mesh with gp_mesh_free
+ * note   calls from several threads wait for each other: OpenMesh's readers keep state */
+GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *error);
+
+/* Computes vertex normals for all vertices (all true) or those whose normal is (0, 0, 0).
+ * in/out mesh: positions and indices are read, normals are written
+ * order  the sum over a vertex's triangles of their cross products (so weighted by area) runs in
+ *        triangle order, in double; a sum of length zero gives (0, 0, 1)
+ * errors GP_ERROR_MEMORY
+ * source ours */
+GpResult gp_mesh_normals(GpMesh *mesh, bool all);
+
+/* Frees the arrays and empties *mesh; NULL and empty meshes are fine. */
+void gp_mesh_free(GpMesh *mesh);
+
+#endif

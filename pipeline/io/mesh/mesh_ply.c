@@ -1,0 +1,264 @@
+#include "pipeline/io/mesh/mesh_ply.h"
+
+#include "pipeline/io/mesh/mesh_text.h"
+
+#include <string.h>
+
+static const struct {
+    const char *name, *other_name;
+    size_t size;
+} types[PLY_TYPES] = {
+    [PLY_INT8] = { .name = "char", .other_name = "int8", .size = 1 },
+    [PLY_UINT8] = { .name = "uchar", .other_name = "uint8", .size = 1 },
+    [PLY_INT16] = { .name = "short", .other_name = "int16", .size = 2 },
+    [PLY_UINT16] = { .name = "ushort", .other_name = "uint16", .size = 2 },
+    [PLY_INT32] = { .name = "int", .other_name = "int32", .size = 4 },
+    [PLY_UINT32] = { .name = "uint", .other_name = "uint32", .size = 4 },
+    [PLY_FLOAT32] = { .name = "float", .other_name = "float32", .size = 4 },
+    [PLY_FLOAT64] = { .name = "double", .other_name = "float64", .size = 8 },
+};
+
+/* Names of the vertex properties in use; is_known says whether OpenMesh knows the name too. */
+static const struct {
+    const char *name;
+    PlyRole role;
+    bool is_known;
+} vertex_names[] = {
+    { "x", PLY_X, true },
+    { "y", PLY_Y, true },
+    { "z", PLY_Z, true },
+    { "nx", PLY_NX, true },
+    { "ny", PLY_NY, true },
+    { "nz", PLY_NZ, true },
+    { "u", PLY_U, true },
+    { "v", PLY_V, true },
+    { "s", PLY_U, true },
+    { "t", PLY_V, true },
+    { "texture_u", PLY_U, false },
+    { "texture_v", PLY_V, false },
+    { "red", PLY_RED, true },
+    { "green", PLY_GREEN, true },
+    { "blue", PLY_BLUE, true },
+    { "alpha", PLY_ALPHA, true },
+    { "diffuse_red", PLY_RED, true },
+    { "diffuse_green", PLY_GREEN, true },
+    { "diffuse_blue", PLY_BLUE, true },
+};
+
+size_t gp_ply_size(PlyType type)
+{
+    return types[type].size;
+}
+
+static bool find_type(const GpWord *word, PlyType *type)
+{
+    for (int i = 0; i < PLY_TYPES; i++) {
+        if (gp_word_is(word, types[i].name) || gp_word_is(word, types[i].other_name)) {
+            *type = (PlyType)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static GpResult fail(const GpMeshSource *source, const GpText *text, const char *expected,
+                     GpError *error)
+{
+    return gp_fail(error, GP_ERROR_FORMAT, "%s: line %zu: expected %s", source->path, text->number,
+                   expected);
+}
+
+static GpResult parse_format(const GpMeshSource *source, PlyHeader *header, GpText *text,
+                             GpError *error)
+{
+    static const char *const names[] = { "ascii", "binary_little_endian", "binary_big_endian" };
+    GpWord word, version;
+    if (!gp_text_line(text) || !gp_text_word(text, &word) || !gp_word_is(&word, "format") ||
+        !gp_text_word(text, &word) || !gp_text_word(text, &version) || !gp_word_is(&version, "1.0"))
+        return fail(source, text, "'format', an encoding and '1.0'", error);
+    for (size_t i = 0; i < GP_COUNT(names); i++) {
+        if (gp_word_is(&word, names[i])) {
+            header->encoding = (PlyEncoding)i;
+            return GP_OK;
+        }
+    }
+    return fail(source, text, "ascii, binary_little_endian or binary_big_endian", error);
+}
+
+static GpResult parse_element(const GpMeshSource *source, PlyHeader *header, GpText *text,
+                              GpError *error)
+{
+    GpWord name, count;
+    int64_t number;
+    if (!gp_text_word(text, &name) || !gp_text_word(text, &count) ||
+        !gp_word_integer(&count, &number) || number < 0)
+        return fail(source, text, "an element's name and count", error);
+    if (number > GP_MESH_COUNT_MAX || number > (int64_t)source->file.size)
+        return gp_fail(error, GP_ERROR_FORMAT,
+                       "%s: line %zu: %lld elements are promised, but the file has %zu bytes",
+                       source->path, text->number, (long long)number, source->file.size);
+    if (header->element_count == GP_COUNT(header->element))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: line %zu: more than %zu elements",
+                       source->path, text->number, GP_COUNT(header->element));
+    PlyKind kind = gp_word_is(&name, "vertex") ? PLY_VERTEX
+                   : gp_word_is(&name, "face") ? PLY_FACE
+                                               : PLY_OTHER;
+    bool has_vertices = false;
+    for (size_t i = 0; i < header->element_count; i++) {
+        has_vertices |= header->element[i].kind == PLY_VERTEX;
+        if (kind != PLY_OTHER && header->element[i].kind == kind)
+            return fail(source, text, "one element vertex and one element face", error);
+    }
+    if (kind == PLY_FACE && !has_vertices)
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: line %zu: faces before vertices",
+                       source->path, text->number);
+    header->element[header->element_count++] = (PlyElement){ .kind = kind,
+                                                             .count = (size_t)number,
+                                                             .first = header->property_count,
+                                                             .end = header->property_count };
+    return GP_OK;
+}
+
+/* Gives a property its role; everything that OpenMesh would take in another way is not plain. */
+static void assign_role(PlyHeader *header, PlyKind kind, const GpWord *name, PlyProperty *property)
+{
+    property->role = PLY_IGNORED;
+    PlyType unused;
+    bool is_known = !find_type(name, &unused); /* OpenMesh also takes "property NAME TYPE" */
+    bool is_ascii = header->encoding == PLY_ASCII;
+    if (kind == PLY_VERTEX && !property->is_list) {
+        for (size_t i = 0; i < GP_COUNT(vertex_names); i++) {
+            if (!gp_word_is(name, vertex_names[i].name))
+                continue;
+            is_known = vertex_names[i].is_known && !header->has[vertex_names[i].role];
+            if (!header->has[vertex_names[i].role])
+                property->role = vertex_names[i].role;
+        }
+        if (property->role >= PLY_RED && property->role <= PLY_ALPHA)
+            is_known = is_known && property->type == PLY_UINT8;
+        else if (property->role != PLY_IGNORED)
+            is_known = is_known && (is_ascii || property->type == PLY_FLOAT32);
+    } else if (kind == PLY_FACE) {
+        bool is_corners = gp_word_is(name, "vertex_indices") || gp_word_is(name, "vertex_index");
+        if (is_corners && property->is_list && !header->has[PLY_CORNERS])
+            property->role = PLY_CORNERS;
+        is_known = property->role == PLY_CORNERS && property->count_type == PLY_UINT8 &&
+                   (property->type == PLY_INT32 || property->type == PLY_UINT32);
+    } else if (property->is_list) {
+        is_known = false;
+    }
+    if (property->role != PLY_IGNORED)
+        header->has[property->role] = true;
+    header->is_plain = header->is_plain && is_known;
+}
+
+static GpResult parse_property(const GpMeshSource *source, PlyHeader *header, GpText *text,
+                               GpError *error)
+{
+    PlyProperty property = { .role = PLY_IGNORED };
+    GpWord word;
+    bool is_valid = gp_text_word(text, &word);
+    property.is_list = is_valid && gp_word_is(&word, "list");
+    if (property.is_list)
+        is_valid = gp_text_word(text, &word) && find_type(&word, &property.count_type) &&
+                   property.count_type < PLY_FLOAT32 && gp_text_word(text, &word);
+    if (!is_valid || !find_type(&word, &property.type) || !gp_text_word(text, &word))
+        return fail(source, text, "a property's type and name", error);
+    if (header->element_count == 0)
+        return fail(source, text, "an element before its properties", error);
+    if (header->property_count == GP_COUNT(header->property))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: line %zu: more than %zu properties",
+                       source->path, text->number, GP_COUNT(header->property));
+    PlyElement *element = &header->element[header->element_count - 1];
+    assign_role(header, element->kind, &word, &property);
+    header->property[header->property_count++] = property;
+    element->end = header->property_count;
+    return GP_OK;
+}
+
+/* A group counts only when it is complete: else its members are ignored, and the file not plain. */
+static bool complete(PlyHeader *header, PlyRole first, PlyRole last)
+{
+    bool all = true, any = false;
+    for (PlyRole role = first; role <= last; role++) {
+        all = all && header->has[role];
+        any = any || header->has[role];
+    }
+    if (any && !all) {
+        header->is_plain = false;
+        for (size_t i = 0; i < header->property_count; i++) {
+            if (header->property[i].role >= first && header->property[i].role <= last)
+                header->property[i].role = PLY_IGNORED;
+        }
+        for (PlyRole role = first; role <= last; role++)
+            header->has[role] = false;
+    }
+    return all;
+}
+
+static GpResult finish(const GpMeshSource *source, PlyHeader *header, GpText *text, GpError *error)
+{
+    bool has_positions = complete(header, PLY_X, PLY_Z);
+    complete(header, PLY_NX, PLY_NZ);
+    complete(header, PLY_U, PLY_V);
+    bool has_colors = complete(header, PLY_RED, PLY_BLUE);
+    if (!has_colors)
+        complete(header, PLY_RED, PLY_ALPHA); /* alpha alone is no colour */
+    for (size_t i = 0; i < header->element_count; i++) {
+        const PlyElement *element = &header->element[i];
+        if (element->count > 0 && element->first == element->end)
+            return fail(source, text, "properties for every element", error);
+        if (element->kind == PLY_VERTEX && !has_positions)
+            return fail(source, text, "the vertex properties x, y and z", error);
+        if (element->kind == PLY_FACE && element->count > 0 && !header->has[PLY_CORNERS])
+            return fail(source, text, "the face property list vertex_indices", error);
+    }
+    return GP_OK;
+}
+
+GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *error)
+{
+    char *begin = source->file.data;
+    GpText text = { .next = begin, .end = begin + source->file.size };
+    GpWord word = { .text = NULL, .size = 0 };
+    *header = (PlyHeader){ .is_plain = true };
+    bool is_magic = gp_text_line(&text) && gp_text_word(&text, &word) && gp_word_is(&word, "ply");
+    if (!is_magic || word.text != begin)
+        return gp_fail(error, GP_ERROR_FORMAT, "%s: line 1: expected 'ply'", source->path);
+
+    GpResult result = parse_format(source, header, &text, error);
+    bool after_comment = false; /* OpenMesh then starts one byte late in a binary body */
+    while (result == GP_OK) {
+        if (!gp_text_line(&text) || !gp_text_word(&text, &word))
+            return fail(source, &text, "'end_header', but the file ends", error);
+        if (gp_word_is(&word, "end_header"))
+            break;
+        bool is_comment = gp_word_is(&word, "comment"), is_info = gp_word_is(&word, "obj_info");
+        after_comment = is_comment;
+        header->is_plain = header->is_plain && !is_info;
+        if (gp_word_is(&word, "element"))
+            result = parse_element(source, header, &text, error);
+        else if (gp_word_is(&word, "property"))
+            result = parse_property(source, header, &text, error);
+        else if (!is_comment && !is_info)
+            result = fail(source, &text, "element, property, comment or end_header", error);
+        if (result == GP_OK && !is_comment && !is_info && gp_text_word(&text, &word))
+            result = fail(source, &text, "nothing more on this line", error);
+    }
+    if (result == GP_OK && text.line_end == text.end)
+        result = fail(source, &text, "a line end after 'end_header'", error);
+    if (result != GP_OK)
+        return result;
+
+    header->body = text.line_end + 1;
+    header->lines = text.number;
+    /* OpenMesh counts bytes around the last header lines: any unusual white space misleads it. */
+    for (const char *at = begin; at < header->body; at++) {
+        bool is_double = *at <= ' ' && (at[1] == ' ' || (*at != '\n' && at[1] == '\n'));
+        bool is_odd_line = *at == '\n' && (at[1] == '\n' || at[1] == '#');
+        if (is_double || is_odd_line || *at == '\r' || *at == '\t')
+            header->is_plain = header->is_plain && at + 1 == header->body;
+    }
+    header->is_plain = header->is_plain && !after_comment;
+    return finish(source, header, &text, error);
+}

@@ -1,0 +1,44 @@
+/* Lines, words and numbers of text mesh files, for the checks (internal). */
+#ifndef GP_IO_MESH_TEXT_H
+#define GP_IO_MESH_TEXT_H
+
+#include "pipeline/base/base.h"
+
+/* A word: size bytes without white space. Not terminated, but something that ends a number follows
+ * it (white space or the zero byte after a file). */
+typedef struct GpWord {
+    char *text;
+    size_t size;
+} GpWord;
+
+/* Walks through a text. Start with next and end set, everything else zero. */
+typedef struct GpText {
+    char *next, *end; /* what was not yet walked over */
+    char *line_end;   /* end of the present line, without its newline */
+    size_t number;    /* of the present line, from 1 */
+} GpText;
+
+/* Steps to the next line that holds more than white space, comments excluded: a line whose first
+ * word starts with '#'. False at the end of the text. */
+bool gp_text_line(GpText *text);
+
+/* Next word of the present line; false at its end. */
+bool gp_text_word(GpText *text, GpWord *word);
+
+/* Next word of the text across lines, for formats where lines mean nothing; false at the end. */
+bool gp_text_any_word(GpText *text, GpWord *word);
+
+bool gp_word_is(const GpWord *word, const char *text);          /* exactly */
+bool gp_word_is_any_case(const GpWord *word, const char *text); /* ASCII letters of any case */
+
+/* A decimal number, [+-] digits [. digits] [e [+-] digits], that is finite as a float. Hexadecimal,
+ * nan and inf are no numbers: stream extraction would stop inside them. */
+bool gp_word_number(const GpWord *word, float *value);
+
+/* A decimal integer of magnitude below 2^62. */
+bool gp_word_integer(const GpWord *word, int64_t *value);
+
+/* At most 40 bytes of a word for a message, without control characters. */
+const char *gp_word_show(const GpWord *word, char shown[44]);
+
+#endif

@@ -1,0 +1,71 @@
+/* Lists, passes and draws: the whole work of a frame as plain data.
+ *
+ * A list is an array of passes; a pass is render targets and an array of draws; a draw is a program,
+ * its uniforms, geometry, fixed state and textures. Nothing happens until gp_device_run: a list can
+ * be printed, checked, dumped pass by pass, inspected and run again. Everything is borrowed until
+ * the run returns.
+ */
+#ifndef GP_LIST_H
+#define GP_LIST_H
+
+#include "pipeline/resources/geometry.h"
+#include "pipeline/shader/program.h"
+
+typedef struct GpDraw {
+    const char *name; /* for messages; may be NULL */
+    const GpProgram *program;
+    const void *uniforms; /* program->uniform_bytes bytes */
+    GpGeometry geometry;
+    GpState state;
+    GpViewport viewport;
+    GpTexture textures[GP_MAX_SAMPLERS];
+} GpDraw;
+
+typedef struct GpColorTarget {
+    GpSurface *surface; /* NULL: no target i; the targets in use are 0..n-1 */
+    bool clear;         /* before the first draw; otherwise the content is kept */
+    float clear_color[4];
+} GpColorTarget;
+
+typedef struct GpDepthTarget {
+    GpSurface *surface;
+    bool clear_depth, clear_stencil;
+    float depth_value; /* the value cleared to */
+    uint8_t stencil_value;
+} GpDepthTarget;
+
+typedef struct GpPass {
+    const char *name;
+    GpColorTarget color[GP_MAX_TARGETS];
+    GpDepthTarget depth;
+    const GpDraw *draws;
+    uint32_t draw_count;
+} GpPass;
+
+typedef struct GpList {
+    const GpPass *passes;
+    uint32_t pass_count;
+} GpList;
+
+/* Size that all targets of a pass share, after gp_list_check. */
+void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
+
+/* Checks everything that can be checked before the first pixel: targets (formats, equal sizes, no
+ * surface twice, none that is also a texture of the pass), programs (gp_program_check, targets
+ * written against targets bound), geometry (streams present, indices in range), state (enumerations,
+ * scissor, finite viewport inside the guard band, blending and logic on formats that have them,
+ * stencil only with stencil bits), textures (bound where the program reads, compare samplers on
+ * depth surfaces, local reads on surfaces of the pass's size).
+ * errors GP_ERROR_INVALID, with the pass, the draw and the field named:
+ *        "pass 2 'light', draw 0 'quad': textures[1].surface: not bound, but deferred_program reads
+ *        slot 1" */
+GpResult gp_list_check(const GpList *list, GpError *error);
+
+/* Groups: consecutive passes of one size in which a pixel reads earlier targets of the group only at
+ * its own position (gp_load_local) may run tile by tile, all passes of a tile in turn, with the same
+ * result by construction.
+ * out  group_of[pass]: group number, from 0, rising
+ * returns the number of groups */
+uint32_t gp_list_groups(const GpList *list, uint32_t *group_of);
+
+#endif

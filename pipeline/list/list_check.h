@@ -1,0 +1,27 @@
+/* The list's check, for who runs lists again and again: with the ranges of indices that it has found, and
+ * without counting the shaders of programs that were right before. */
+#ifndef GP_LIST_CHECK_H
+#define GP_LIST_CHECK_H
+
+#include "pipeline/list/index_range.h"
+#include "pipeline/list/list.h"
+#include "pipeline/list/needs.h"
+
+/* Programs that were found right, the last few, as they were then. A zeroed one is empty. */
+enum { GP_CHECKED_PROGRAMS = 16 };
+typedef struct GpCheckedPrograms {
+    const GpProgram *at[GP_CHECKED_PROGRAMS];
+    GpProgram program[GP_CHECKED_PROGRAMS];
+    GpPixelFacts facts[GP_CHECKED_PROGRAMS];
+    unsigned count;
+} GpCheckedPrograms;
+
+/* gp_pixel_facts of a program; without counting, if it is one of these. */
+GpPixelFacts gp_checked_facts(const GpCheckedPrograms *programs, const GpProgram *program);
+
+/* As gp_list_check.
+ * in/out programs: those that are found right are added; ranges: the last that were read are known */
+GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
+                             GpError *error);
+
+#endif

@@ -1,0 +1,124 @@
+#include "pipeline/list/needs.h"
+
+#include "pipeline/units/blend.h"
+
+#include <stdio.h>
+
+static uint64_t all_components(int count)
+{
+    return count >= 64 ? ~(uint64_t)0 : ((uint64_t)1 << count) - 1;
+}
+
+GpPixelFacts gp_pixel_facts(const GpProgram *program)
+{
+    uint64_t all = all_components(program->varying_components);
+    if (!program->count || !program->code[0]->pixel)
+        return (GpPixelFacts){ all, 0 };
+    GpShaderCounts vertex, pixel;
+    program->count(&vertex, &pixel);
+    return (GpPixelFacts){ all & pixel.inputs_read, pixel.copied_slot };
+}
+
+static bool needs_mip_levels(const GpDraw *draw)
+{
+    for (int i = 0; i < GP_MAX_SAMPLERS; i++) {
+        const GpTexture *texture = &draw->textures[i];
+        if (!(draw->program->samplers >> i & 1) || !texture->surface)
+            continue;
+        const GpSampler *s = &texture->sampler;
+        bool levels = s->mip != GP_MIP_NONE && texture->surface->levels > 1;
+        if (levels || s->min != s->mag)
+            return true;
+    }
+    return false;
+}
+
+GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read)
+{
+    const GpProgram *program = draw->program;
+    const GpState *state = &draw->state;
+    GpNeeds needs = { 0 };
+
+    for (int i = 0; i < gp_program_targets(program) && i < GP_MAX_TARGETS; i++) {
+        if (!pass->color[i].surface || (state->blend[i].keep & 15) == 15)
+            continue;
+        needs.color = true;
+        needs.blend = needs.blend || gp_blend_reads_target(&state->blend[i]);
+    }
+    needs.discard = program->may_discard;
+    needs.shader_depth = program->writes_depth && pass->depth.surface;
+    needs.alpha_test = state->alpha_test.test != GP_ALWAYS && gp_program_targets(program) > 0;
+    needs.depth_test = pass->depth.surface && state->depth.test != GP_ALWAYS;
+    needs.depth_write = pass->depth.surface && state->depth.write;
+    needs.stencil = pass->depth.surface && state->stencil.enable;
+    needs.depth = (needs.depth_test || needs.depth_write) && !needs.shader_depth;
+
+    bool anything = needs.color || needs.depth_write || needs.stencil;
+    needs.pixel_shader = anything && program->code[0]->pixel &&
+                         (needs.color || needs.discard || needs.shader_depth || needs.alpha_test);
+    if (needs.pixel_shader) {
+        needs.varyings = varyings_read;
+        needs.textures = program->samplers != 0;
+        needs.local_reads = program->local_reads != 0;
+        needs.quads = program->uses_derivatives || needs_mip_levels(draw);
+    }
+    needs.interpolate = needs.varyings != 0;
+    needs.vertex_textures = program->vertex_samplers != 0;
+    needs.clip_planes = state->raster.clip_planes & (uint8_t)all_components(GP_MAX_CLIP_PLANES);
+    needs.scissor = state->raster.scissor;
+    needs.cull = state->raster.cull != GP_CULL_NONE;
+    needs.depth_bias =
+        needs.depth && (state->raster.depth_bias != 0 || state->raster.slope_depth_bias != 0);
+    needs.late_depth = (needs.depth_test || needs.depth_write || needs.stencil) &&
+                       needs.pixel_shader &&
+                       (needs.discard || needs.alpha_test || needs.shader_depth);
+    return needs;
+}
+
+int gp_needs_explain(const GpNeeds *needs, char *text, size_t size)
+{
+    const struct {
+        const char *unit;
+        bool runs;
+        const char *why, *why_not;
+    } rows[] = {
+        { "vertex textures", needs->vertex_textures, "the vertex shader reads textures",
+          "the vertex shader reads none" },
+        { "culling", needs->cull, "one facing is culled", "both facings are drawn" },
+        { "clip planes", needs->clip_planes != 0, "user planes are on", "no user plane" },
+        { "depth bias", needs->depth_bias, "a bias is set", "no bias, or no depth" },
+        { "interpolate depth", needs->depth, "depth is tested or written",
+          "no depth test or write, or the shader's own depth" },
+        { "interpolate varyings", needs->interpolate, "the pixel shader reads them",
+          "nothing reads them" },
+        { "pixel shader", needs->pixel_shader, "colour, discard or depth depends on it",
+          "nothing that it computes is kept" },
+        { "whole quads", needs->quads, "derivatives or levels of detail", "no derivative is used" },
+        { "textures", needs->textures, "the pixel shader reads them", "no texture read" },
+        { "local reads", needs->local_reads, "earlier targets are read in place",
+          "no earlier target is read in place" },
+        { "scissor", needs->scissor, "a rectangle is set", "off" },
+        { "alpha test", needs->alpha_test, "a function is set", "off" },
+        { "stencil", needs->stencil, "enabled", "off, or no stencil target" },
+        { "depth test", needs->depth_test, "a function is set", "off, or no depth target" },
+        { "depth write", needs->depth_write, "on", "off, or no depth target" },
+        { "blending", needs->blend, "a target is read before it is written", "no target is read" },
+        { "colour write", needs->color, "a target keeps some channel written",
+          "no target, or all channels kept" },
+    };
+    int length = 0;
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        size_t used = (size_t)length < size ? (size_t)length : size;
+        length += snprintf(size ? text + used : NULL, size - used, "%-21s %-8s %s\n", rows[i].unit,
+                           rows[i].runs ? "runs" : "skipped",
+                           rows[i].runs ? rows[i].why : rows[i].why_not);
+    }
+    if (needs->depth_test || needs->depth_write || needs->stencil) {
+        size_t used = (size_t)length < size ? (size_t)length : size;
+        length += snprintf(size ? text + used : NULL, size - used, "%-21s %-8s %s\n",
+                           "depth and stencil", needs->late_depth ? "late" : "early",
+                           needs->late_depth ? "the shader may still kill the fragment or move it"
+                                             : "nothing after them changes their verdict");
+    }
+    return length;
+}

@@ -1,0 +1,40 @@
+/* What a draw needs: which hardware units have work, so that nothing else runs. */
+#ifndef GP_NEEDS_H
+#define GP_NEEDS_H
+
+#include "pipeline/list/list.h"
+
+typedef struct GpNeeds {
+    bool pixel_shader; /* a colour is written, or the shader may discard or write depth */
+    bool color;        /* some colour target keeps some channel written */
+    bool interpolate;  /* the pixel shader reads an interpolant */
+    uint64_t varyings; /* bit i: component i of the varyings is read by the pixel shader; all of
+                           them where the program was not counted */
+    bool quads;        /* whole 2x2 quads with helper pixels: derivatives or mip levels */
+    bool depth;        /* interpolated depth is needed at all */
+    bool depth_test, depth_write, stencil, alpha_test, discard, shader_depth;
+    bool blend; /* some target is read before it is written */
+    bool scissor, cull, depth_bias;
+    uint8_t clip_planes; /* user planes in use */
+    bool vertex_textures, textures, local_reads;
+    bool late_depth; /* depth and stencil must wait for the pixel shader */
+} GpNeeds;
+
+/* What counting a pixel shader tells of it. */
+typedef struct GpPixelFacts {
+    uint64_t varyings_read; /* bit i: component i; all where the counting build is not there */
+    int copied_slot;        /* GpShaderCounts.copied_slot */
+} GpPixelFacts;
+
+/* Takes some microseconds: to be asked once for a program. */
+GpPixelFacts gp_pixel_facts(const GpProgram *program);
+
+/* The needs of a draw in its pass; both already checked.
+ * in   varyings_read: of the draw's program */
+GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read);
+
+/* One line a unit: "blend        skipped: GP_BLEND_OFF on all targets". Writes at most size bytes,
+ * always terminated; returns the length it would have had. */
+int gp_needs_explain(const GpNeeds *needs, char *text, size_t size);
+
+#endif

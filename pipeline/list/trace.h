@@ -1,0 +1,130 @@
+/* Traces: what every unit of the reference executor saw and decided.
+ *
+ * The executor calls back once per unit and object that the filter lets through, in pipeline order.
+ * All pointers in an event are valid during the call only.
+ */
+#ifndef GP_TRACE_H
+#define GP_TRACE_H
+
+#include "pipeline/list/list.h"
+#include "pipeline/units/texture.h"
+
+typedef enum GpTraceKind {
+    GP_TRACE_CLEAR,       /* a target's pixel was cleared */
+    GP_TRACE_VERTEX,      /* one vertex was shaded */
+    GP_TRACE_CLIP,        /* one triangle met the clip volume */
+    GP_TRACE_SETUP,       /* one triangle (after clipping) was set up or culled */
+    GP_TRACE_RASTER,      /* a pixel was covered */
+    GP_TRACE_INTERPOLATE, /* its depth and interpolants */
+    GP_TRACE_TEXTURE,     /* one texture read of its shader */
+    GP_TRACE_PIXEL,       /* what its shader returned */
+    GP_TRACE_TEST,        /* scissor, alpha test, stencil, depth: one event each, in that order */
+    GP_TRACE_OUTPUT,      /* blending and the stored value, one event per target */
+    GP_TRACE_KINDS
+} GpTraceKind;
+
+extern const char *const gp_trace_kind_names[GP_TRACE_KINDS];
+
+typedef struct GpTraceClear {
+    const GpPass *pass; /* its targets say what was cleared, and to which values */
+} GpTraceClear;
+
+typedef struct GpTraceVertex {
+    uint32_t vertex;
+    int input_components, varying_components;
+    const float *inputs, *varyings;
+    float clip[4]; /* clip-space position */
+} GpTraceVertex;
+
+typedef struct GpTraceClip {
+    float clip[3][4];
+    unsigned planes; /* bit i: some vertex is outside plane i: left right bottom top (guard band)
+                        near far */
+    int corners; /* of the polygon that is left; 0: nothing; 3: untouched or cut to a triangle */
+} GpTraceClip;
+
+typedef struct GpTraceSetup {
+    int32_t x[3], y[3]; /* 24.8 fixed point */
+    float z[3], rw[3];  /* depth, 1/w */
+    int64_t area2;      /* twice the signed area in 1/65536 pixels; > 0 is clockwise, y down */
+    bool culled;
+    const char *reason; /* NULL, or why it draws nothing: "facing", "zero area", ... */
+} GpTraceSetup;
+
+typedef struct GpTraceRaster {
+    int64_t edge[3]; /* edge functions opposite the three vertices, in the order in which they were
+                        submitted; at the centre, in 1/65536 pixels; their sum is |area2| */
+    bool front;      /* clockwise */
+} GpTraceRaster;
+
+typedef struct GpTraceInterpolate {
+    float barycentric[3]; /* perspective-correct shares of the vertices, in submitted order */
+    float depth;
+    int components;
+    const float *varyings;
+} GpTraceInterpolate;
+
+typedef struct GpTraceTexture {
+    int slot;
+    const GpSurface *surface;
+    float coord[4];
+    GpSampleReport report;
+    float texel[4];
+} GpTraceTexture;
+
+typedef struct GpTracePixel {
+    int targets;
+    float color[GP_MAX_TARGETS][4];
+    float depth; /* as tested */
+    bool killed;
+} GpTracePixel;
+
+typedef struct GpTraceTest {
+    const char *unit; /* "scissor", "clip plane", "alpha test", "stencil", "depth" */
+    GpCompare compare;
+    double incoming, stored;             /* the two operands */
+    uint32_t incoming_code, stored_code; /* depth only: the codes that are compared (R21) */
+    bool passed;
+    int32_t stencil_before, stencil_after; /* -1 without stencil */
+} GpTraceTest;
+
+typedef struct GpTraceOutput {
+    int target;
+    const GpSurface *surface;
+    GpBlend blend;
+    float source[4], destination[4]; /* as blended */
+    float result[4];                 /* as read back after the store */
+} GpTraceOutput;
+
+typedef struct GpTraceEvent {
+    GpTraceKind kind;
+    uint32_t pass, draw, primitive;
+    const char *pass_name, *draw_name, *program_name;
+    int32_t x, y; /* the pixel; -1 where the event is not about one */
+    union {
+        GpTraceClear clear;
+        GpTraceVertex vertex;
+        GpTraceClip clip;
+        GpTraceSetup setup;
+        GpTraceRaster raster;
+        GpTraceInterpolate interpolate;
+        GpTraceTexture texture;
+        GpTracePixel pixel;
+        GpTraceTest test;
+        GpTraceOutput output;
+    };
+} GpTraceEvent;
+
+/* A filter and where to report. The zero filter reports nothing; set the `any_` flags or numbers.
+ * owns nothing; event must not run the device */
+typedef struct GpTrace {
+    void (*event)(void *user, const GpTraceEvent *event);
+    void *user;
+    bool one_pixel; /* only the pixel x, y; vertex, clip and setup events then come for triangles
+                       that cover it */
+    int32_t x, y;
+    bool one_pass, one_draw, one_primitive;
+    uint32_t pass, draw, primitive;
+} GpTrace;
+
+#endif

@@ -1,0 +1,61 @@
+/* What the reference executor keeps for the draw it is in, and how it reports to a trace. */
+#ifndef GP_REFERENCE_DRAW_H
+#define GP_REFERENCE_DRAW_H
+
+#include "pipeline/units/clip.h"
+#include "pipeline/units/depth_stencil.h"
+#include "pipeline/units/interpolate.h"
+#include "pipeline/units/pixel_stage.h"
+#include "pipeline/reference/reference.h"
+#include "pipeline/units/setup.h"
+#include "pipeline/units/vertex_stage.h"
+#include "pipeline/units/viewport.h"
+
+typedef struct GpReferenceDraw {
+    const GpReference *reference;
+    const GpPass *pass;
+    const GpDraw *draw;
+    uint32_t pass_number, draw_number;
+
+    GpNeeds needs;
+    GpVaryingModes modes;
+    GpViewport viewport; /* resolved */
+    GpRect rect;         /* pixels that viewport and targets allow */
+    GpGuardBand band;
+    GpVertexStage vertex_stage;
+    GpPixelStage pixel_stage;
+    GpDepthStencil depth_stencil;
+
+    GpVertex *vertices; /* shaded, vertex number first_vertex first */
+    uint32_t first_vertex;
+
+    /* the primitive on its way; polygon and corner stay NULL for points */
+    uint32_t primitive;
+    uint32_t corner_numbers[3];
+    const GpClipPolygon *polygon;
+    const GpScreenVertex *corner;
+    GpSetupResult setup_result;
+    const GpQuad *quad; /* in the pixel shader; NULL in the vertex shader */
+} GpReferenceDraw;
+
+/* One call a unit; each looks at the filter by itself. Where one pixel is watched, the events of
+ * vertices, clipping and set-up wait until a quad of the primitive covers it, and then come first. */
+void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number);
+void gp_trace_clip(const GpReferenceDraw *d); /* the vertices, then the clipping */
+void gp_trace_setup(const GpReferenceDraw *d);
+void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad);
+void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad);
+void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
+                      const GpSampleReport reports[4]);
+void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask);
+
+/* Reports one of the tests that only shrink the mask, after it ran: "scissor", "clip plane",
+ * "alpha test". */
+void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *unit,
+                   unsigned mask_before);
+void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before);
+
+/* After the store: reads back what is there now. source: [channel][pixel], before blending */
+void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, float source[4][4]);
+
+#endif

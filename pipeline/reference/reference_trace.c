@@ -1,0 +1,311 @@
+/* How the reference executor reports to a trace. */
+#include "pipeline/list/trace.h"
+
+#include "pipeline/units/input_assembly.h"
+#include "pipeline/reference/reference_draw.h"
+
+#include <string.h>
+
+const char *const gp_trace_kind_names[GP_TRACE_KINDS] = {
+    "clear",       "vertex",  "clip",  "setup", "raster",
+    "interpolate", "texture", "pixel", "test",  "output",
+};
+
+/* --- the filter ----------------------------------------------------------------------------------- */
+
+static bool wants_draw(const GpReferenceDraw *d)
+{
+    const GpTrace *trace = d->reference->trace;
+    return trace && (!trace->one_pass || trace->pass == d->pass_number) &&
+           (!trace->one_draw || trace->draw == d->draw_number) &&
+           (!trace->one_primitive || trace->primitive == d->primitive);
+}
+
+static bool wants_pixel(const GpReferenceDraw *d, int32_t x, int32_t y)
+{
+    const GpTrace *trace = d->reference->trace;
+    return !trace->one_pixel || (trace->x == x && trace->y == y);
+}
+
+static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)
+{
+    return (GpTraceEvent){
+        .kind = kind,
+        .pass = d->pass_number,
+        .draw = d->draw_number,
+        .primitive = d->primitive,
+        .pass_name = d->pass->name,
+        .draw_name = d->draw->name,
+        .program_name = d->draw->program->name,
+        .x = -1,
+        .y = -1,
+    };
+}
+
+static void send(const GpReferenceDraw *d, const GpTraceEvent *event)
+{
+    d->reference->trace->event(d->reference->trace->user, event);
+}
+
+/* Next pixel of a quad, from `pixel` on, that is in the mask and wanted; 4 at the end. */
+static int next_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask, int pixel)
+{
+    if (!wants_draw(d))
+        return 4;
+    while (pixel < 4 &&
+           !((mask >> pixel & 1) && wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2)))
+        pixel++;
+    return pixel;
+}
+
+static GpTraceEvent pixel_event(const GpReferenceDraw *d, GpTraceKind kind, const GpQuad *quad,
+                                int pixel)
+{
+    GpTraceEvent event = new_event(d, kind);
+    event.x = quad->x + pixel % 2;
+    event.y = quad->y + pixel / 2;
+    return event;
+}
+
+/* --- clears ------------------------------------------------------------------------------------------ */
+
+void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number)
+{
+    const GpTrace *trace = reference->trace;
+    if (!trace || (trace->one_pass && trace->pass != pass_number))
+        return;
+    bool cleared = pass->depth.clear_depth || pass->depth.clear_stencil;
+    for (int i = 0; i < GP_MAX_TARGETS; i++)
+        cleared = cleared || pass->color[i].clear;
+    if (!cleared)
+        return;
+    GpTraceEvent event = { .kind = GP_TRACE_CLEAR,
+                           .pass = pass_number,
+                           .pass_name = pass->name,
+                           .x = trace->one_pixel ? trace->x : -1,
+                           .y = trace->one_pixel ? trace->y : -1 };
+    event.clear.pass = pass;
+    trace->event(trace->user, &event);
+}
+
+/* --- geometry ------------------------------------------------------------------------------------------ */
+
+static void send_vertices(const GpReferenceDraw *d)
+{
+    const GpDraw *draw = d->draw;
+    int corners = draw->geometry.primitive == GP_TRIANGLES ? 3 : 1;
+    for (int i = 0; i < corners; i++) {
+        float inputs[GP_MAX_INPUTS];
+        uint32_t number = d->corner_numbers[i];
+        const GpVertex *vertex = &d->vertices[number - d->first_vertex];
+        gp_fetch_vertex(&draw->geometry, draw->program, number, inputs);
+        GpTraceEvent event = new_event(d, GP_TRACE_VERTEX);
+        event.vertex.vertex = number;
+        event.vertex.input_components = draw->program->input_components;
+        event.vertex.varying_components = draw->program->varying_components;
+        event.vertex.inputs = inputs;
+        event.vertex.varyings = vertex->varying;
+        memcpy(event.vertex.clip, vertex->clip, sizeof event.vertex.clip);
+        send(d, &event);
+    }
+}
+
+static void send_clip(const GpReferenceDraw *d)
+{
+    if (!d->polygon)
+        return;
+    GpTraceEvent event = new_event(d, GP_TRACE_CLIP);
+    for (int i = 0; i < 3; i++)
+        memcpy(event.clip.clip[i], d->vertices[d->corner_numbers[i] - d->first_vertex].clip,
+               sizeof event.clip.clip[i]);
+    event.clip.planes = d->polygon->planes;
+    event.clip.corners = d->polygon->corners;
+    send(d, &event);
+}
+
+static void send_setup(const GpReferenceDraw *d)
+{
+    static const char *const reasons[] = { [GP_SETUP_DRAWN] = NULL,
+                                           [GP_SETUP_ZERO_AREA] = "zero area",
+                                           [GP_SETUP_CULLED] = "facing",
+                                           [GP_SETUP_OUTSIDE] = "no pixel centre inside" };
+    if (!d->corner)
+        return;
+    GpTraceEvent event = new_event(d, GP_TRACE_SETUP);
+    for (int i = 0; i < 3; i++) {
+        event.setup.x[i] = d->corner[i].x;
+        event.setup.y[i] = d->corner[i].y;
+        event.setup.z[i] = d->corner[i].z;
+        event.setup.rw[i] = d->corner[i].rw;
+    }
+    event.setup.area2 = gp_signed_area2(d->corner);
+    event.setup.culled = d->setup_result != GP_SETUP_DRAWN;
+    event.setup.reason = reasons[d->setup_result];
+    send(d, &event);
+}
+
+void gp_trace_clip(const GpReferenceDraw *d)
+{
+    if (!wants_draw(d) || d->reference->trace->one_pixel)
+        return;
+    send_vertices(d);
+    send_clip(d);
+}
+
+void gp_trace_setup(const GpReferenceDraw *d)
+{
+    if (wants_draw(d) && !d->reference->trace->one_pixel)
+        send_setup(d);
+}
+
+/* --- pixels ---------------------------------------------------------------------------------------------- */
+
+/* The set-up exchanged corners 1 and 2 of a counter-clockwise triangle; traces speak of them in the
+ * order in which they were submitted. */
+static int submitted_corner(const GpQuad *quad, int corner)
+{
+    return quad->front || corner == 0 ? corner : 3 - corner;
+}
+
+void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad)
+{
+    for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
+         i = next_pixel(d, quad, quad->mask, i + 1)) {
+        if (d->reference->trace->one_pixel) {
+            send_vertices(d);
+            send_clip(d);
+            send_setup(d);
+        }
+        GpTraceEvent event = pixel_event(d, GP_TRACE_RASTER, quad, i);
+        for (int e = 0; e < 3; e++)
+            event.raster.edge[e] = quad->edge[submitted_corner(quad, e)][i];
+        event.raster.front = quad->front;
+        send(d, &event);
+    }
+}
+
+void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad)
+{
+    for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
+         i = next_pixel(d, quad, quad->mask, i + 1)) {
+        float varyings[GP_MAX_VARYINGS];
+        GpTraceEvent event = pixel_event(d, GP_TRACE_INTERPOLATE, quad, i);
+        for (int c = 0; c < d->modes.components; c++)
+            varyings[c] = quad->varying[c][i];
+        for (int k = 0; k < 3; k++)
+            event.interpolate.barycentric[k] = quad->barycentric[submitted_corner(quad, k)][i];
+        event.interpolate.depth = quad->depth[i];
+        event.interpolate.components = d->modes.components;
+        event.interpolate.varyings = varyings;
+        send(d, &event);
+    }
+}
+
+void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
+                      const GpSampleReport reports[4])
+{
+    for (int i = next_pixel(d, d->quad, d->quad->mask, 0); i < 4;
+         i = next_pixel(d, d->quad, d->quad->mask, i + 1)) {
+        GpTraceEvent event = pixel_event(d, GP_TRACE_TEXTURE, d->quad, i);
+        event.texture.slot = read->slot;
+        event.texture.surface = d->draw->textures[read->slot].surface;
+        for (int c = 0; c < 4; c++) {
+            event.texture.coord[c] = read->coord[c * read->lanes + i];
+            event.texture.texel[c] = read->texel[c * read->lanes + i];
+        }
+        event.texture.report = reports[i];
+        send(d, &event);
+    }
+}
+
+void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask)
+{
+    for (int i = next_pixel(d, quad, mask, 0); i < 4; i = next_pixel(d, quad, mask, i + 1)) {
+        GpTraceEvent event = pixel_event(d, GP_TRACE_PIXEL, quad, i);
+        event.pixel.targets = gp_program_targets(d->draw->program);
+        for (int t = 0; t < event.pixel.targets; t++)
+            for (int c = 0; c < 4; c++)
+                event.pixel.color[t][c] = quad->color[t][c][i];
+        event.pixel.depth = quad->depth[i];
+        event.pixel.killed = quad->killed >> i & 1;
+        send(d, &event);
+    }
+}
+
+static GpTraceEvent test_event(const GpReferenceDraw *d, const GpQuad *quad, int pixel,
+                               const char *unit, bool passed)
+{
+    GpTraceEvent event = pixel_event(d, GP_TRACE_TEST, quad, pixel);
+    event.test.unit = unit;
+    event.test.passed = passed;
+    event.test.stencil_before = event.test.stencil_after = -1;
+    return event;
+}
+
+void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *unit,
+                   unsigned mask_before)
+{
+    for (int i = next_pixel(d, quad, mask_before, 0); i < 4;
+         i = next_pixel(d, quad, mask_before, i + 1)) {
+        GpTraceEvent event = test_event(d, quad, i, unit, quad->mask >> i & 1);
+        if (strcmp(unit, "alpha test") == 0) {
+            const GpAlphaTest *alpha = &d->draw->state.alpha_test;
+            event.test.compare = alpha->test;
+            event.test.incoming = (double)quad->color[0][3][i];
+            event.test.stored = alpha->reference / 255.0;
+        }
+        send(d, &event);
+    }
+}
+
+void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before)
+{
+    const GpStencilState *stencil = &d->draw->state.stencil;
+    for (int i = next_pixel(d, quad, mask_before, 0); i < 4;
+         i = next_pixel(d, quad, mask_before, i + 1)) {
+        bool stencil_passed = quad->stencil_passed >> i & 1;
+        if (d->needs.stencil) {
+            const GpStencilFace *face =
+                stencil->two_sided && !quad->front ? &stencil->back : &stencil->front;
+            GpTraceEvent event = test_event(d, quad, i, "stencil", stencil_passed);
+            uint8_t seen = (uint8_t)~stencil->ignore;
+            event.test.compare = face->test;
+            event.test.incoming = stencil->reference & seen;
+            event.test.stored = quad->stencil_before[i] & seen;
+            event.test.stencil_before = quad->stencil_before[i];
+            event.test.stencil_after = quad->stencil_after[i];
+            send(d, &event);
+        }
+        if (stencil_passed && (d->needs.depth_test || d->needs.depth_write)) {
+            GpTraceEvent event = test_event(d, quad, i, "depth", quad->depth_passed >> i & 1);
+            GpFormat format = d->pass->depth.surface->format;
+            event.test.compare = d->draw->state.depth.test;
+            event.test.incoming = (double)gp_depth_from_code(format, quad->depth_incoming[i]);
+            event.test.stored = (double)gp_depth_from_code(format, quad->depth_stored[i]);
+            event.test.incoming_code = quad->depth_incoming[i];
+            event.test.stored_code = quad->depth_stored[i];
+            send(d, &event);
+        }
+    }
+}
+
+void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, float source[4][4])
+{
+    const GpSurface *surface = d->pass->color[target].surface;
+    for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
+         i = next_pixel(d, quad, quad->mask, i + 1)) {
+        GpTraceEvent event = pixel_event(d, GP_TRACE_OUTPUT, quad, i);
+        event.output.target = target;
+        event.output.surface = surface;
+        event.output.blend = d->draw->state.blend[target];
+        for (int c = 0; c < 4; c++) {
+            event.output.source[c] = source[c][i];
+            event.output.destination[c] = quad->destination[target][c][i];
+        }
+        gp_texel_load(surface->format,
+                      gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
+                                       (uint32_t)event.x, (uint32_t)event.y),
+                      event.output.result);
+        send(d, &event);
+    }
+}

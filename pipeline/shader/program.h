@@ -1,0 +1,221 @@
+/* Programs: a vertex and a pixel shader, compiled for lanes, with what they declare.
+ *
+ * A shader source (written with pipeline/shader.h) is compiled once for each lane width; each time
+ * it yields a GpProgramCode, and the narrowest also yields the GpProgram that users name. The wider
+ * ones and the counting one are weak references, so a program that was compiled once, with no
+ * special flags, runs too. Executors call code through the two function types below, a block of
+ * packets at a time; a packet is `lanes` vertices, or pixels of lanes/4 whole 2x2 quads.
+ */
+#ifndef GP_PROGRAM_H
+#define GP_PROGRAM_H
+
+#ifdef __cplusplus /* the counting build (pipeline/shader/counting.hpp) */
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+extern "C" {
+#endif
+
+#include "pipeline/resources/state.h"
+
+/* What a vertex stream or a program's input means. */
+typedef enum GpSemantic {
+    GP_POSITION = 0,
+    GP_NORMAL,
+    GP_COLOR,
+    GP_TEXCOORD0,
+    GP_TEXCOORD1,
+    GP_TEXCOORD2,
+    GP_TEXCOORD3,
+    GP_TANGENT,
+    GP_POINT_SIZE,
+    GP_SEMANTICS
+} GpSemantic;
+
+extern const char *const gp_semantic_names[GP_SEMANTICS];
+
+typedef enum GpProfile {
+    GP_PROFILE_NONE = 0, /* nothing declared: treated as the _sw profile */
+    GP_VS_2_0,
+    GP_VS_3_0,
+    GP_VS_2_SW,
+    GP_VS_3_SW,
+    GP_PS_2_0,
+    GP_PS_2_A,
+    GP_PS_2_B,
+    GP_PS_3_0,
+    GP_PS_2_SW,
+    GP_PS_3_SW,
+    GP_PROFILES
+} GpProfile;
+
+typedef enum GpInterpolation {
+    GP_PERSPECTIVE = 0, /* a/w linear, divided by 1/w (R16) */
+    GP_LINEAR_SCREEN,   /* linear on the screen */
+    GP_FLAT,            /* the value of the triangle's first vertex */
+} GpInterpolation;
+
+typedef struct GpInputDecl {
+    GpSemantic semantic;
+    uint8_t components; /* 1..4 */
+} GpInputDecl;
+
+typedef struct GpVaryingDecl {
+    const char *name;
+    uint8_t components; /* 1..4; 0 ends the list */
+    GpInterpolation mode;
+} GpVaryingDecl;
+
+/* --- the calls ---------------------------------------------------------------------------------- */
+
+/* How a texture read chooses its level of detail. */
+typedef enum GpLodMode {
+    GP_LOD_IMPLICIT, /* texld, texldp: from the differences inside each quad */
+    GP_LOD_BIAS,     /* texldb: the same plus coordinate w */
+    GP_LOD_EXPLICIT, /* texldl: coordinate w */
+    GP_LOD_GRADIENT, /* texldd: from the given derivatives */
+} GpLodMode;
+
+/* Texture reads of one packet.
+ * in   coord: [4][lanes], u v r w; gradient: [4][lanes] du/dx dv/dx du/dy dv/dy in texture space,
+ *      only for GP_LOD_GRADIENT
+ * out  texel: [4][lanes], r g b a */
+typedef struct GpTextureRead {
+    int slot, lanes;
+    GpLodMode mode;
+    const float *coord, *gradient;
+    float *texel;
+} GpTextureRead;
+
+struct GpShaderCall;
+typedef void (*GpTextureFn)(const struct GpShaderCall *call, const GpTextureRead *read);
+
+/* Reads of the pixel's own position in a surface bound to `slot` (gp_load_local), for one packet:
+ * texel[4][lanes]. */
+typedef void (*GpLocalFn)(const struct GpShaderCall *call, int slot, int packet, int lanes,
+                          float *texel);
+
+/* One call: `packets` packets in a row. Arrays are [packet][component][lanes] floats, aligned to
+ * a lane vector; the components are those of the shader's own structs, in order.
+ * owns everything belongs to the caller; the shader reads and writes, and keeps nothing */
+typedef struct GpShaderCall {
+    const void *uniforms;
+    int packets;
+    const float *in;           /* vertex inputs or varyings */
+    const GpTexture *textures; /* GP_MAX_SAMPLERS slots */
+    GpTextureFn read_texture;
+    GpLocalFn read_local; /* pixel shaders only */
+    void *executor;       /* for read_texture */
+    void *local;          /* for read_local */
+
+    /* vertex shader: out */
+    float *position;   /* [packet][4][lanes], clip space */
+    float *varying;    /* NULL: positions and sizes only */
+    float *point_size; /* [packet][lanes], pixels; NULL unless the program writes it */
+
+    /* pixel shader: in */
+    const float *pixel; /* [packet][2][lanes], x y of the pixel (vPos); NULL unless used */
+    const float *face;  /* [packet][lanes], +1 clockwise (front), -1; NULL unless used */
+    /* pixel shader: out */
+    float *color;    /* [packet][target][4][lanes] */
+    float *depth;    /* [packet][lanes]; NULL unless the program writes depth */
+    int32_t *killed; /* [packet][lanes], -1 killed; NULL unless the program may discard */
+} GpShaderCall;
+
+typedef void (*GpShaderFn)(const GpShaderCall *call);
+
+typedef struct GpProgramCode {
+    int lanes;
+    const char *isa; /* "sse2", "avx2", "avx512", "neon", "generic" */
+    GpShaderFn vertex, pixel;
+} GpProgramCode;
+
+/* What the counting build of a shader reports, costs as in pipeline facts A3. */
+typedef struct GpShaderCounts {
+    int slots; /* instruction slots: arithmetic + texture */
+    int arithmetic_slots;
+    int texture_slots;
+    int temporaries;      /* four-component registers live at once: an estimate, described with all
+                             other figures in pipeline/shader/counting_graph.hpp */
+    int constants;        /* float4 constants: uniforms read plus literals */
+    int inputs;           /* declared inputs or interpolants read */
+    int outputs;          /* interpolants (vertex) or colour targets (pixel) written */
+    int samplers;         /* distinct texture slots read */
+    int dependent_reads;  /* longest chain of texture reads, 0 = no read depends on another or on
+                             computed coordinates */
+    uint64_t inputs_read; /* bit i: component i of the input struct is used */
+    uint64_t outputs_written; /* bit i: component i of the varyings or of the targets is written */
+    uint16_t sampler_slots;   /* bit i: slot i is read by texld and its kin */
+    uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
+    int copied_slot;   /* 1 + the slot whose texel, read in place, is all that the pixel shader
+                                 gives, as it is; 0: it does something else */
+    bool gradients;    /* dsx, dsy or texldd appear */
+    bool needs_quads;  /* dsx or dsy */
+    bool implicit_lod; /* texld, texldp or texldb appear */
+    bool explicit_lod; /* texldl appears */
+    bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
+} GpShaderCounts;
+
+/* Runs the counting build once; pixel may be NULL. */
+typedef void (*GpCountFn)(GpShaderCounts *vertex, GpShaderCounts *pixel);
+
+enum { GP_CODE_WIDTHS = 3 }; /* lanes 4, 8, 16 */
+
+typedef struct GpProgram {
+    const char *name;
+    GpProfile vertex_profile, pixel_profile;
+    GpInputDecl inputs[16];     /* in the order of the vertex struct; components 0 ends */
+    GpVaryingDecl varyings[10]; /* in the order of the varying struct; components 0 ends */
+    uint16_t samplers;          /* bit i: slot i is read by texld and its kin */
+    uint16_t vertex_samplers;   /* bit i: slot i is read by the vertex shader */
+    uint16_t local_reads;       /* bit i: slot i is read by load_local only */
+    bool may_discard;           /* texkill or discard appears */
+    bool writes_depth;          /* oDepth is written */
+    bool writes_point_size;     /* oPts is written */
+    bool uses_pixel;            /* vPos is read */
+    bool uses_face;             /* vFace is read */
+    bool uses_derivatives;      /* dsx or dsy: the shader needs whole 2x2 quads (levels of detail
+                                    ask for them where a texture has levels) */
+
+    /* filled in by the program() macro */
+    size_t uniform_bytes;
+    uint8_t input_components, varying_components, pixel_input_components, color_components;
+    const GpProgramCode *code[GP_CODE_WIDTHS]; /* by width 4, 8, 16; NULL where not compiled */
+    GpCountFn count;                           /* NULL where the counting build is absent */
+} GpProgram;
+
+/* Colour targets that a program writes. */
+static inline int gp_program_targets(const GpProgram *program)
+{
+    return program->color_components / 4;
+}
+
+/* Place of a width (4, 8 or 16 lanes) in arrays of GP_CODE_WIDTHS. */
+static inline int gp_code_width(int lanes)
+{
+    return lanes == 4 ? 0 : lanes == 8 ? 1 : 2;
+}
+
+/* The code of a width, or NULL. lanes: 4, 8 or 16. */
+static inline const GpProgramCode *gp_program_code(const GpProgram *program, int lanes)
+{
+    return program->code[gp_code_width(lanes)];
+}
+
+/* Checks a program against itself and, where it was counted, its shaders against what it declares
+ * and against their profiles (A1, A2): names, component sums, undeclared texture slots, discards
+ * and the like, varyings read but never written; slots, temporaries, constants, samplers, dependent
+ * reads, features. A profile that is not declared sets no limits.
+ * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no such
+ *        limit" */
+GpResult gp_program_check(const GpProgram *program, GpError *error);
+
+/* Name of a profile as Direct3D writes it ("ps_2_0"). */
+const char *gp_profile_name(GpProfile profile);
+
+#ifdef __cplusplus
+}
+
+#endif
+
+#endif

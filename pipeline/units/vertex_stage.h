@@ -1,0 +1,24 @@
+/* Vertex stage: runs the vertex shader over packets of vertices. */
+#ifndef GP_VERTEX_STAGE_H
+#define GP_VERTEX_STAGE_H
+
+#include "pipeline/resources/packet.h"
+#include "pipeline/shader/program.h"
+
+typedef struct GpVertexStage {
+    const GpProgram *program;
+    const GpProgramCode *code;
+    const void *uniforms;
+    const GpTexture *textures;
+    GpTextureFn read_texture;
+    void *executor; /* for read_texture */
+} GpVertexStage;
+
+/* Shades up to code->lanes vertices.
+ * in   inputs: count x program->input_components floats, vertex after vertex
+ * out  vertices[count]; point_size is 1 where the program writes none
+ * note lanes beyond count repeat the last vertex, so they cannot raise surprises of their own */
+void gp_shade_vertices(const GpVertexStage *stage, const float *inputs, int count,
+                       GpVertex *vertices);
+
+#endif

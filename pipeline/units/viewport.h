@@ -1,0 +1,26 @@
+/* Viewport: from clip space to the screen, snapped to 1/256 pixel (R1, R2, R14, R17). */
+#ifndef GP_VIEWPORT_H
+#define GP_VIEWPORT_H
+
+#include "pipeline/resources/packet.h"
+
+/* The viewport with its defaults filled in and, in Direct3D 9's mode, moved by half a pixel.
+ * in   width, height: of the render targets, which an all-zero viewport covers */
+GpViewport gp_viewport_resolve(const GpViewport *viewport, uint32_t width, uint32_t height);
+
+/* The implicit scissor: the viewport's edges rounded toward negative infinity (R14), cut to the
+ * target. in: as given in the draw, not resolved */
+GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t height);
+
+/* One clip-space vertex to the screen.
+ * in   viewport: resolved; clip: w > 0
+ * out  x, y, z, rw of screen
+ * returns false where x or y is no number or outside the fixed-point range */
+bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen);
+
+/* The same for a shaded vertex, with its distances from the user planes (R11): plane . clip position,
+ * summed left to right. screen->varying points into the vertex. */
+bool gp_place_vertex(const GpViewport *viewport, const GpRasterState *raster,
+                     const GpVertex *vertex, GpScreenVertex *screen);
+
+#endif

@@ -1,0 +1,109 @@
+/* Arithmetic alone: what a shader costs that reads no texture. */
+#define GP_SHADER_SW /* a Mandelbrot set of 64 steps is too long for hardware's profiles */
+#include "pipeline/shader.h"
+#include "shaders_c/bench/arithmetic.h"
+
+typedef struct Vertex {
+    float3 position;
+    float2 texcoord;
+} Vertex;
+
+typedef struct Varying {
+    float2 uv;
+} Varying;
+
+vertex_shader(arithmetic_vs, ArithmeticUniforms, Vertex, Varying)
+{
+    *position = rgba(in->position, 1);
+    out->uv = in->texcoord;
+}
+
+/* --- chains of multiply-adds -------------------------------------------------------------------- */
+
+/* Two components at a time: with the constants they fit into sixteen registers, four do not. */
+typedef struct Chains {
+    float2 v0, v1, v2, v3;
+} Chains;
+
+GP_INLINE Chains chains_start(float2 v)
+{
+    return (Chains){ v, mul(v, 0.5f), add(v, 0.25f), mul(v, v) };
+}
+
+GP_INLINE Chains step(Chains chains, float2 a, float2 b)
+{
+    return (Chains){ mad(chains.v0, a, b), mad(chains.v1, a, b), mad(chains.v2, a, b),
+                     mad(chains.v3, a, b) };
+}
+
+GP_INLINE float2 chains_end(Chains chains)
+{
+    return mul(add(add(add(chains.v0, chains.v1), chains.v2), chains.v3), 0.25f);
+}
+
+GP_INLINE float2 loop64(float2 start, float2 a, float2 b)
+{
+    Chains chains = chains_start(start);
+    for (int i = 0; i < 64; i++)
+        chains = step(chains, a, b);
+    return chains_end(chains);
+}
+
+pixel_shader(mad_loop_ps, ArithmeticUniforms, Varying)
+{
+    float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
+    float2 rg = loop64(in->uv, u2(c->factor), u2(c->addend));
+    float2 ba = loop64(from_far, u2(c->factor + 2), u2(c->addend + 2));
+    return vec4(rg.x, rg.y, ba.x, ba.y);
+}
+
+GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
+{
+    return step(step(step(step(chains, a, b), a, b), a, b), a, b);
+}
+
+GP_INLINE Chains step16(Chains chains, float2 a, float2 b)
+{
+    return step4(step4(step4(step4(chains, a, b), a, b), a, b), a, b);
+}
+
+GP_INLINE float2 flat64(float2 start, float2 a, float2 b)
+{
+    Chains chains = chains_start(start);
+    return chains_end(step16(step16(step16(step16(chains, a, b), a, b), a, b), a, b));
+}
+
+pixel_shader(mad_flat_ps, ArithmeticUniforms, Varying)
+{
+    float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
+    float2 rg = flat64(in->uv, u2(c->factor), u2(c->addend));
+    float2 ba = flat64(from_far, u2(c->factor + 2), u2(c->addend + 2));
+    return vec4(rg.x, rg.y, ba.x, ba.y);
+}
+
+/* --- the Mandelbrot set ------------------------------------------------------------------------- */
+
+pixel_shader(mandelbrot_ps, ArithmeticUniforms, Varying)
+{
+    flt cx = in->uv.x * 2.6f - 1.9f, cy = in->uv.y * 2.6f - 1.3f;
+    flt x = bcast(0), y = bcast(0), steps = bcast(0);
+    msk inside = x == 0.0f;
+    for (int i = 0; i < 64 && any(inside); i++) {
+        flt real = x * x - y * y + cx;
+        y = 2.0f * x * y + cy;
+        x = real;
+        inside = inside & (x * x + y * y <= 4.0f);
+        steps = sel(inside, steps + 1.0f, steps);
+    }
+    return rgba(mul(vec3(1, 0.7f, 0.4f), steps * (1.0f / 64)), 1);
+}
+
+/* clang-format off */
+#define ARITHMETIC_DECLARATIONS                                                                    \
+    .vertex_profile = GP_VS_3_SW, .pixel_profile = GP_PS_3_SW,                                     \
+    .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 2 } },                                         \
+    .varyings = { { "uv", 2, GP_PERSPECTIVE } }
+
+program(mad_loop_program, arithmetic_vs, mad_loop_ps, ARITHMETIC_DECLARATIONS)
+program(mad_flat_program, arithmetic_vs, mad_flat_ps, ARITHMETIC_DECLARATIONS)
+program(mandelbrot_program, arithmetic_vs, mandelbrot_ps, ARITHMETIC_DECLARATIONS)

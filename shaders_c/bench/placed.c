@@ -1,0 +1,28 @@
+/* Small copies of one mesh, both sides lit by Lambert's law. */
+#include "pipeline/shader.h"
+#include "shaders_c/bench/placed.h"
+
+typedef struct Vertex {
+    float3 position, normal;
+} Vertex;
+
+typedef struct Varying {
+    float3 normal;
+} Varying;
+
+vertex_shader(placed_vs, PlacedUniforms, Vertex, Varying)
+{
+    float3 world = mad(in->position, bcast(c->place[3]), u3(c->place));
+    *position = m4x4(world, c->mvp);
+    out->normal = in->normal;
+}
+
+pixel_shader(placed_ps, PlacedUniforms, Varying)
+{
+    flt cosine = abs_(dp3(nrm(in->normal), u3(c->light)));
+    return rgba(mul(u3(c->albedo), cosine + c->ambient), 1);
+}
+
+program(placed_program, placed_vs, placed_ps, .vertex_profile = GP_VS_2_0,
+        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
+        .varyings = { { "normal", 3, GP_PERSPECTIVE } })

@@ -1,0 +1,32 @@
+/* Drawing all pixels of the viewport by one triangle, apps/techniques/voxel/flat_texture.h's worksheet_cover. For
+ * shader files only. */
+#ifndef SHADERS_COVER_SHARED_H
+#define SHADERS_COVER_SHARED_H
+
+#include "pipeline/shader.h"
+
+typedef struct CoverVertex {
+    float2 corner; /* clip space */
+} CoverVertex;
+
+typedef struct CoverVarying {
+    float2 place; /* (0, 0) the top left of the viewport, (1, 1) the opposite corner */
+} CoverVarying;
+
+GP_INLINE float4 cover_position(float2 corner)
+{
+    return vec4(corner.x, corner.y, 0.5f, 1);
+}
+
+GP_INLINE float2 cover_place(float2 corner)
+{
+    return vec2(corner.x * 0.5f + 0.5f, 0.5f - corner.y * 0.5f);
+}
+
+/* clang-format off */
+#define COVER_DECLARATIONS                                                                         \
+    .inputs = { { GP_POSITION, 2 } },                                                              \
+    .varyings = { { "place", 2, GP_LINEAR_SCREEN } }
+/* clang-format on */
+
+#endif

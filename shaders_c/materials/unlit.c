@@ -1,0 +1,23 @@
+/* One colour for every pixel. */
+#include "pipeline/shader.h"
+#include "shaders_c/materials/unlit.h"
+
+typedef struct Vertex {
+    float3 position;
+} Vertex;
+
+typedef struct Varying {
+} Varying;
+
+vertex_shader(unlit_vs, UnlitUniforms, Vertex, Varying)
+{
+    *position = m4x4(in->position, c->mvp);
+}
+
+pixel_shader(unlit_ps, UnlitUniforms, Varying)
+{
+    return u4(c->color);
+}
+
+program(unlit_program, unlit_vs, unlit_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+        .inputs = { { GP_POSITION, 3 } })

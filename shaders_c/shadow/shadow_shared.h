@@ -1,0 +1,93 @@
+/* What every program that lights a surface under a shadow map has in common: its vertices, the place
+ * on the map, and the light that arrives. For shader files only.
+ *
+ * (ambient + diffuse S) texture + specular S, where S is the share of the light that arrives (thesis,
+ * sections 4.2 and 4.3; Williams, "Casting curved shadows on curved surfaces", SIGGRAPH 1978). */
+#ifndef SHADERS_SHADOW_SHARED_H
+#define SHADERS_SHADOW_SHARED_H
+
+#include "pipeline/shader.h"
+#include "shaders_c/shadow/shadow.h"
+
+typedef struct Vertex {
+    float3 position, normal;
+} Vertex;
+
+typedef struct TexturedVertex {
+    float3 position, normal;
+    float2 texcoord;
+} TexturedVertex;
+
+typedef struct Varying {
+    float3 normal, world;
+    float4 place; /* in the map, projective */
+} Varying;
+
+typedef struct TexturedVarying {
+    Varying surface;
+    float2 uv;
+} TexturedVarying;
+
+GP_INLINE float3 towards_light(const ShadowUniforms *c, float3 world)
+{
+    return nrm(sub(u3(c->light), mul(world, bcast(c->light[3]))));
+}
+
+/* A surface that the light grazes is looked up further out along its normal, by so much that a texel
+ * does not reach below it.
+ * source Holbert, "Saying goodbye to shadow acne", GDC 2011: normal offset shadows */
+GP_INLINE float4 find_place(const ShadowUniforms *c, float3 world, float3 normal)
+{
+    float4 place = m4x4(world, c->map);
+    flt cosine = sat(dp3(normal, towards_light(c, world)));
+    flt sine = sqrt_(bcast(1) - cosine * cosine);
+    flt length = place.w * sine * (c->offset * c->texel);
+    return add(place, m4x4(rgba(mul(normal, length), 0), c->map));
+}
+
+GP_INLINE void transform(const ShadowUniforms *c, float3 world, float3 normal, float4 *position,
+                         Varying *out)
+{
+    *position = m4x4(world, c->mvp);
+    out->normal = normal;
+    out->world = world;
+    out->place = find_place(c, world, normal);
+}
+
+/* Positive where the surface, smooth as its normals say, is turned to the light. */
+GP_INLINE flt smooth(const ShadowUniforms *c, const Varying *in)
+{
+    return dp3(in->normal, towards_light(c, in->world));
+}
+
+/* The same for the triangle itself, whichever side is seen: the light is on the eye's side of its
+ * plane. Where triangles are large beside the map's texels, this decides at the terminator, since a
+ * triangle cannot shade itself. */
+GP_INLINE flt flat(const ShadowUniforms *c, const Varying *in)
+{
+    float3 plane = crs(dsx(in->world), dsy(in->world));
+    float3 to_eye = sub(u3(c->eye), in->world);
+    return dp3(plane, towards_light(c, in->world)) * dp3(plane, to_eye);
+}
+
+/* seen: what the map says. A surface that faces away is dark whatever it says, and so is all that is
+ * beside the cone; behind the light the map says nothing. */
+GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt seen, flt facing,
+                               float3 texture)
+{
+    float3 L = towards_light(c, in->world);
+    float3 N = nrm(in->normal);
+    float3 V = nrm(sub(u3(c->eye), in->world));
+    float3 H = nrm(add(V, L));
+
+    flt S = sel(in->place.w > c->least_w, seen, bcast(1));
+    S = sel(facing > 0.0f, S, bcast(0)) * sge(neg(dp3(L, u3(c->axis))), bcast(c->axis[3]));
+    float3 arriving = mul(u3(c->color), S);
+
+    flt highlight = pow_(max(dp3(N, H), 0), bcast(c->shininess)) * c->specular;
+    float3 diffuse = mul(u3(c->diffuse), max(dp3(N, L), 0));
+    float3 color = mul(mad(diffuse, arriving, u3(c->ambient)), texture);
+    return rgba(mad(arriving, highlight, color), S);
+}
+
+#endif

@@ -1,0 +1,119 @@
+/* Fernando, Fernandez, Bala and Greenberg, "Adaptive shadow maps", SIGGRAPH 2001: what the eye sees
+ * asks for finer pieces of the map where it finds an edge of a shadow. */
+#include "shaders_c/shadow/shadow_tiles.h"
+#include "shaders_c/shadow/shadow_shared.h"
+
+vertex_shader(tiles_vs, ShadowTilesUniforms, Vertex, Varying)
+{
+    transform(&c->shadow, in->position, in->normal, position, out);
+}
+
+vertex_shader(tiles_textured_vs, ShadowTilesUniforms, TexturedVertex, TexturedVarying)
+{
+    transform(&c->shadow, in->position, in->normal, position, &out->surface);
+    out->uv = in->texcoord;
+}
+
+/* Place in the map in tiles, from its upper left corner. The map has Direct3D 9's pixel centres. */
+GP_INLINE float2 tile_place(const ShadowTilesUniforms *c, float4 place)
+{
+    flt corner = bcast(c->shadow.half_texel), tiles = bcast(c->tiles);
+    return vec2((place.x / place.w - corner) * tiles, (place.y / place.w - corner) * tiles);
+}
+
+/* --- the request -------------------------------------------------------------------------------- */
+
+/* An edge runs where the four texels around the place disagree. A surface that faces away is dark
+ * without a map. */
+pixel_shader(request_ps, ShadowTilesUniforms, Varying)
+{
+    flt seen = texldp(1, in->place).x;
+    float2 place = tile_place(c, in->place);
+    flt tiles = bcast(c->tiles), column = floor_(place.x), row = floor_(place.y);
+    msk edge = (seen > 0.0f) & (seen < 1.0f) & (smooth(&c->shadow, in) > 0.0f);
+    msk inside =
+        (in->place.w > 0.0f) & (column >= 0.0f) & (column < tiles) & (row >= 0.0f) & (row < tiles);
+    return sp4(sel(edge & inside, row * tiles + column + 1.0f, bcast(0)));
+}
+
+typedef struct MarkVertex {
+    float2 pixel;
+} MarkVertex;
+
+typedef struct MarkVarying {
+} MarkVarying;
+
+/* Pixels that ask for nothing go behind the far plane. */
+vertex_shader(mark_vs, ShadowMarkUniforms, MarkVertex, MarkVarying)
+{
+    flt tile = texldl(0, vec4(in->pixel.x, in->pixel.y, 0, 0)).x - 1.0f;
+    flt step = rcp(bcast(c->tiles)), row = floor_((tile + 0.5f) * step);
+    flt column = tile - row * c->tiles;
+    flt x = (column + 0.5f) * step, y = (row + 0.5f) * step;
+    flt depth = sel(tile >= 0.0f, bcast(0), bcast(2));
+    *position = vec4(x * 2.0f - 1.0f, 1.0f - y * 2.0f, depth, 1);
+}
+
+pixel_shader(mark_ps, ShadowMarkUniforms, MarkVarying)
+{
+    (void)in;
+    return sp4(bcast(1));
+}
+
+/* --- the light ---------------------------------------------------------------------------------- */
+
+/* The table is read in the middle of its texels, since a place beside their edge is rounded to the
+ * next one. Filters stay inside a tile: its neighbour in the atlas is none in the world. */
+GP_INLINE flt tiles(GpInvocation *gp, const ShadowTilesUniforms *c, const Varying *in)
+{
+    float2 place = tile_place(c, in->place);
+    flt step = rcp(bcast(c->tiles)), least = bcast(c->inset), most = bcast(1 - c->inset);
+    flt middle_x = (floor_(place.x) + 0.5f) * step, middle_y = (floor_(place.y) + 0.5f) * step;
+    float4 entry = texldl(2, vec4(middle_x, middle_y, 0, 0));
+    flt column = floor_(entry.x * 255.0f + 0.5f), row = floor_(entry.y * 255.0f + 0.5f);
+    flt u = (column + min(max(frc(place.x), least), most)) * c->atlas_tiles[0];
+    flt v = (row + min(max(frc(place.y), least), most)) * c->atlas_tiles[1];
+    flt fine = texldl(3, vec4(u, v, in->place.z / in->place.w, 0)).x;
+    return sel(entry.w > 0.5f, fine, texldp(1, in->place).x);
+}
+
+/* --- programs ----------------------------------------------------------------------------------- */
+
+/* clang-format off */
+#define INPUTS   { GP_POSITION, 3 }, { GP_NORMAL, 3 }
+#define VARYINGS { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE },                  \
+                 { "place", 4, GP_PERSPECTIVE }
+
+#define PROGRAM_PAIR(facing, derivatives)                                                          \
+    pixel_shader(facing##_ps, ShadowTilesUniforms, Varying)                                        \
+    {                                                                                              \
+        const ShadowUniforms *shadow = &c->shadow;                                                 \
+        return light_surface(shadow, in, tiles(gp, c, in), facing(shadow, in), sp3(bcast(1)));     \
+    }                                                                                              \
+    pixel_shader(facing##_textured_ps, ShadowTilesUniforms, TexturedVarying)                       \
+    {                                                                                              \
+        const ShadowUniforms *shadow = &c->shadow;                                                 \
+        const Varying *surface = &in->surface;                                                     \
+        float3 texture = xyz(texld(0, in->uv));                                                    \
+        return light_surface(shadow, surface, tiles(gp, c, surface), facing(shadow, surface),      \
+                             texture);                                                             \
+    }                                                                                              \
+    program(shadow_tiles_##facing##_program, tiles_vs, facing##_ps,                                \
+            .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0, .inputs = { INPUTS },         \
+            .varyings = { VARYINGS }, .samplers = 1 << 1 | 1 << 2 | 1 << 3,                        \
+            .uses_derivatives = derivatives)                                                       \
+    program(shadow_tiles_##facing##_textured_program, tiles_textured_vs, facing##_textured_ps,     \
+            .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                               \
+            .inputs = { INPUTS, { GP_TEXCOORD0, 2 } },                                             \
+            .varyings = { VARYINGS, { "uv", 2, GP_PERSPECTIVE } },                                 \
+            .samplers = 1 << 0 | 1 << 1 | 1 << 2 | 1 << 3, .uses_derivatives = derivatives)
+
+PROGRAM_PAIR(smooth, false)
+PROGRAM_PAIR(flat, true)
+
+program(shadow_request_program, tiles_vs, request_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = { INPUTS }, .varyings = { VARYINGS },
+        .samplers = 1 << 1)
+
+program(shadow_mark_program, mark_vs, mark_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = { { GP_TEXCOORD0, 2 } }, .vertex_samplers = 1 << 0)

@@ -1,0 +1,210 @@
+/* Files of charts: JSON that restores every bit and refuses what is none, CSV with its quotes. */
+#include "apps/charts/chart.h"
+#include "tests/support/folder.h"
+#include "tests/support/random.h"
+
+#include <math.h>
+
+/* --- writing ------------------------------------------------------------------------------------ */
+
+static double random_double(Random *random)
+{
+    union {
+        uint64_t bits;
+        double value;
+    } any = { .bits = random_bits(random) };
+    return any.value;
+}
+
+static void expect_same_bits(double a, double b)
+{
+    if (!isnan(a) || !isnan(b))
+        assert_memory_equal(&a, &b, sizeof a);
+}
+
+/* Doubles of any size, infinities and texts with every special character. */
+static void json_restores_every_bit(void **state)
+{
+    (void)state;
+    Random random = { 3 };
+    GpError error = { "" };
+    Chart read = { .points = NULL };
+    Chart chart = { .technique = "light",
+                    .title = "a \"b\" \\ <c> & \xc3\xa9\n",
+                    .scene = "/",
+                    .error_name = "e",
+                    .figures = { "x", "" },
+                    .figure_count = 2,
+                    .machine = "m",
+                    .isa = "i",
+                    .threads = 3,
+                    .width = 4294967295,
+                    .height = 1,
+                    .count = 300 };
+    chart.points = gp_alloc(chart.count, sizeof *chart.points);
+    for (uint32_t i = 0; i < chart.count; i++) {
+        ChartPoint *point = &chart.points[i];
+        snprintf(point->method, sizeof point->method, "m, %u", i % 7);
+        snprintf(point->options, sizeof point->options, "--n \"%u\"", i);
+        snprintf(point->picture, sizeof point->picture, "%s", i % 2 ? "p.png" : "");
+        point->ms = random_double(&random);
+        point->min_ms = i % 3 ? random_double(&random) : -HUGE_VAL;
+        point->cpu_ms = i % 5 ? i : (double)NAN;
+        point->measured.error = i % 4 ? random_double(&random) : HUGE_VAL;
+        point->measured.figures[0] = i % 2 ? -0.0 : 0.1;
+        point->measured.figures[1] = random_double(&random);
+        point->frames = (uint32_t)random_bits(&random);
+        point->best = i % 2;
+    }
+    if (chart_write(in_folder("c"), &chart, &error) ||
+        chart_read(in_folder("c.json"), &read, &error))
+        fail_msg("%s", error.text);
+    assert_int_equal(folder_count(false), 3);
+    assert_string_equal(read.title, chart.title);
+    assert_string_equal(read.scene, chart.scene);
+    assert_string_equal(read.figures[0], "x");
+    assert_int_equal(read.figure_count, 2);
+    assert_int_equal(read.threads, 3);
+    assert_int_equal(read.width, 4294967295);
+    assert_int_equal(read.count, chart.count);
+    for (uint32_t i = 0; i < chart.count; i++) {
+        const ChartPoint *a = &chart.points[i], *b = &read.points[i];
+        assert_string_equal(a->method, b->method);
+        assert_string_equal(a->options, b->options);
+        assert_string_equal(a->picture, b->picture);
+        expect_same_bits(a->ms, b->ms);
+        expect_same_bits(a->min_ms, b->min_ms);
+        expect_same_bits(a->cpu_ms, b->cpu_ms);
+        expect_same_bits(a->measured.error, b->measured.error);
+        expect_same_bits(a->measured.figures[0], b->measured.figures[0]);
+        expect_same_bits(a->measured.figures[1], b->measured.figures[1]);
+        assert_int_equal(a->frames, b->frames);
+        assert_int_equal(a->best, b->best);
+    }
+    chart_free(&chart);
+    chart_free(&read);
+}
+
+static void csv_quotes_what_needs_it(void **state)
+{
+    (void)state;
+    ChartPoint points[] = {
+        { .method = "a, b",
+          .options = "--c \"d\"",
+          .ms = 0.1,
+          .min_ms = 0.5,
+          .cpu_ms = 2,
+          .frames = 7,
+          .measured = { 1e-300, { 3, (double)NAN } },
+          .best = true },
+        { .method = "plain", .options = "two\nlines", .ms = 1.0 / 3 },
+    };
+    const Chart chart = { .error_name = "wrong, pixels",
+                          .figures = { "x", "y" },
+                          .figure_count = 2,
+                          .points = points,
+                          .count = 2 };
+    GpError error = { "" };
+    char text[1024] = "";
+    assert_int_equal(chart_write(in_folder("c"), &chart, &error), GP_OK);
+    FILE *file = fopen(in_folder("c.csv"), "rb");
+    assert_non_null(file);
+    assert_true(fread(text, 1, sizeof text - 1, file) > 0);
+    fclose(file);
+    assert_string_equal(text, "method,options,ms,min_ms,cpu_ms,frames,\"wrong, pixels\",x,y,best\n"
+                              "\"a, b\",\"--c \"\"d\"\"\",0.1,0.5,2,7,1e-300,3,nan,1\n"
+                              "plain,\"two\nlines\",0.3333333333333333,0,0,0,0,0,0,0\n");
+}
+
+static void a_chart_that_cannot_be_written_is_an_error(void **state)
+{
+    (void)state;
+    const Chart chart = { .title = "t" };
+    GpError error = { "" };
+    assert_int_equal(chart_write(in_folder("no/where"), &chart, &error), GP_ERROR_IO);
+    assert_non_null(strstr(error.text, "no/where.csv"));
+}
+
+/* --- reading ------------------------------------------------------------------------------------ */
+
+/* The good text with one part replaced must be refused with this message behind "FILE:". */
+static void refused(const char *part, const char *by, const char *expected)
+{
+    static const char good[] =
+        "{\"technique\": \"t\", \"title\": \"t\", \"scene\": \"s\", \"error_name\": \"e\",\n"
+        " \"figures\": [\"f\"], \"machine\": \"m\", \"isa\": \"i\", \"threads\": 1, \"width\": 2,\n"
+        " \"height\": 3, \"points\": [\n"
+        "  {\"method\": \"m\", \"options\": \"o\", \"picture\": \"\", \"ms\": 1, \"min_ms\": 1,\n"
+        "   \"cpu_ms\": 1.5, \"frames\": 5, \"error\": \"nan\", \"figures\": [7], \"best\": "
+        "true}]}\n";
+    char text[2 * sizeof good + 256];
+    const char *place = strstr(good, part);
+    assert_non_null(place);
+    snprintf(text, sizeof text, "%.*s%s%s", (int)(place - good), good, by, place + strlen(part));
+    Chart chart = { .count = 77 };
+    GpError error = { "" };
+    const char *path = put_text("c.json", text);
+    GpResult result = chart_read(path, &chart, &error);
+    if (!expected) {
+        if (result)
+            fail_msg("%s", error.text);
+        assert_int_equal(chart.count, 1);
+        chart_free(&chart);
+        return;
+    }
+    assert_int_equal(result, GP_ERROR_FORMAT);
+    assert_int_equal(chart.count, 77);
+    assert_null(chart.points);
+    assert_memory_equal(error.text, path, strlen(path));
+    if (strcmp(error.text + strlen(path) + 1, expected) != 0)
+        fail_msg("'%s' instead of '%s'", error.text, expected);
+}
+
+static void files_that_are_no_charts_are_refused_with_their_line(void **state)
+{
+    (void)state;
+    char long_text[128];
+    memset(long_text, 'x', sizeof long_text);
+    memcpy(long_text, "\"method\": \"", 11);
+    strcpy(long_text + sizeof long_text - 2, "\"");
+    refused("\"t\"", "\"t\"", NULL);
+    refused("\"title\": \"t\", ", "", "1: title: missing");
+    refused("\"s\"", "3", "1: scene: expected a string");
+    refused("[\"f\"]", "[]", "5: points[0].figures: expected 0 numbers");
+    refused("[\"f\"]", "[2]", "2: figures[0]: expected a string");
+    refused("\"threads\": 1", "\"threads\": -1",
+            "2: threads: expected a whole number in [0, 2147483647]");
+    refused("\"height\": 3", "\"height\": 3, \"depth\": 4", "3: depth: unknown key");
+    refused("\"method\": \"m\"", long_text, "4: points[0].method: expected at most 63 bytes");
+    refused("\"ms\": 1,", "", "4: points[0].ms: missing");
+    refused("\"nan\"", "\"none\"", "5: points[0].error: expected one of nan, inf, -inf");
+    refused("\"nan\"", "null", "5: points[0].error: expected a number in [-inf, inf]");
+    refused("[7]", "7", "5: points[0].figures: expected an array");
+    refused("[7]", "[7, 8]", "5: points[0].figures: expected 1 numbers");
+    refused("\"frames\": 5", "\"frames\": 5.5",
+            "5: points[0].frames: expected a whole number in [0, 4294967295]");
+    refused("true", "1", "5: points[0].best: expected true or false");
+    refused(", \"best\": true", "", "4: points[0].best: missing");
+    refused("}]}", "}, 4]}", "5: points[1]: expected an object");
+    Chart chart = { .count = 77 };
+    GpError error = { "" };
+    assert_int_equal(chart_read(put_text("e.json", ""), &chart, &error), GP_ERROR_FORMAT);
+    assert_int_equal(chart_read(put_text("e.json", "[]"), &chart, &error), GP_ERROR_FORMAT);
+    assert_int_equal(chart_read(put_text("e.json", "{\"a\""), &chart, &error), GP_ERROR_FORMAT);
+    assert_int_equal(chart_read(in_folder("none.json"), &chart, &error), GP_ERROR_IO);
+    assert_non_null(strstr(error.text, "none.json"));
+    assert_int_equal(chart.count, 77);
+}
+
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, folder_set_up, folder_tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        IN_FOLDER(json_restores_every_bit),
+        IN_FOLDER(csv_quotes_what_needs_it),
+        IN_FOLDER(a_chart_that_cannot_be_written_is_an_error),
+        IN_FOLDER(files_that_are_no_charts_are_refused_with_their_line),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,317 @@
+/* Growth: which points a run makes of a table, the layout of their picture, and their files; no
+ * time is judged. */
+#include "apps/charts/chart.h"
+#include "apps/charts/scaling.h"
+#include "apps/techniques/voxel/technique.h"
+#include "tests/support/folder.h"
+#include "tests/support/markup.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* --- a table of its own ----------------------------------------------------------------------- */
+
+static double side(const void *scene, const Work *work)
+{
+    (void)scene;
+    return ((const VoxelMade *)work->made)->setting.size;
+}
+
+static double triangles(const void *scene, const Work *work)
+{
+    (void)work;
+    return ((const VoxelScene *)scene)->mesh.triangle_count;
+}
+
+static const TechniqueLine with_side[] = {
+    { "thin, \"1\"", "builtin:cube", "--method thin --size 8|16|32" },
+    { "solid", "builtin:cube", "--kind solid --size 8|16" },
+    { .name = NULL },
+};
+static const TechniqueLine with_triangles[] = {
+    { "solid", "builtin:cube|missing/a.ply|builtin:knot", "--kind solid --size 16" },
+    { .name = NULL },
+};
+static const TechniqueGuide guides[] = { { 3, "as <the cube>" }, { .name = NULL } };
+static const char *const text[] = { "Why & how.", NULL };
+
+static const TechniqueGrowth table = {
+    .title = "Growth & co",
+    .text = text,
+    .panels = { { "Sides", "voxels, a side", true, side, with_side, guides },
+                { "Meshes", "triangles", false, triangles, with_triangles, guides } },
+};
+
+static Technique voxels(const TechniqueGrowth *growth)
+{
+    Technique technique = voxel_technique;
+    technique.growth = growth;
+    return technique;
+}
+
+static GpResult run(const Technique *technique, Growth *growth, GpError *error)
+{
+    GpDevice *device;
+    const Options options = { .quiet = true };
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, error), GP_OK);
+    GpResult result = growth_run(technique, device, &options, 0, growth, error);
+    gp_device_destroy(&device);
+    return result;
+}
+
+static void a_run_makes_all_points_of_the_table_in_order(void **state)
+{
+    (void)state;
+    static const struct {
+        int panel, line;
+        double amount;
+        const char *options;
+    } expected[] = {
+        { 0, 0, 8, "--method thin --size 8" },   { 0, 0, 16, "--method thin --size 16" },
+        { 0, 0, 32, "--method thin --size 32" }, { 0, 1, 8, "--kind solid --size 8" },
+        { 0, 1, 16, "--kind solid --size 16" },  { 1, 0, 12, "--kind solid --size 16" },
+        { 1, 0, 0, "--kind solid --size 16" },
+    };
+    const Technique technique = voxels(&table);
+    Growth growth;
+    GpError error = { "" };
+    assert_int_equal(run(&technique, &growth, &error), GP_OK);
+    assert_int_equal(growth.count, GP_COUNT(expected));
+    assert_int_equal(growth.threads, 2);
+    for (uint32_t i = 0; i < growth.count; i++) {
+        const GrowthPoint *point = &growth.points[i];
+        assert_int_equal(point->panel, expected[i].panel);
+        assert_int_equal(point->line, expected[i].line);
+        assert_string_equal(point->options, expected[i].options);
+        if (expected[i].amount > 0)
+            assert_true(point->amount == expected[i].amount);
+        assert_true(point->frames > 0 && point->ms >= point->min_ms && point->min_ms > 0);
+    }
+    assert_string_equal(growth.points[6].scene, "builtin:knot");
+    assert_true(growth.points[6].amount > 12);
+    growth_free(&growth);
+}
+
+static void a_table_without_any_scene_fails(void **state)
+{
+    (void)state;
+    static const TechniqueLine none[] = { { "thin", "missing/a.ply|missing/b.ply", "--size 8" },
+                                          { .name = NULL } };
+    static const TechniqueLine wrong[] = { { "thin", "builtin:cube", "--size 7" },
+                                           { .name = NULL } };
+    TechniqueGrowth growth_table = table;
+    growth_table.panels[0].lines = growth_table.panels[1].lines = none;
+    const Technique technique = voxels(&growth_table);
+    Growth growth = { .count = 77 };
+    GpError error = { "" };
+    assert_int_equal(run(&technique, &growth, &error), GP_ERROR_IO);
+    assert_non_null(strstr(error.text, "missing/b.ply"));
+    growth_table.panels[0].lines = wrong;
+    assert_int_equal(run(&technique, &growth, &error), GP_ERROR_INVALID);
+    assert_int_equal(growth.count, 77);
+}
+
+static void the_tables_of_techniques_are_whole(void **state)
+{
+    (void)state;
+    for (size_t i = 0; techniques[i]; i++) {
+        const TechniqueGrowth *growth = techniques[i]->growth;
+        for (int p = 0; growth && p < TECHNIQUE_PANELS; p++)
+            for (const TechniqueLine *line = growth->panels[p].lines; line->name; line++) {
+                char options[8][SETTING_MAX_TEXT];
+                void *setting = gp_alloc(1, techniques[i]->setting_bytes);
+                size_t count = technique_expand(line->options, options, 8);
+                GpError error = { "" };
+                assert_in_range(count, 1, 8);
+                for (size_t k = 0; k < count; k++)
+                    if (setting_parse(techniques[i]->fields, setting, options[k], &error))
+                        fail_msg("%s", error.text);
+                gp_free(setting);
+            }
+    }
+    assert_non_null(voxel_technique.growth);
+}
+
+/* --- figures without a clock ------------------------------------------------------------------ */
+
+enum { POINTS = 7 };
+
+/* Times that are the amount's square over 100, but one that is no number. */
+static Growth make_growth(const Technique *technique)
+{
+    static const double amounts[POINTS] = { 8, 16, 32, 8, 16, 100, 4000 };
+    Growth growth = { .technique = technique,
+                      .machine = "m",
+                      .isa = "i",
+                      .threads = 1,
+                      .points = gp_alloc(POINTS, sizeof *growth.points),
+                      .count = POINTS };
+    for (int i = 0; i < POINTS; i++) {
+        double ms = amounts[i] * amounts[i] / 100;
+        growth.points[i] = (GrowthPoint){ .panel = i >= 5,
+                                          .line = i == 3 || i == 4,
+                                          .amount = amounts[i],
+                                          .ms = ms,
+                                          .min_ms = ms / 2,
+                                          .cpu_ms = 2 * ms,
+                                          .frames = 9 };
+        snprintf(growth.points[i].scene, sizeof growth.points[i].scene, "a/mesh<%d>.ply", i);
+        snprintf(growth.points[i].options, sizeof growth.points[i].options, "--size %d", i);
+    }
+    growth.points[4].ms = (double)NAN;
+    return growth;
+}
+
+static void the_picture_is_well_formed_and_has_every_point(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    Growth growth = make_growth(&technique);
+    Text svg = { .data = NULL };
+    growth_draw(&growth, &svg);
+    assert_false(svg.failed);
+    markup_check(svg.data);
+    assert_int_equal(markup_count(svg.data, "<g><title>"), POINTS - 1);
+    assert_int_equal(markup_count(svg.data, "as &lt;the cube&gt;"), 2);
+    assert_int_equal(markup_count(svg.data, ">mesh&lt;5&gt;<"), 1);
+    assert_int_equal(markup_count(svg.data, ">mesh&lt;0&gt;<"), 0);
+    assert_null(strstr(svg.data, "nan"));
+    static const char *const ticks[] = { ">8<", ">16<", ">32<", ">1000<" };
+    for (size_t i = 0; i < GP_COUNT(ticks); i++)
+        assert_non_null(strstr(svg.data, ticks[i]));
+    text_free(&svg);
+    growth_free(&growth);
+}
+
+/* Places of the markers, in the order of the points: the last of the legend's two come before. */
+static void find_markers(const char *svg, double (*places)[2], int count)
+{
+    const char *at = svg;
+    for (int i = 0; i < count; i++) {
+        at = strstr(at, "</title><path");
+        assert_non_null(at);
+        at = strstr(at, "translate(");
+        assert_int_equal(sscanf(at, "translate(%lf %lf)", &places[i][0], &places[i][1]), 2);
+    }
+}
+
+/* Powers are straight lines, with one scale of times in both panels. */
+static void powers_are_straight_lines(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    Growth growth = make_growth(&technique);
+    Text svg = { .data = NULL };
+    double at[POINTS - 1][2];
+    growth_draw(&growth, &svg);
+    find_markers(svg.data, at, POINTS - 1);
+    for (int k = 0; k < 2; k++)
+        assert_true(fabs((at[1][k] - at[0][k]) - (at[2][k] - at[1][k])) < 0.25);
+    assert_true(at[1][0] > at[0][0] && at[1][1] < at[0][1]);
+    assert_true(fabs(at[3][0] - at[0][0]) < 0.06 && fabs(at[3][1] - at[0][1]) < 0.06);
+    assert_true(at[4][0] > at[2][0] + 100);
+    /* four times the time, and 1600 times */
+    double four = at[0][1] - at[1][1], more = at[4][1] - at[5][1];
+    assert_true(fabs(more / four - log(1600) / log(4)) < 0.02);
+    text_free(&svg);
+    growth_free(&growth);
+}
+
+static void no_points_are_a_picture_too(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    const Growth growth = { .technique = &technique };
+    Text svg = { .data = NULL };
+    growth_draw(&growth, &svg);
+    markup_check(svg.data);
+    assert_int_equal(markup_count(svg.data, "<g><title>"), 0);
+    text_free(&svg);
+}
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+static char content[1 << 17];
+
+static void read_content(const char *name)
+{
+    FILE *file = fopen(in_folder(name), "rb");
+    assert_non_null(file);
+    content[fread(content, 1, sizeof content - 1, file)] = '\0';
+    fclose(file);
+}
+
+static void files_are_csv_and_svg(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    Growth growth = make_growth(&technique);
+    GpError error = { "" };
+    growth.count = 2;
+    assert_int_equal(growth_write(in_folder("g"), &growth, &error), GP_OK);
+    assert_int_equal(folder_count(false), 2);
+    read_content("g.csv");
+    assert_string_equal(content, "grows,amount,method,scene,options,ms,min_ms,cpu_ms,frames\n"
+                                 "\"voxels, a side\",8,\"thin, \"\"1\"\"\",a/mesh<0>.ply,--size 0,"
+                                 "0.64,0.32,1.28,9\n"
+                                 "\"voxels, a side\",16,\"thin, \"\"1\"\"\",a/mesh<1>.ply,--size 1,"
+                                 "2.56,1.28,5.12,9\n");
+    read_content("g.svg");
+    markup_check(content);
+    assert_int_equal(growth_write(in_folder("none/g"), &growth, &error), GP_ERROR_IO);
+    growth_free(&growth);
+}
+
+static void json_has_an_object_for_each_point(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    Growth growth = make_growth(&technique);
+    json_t *object = growth_json(&growth), *points = json_object_get(object, "points");
+    assert_int_equal(json_array_size(points), POINTS);
+    json_t *last = json_array_get(points, POINTS - 1);
+    assert_string_equal(json_string_value(json_object_get(last, "grows")), "triangles");
+    assert_string_equal(json_string_value(json_object_get(last, "method")), "solid");
+    assert_true(json_real_value(json_object_get(last, "amount")) == 4000);
+    json_t *absent = json_object_get(json_array_get(points, 4), "ms");
+    assert_string_equal(json_string_value(absent), "nan");
+    json_decref(object);
+    growth_free(&growth);
+}
+
+static void the_page_shows_the_growth_of_techniques_that_declare_it(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(voxel_technique.growth);
+    Growth growth = make_growth(&technique);
+    GpError error = { "" };
+    assert_int_equal(growth_write(in_folder("voxelize_growth"), &growth, &error), GP_OK);
+    put_text("shadow_growth.svg", "<svg>");
+    put_text("other_growth.svg", "<svg>");
+    assert_int_equal(chart_write_page(folder, &error), GP_OK);
+    read_content("index.html");
+    markup_check(content);
+    assert_int_equal(markup_count(content, "<svg"), 1);
+    assert_int_equal(markup_count(content, "<section id=\"voxelize_growth\">"), 1);
+    assert_int_equal(markup_count(content, "<a href=\"#voxelize_growth\">"), 1);
+    assert_non_null(strstr(content, "Two costs add up."));
+    growth_free(&growth);
+}
+
+#define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, folder_set_up, folder_tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_run_makes_all_points_of_the_table_in_order),
+        cmocka_unit_test(a_table_without_any_scene_fails),
+        cmocka_unit_test(the_tables_of_techniques_are_whole),
+        cmocka_unit_test(the_picture_is_well_formed_and_has_every_point),
+        cmocka_unit_test(powers_are_straight_lines),
+        cmocka_unit_test(no_points_are_a_picture_too),
+        IN_FOLDER(files_are_csv_and_svg),
+        cmocka_unit_test(json_has_an_object_for_each_point),
+        IN_FOLDER(the_page_shows_the_growth_of_techniques_that_declare_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,303 @@
+/* Models that move: built once, moved between frames, and each frame held against the model that the
+ * processor has moved, in double. */
+#include "apps/techniques/voxel/combine.h"
+#include "tests/support/unit.h"
+#include "tests/support/voxel_case.h"
+
+#include <math.h>
+
+enum { SIZE = 48, BYTES = SIZE * SIZE * SIZE / 8, FRAMES = 5 };
+
+/* Nearer to a decision than this, in voxels, either answer is right: a vertex comes by two products
+ * more than one that stands still. */
+static const double surface_margin = 2e-3, solid_margin = 1.0 / 128;
+
+/* --- the processor's part ----------------------------------------------------------------------- */
+
+static void move_point(const VoxelMotion *motion, const float *p, double q[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const float *row = motion->to_voxels[k];
+        q[k] = (double)row[3];
+        for (int i = 0; i < 3; i++)
+            q[k] += (double)row[i] * (double)p[i];
+    }
+    const double middle = (double)motion->middle;
+    const double angle = (q[1] - middle) * (double)motion->twist;
+    const double x = q[0] - middle, z = q[2] - middle;
+    q[0] = cos(angle) * x + sin(angle) * z + middle;
+    q[2] = cos(angle) * z - sin(angle) * x + middle;
+}
+
+static void move_triangles(const VoxelCase *c, const VoxelMotion *motion)
+{
+    for (uint32_t i = 0; i < c->model.triangle_count; i++)
+        for (int j = 0; j < 3; j++)
+            move_point(motion,
+                       c->model.positions + 3 * (size_t)c->model.indices[3 * i + (uint32_t)j],
+                       c->triangles[i].corner[j]);
+}
+
+/* What a frame may hold at least and at most. */
+typedef struct Bounds {
+    uint8_t certain[BYTES], possible[BYTES];
+} Bounds;
+
+static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int method, Bounds *bounds)
+{
+    static uint8_t near[BYTES];
+    memset(bounds, 0, sizeof *bounds);
+    move_triangles(c, motion);
+    if (method == VOXEL_XOR) {
+        memset(near, 0, sizeof near);
+        voxel_solid(c->triangles, c->model.triangle_count, SIZE, bounds->certain);
+        voxel_near(c->triangles, c->model.triangle_count, SIZE, solid_margin, near);
+        for (int i = 0; i < BYTES; i++) {
+            bounds->possible[i] = bounds->certain[i] | near[i];
+            bounds->certain[i] = (uint8_t)(bounds->certain[i] & ~near[i]);
+        }
+    } else if (method == VOXEL_THIN) {
+        voxel_thin(c->triangles, c->model.triangle_count, SIZE, true, -surface_margin,
+                   bounds->certain);
+        voxel_thin(c->triangles, c->model.triangle_count, SIZE, true, surface_margin,
+                   bounds->possible);
+    } else {
+        voxel_surface(c->triangles, c->model.triangle_count, SIZE, -surface_margin,
+                      bounds->certain);
+        voxel_surface(c->triangles, c->model.triangle_count, SIZE, surface_margin,
+                      bounds->possible);
+    }
+}
+
+static void check_between(const char *name, int frame, const Bounds *bounds, const uint8_t *voxels)
+{
+    const uint64_t missing = voxel_count_without(bounds->certain, voxels, SIZE),
+                   extra = voxel_count_without(voxels, bounds->possible, SIZE);
+    if (missing || extra)
+        fail_msg("%s, frame %d: %lu voxels, of which %lu missing, %lu extra", name, frame,
+                 (unsigned long)voxel_count(voxels, SIZE), (unsigned long)missing,
+                 (unsigned long)extra);
+}
+
+/* --- frames ------------------------------------------------------------------------------------- */
+
+/* A moving model's volume, in a work. */
+typedef struct Mover {
+    VoxelCase c;
+    VoxelMotions motions;
+    Worksheet sheet;
+} Mover;
+
+static void add_mover(const char *shape, const VoxelSetting *setting, double most_twist, Work *work,
+                      Mover *mover)
+{
+    GpError error = { "" };
+    mover->c = voxel_case_open(shape, 0, SIZE);
+    mover->motions.count = 0;
+    mover->c.model.motions = &mover->motions;
+    mover->c.model.most_twist = (float)most_twist;
+    if (tech_voxel_build(&mover->c.model, setting, work, &mover->sheet, &error))
+        fail_msg("%s", error.text);
+}
+
+static void reserve(Work *work, int movers)
+{
+    const VoxelSetting setting = { .size = SIZE };
+    uint32_t passes, draws;
+    *work = (Work){ .color = NULL };
+    tech_voxel_room(&setting, &passes, &draws);
+    work_reserve(work, (uint32_t)movers * passes + VOXEL_COMBINE_PASSES,
+                 (uint32_t)movers * draws + 8);
+}
+
+static GpDevice *open_device(const GpDeviceDesc *desc)
+{
+    GpDevice *device = NULL;
+    GpError error = { "" };
+    const GpResult result = gp_device_create(desc, &device, &error);
+    if (result && result != GP_ERROR_UNSUPPORTED)
+        fail_msg("%s", error.text);
+    return device;
+}
+
+static void draw_frame(GpDevice *device, const Work *work, const Worksheet *sheet, uint8_t *voxels)
+{
+    GpError error = { "" };
+    if (gp_device_run(device, &work->list, &error))
+        fail_msg("%s", error.text);
+    worksheet_read(sheet, voxels);
+}
+
+/* Smaller by a factor, about the volume's middle, so that it has room to turn. */
+static void shrink(VoxelMotion *motion, float factor)
+{
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 4; i++)
+            motion->to_voxels[k][i] *= factor;
+        motion->to_voxels[k][3] += (1 - factor) * motion->middle;
+    }
+}
+
+/* --- twists ------------------------------------------------------------------------------------- */
+
+static const struct {
+    const char *name, *shape;
+    VoxelSetting setting;
+    float factor; /* beyond 0.7 parts of it turn out of the volume */
+} twists[] = {
+    { "touched", "teapot", { .size = SIZE, .bits = 1, .method = VOXEL_CONSERVATIVE }, 0.7f },
+    { "sampled", "knot", { .size = SIZE, .bits = 1, .method = VOXEL_THIN }, 1 },
+    { "inside",
+      "knot",
+      { .size = SIZE, .bits = 1, .kind = VOXEL_SOLID, .method = VOXEL_XOR },
+      0.7f },
+    { "cut off", "cube", { .size = SIZE, .bits = 1, .method = VOXEL_CONSERVATIVE }, 1 },
+};
+
+/* Half a turn over the height, at most, back and forth. */
+static const double most_twist = 3.14159 / SIZE;
+
+static VoxelMotion twist_of_frame(const VoxelCase *c, float factor, int frame)
+{
+    VoxelMotion motion = c->model.motion;
+    shrink(&motion, factor);
+    motion.twist = (float)(most_twist * (2.0 * frame / (FRAMES - 1) - 1));
+    return motion;
+}
+
+static void a_twisting_model_is_exact_in_every_frame(void **state)
+{
+    (void)state;
+    static uint8_t voxels[BYTES], before[BYTES];
+    static Bounds bounds;
+    static Mover mover;
+    for (size_t i = 0; i < GP_COUNT(twists); i++) {
+        Work work;
+        reserve(&work, 1);
+        add_mover(twists[i].shape, &twists[i].setting, most_twist, &work, &mover);
+        GpDevice *device = open_device(&(GpDeviceDesc){ .threads = 2 });
+        for (int frame = 0; frame < FRAMES; frame++) {
+            const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, frame);
+            voxel_move(&mover.motions, &motion);
+            memcpy(before, voxels, sizeof voxels);
+            draw_frame(device, &work, &mover.sheet, voxels);
+            find_bounds(&mover.c, &motion, twists[i].setting.method, &bounds);
+            check_between(twists[i].name, frame, &bounds, voxels);
+            assert_true(voxel_count(voxels, SIZE) > 500);
+            assert_true(voxel_count_without(voxels, before, SIZE) > 100); /* it does move */
+        }
+        gp_device_destroy(&device);
+        work_free(&work);
+        voxel_case_free(&mover.c);
+    }
+}
+
+static void frames_have_the_same_bits_everywhere(void **state)
+{
+    (void)state;
+    static const GpDeviceDesc devices[] = {
+        { .executor = GP_EXECUTOR_REFERENCE },
+        { .threads = 1, .isa = "lanes4" },
+        { .threads = 3, .isa = "lanes8" },
+        { .threads = 3, .isa = "lanes16" },
+        { .threads = 2 },
+    };
+    static uint8_t voxels[BYTES], first[BYTES];
+    static Mover mover;
+    for (size_t i = 0; i < GP_COUNT(twists); i++) {
+        Work work;
+        reserve(&work, 1);
+        add_mover(twists[i].shape, &twists[i].setting, most_twist, &work, &mover);
+        const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, FRAMES - 1);
+        voxel_move(&mover.motions, &motion);
+        for (size_t d = 0; d < GP_COUNT(devices); d++) {
+            GpDevice *device = open_device(&devices[d]);
+            if (!device)
+                continue; /* a processor, or a build, without this width */
+            draw_frame(device, &work, &mover.sheet, voxels);
+            if (d == 0)
+                memcpy(first, voxels, sizeof first);
+            assert_memory_equal(voxels, first, sizeof first);
+            gp_device_destroy(&device);
+        }
+        work_free(&work);
+        voxel_case_free(&mover.c);
+    }
+}
+
+/* --- two rigid objects -------------------------------------------------------------------------- */
+
+/* Half as large, turned about x, and so many voxels beside the middle along x. */
+static VoxelMotion rigid_motion(const VoxelCase *c, double angle, double aside)
+{
+    VoxelMotion motion = c->model.motion, turned;
+    shrink(&motion, 0.5f);
+    turned = motion;
+    const double cosine = cos(angle), sine = sin(angle), middle = (double)motion.middle;
+    for (int i = 0; i < 4; i++) {
+        const double back = i == 3 ? middle : 0;
+        const double y = (double)motion.to_voxels[1][i] - back;
+        const double z = (double)motion.to_voxels[2][i] - back;
+        turned.to_voxels[1][i] = (float)(cosine * y - sine * z + back);
+        turned.to_voxels[2][i] = (float)(sine * y + cosine * z + back);
+    }
+    turned.to_voxels[0][3] += (float)aside;
+    return turned;
+}
+
+static void and_bits(uint8_t *bits, const uint8_t *other)
+{
+    for (int i = 0; i < BYTES; i++)
+        bits[i] &= other[i];
+}
+
+/* A torus and a knot come towards each other along x, turning. */
+static void moving_objects_collide_where_they_do(void **state)
+{
+    (void)state;
+    enum { STEPS = 8 };
+    static Mover a, b;
+    static Bounds bounds, other;
+    static uint8_t voxels[BYTES];
+    const VoxelSetting setting = { .size = SIZE, .bits = 1, .method = VOXEL_CONSERVATIVE };
+    const VoxelRange whole = voxel_range_whole(SIZE);
+    Work work;
+    reserve(&work, 2);
+    add_mover("torus", &setting, 0, &work, &a);
+    add_mover("knot", &setting, 0, &work, &b);
+    const Worksheet hits = worksheet_make(&work, SIZE, 1);
+    voxel_collide(&work, &a.sheet, &b.sheet, &whole, &hits);
+    GpDevice *device = open_device(&(GpDeviceDesc){ .threads = 2 });
+    bool apart = false, touching = false;
+    for (int step = 0; step < STEPS; step++) {
+        const VoxelMotion first = rigid_motion(&a.c, 0.3 * step, 1.5 * step - 12);
+        const VoxelMotion second = rigid_motion(&b.c, -0.2 * step, 12 - 1.5 * step);
+        voxel_move(&a.motions, &first);
+        voxel_move(&b.motions, &second);
+        draw_frame(device, &work, &hits, voxels);
+        find_bounds(&a.c, &first, VOXEL_CONSERVATIVE, &bounds);
+        find_bounds(&b.c, &second, VOXEL_CONSERVATIVE, &other);
+        and_bits(bounds.certain, other.certain);
+        and_bits(bounds.possible, other.possible);
+        check_between("collision", step, &bounds, voxels);
+        const uint64_t count = voxel_count(voxels, SIZE);
+        assert_int_equal(count, voxel_count_range(&hits, &whole));
+        apart = apart || count == 0;
+        touching = touching || count > 100;
+    }
+    assert_true(apart && touching);
+    gp_device_destroy(&device);
+    work_free(&work);
+    voxel_case_free(&a.c);
+    voxel_case_free(&b.c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_twisting_model_is_exact_in_every_frame),
+        cmocka_unit_test(frames_have_the_same_bits_everywhere),
+        cmocka_unit_test(moving_objects_collide_where_they_do),
+    };
+    return cmocka_run_group_tests_name("voxel motion", tests, NULL, NULL);
+}

@@ -1,0 +1,351 @@
+/* Surfaces: sizes, limits, clears, mip levels, hashes. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <xxhash.h>
+#include <cmocka.h>
+
+#include "pipeline/resources/surface.h"
+
+static GpSurface *make(GpFormat format, uint32_t width, uint32_t height, uint32_t levels)
+{
+    GpSurface *surface = NULL;
+    GpSurfaceDesc desc = {
+        .format = format, .width = width, .height = height, .levels = levels, .name = "test"
+    };
+    GpError error;
+    assert_int_equal(gp_surface_create(&desc, &surface, &error), GP_OK);
+    assert_non_null(surface);
+    return surface;
+}
+
+static uint8_t *texel_at(const GpSurface *surface, uint32_t level, uint32_t x, uint32_t y)
+{
+    return gp_surface_texel(&surface->level[level], gp_format_info(surface->format)->bytes, x, y);
+}
+
+static void load(const GpSurface *surface, uint32_t level, uint32_t x, uint32_t y, float rgba[4])
+{
+    gp_texel_load(surface->format, texel_at(surface, level, x, y), rgba);
+}
+
+/* --- life ------------------------------------------------------------------------------------- */
+
+static void create_makes_zeroed_levels_of_every_format(void **state)
+{
+    (void)state;
+    for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
+        GpSurface *s = make(format, 13, 6, GP_MAX_LEVELS);
+        static const uint32_t sizes[][2] = { { 13, 6 }, { 6, 3 }, { 3, 1 }, { 1, 1 } };
+        assert_int_equal(s->levels, GP_COUNT(sizes));
+        for (uint32_t i = 0; i < s->levels; i++) {
+            const GpLevel *level = &s->level[i];
+            assert_int_equal(level->width, sizes[i][0]);
+            assert_int_equal(level->height, sizes[i][1]);
+            assert_int_equal(level->pitch, level->width * gp_format_info(format)->bytes);
+            for (size_t b = 0; b < level->pitch * level->height; b++)
+                assert_int_equal(level->texels[b], 0);
+        }
+        gp_surface_destroy(&s);
+    }
+}
+
+static void create_levels_zero_means_one_and_many_means_all(void **state)
+{
+    (void)state;
+    static const uint32_t cases[][4] = {
+        /* width height levels -> levels */
+        { 8192, 1, GP_MAX_LEVELS, 14 },
+        { 1, 8192, 1000, 14 },
+        { 4, 4, 0, 1 },
+        { 4, 4, 1, 1 },
+        { 4, 4, 3, 3 },
+        { 4, 4, 14, 3 },
+        { 1, 1, 14, 1 },
+        { 5, 3, 2, 2 },
+    };
+    for (size_t i = 0; i < GP_COUNT(cases); i++) {
+        GpSurface *s = make(GP_R8, cases[i][0], cases[i][1], cases[i][2]);
+        assert_int_equal(s->levels, cases[i][3]);
+        gp_surface_destroy(&s);
+    }
+}
+
+static void create_refuses_what_no_device_has(void **state)
+{
+    (void)state;
+    static const GpSurfaceDesc bad[] = {
+        { .format = GP_FORMAT_NONE, .width = 4, .height = 4 },
+        { .format = GP_FORMATS, .width = 4, .height = 4 },
+        { .format = (GpFormat)99, .width = 4, .height = 4 },
+        { .format = GP_R8, .width = 0, .height = 4 },
+        { .format = GP_R8, .width = 4, .height = 0 },
+        { .format = GP_R8, .width = GP_MAX_SIZE + 1, .height = 4 },
+        { .format = GP_R8, .width = 4, .height = GP_MAX_SIZE + 1 },
+        { .format = GP_R8, .width = 0xffffffffu, .height = 0xffffffffu },
+        { .format = GP_R8, .width = 4, .height = 4, .levels = 4 },
+        { .format = GP_R8, .width = 4095, .height = 1, .levels = 13 },
+    };
+    for (size_t i = 0; i < GP_COUNT(bad); i++) {
+        GpSurface untouched, *surface = &untouched;
+        GpError error = { .text = "" };
+        assert_int_equal(gp_surface_create(&bad[i], &surface, &error), GP_ERROR_INVALID);
+        assert_ptr_equal(surface, &untouched);
+        assert_int_not_equal(error.text[0], '\0');
+        assert_int_equal(gp_surface_create(&bad[i], &surface, NULL), GP_ERROR_INVALID);
+    }
+}
+
+static void create_reports_missing_memory_and_leaks_nothing(void **state)
+{
+    (void)state;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    skip(); /* sanitizers reserve more address space than any limit that bites */
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+    skip();
+#endif
+#endif
+    struct rlimit before;
+    assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
+    struct rlimit small = { .rlim_cur = 512u << 20, .rlim_max = before.rlim_max };
+    GpSurface untouched, *surface = &untouched;
+    GpSurfaceDesc desc = {
+        .format = GP_A32B32G32R32F, .width = 8192, .height = 8192, .levels = 14
+    };
+    GpError error = { .text = "" };
+    assert_int_equal(setrlimit(RLIMIT_AS, &small), 0);
+    GpResult result = gp_surface_create(&desc, &surface, &error);
+    assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
+    assert_int_equal(result, GP_ERROR_MEMORY);
+    assert_ptr_equal(surface, &untouched);
+    assert_int_not_equal(error.text[0], '\0');
+}
+
+static void names_are_copied_and_cut(void **state)
+{
+    (void)state;
+    char name[64] = "a name that is longer than the thirty-one characters kept";
+    GpSurfaceDesc desc = { .format = GP_R8, .width = 1, .height = 1, .name = name };
+    GpSurface *s = NULL;
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    name[0] = 'X';
+    assert_string_equal(s->name, "a name that is longer than the ");
+    gp_surface_destroy(&s);
+
+    desc.name = NULL;
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    assert_string_equal(s->name, "");
+    gp_surface_destroy(&s);
+}
+
+static void destroy_accepts_null_and_sets_null(void **state)
+{
+    (void)state;
+    GpSurface *s = NULL;
+    gp_surface_destroy(NULL);
+    gp_surface_destroy(&s);
+    s = make(GP_R8, 2, 2, 2);
+    gp_surface_destroy(&s);
+    assert_null(s);
+}
+
+/* --- clears ----------------------------------------------------------------------------------- */
+
+static void clear_color_fills_level_0_and_no_other(void **state)
+{
+    (void)state;
+    static const float color[4] = { 0.25f, 0.5f, 0.75f, 1.0f };
+    for (GpFormat format = GP_A8R8G8B8; format < GP_D16; format++) {
+        GpSurface *s = make(format, 5, 3, 2);
+        uint8_t expected[16];
+        size_t bytes = gp_format_info(format)->bytes;
+        gp_texel_store(format, expected, color, 0);
+        gp_surface_clear_color(s, color);
+        for (uint32_t y = 0; y < 3; y++)
+            for (uint32_t x = 0; x < 5; x++)
+                assert_memory_equal(texel_at(s, 0, x, y), expected, bytes);
+        for (size_t b = 0; b < s->level[1].pitch * s->level[1].height; b++)
+            assert_int_equal(s->level[1].texels[b], 0);
+        gp_surface_destroy(&s);
+    }
+}
+
+static void clear_depth_and_stencil_are_independent(void **state)
+{
+    (void)state;
+    GpSurface *s = make(GP_D24S8, 3, 2, 1);
+    const uint32_t half = 8388608; /* 0.5 * (2^24 - 1) + 0.5 */
+    static const struct {
+        float depth;
+        uint8_t stencil;
+        bool clear_depth, clear_stencil;
+        uint32_t expected_code;
+        uint8_t expected_stencil;
+    } steps[] = {
+        { 1.0f, 7, true, true, 0xffffff, 7 },  { 0.5f, 9, true, false, half, 7 },
+        { 0.25f, 9, false, true, half, 9 },    { 0.25f, 1, false, false, half, 9 },
+        { 2.0f, 1, true, false, 0xffffff, 9 }, { -1.0f, 1, true, false, 0, 9 },
+    };
+    for (size_t i = 0; i < GP_COUNT(steps); i++) {
+        gp_surface_clear_depth(s, steps[i].depth, steps[i].stencil, steps[i].clear_depth,
+                               steps[i].clear_stencil);
+        for (uint32_t t = 0; t < 6; t++) {
+            uint32_t code;
+            uint8_t stencil;
+            gp_depth_load(GP_D24S8, texel_at(s, 0, t % 3, t / 3), &code, &stencil);
+            assert_int_equal(code, steps[i].expected_code);
+            assert_int_equal(stencil, steps[i].expected_stencil);
+        }
+    }
+    gp_surface_destroy(&s);
+}
+
+static void clear_depth_reaches_every_texel_of_every_depth_format(void **state)
+{
+    (void)state;
+    for (GpFormat format = GP_D16; format < GP_FORMATS; format++) {
+        GpSurface *s = make(format, 5, 3, 1);
+        gp_surface_clear_depth(s, 0.75f, 1, true, true);
+        for (uint32_t t = 0; t < 15; t++) {
+            uint32_t code;
+            uint8_t stencil;
+            gp_depth_load(format, texel_at(s, 0, t % 5, t / 5), &code, &stencil);
+            assert_int_equal(code, gp_depth_code(format, 0.75f));
+            assert_int_equal(stencil, format == GP_D24S8);
+        }
+        gp_surface_destroy(&s);
+    }
+}
+
+/* --- mip levels ------------------------------------------------------------------------------- */
+
+static void mips_of_a_constant_are_that_constant(void **state)
+{
+    (void)state;
+    for (GpFormat format = GP_A8R8G8B8; format < GP_D16; format++) {
+        GpSurface *s = make(format, 7, 4, GP_MAX_LEVELS);
+        size_t bytes = gp_format_info(format)->bytes;
+        for (int code = 0; code < 256; code++) {
+            float v = (float)code / 255.0f;
+            const float color[4] = { v, 1.0f - v, v * v, v };
+            gp_surface_clear_color(s, color);
+            gp_surface_build_mips(s);
+            for (uint32_t i = 1; i < s->levels; i++)
+                for (size_t b = 0; b < s->level[i].pitch * s->level[i].height; b += bytes)
+                    assert_memory_equal(s->level[i].texels + b, s->level[0].texels, bytes);
+        }
+        gp_surface_destroy(&s);
+    }
+    GpSurface *s = make(GP_R32F, 2, 2, 2); /* the largest float: its sum is none */
+    const float largest[4] = { 3.40282347e38f };
+    gp_surface_clear_color(s, largest);
+    gp_surface_build_mips(s);
+    assert_memory_equal(s->level[1].texels, s->level[0].texels, 4);
+    gp_surface_destroy(&s);
+}
+
+static void mips_are_box_means_within_half_a_code(void **state)
+{
+    (void)state;
+    GpSurface *s = make(GP_R8, 64, 32, GP_MAX_LEVELS);
+    for (uint32_t i = 0; i < 64 * 32; i++)
+        s->level[0].texels[i] = (uint8_t)((i * 2654435761u) >> 24);
+    gp_surface_build_mips(s);
+    int rounded_up = 0, rounded_down = 0;
+    for (uint32_t l = 1; l < s->levels; l++) {
+        const GpLevel *fine = &s->level[l - 1], *coarse = &s->level[l];
+        for (uint32_t y = 0; y < coarse->height; y++) {
+            for (uint32_t x = 0; x < coarse->width; x++) {
+                uint32_t x1 = fine->width > 1 ? 2 * x + 1 : 0;
+                uint32_t y1 = fine->height > 1 ? 2 * y + 1 : 0;
+                int sum = *texel_at(s, l - 1, 2 * x, 2 * y) + *texel_at(s, l - 1, x1, 2 * y) +
+                          *texel_at(s, l - 1, 2 * x, y1) + *texel_at(s, l - 1, x1, y1);
+                int error = 4 * *texel_at(s, l, x, y) - sum;
+                assert_true(error >= -2 && error <= 2);
+                rounded_up += error > 0;
+                rounded_down += error < 0;
+            }
+        }
+    }
+    assert_true(rounded_up > 0 && rounded_down > 0);
+    gp_surface_destroy(&s);
+}
+
+static void mips_of_floats_are_exact_means(void **state)
+{
+    (void)state;
+    GpSurface *s = make(GP_A32B32G32R32F, 5, 3, GP_MAX_LEVELS); /* column 4 and row 2 drop out */
+    for (uint32_t t = 0; t < 15; t++) {
+        float v = (float)t, rgba[4] = { v, -v, v * 0.5f, 1.0f };
+        gp_texel_store(s->format, texel_at(s, 0, t % 5, t / 5), rgba, 0);
+    }
+    gp_surface_build_mips(s);
+    static const float means[3] = { (0 + 1 + 5 + 6) / 4.0f, (2 + 3 + 7 + 8) / 4.0f, 4.0f };
+    for (uint32_t i = 0; i < 3; i++) { /* two texels of level 1, then the one of level 2 */
+        float rgba[4];
+        load(s, i < 2 ? 1 : 2, i < 2 ? i : 0, 0, rgba);
+        assert_true(rgba[0] == means[i] && rgba[1] == -means[i]);
+        assert_true(rgba[2] == 0.5f * means[i] && rgba[3] == 1.0f);
+    }
+    gp_surface_destroy(&s);
+}
+
+static void r26_mips_of_srgb_are_means_of_light(void **state)
+{
+    (void)state;
+    GpSurface *s = make(GP_A8R8G8B8_SRGB, 2, 2, 2);
+    for (uint32_t t = 0; t < 2; t++)
+        memset(texel_at(s, 0, t, t), 255, 4); /* a chequer of black and white */
+    gp_surface_build_mips(s);
+    /* Half the light is sRGB 187.5 (0.7354); the mean of the codes would be 128, as alpha's is. */
+    assert_memory_equal(s->level[1].texels, "\xbc\xbc\xbc\x80", 4);
+    gp_surface_destroy(&s);
+}
+
+/* --- hash ------------------------------------------------------------------------------------- */
+
+static void hash_is_xxh3_of_the_raw_bytes_of_level_0(void **state)
+{
+    (void)state;
+    for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
+        GpSurface *s = make(format, 9, 5, 2);
+        uint8_t bytes[9 * 5 * 16];
+        size_t size = (size_t)9 * 5 * gp_format_info(format)->bytes;
+        for (size_t i = 0; i < size; i++)
+            bytes[i] = (uint8_t)(i * 31 + 7);
+        memcpy(s->level[0].texels, bytes, size);
+        uint64_t hash = gp_surface_hash(s);
+        assert_true(hash == XXH3_64bits(bytes, size));
+        s->level[1].texels[0] ^= 1;
+        assert_true(gp_surface_hash(s) == hash);
+        s->level[0].texels[size - 1] ^= 1;
+        assert_false(gp_surface_hash(s) == hash);
+        gp_surface_destroy(&s);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(create_makes_zeroed_levels_of_every_format),
+        cmocka_unit_test(create_levels_zero_means_one_and_many_means_all),
+        cmocka_unit_test(create_refuses_what_no_device_has),
+        cmocka_unit_test(create_reports_missing_memory_and_leaks_nothing),
+        cmocka_unit_test(names_are_copied_and_cut),
+        cmocka_unit_test(destroy_accepts_null_and_sets_null),
+        cmocka_unit_test(clear_color_fills_level_0_and_no_other),
+        cmocka_unit_test(clear_depth_and_stencil_are_independent),
+        cmocka_unit_test(clear_depth_reaches_every_texel_of_every_depth_format),
+        cmocka_unit_test(mips_of_a_constant_are_that_constant),
+        cmocka_unit_test(mips_are_box_means_within_half_a_code),
+        cmocka_unit_test(mips_of_floats_are_exact_means),
+        cmocka_unit_test(r26_mips_of_srgb_are_means_of_light),
+        cmocka_unit_test(hash_is_xxh3_of_the_raw_bytes_of_level_0),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,209 @@
+/* Clipping: what is left, that it is inside, that shared edges are cut alike. */
+#include "pipeline/units/clip.h"
+#include "pipeline/units/viewport.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
+
+#include <math.h>
+
+static GpGuardBand band_of(uint32_t width, uint32_t height)
+{
+    GpViewport v = gp_viewport_resolve(&(GpViewport){ 0 }, width, height);
+    return gp_guard_band(&v);
+}
+
+static GpVertex vertex_at(float x, float y, float z, float w)
+{
+    return (GpVertex){ .clip = { x, y, z, w }, .varying = { x, y, z, w } };
+}
+
+static GpClipPolygon clip(const GpGuardBand *band, const GpVertex v[3], uint64_t flat)
+{
+    GpClipPolygon polygon;
+    gp_clip_triangle(band, (const GpVertex *const[3]){ &v[0], &v[1], &v[2] }, 4, flat, &polygon);
+    return polygon;
+}
+
+static void r03_triangles_inside_the_guard_band_are_not_cut(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(1024, 1024);
+    GpVertex v[3] = { vertex_at(-60, 0, 0.5f, 1), vertex_at(60, 0, 0.5f, 1),
+                      vertex_at(0, 60, 0.5f, 1) };
+    GpClipPolygon polygon = clip(&band, v, 0);
+    assert_int_equal(polygon.corners, 3);
+    assert_false(polygon.cut);
+    assert_memory_equal(polygon.corner, v, sizeof v);
+}
+
+static void r03_nothing_that_is_left_leaves_the_fixed_point_range(void **state)
+{
+    (void)state;
+    Random random = { 3 };
+    for (int i = 0; i < 30000; i++) {
+        uint32_t size = 1u << random_int(&random, 0, 13);
+        GpViewport viewport = gp_viewport_resolve(&(GpViewport){ 0 }, size, size);
+        GpGuardBand band = gp_guard_band(&viewport);
+        GpVertex v[3];
+        for (int k = 0; k < 3; k++) {
+            float reach = powf(10, random_float(&random, -1, 7));
+            v[k] = vertex_at(random_float(&random, -reach, reach),
+                             random_float(&random, -reach, reach), random_float(&random, -2, 3),
+                             random_float(&random, -2, 3));
+        }
+        GpClipPolygon polygon = clip(&band, v, 0);
+        for (int k = 0; k < polygon.corners; k++) {
+            GpScreenVertex s;
+            assert_true(gp_viewport_transform(&viewport, polygon.corner[k].clip, &s));
+            assert_true(s.z >= -1e-5f && s.z <= 1 + 1e-5f);
+        }
+    }
+}
+
+static void near_and_far_planes_cut_where_z_is_0_and_w(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(256, 256);
+    GpVertex near_cut[3] = { vertex_at(0, 0, -1, 1), vertex_at(1, 0, 1, 2), vertex_at(0, 1, 1, 2) };
+    GpClipPolygon polygon = clip(&band, near_cut, 0);
+    assert_int_equal(polygon.corners, 4);
+    assert_int_equal(polygon.planes, 1u << GP_CLIP_NEAR);
+    int on_plane = 0;
+    for (int i = 0; i < 4; i++)
+        on_plane += polygon.corner[i].clip[2] == 0;
+    assert_int_equal(on_plane, 2);
+    GpVertex gone[3] = { vertex_at(0, 0, 2, 1), vertex_at(1, 0, 3, 2), vertex_at(0, 1, 9, 8) };
+    assert_int_equal(clip(&band, gone, 0).corners, 0);
+}
+
+static void r10_not_a_number_discards_the_triangle(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(64, 64);
+    for (int corner = 0; corner < 3; corner++)
+        for (int c = 0; c < 4; c++) {
+            GpVertex v[3] = { vertex_at(0, 0, 0.5f, 1), vertex_at(1, 0, 0.5f, 1),
+                              vertex_at(0, 1, 0.5f, 1) };
+            assert_int_equal(clip(&band, v, 0).corners, 3);
+            v[corner].clip[c] = NAN;
+            assert_int_equal(clip(&band, v, 0).corners, 0);
+        }
+}
+
+static void r10_only_positive_w_survives(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(64, 64);
+    GpVertex zero[3] = { vertex_at(0, 0, 0, 0), vertex_at(1, 0, 0, 0), vertex_at(0, 1, 0, 0) };
+    assert_int_equal(clip(&band, zero, 0).corners, 0);
+    Random random = { 10 };
+    for (int i = 0; i < 20000; i++) {
+        GpVertex v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = vertex_at(random_float(&random, -3, 3), random_float(&random, -3, 3),
+                             random_float(&random, -3, 3), random_float(&random, -3, 3));
+        GpClipPolygon polygon = clip(&band, v, 0);
+        for (int k = 0; k < polygon.corners; k++)
+            assert_true(polygon.corner[k].clip[3] > 0);
+    }
+}
+
+static void infinite_positions_leave_nothing_or_finite_corners(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(64, 64);
+    for (int c = 0; c < 4; c++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            GpVertex v[3] = { vertex_at(0, 0, 0.5f, 1), vertex_at(1, 0, 0.5f, 1),
+                              vertex_at(0, 1, 0.5f, 1) };
+            v[1].clip[c] = (float)sign * INFINITY;
+            GpClipPolygon polygon = clip(&band, v, 0);
+            for (int k = 0; k < polygon.corners; k++)
+                assert_true(polygon.corner[k].clip[3] > 0);
+        }
+}
+
+/* Two triangles on the two sides of an edge, in both directions, get the same new corners. */
+static void shared_edges_are_cut_at_the_same_point(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(640, 480);
+    Random random = { 11 };
+    int compared = 0;
+    for (int i = 0; i < 5000; i++) {
+        GpVertex a = vertex_at(random_float(&random, -9, 9), random_float(&random, -9, 9), -1,
+                               random_float(&random, 0.1f, 1));
+        GpVertex b = vertex_at(random_float(&random, -9, 9), random_float(&random, -9, 9), 0.5f,
+                               random_float(&random, 1, 4));
+        GpVertex c = vertex_at(0, 9, -2, 1), d = vertex_at(0, -9, -3, 1);
+        GpClipPolygon one = clip(&band, (GpVertex[3]){ a, b, c }, 0);
+        GpClipPolygon two = clip(&band, (GpVertex[3]){ b, a, d }, 0);
+        int matches = 0;
+        for (int k = 0; k < one.corners; k++)
+            for (int m = 0; m < two.corners; m++)
+                matches += memcmp(&one.corner[k], &two.corner[m], sizeof one.corner[k]) == 0;
+        assert_int_equal(matches, 2); /* b itself, and the cut of the edge ab */
+        compared++;
+    }
+    assert_int_equal(compared, 5000);
+}
+
+static void flat_values_survive_the_loss_of_the_first_corner(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(256, 256);
+    GpVertex v[3] = { vertex_at(0, 0, -1, 1), vertex_at(1, 0, 1, 2), vertex_at(0, 1, 1, 2) };
+    for (int k = 0; k < 3; k++)
+        v[k].varying[3] = (float)(40 + k);
+    GpClipPolygon polygon = clip(&band, v, 1u << 3);
+    assert_int_equal(polygon.corners, 4);
+    for (int k = 0; k < polygon.corners; k++)
+        assert_true(polygon.corner[k].varying[3] == 40);
+}
+
+static void varyings_stay_affine_in_clip_space(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(256, 256);
+    Random random = { 12 };
+    for (int i = 0; i < 5000; i++) {
+        GpVertex v[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = vertex_at(random_float(&random, -2, 2), random_float(&random, -2, 2),
+                             random_float(&random, -1, 2), random_float(&random, 0.5f, 2));
+        GpClipPolygon polygon = clip(&band, v, 0);
+        for (int k = 0; k < polygon.corners; k++)
+            for (int c = 0; c < 4; c++) /* the varyings were the position itself; the position is
+                                           also settled onto the planes, by rounding errors */
+                assert_true(fabsf(polygon.corner[k].varying[c] - polygon.corner[k].clip[c]) <=
+                            0x1p-20f);
+    }
+}
+
+static void points_are_kept_by_their_vertex_alone(void **state)
+{
+    (void)state;
+    GpVertex inside = vertex_at(5, -7, 0.5f, 1), before = vertex_at(0, 0, -0.1f, 1);
+    GpVertex behind = vertex_at(0, 0, 1.1f, 1), no_number = vertex_at(NAN, 0, 0.5f, 1);
+    assert_true(gp_clip_point(&inside)); /* outside in x and y: still drawn where it reaches in */
+    assert_false(gp_clip_point(&before));
+    assert_false(gp_clip_point(&behind));
+    assert_false(gp_clip_point(&no_number));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(r03_triangles_inside_the_guard_band_are_not_cut),
+        cmocka_unit_test(r03_nothing_that_is_left_leaves_the_fixed_point_range),
+        cmocka_unit_test(near_and_far_planes_cut_where_z_is_0_and_w),
+        cmocka_unit_test(r10_not_a_number_discards_the_triangle),
+        cmocka_unit_test(r10_only_positive_w_survives),
+        cmocka_unit_test(infinite_positions_leave_nothing_or_finite_corners),
+        cmocka_unit_test(shared_edges_are_cut_at_the_same_point),
+        cmocka_unit_test(flat_values_survive_the_loss_of_the_first_corner),
+        cmocka_unit_test(varyings_stay_affine_in_clip_space),
+        cmocka_unit_test(points_are_kept_by_their_vertex_alone),
+    };
+    return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
+}
