@@ -7,7 +7,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-double meter_clock_ms(clockid_t clock)
+double machine_clock_ms(clockid_t clock)
 {
     struct timespec time;
     clock_gettime(clock, &time);
@@ -30,23 +30,23 @@ static double busy_ms(void)
     return ticks * 1e3 / (double)sysconf(_SC_CLK_TCK);
 }
 
-MeterLoad meter_load_begin(void)
+MachineLoad machine_load_begin(void)
 {
-    return (MeterLoad){ .wall = meter_clock_ms(CLOCK_MONOTONIC),
-                        .own = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID),
-                        .all = busy_ms() };
+    return (MachineLoad){ .wall = machine_clock_ms(CLOCK_MONOTONIC),
+                          .own = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID),
+                          .all = busy_ms() };
 }
 
-double meter_others(const MeterLoad *begin)
+double machine_others(const MachineLoad *begin)
 {
-    MeterLoad now = meter_load_begin();
+    MachineLoad now = machine_load_begin();
     if (begin->all < 0 || now.all < 0 || now.wall <= begin->wall)
         return -1;
     double others = (now.all - begin->all) - (now.own - begin->own);
     return others > 0 ? others / (now.wall - begin->wall) : 0;
 }
 
-void meter_reset_peak(void)
+void machine_reset_peak(void)
 {
     malloc_trim(0);
     int file = open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
@@ -56,14 +56,14 @@ void meter_reset_peak(void)
     close(file);
 }
 
-double meter_peak_mb(void)
+double machine_peak_mb(void)
 {
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     return (double)usage.ru_maxrss / 1024;
 }
 
-void meter_machine(char *text, size_t size)
+void machine_describe(char *text, size_t size)
 {
     char line[256], model[80] = "processor";
     FILE *file = fopen("/proc/cpuinfo", "re");

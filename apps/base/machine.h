@@ -6,27 +6,27 @@
 #include <time.h>
 
 /* Milliseconds of a clock: CLOCK_MONOTONIC, CLOCK_PROCESS_CPUTIME_ID. */
-double meter_clock_ms(clockid_t clock);
+double machine_clock_ms(clockid_t clock);
 
 /* Times at the begin of a measurement: the clock's, this process's, and all processes'. */
-typedef struct MeterLoad {
+typedef struct MachineLoad {
     double wall, own, all;
-} MeterLoad;
+} MachineLoad;
 
-MeterLoad meter_load_begin(void);
+MachineLoad machine_load_begin(void);
 
 /* Processors that other processes kept busy since then, on average; negative where the system does
  * not tell. */
-double meter_others(const MeterLoad *begin);
+double machine_others(const MachineLoad *begin);
 
-/* Gives free memory back and forgets the peak so far, where the system can: else only growth beyond
+/* Gives free memory back and forgets the peak so far, where the system can: else only scaling beyond
  * it shows. */
-void meter_reset_peak(void);
+void machine_reset_peak(void);
 
 /* Memory in use at most, in megabytes. */
-double meter_peak_mb(void);
+double machine_peak_mb(void);
 
 /* What figures were measured on: "2 x Intel(R) Xeon(R) Processor, Linux x86_64". */
-void meter_machine(char *text, size_t size);
+void machine_describe(char *text, size_t size);
 
 #endif

@@ -55,9 +55,9 @@ const BenchCase *bench_case_find(const char *name)
     return NULL;
 }
 
-void bench_picture_size(const Work *work, uint32_t *width, uint32_t *height)
+void bench_picture_size(const Frame *frame, uint32_t *width, uint32_t *height)
 {
-    const GpSurface *picture = work->color ? work->color : work->depth;
+    const GpSurface *picture = frame->color ? frame->color : frame->depth;
     *width = picture->width;
     *height = picture->height;
 }
@@ -70,19 +70,19 @@ static float depth_at(const GpSurface *depth, uint32_t x, uint32_t y)
     return texel[0];
 }
 
-void bench_show(const Work *work, uint8_t *rgba)
+void bench_show(const Frame *frame, uint8_t *rgba)
 {
     uint32_t width, height;
-    bench_picture_size(work, &width, &height);
+    bench_picture_size(frame, &width, &height);
     for (uint32_t i = 0; i < width * height; i++) {
         uint32_t x = i % width, y = i / width;
-        float depth = work->depth ? depth_at(work->depth, x, y) : 0.0f;
+        float depth = frame->depth ? depth_at(frame->depth, x, y) : 0.0f;
         float grey = depth < 1.0f ? (1.0f - depth) * 6.0f : 0.0f;
         float color[4] = { grey, grey, grey, 1.0f };
-        if (work->color) {
-            size_t bytes = gp_format_info(work->color->format)->bytes;
-            gp_texel_load(work->color->format,
-                          gp_surface_texel(&work->color->level[0], bytes, x, y), color);
+        if (frame->color) {
+            size_t bytes = gp_format_info(frame->color->format)->bytes;
+            gp_texel_load(frame->color->format,
+                          gp_surface_texel(&frame->color->level[0], bytes, x, y), color);
         }
         for (int c = 0; c < 3; c++)
             rgba[4 * (size_t)i + (size_t)c] = (uint8_t)gp_unorm_from_float(color[c], 8);

@@ -20,13 +20,13 @@ typedef struct BenchCase BenchCase;
 struct BenchCase {
     const char *name;
     /* Errors: GP_ERROR_IO and the like where the case needs a file that is not there. */
-    GpResult (*build)(const BenchCase *bench, Work *work, GpError *error);
+    GpResult (*build)(const BenchCase *bench, Frame *frame, GpError *error);
     int variant;       /* the builder's own */
     double layers;     /* full pictures drawn in a frame, for rates; 0: no fill rate */
     double primitives; /* triangles or points in a frame, all passes */
     double flop;       /* per pixel; 0: not a case of arithmetic */
     /* Writes the picture as RGBA8, rows from the top; NULL: bench_show. */
-    void (*picture)(const Work *work, uint8_t *rgba);
+    void (*picture)(const Frame *frame, uint8_t *rgba);
 };
 
 extern const BenchCase bench_cases[];
@@ -36,18 +36,18 @@ extern const size_t bench_case_count;
 const BenchCase *bench_case_find(const char *name);
 
 /* Size of the picture. */
-void bench_picture_size(const Work *work, uint32_t *width, uint32_t *height);
+void bench_picture_size(const Frame *frame, uint32_t *width, uint32_t *height);
 
 /* The colour target clamped to eight bits; without one, (1 - depth) * 6 as grey where something was
  * drawn. Alpha is 255, or 0 where the depth buffer stayed clear. Rows from the top. */
-void bench_show(const Work *work, uint8_t *rgba);
+void bench_show(const Frame *frame, uint8_t *rgba);
 
 /* FNV-1a, 32 bits, of a picture with its rows taken from the bottom up, as the peers do. */
 uint32_t bench_picture_hash(const uint8_t *rgba, uint32_t width, uint32_t height);
 
 /* --- builders: each may serve several cases ----------------------------------------------------- */
 
-typedef GpResult BenchBuild(const BenchCase *bench, Work *work, GpError *error);
+typedef GpResult BenchBuild(const BenchCase *bench, Frame *frame, GpError *error);
 
 BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_build_lookup;
 BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
@@ -55,7 +55,7 @@ BenchBuild bench_build_small, bench_build_voxels;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
 BenchBuild bench_build_volume, bench_build_combine;
 
-void bench_show_voxels(const Work *work, uint8_t *rgba);
+void bench_show_voxels(const Frame *frame, uint8_t *rgba);
 
 /* What variants mean. */
 enum { FILL_CLEAR, FILL_OPAQUE, FILL_NO_DEPTH, FILL_BLEND, FILL_ADD_16F, FILL_ADD_32F };

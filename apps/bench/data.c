@@ -75,12 +75,12 @@ void bench_corner_rotated(int quad, int corner, BenchCorner *out)
     out->value[1] = 0.5f * (s * x + c * y) + 0.5f + random_shift(quad, 1);
 }
 
-GpGeometry bench_quads(Work *work, int count, GpSemantic semantic, BenchCornerFn *fill)
+GpGeometry bench_quads(Frame *frame, int count, GpSemantic semantic, BenchCornerFn *fill)
 {
     static const float places[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
     static const uint32_t turns[6] = { 0, 1, 2, 0, 2, 3 };
-    BenchCorner *corners = work_alloc(work, (size_t)count * 4, sizeof *corners);
-    uint32_t *indices = work_alloc(work, (size_t)count * 6, sizeof *indices);
+    BenchCorner *corners = frame_alloc(frame, (size_t)count * 4, sizeof *corners);
+    uint32_t *indices = frame_alloc(frame, (size_t)count * 6, sizeof *indices);
     for (int i = 0; i < count * 4; i++) {
         const float *place = places[i % 4];
         corners[i] = (BenchCorner){ .position = { place[0], place[1], 0.5f } };
@@ -109,10 +109,10 @@ static void set_texel(const GpSurface *surface, uint32_t x, uint32_t y, const ui
     texel[3] = (uint8_t)rgba[3];
 }
 
-GpSurface *bench_noise(Work *work, bool mips)
+GpSurface *bench_noise(Frame *frame, bool mips)
 {
     const uint32_t size = 1024;
-    GpSurface *surface = work_surface(work, GP_A8R8G8B8, size, size, mips ? GP_MAX_LEVELS : 1);
+    GpSurface *surface = frame_surface(frame, GP_A8R8G8B8, size, size, mips ? GP_MAX_LEVELS : 1);
     for (uint32_t y = 0; y < size; y++) {
         for (uint32_t x = 0; x < size; x++) {
             uint32_t fine = bench_hash(y * size + x);
@@ -129,10 +129,10 @@ GpSurface *bench_noise(Work *work, bool mips)
     return surface;
 }
 
-GpSurface *bench_waves(Work *work)
+GpSurface *bench_waves(Frame *frame)
 {
     const uint32_t size = 64;
-    GpSurface *surface = work_surface(work, GP_A8R8G8B8, size, size, 1);
+    GpSurface *surface = frame_surface(frame, GP_A8R8G8B8, size, size, 1);
     for (uint32_t y = 0; y < size; y++) {
         for (uint32_t x = 0; x < size; x++) {
             uint32_t rgba[4] = { (uint32_t)(127.5 + 127.5 * bench_sine(x * 0.2)),

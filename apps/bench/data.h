@@ -27,7 +27,7 @@ BenchCornerFn bench_corner_shifted; /* the same, moved by a random number of tex
 BenchCornerFn bench_corner_rotated; /* turned by 30 degrees, 1.7 times larger, and moved */
 
 /* Quads one over the other, two triangles each; semantic: GP_COLOR or GP_TEXCOORD0. */
-GpGeometry bench_quads(Work *work, int count, GpSemantic semantic, BenchCornerFn *fill);
+GpGeometry bench_quads(Frame *frame, int count, GpSemantic semantic, BenchCornerFn *fill);
 
 /* --- data ---------------------------------------------------------------------------------------- */
 
@@ -38,20 +38,20 @@ uint32_t bench_hash(uint32_t x);
 double bench_sine(double radians);
 
 /* Noise over squares, 1024x1024, A8R8G8B8, row 0 at v = 0; alpha is a checker of 32 texels. */
-GpSurface *bench_noise(Work *work, bool mips);
+GpSurface *bench_noise(Frame *frame, bool mips);
 
 /* 64x64, A8R8G8B8: waves in red and green, u and v in blue and alpha. */
-GpSurface *bench_waves(Work *work);
+GpSurface *bench_waves(Frame *frame);
 
 /* --- meshes: positions and normals --------------------------------------------------------------- */
 
 /* A file's mesh, moved and scaled so that its box is centred and its longest side is 2.
  * errors those of gp_data_find and gp_mesh_read; GP_ERROR_FORMAT where the counts are others */
-GpResult bench_model(Work *work, const char *name, uint32_t vertices, uint32_t triangles,
+GpResult bench_model(Frame *frame, const char *name, uint32_t vertices, uint32_t triangles,
                      GpGeometry *geometry, GpError *error);
 
 /* Around the z axis, radii 0.85 and 0.42; vertices are shared. */
-GpGeometry bench_torus(Work *work, int around, int across);
+GpGeometry bench_torus(Frame *frame, int around, int across);
 
 /* y = -1, 8 by 8. */
 GpGeometry bench_plane(void);

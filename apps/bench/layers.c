@@ -15,10 +15,10 @@ static const GpBlend under_blend = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPH
 /* --- points -------------------------------------------------------------------------------------- */
 
 /* A spiral on the unit sphere, from top to bottom in equal steps, turning by the golden angle. */
-static const float *sphere_positions(Work *work)
+static const float *sphere_positions(Frame *frame)
 {
     const double golden = 180 * (3 - sqrt(5.0));
-    float *positions = work_alloc(work, POINT_COUNT, 3 * sizeof *positions), *p = positions;
+    float *positions = frame_alloc(frame, POINT_COUNT, 3 * sizeof *positions), *p = positions;
     for (int i = 0; i < POINT_COUNT; i++, p += 3) {
         double y = 1 - 2 * (i + 0.5) / POINT_COUNT, radius = sqrt(1 - y * y), sine, cosine;
         angle_sincos(fmod(golden * i, 360), &sine, &cosine);
@@ -29,7 +29,7 @@ static const float *sphere_positions(Work *work)
     return positions;
 }
 
-GpResult bench_build_points(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     (void)error;
@@ -42,13 +42,13 @@ GpResult bench_build_points(const BenchCase *bench, Work *work, GpError *error)
                                     .size = 6,
                                     .opacity = 1.0f / 16 };
     bench_matrix(&camera, NULL, uniforms.mvp);
-    GpGeometry points = bench_points(sphere_positions(work), POINT_COUNT);
+    GpGeometry points = bench_points(sphere_positions(frame), POINT_COUNT);
 
-    work_reserve(work, 1, 1);
-    work->color = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "points", work->color, NULL, bench_black);
-    GpDraw *draw =
-        work_draw(work, &soft_sprite_program, work_copy(work, &uniforms, sizeof uniforms), &points);
+    frame_reserve(frame, 1, 1);
+    frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "points", frame->color, NULL, bench_black);
+    GpDraw *draw = frame_draw(frame, &soft_sprite_program,
+                              frame_copy(frame, &uniforms, sizeof uniforms), &points);
     draw->state.blend[0] = add_blend;
     return GP_OK;
 }
@@ -57,9 +57,9 @@ GpResult bench_build_points(const BenchCase *bench, Work *work, GpError *error)
 
 /* The points of all sheets, front sheet first. A sheet is a shaken grid of 64 by 64, widest in the
  * middle; z is the value, waves that move from sheet to sheet. */
-static const float *sheet_positions(Work *work)
+static const float *sheet_positions(Frame *frame)
 {
-    float *positions = work_alloc(work, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);
+    float *positions = frame_alloc(frame, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);
     const double pi = 3.14159265358979323846;
     for (int i = 0; i < SHEET_COUNT * SHEET_POINTS; i++) {
         int sheet = i / SHEET_POINTS, cell = i % SHEET_POINTS;
@@ -76,24 +76,25 @@ static const float *sheet_positions(Work *work)
 
 /* Each sheet is drawn for itself and put under those before it. Pixels read the sheet at their own
  * place, so all passes are one group. */
-GpResult bench_build_sheets(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_sheets(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     (void)error;
     static const SheetSpriteUniforms sprite = { .size = 5, .opacity = 0.02f };
-    const float *positions = sheet_positions(work);
-    GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
-    work_reserve(work, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
-    GpSurface *sheet = work_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
-    work->color = work_surface(work, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+    const float *positions = sheet_positions(frame);
+    GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
+    frame_reserve(frame, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
+    GpSurface *sheet =
+        frame_surface(frame, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+    frame->color = frame_surface(frame, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
     for (int i = 0; i < SHEET_COUNT; i++) {
         GpGeometry points = bench_points(positions + (size_t)i * SHEET_POINTS * 3, SHEET_POINTS);
-        work_pass(work, "sheet", sheet, NULL, bench_black);
-        work_draw(work, &sheet_sprite_program, &sprite, &points)->state.blend[0] = add_blend;
+        frame_pass(frame, "sheet", sheet, NULL, bench_black);
+        frame_draw(frame, &sheet_sprite_program, &sprite, &points)->state.blend[0] = add_blend;
 
-        GpPass *pass = work_pass(work, "under", work->color, NULL, bench_black);
+        GpPass *pass = frame_pass(frame, "under", frame->color, NULL, bench_black);
         pass->color[0].clear = i == 0;
-        GpDraw *draw = work_draw(work, &texel_copy_program, NULL, &quad);
+        GpDraw *draw = frame_draw(frame, &texel_copy_program, NULL, &quad);
         draw->state.blend[0] = under_blend;
         draw->textures[0].surface = sheet;
     }
@@ -124,44 +125,44 @@ static PeelUniforms peel_model(int i)
 
 /* Layers alternate between two pairs of surfaces, so that each can read the depths of the one
  * before; after each, it is put under the layers so far. */
-GpResult bench_build_peel(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_peel(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     static const LayerUniforms background = { { 0.10f, 0.12f, 0.15f } };
     GpGeometry teapot;
     GpResult result =
-        bench_model(work, "meshes/teapot.ply", TEAPOT_VERTICES, TEAPOT_TRIANGLES, &teapot, error);
+        bench_model(frame, "meshes/teapot.ply", TEAPOT_VERTICES, TEAPOT_TRIANGLES, &teapot, error);
     if (result)
         return result;
-    GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
-    PeelUniforms *models = work_alloc(work, PEEL_MODELS, sizeof *models);
+    GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
+    PeelUniforms *models = frame_alloc(frame, PEEL_MODELS, sizeof *models);
     for (int i = 0; i < PEEL_MODELS; i++)
         models[i] = peel_model(i);
 
-    work_reserve(work, 2 * PEEL_LAYERS + 1, PEEL_LAYERS * (PEEL_MODELS + 1) + 1);
+    frame_reserve(frame, 2 * PEEL_LAYERS + 1, PEEL_LAYERS * (PEEL_MODELS + 1) + 1);
     GpSurface *color[2], *depth[2];
     for (int i = 0; i < 2; i++) {
-        color[i] = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-        depth[i] = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+        color[i] = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+        depth[i] = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     }
-    GpSurface *layers = work_surface(work, GP_A16B16G16R16F, BENCH_SIZE, BENCH_SIZE, 1);
+    GpSurface *layers = frame_surface(frame, GP_A16B16G16R16F, BENCH_SIZE, BENCH_SIZE, 1);
     for (int layer = 0; layer < PEEL_LAYERS; layer++) {
         int now = layer % 2;
-        work_pass(work, "peel", color[now], depth[now], bench_black);
+        frame_pass(frame, "peel", color[now], depth[now], bench_black);
         for (int i = 0; i < PEEL_MODELS; i++) {
             const GpProgram *program = layer ? &peel_next_program : &peel_first_program;
-            GpDraw *draw = work_draw(work, program, &models[i], &teapot);
+            GpDraw *draw = frame_draw(frame, program, &models[i], &teapot);
             draw->state.depth = bench_depth_less;
             draw->textures[0].surface = layer ? depth[!now] : NULL;
         }
-        GpPass *pass = work_pass(work, "under", layers, NULL, bench_black);
+        GpPass *pass = frame_pass(frame, "under", layers, NULL, bench_black);
         pass->color[0].clear = layer == 0;
-        GpDraw *draw = work_draw(work, &layer_premultiply_program, &background, &quad);
+        GpDraw *draw = frame_draw(frame, &layer_premultiply_program, &background, &quad);
         draw->state.blend[0] = under_blend;
         draw->textures[0].surface = color[now];
     }
-    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "over background", work->color, NULL, bench_background);
-    work_draw(work, &layer_background_program, &background, &quad)->textures[0].surface = layers;
+    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "over background", frame->color, NULL, bench_background);
+    frame_draw(frame, &layer_background_program, &background, &quad)->textures[0].surface = layers;
     return GP_OK;
 }

@@ -43,19 +43,19 @@ static void normalize(GpMesh *mesh)
             (mesh->positions[i] - 0.5f * (low[i % 3] + high[i % 3])) * (2 / longest);
 }
 
-static GpGeometry keep_mesh(Work *work, const GpMesh *mesh)
+static GpGeometry keep_mesh(Frame *frame, const GpMesh *mesh)
 {
-    BenchVertex *vertices = work_alloc(work, mesh->vertex_count, sizeof *vertices);
+    BenchVertex *vertices = frame_alloc(frame, mesh->vertex_count, sizeof *vertices);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         memcpy(vertices[i].position, mesh->positions + 3 * i, sizeof vertices[i].position);
         memcpy(vertices[i].normal, mesh->normals + 3 * i, sizeof vertices[i].normal);
     }
     size_t index_bytes = (size_t)mesh->triangle_count * 3 * sizeof(uint32_t);
-    return mesh_of(vertices, mesh->vertex_count, work_copy(work, mesh->indices, index_bytes),
+    return mesh_of(vertices, mesh->vertex_count, frame_copy(frame, mesh->indices, index_bytes),
                    mesh->triangle_count * 3);
 }
 
-GpResult bench_model(Work *work, const char *name, uint32_t vertices, uint32_t triangles,
+GpResult bench_model(Frame *frame, const char *name, uint32_t vertices, uint32_t triangles,
                      GpGeometry *geometry, GpError *error)
 {
     char path[4096];
@@ -72,19 +72,19 @@ GpResult bench_model(Work *work, const char *name, uint32_t vertices, uint32_t t
         result = gp_mesh_normals(&mesh, true);
     }
     if (!result)
-        *geometry = keep_mesh(work, &mesh);
+        *geometry = keep_mesh(frame, &mesh);
     gp_mesh_free(&mesh);
     return result;
 }
 
 /* --- procedural ---------------------------------------------------------------------------------- */
 
-GpGeometry bench_torus(Work *work, int around, int across)
+GpGeometry bench_torus(Frame *frame, int around, int across)
 {
     const double large = 0.85, small = 0.42;
     uint32_t quads = (uint32_t)(around * across);
-    BenchVertex *vertices = work_alloc(work, quads, sizeof *vertices), *vertex = vertices;
-    uint32_t *indices = work_alloc(work, (size_t)quads * 6, sizeof *indices), *index = indices;
+    BenchVertex *vertices = frame_alloc(frame, quads, sizeof *vertices), *vertex = vertices;
+    uint32_t *indices = frame_alloc(frame, (size_t)quads * 6, sizeof *indices), *index = indices;
     for (int u = 0; u < around; u++) {
         double sin_u, cos_u;
         angle_sincos(360.0 * u / around, &sin_u, &cos_u);

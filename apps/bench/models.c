@@ -16,15 +16,15 @@ static const Camera torus_camera = {
     .eye = { 0, 0, 3.6 }, .up = { 0, 1, 0 }, .fovy = 42, .near = 0.5, .far = 10
 };
 
-static GpResult load_bunny(Work *work, GpGeometry *geometry, GpError *error)
+static GpResult load_bunny(Frame *frame, GpGeometry *geometry, GpError *error)
 {
-    return bench_model(work, "meshes/bunny.ply", BUNNY_VERTICES, BUNNY_TRIANGLES, geometry, error);
+    return bench_model(frame, "meshes/bunny.ply", BUNNY_VERTICES, BUNNY_TRIANGLES, geometry, error);
 }
 
 /* A million triangles. */
-static GpGeometry big_torus(Work *work)
+static GpGeometry big_torus(Frame *frame)
 {
-    return bench_torus(work, 1000, 500);
+    return bench_torus(frame, 1000, 500);
 }
 
 /* The big torus is tilted for the cameras. */
@@ -42,33 +42,33 @@ static void to_float(double m[4][4], float out[4][4])
 /* --- one mesh ------------------------------------------------------------------------------------ */
 
 /* The mesh of a case and its place in the world. */
-static GpResult choose_model(const BenchCase *bench, Work *work, GpGeometry *geometry,
+static GpResult choose_model(const BenchCase *bench, Frame *frame, GpGeometry *geometry,
                              double world[4][4], GpError *error)
 {
     matrix_identity(world);
     if (bench->variant != MODEL_TORUS)
-        return load_bunny(work, geometry, error);
-    *geometry = big_torus(work);
+        return load_bunny(frame, geometry, error);
+    *geometry = big_torus(frame);
     torus_world(world);
     return GP_OK;
 }
 
-GpResult bench_build_depth(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_depth(const BenchCase *bench, Frame *frame, GpError *error)
 {
     GpGeometry geometry;
     DepthOnlyUniforms uniforms;
     double world[4][4];
-    GpResult result = choose_model(bench, work, &geometry, world, error);
+    GpResult result = choose_model(bench, frame, &geometry, world, error);
     if (result)
         return result;
     bench_matrix(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world,
                  uniforms.mvp);
 
-    work_reserve(work, 1, 1);
-    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "depth", NULL, work->depth, NULL);
-    GpDraw *draw = work_draw(work, &depth_only_program, work_copy(work, &uniforms, sizeof uniforms),
-                             &geometry);
+    frame_reserve(frame, 1, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "depth", NULL, frame->depth, NULL);
+    GpDraw *draw = frame_draw(frame, &depth_only_program,
+                              frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
     draw->state.depth = bench_depth_less;
     return GP_OK;
 }
@@ -88,48 +88,48 @@ static TwoSidedUniforms lit_by(const Camera *camera, double world[4][4])
     return uniforms;
 }
 
-GpResult bench_build_lit(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_lit(const BenchCase *bench, Frame *frame, GpError *error)
 {
     GpGeometry geometry;
     double world[4][4];
-    GpResult result = choose_model(bench, work, &geometry, world, error);
+    GpResult result = choose_model(bench, frame, &geometry, world, error);
     if (result)
         return result;
     TwoSidedUniforms uniforms =
         lit_by(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world);
 
-    work_reserve(work, 1, 1);
-    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "lit", work->color, work->depth, bench_background);
-    GpDraw *draw =
-        work_draw(work, &two_sided_program, work_copy(work, &uniforms, sizeof uniforms), &geometry);
+    frame_reserve(frame, 1, 1);
+    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "lit", frame->color, frame->depth, bench_background);
+    GpDraw *draw = frame_draw(frame, &two_sided_program,
+                              frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
     draw->state.depth = bench_depth_less;
     if (bench->variant == MODEL_BUNNY_CULLED)
         draw->state.raster.cull = GP_CULL_CW; /* outsides turn counter-clockwise */
     return GP_OK;
 }
 
-GpResult bench_build_maps(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     GpGeometry bunny;
-    GpResult result = load_bunny(work, &bunny, error);
+    GpResult result = load_bunny(frame, &bunny, error);
     if (result)
         return result;
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
     bench_matrix(&bunny_camera, NULL, uniforms.mvp);
 
-    work_reserve(work, 1, 1);
-    work->color = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    GpPass *pass = work_pass(work, "maps", work->color, work->depth, bench_background);
+    frame_reserve(frame, 1, 1);
+    frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    GpPass *pass = frame_pass(frame, "maps", frame->color, frame->depth, bench_background);
     for (int i = 1; i < GP_MAX_TARGETS; i++) {
         pass->color[i] = pass->color[0];
-        pass->color[i].surface = work_surface(work, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
+        pass->color[i].surface = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     }
-    GpDraw *draw =
-        work_draw(work, &surface_maps_program, work_copy(work, &uniforms, sizeof uniforms), &bunny);
+    GpDraw *draw = frame_draw(frame, &surface_maps_program,
+                              frame_copy(frame, &uniforms, sizeof uniforms), &bunny);
     draw->state.depth = bench_depth_less;
     return GP_OK;
 }
@@ -161,10 +161,10 @@ static const struct {
     [SHADOW_PCF] = { &two_sided_pcf_program, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
 };
 
-GpResult bench_build_shadow(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_shadow(const BenchCase *bench, Frame *frame, GpError *error)
 {
     GpGeometry geometry[2];
-    GpResult result = load_bunny(work, &geometry[0], error);
+    GpResult result = load_bunny(frame, &geometry[0], error);
     if (result)
         return result;
     geometry[1] = bench_plane();
@@ -177,19 +177,19 @@ GpResult bench_build_shadow(const BenchCase *bench, Work *work, GpError *error)
     lit.bias = 0.002f;
     lit.map_size = BENCH_SIZE;
 
-    work_reserve(work, 2, 4);
-    GpSurface *map = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "map", NULL, map, NULL);
-    const void *uniforms = work_copy(work, &from_light, sizeof from_light);
+    frame_reserve(frame, 2, 4);
+    GpSurface *map = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "map", NULL, map, NULL);
+    const void *uniforms = frame_copy(frame, &from_light, sizeof from_light);
     for (int i = 0; i < 2; i++)
-        work_draw(work, &depth_only_program, uniforms, &geometry[i])->state.depth =
+        frame_draw(frame, &depth_only_program, uniforms, &geometry[i])->state.depth =
             bench_depth_less;
-    work_pass(work, "lit", work->color, work->depth, bench_background);
-    uniforms = work_copy(work, &lit, sizeof lit);
+    frame_pass(frame, "lit", frame->color, frame->depth, bench_background);
+    uniforms = frame_copy(frame, &lit, sizeof lit);
     for (int i = 0; i < 2; i++) {
-        GpDraw *draw = work_draw(work, shadows[bench->variant].program, uniforms, &geometry[i]);
+        GpDraw *draw = frame_draw(frame, shadows[bench->variant].program, uniforms, &geometry[i]);
         draw->state.depth = bench_depth_less;
         draw->textures[0] = (GpTexture){ map, shadows[bench->variant].sampler };
     }
@@ -211,23 +211,23 @@ static void place_small(uint32_t i, float place[4])
     place[3] = 0.02f;
 }
 
-GpResult bench_build_small(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_small(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     (void)error;
-    PlacedUniforms *uniforms = work_alloc(work, SMALL_DRAWS, sizeof *uniforms);
-    GpGeometry torus = bench_torus(work, 5, 5);
-    work_reserve(work, 1, SMALL_DRAWS);
-    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "small", work->color, work->depth, bench_background);
+    PlacedUniforms *uniforms = frame_alloc(frame, SMALL_DRAWS, sizeof *uniforms);
+    GpGeometry torus = bench_torus(frame, 5, 5);
+    frame_reserve(frame, 1, SMALL_DRAWS);
+    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "small", frame->color, frame->depth, bench_background);
     for (uint32_t i = 0; i < SMALL_DRAWS; i++) {
         uniforms[i] = (PlacedUniforms){ .light = BENCH_LIGHT,
                                         .albedo = BENCH_ALBEDO,
                                         .ambient = BENCH_AMBIENT };
         bench_matrix(&small_camera, NULL, uniforms[i].mvp);
         place_small(i, uniforms[i].place);
-        work_draw(work, &placed_program, &uniforms[i], &torus)->state.depth = bench_depth_less;
+        frame_draw(frame, &placed_program, &uniforms[i], &torus)->state.depth = bench_depth_less;
     }
     return GP_OK;
 }
@@ -238,38 +238,38 @@ static const Camera voxel_camera = {
     .eye = { 0, 0, 1.15 }, .up = { 0, 1, 0 }, .height = 2.6, .near = 0.5, .far = 1.8
 };
 
-GpResult bench_build_voxels(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_voxels(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     (void)error;
-    GpGeometry torus = big_torus(work);
-    work_reserve(work, 2, 2);
+    GpGeometry torus = big_torus(frame);
+    frame_reserve(frame, 2, 2);
     for (int half = 0; half < 2; half++) {
         SlabBitsUniforms uniforms = { .first_slab = (float)(4 * half) };
         bench_matrix(&voxel_camera, NULL, uniforms.mvp);
-        GpPass *pass = work_pass(work, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
-        GpDraw *draw = work_draw(work, &slab_bits_program,
-                                 work_copy(work, &uniforms, sizeof uniforms), &torus);
+        GpPass *pass = frame_pass(frame, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
+        GpDraw *draw = frame_draw(frame, &slab_bits_program,
+                                  frame_copy(frame, &uniforms, sizeof uniforms), &torus);
         for (int i = 0; i < GP_MAX_TARGETS; i++) {
             GpSurface *slab =
-                work_surface(work, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
+                frame_surface(frame, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
             pass->color[i] = (GpColorTarget){ .surface = slab, .clear = true };
             draw->state.blend[i] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
         }
     }
-    work->color = work->passes[0].color[0].surface;
+    frame->color = frame->passes[0].color[0].surface;
     return GP_OK;
 }
 
 /* Red and green: bits set in the column's nearer and farther half; blue: the sum of its bytes. */
-void bench_show_voxels(const Work *work, uint8_t *rgba)
+void bench_show_voxels(const Frame *frame, uint8_t *rgba)
 {
     for (uint32_t i = 0; i < BENCH_SMALL_SIZE * BENCH_SMALL_SIZE; i++) {
         uint8_t *pixel = rgba + 4 * (size_t)i, code[4];
         memset(pixel, 0, 3);
         pixel[3] = 255;
         for (int slab = 0; slab < 8; slab++) {
-            const GpSurface *target = work->passes[slab / 4].color[slab % 4].surface;
+            const GpSurface *target = frame->passes[slab / 4].color[slab % 4].surface;
             gp_texel_codes(target->format, target->level[0].texels + 4 * (size_t)i, code);
             for (int c = 0; c < 4; c++) {
                 pixel[slab / 4] = (uint8_t)(pixel[slab / 4] + __builtin_popcount(code[c]));

@@ -7,12 +7,12 @@
 #include "shaders_c/bench/scaled_color.h"
 
 /* One pass over an eight-bit target with a depth buffer. */
-static void begin_screen(Work *work, uint32_t draws)
+static void begin_screen(Frame *frame, uint32_t draws)
 {
-    work_reserve(work, 1, draws);
-    work->color = work_surface(work, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    work->depth = work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    work_pass(work, "screen", work->color, work->depth, bench_background);
+    frame_reserve(frame, 1, draws);
+    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    frame_pass(frame, "screen", frame->color, frame->depth, bench_background);
 }
 
 /* --- fill ---------------------------------------------------------------------------------------- */
@@ -47,38 +47,38 @@ static const Fill fills[] = {
                        .blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE } },
 };
 
-GpResult bench_build_fill(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)error;
     const Fill *fill = &fills[bench->variant];
-    work_reserve(work, 1, 1);
-    work->color = work_surface(work, fill->format, BENCH_SIZE, BENCH_SIZE, 1);
-    work->depth = fill->depth ? work_surface(work, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
-    work_pass(work, "fill", work->color, work->depth,
-              fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
+    frame_reserve(frame, 1, 1);
+    frame->color = frame_surface(frame, fill->format, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = fill->depth ? frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
+    frame_pass(frame, "fill", frame->color, frame->depth,
+               fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
     if (!fill->quads)
         return GP_OK;
 
     ScaledColorUniforms uniforms = { .scale = fill->scale };
-    GpGeometry quads = bench_quads(work, FILL_QUADS, GP_COLOR, bench_corner_color);
-    GpDraw *draw =
-        work_draw(work, &scaled_color_program, work_copy(work, &uniforms, sizeof uniforms), &quads);
+    GpGeometry quads = bench_quads(frame, FILL_QUADS, GP_COLOR, bench_corner_color);
+    GpDraw *draw = frame_draw(frame, &scaled_color_program,
+                              frame_copy(frame, &uniforms, sizeof uniforms), &quads);
     draw->state.blend[0] = fill->blend;
     return GP_OK;
 }
 
 /* --- textures ------------------------------------------------------------------------------------ */
 
-GpResult bench_build_texture(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_texture(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)error;
     bool mips = bench->variant == TEXTURE_TRILINEAR;
-    begin_screen(work, 1);
-    GpGeometry quads = bench_quads(work, TEXTURE_QUADS, GP_TEXCOORD0,
+    begin_screen(frame, 1);
+    GpGeometry quads = bench_quads(frame, TEXTURE_QUADS, GP_TEXCOORD0,
                                    mips ? bench_corner_rotated : bench_corner_shifted);
-    GpDraw *draw = work_draw(work, &blit_program, NULL, &quads);
+    GpDraw *draw = frame_draw(frame, &blit_program, NULL, &quads);
     draw->textures[0] = (GpTexture){
-        .surface = bench_noise(work, mips),
+        .surface = bench_noise(frame, mips),
         .sampler = { .min = GP_LINEAR,
                      .mag = GP_LINEAR,
                      .mip = mips ? GP_MIP_LINEAR : GP_MIP_NONE },
@@ -94,17 +94,17 @@ static void corner_nearer(int quad, int corner, BenchCorner *out)
     out->position[2] = (z + 1) * 0.5f;
 }
 
-GpResult bench_build_lookup(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_lookup(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)error;
     bool dependent = bench->variant == LOOKUP_DEPENDENT;
-    begin_screen(work, 1);
-    GpGeometry quads = bench_quads(work, LOOKUP_QUADS, GP_TEXCOORD0,
+    begin_screen(frame, 1);
+    GpGeometry quads = bench_quads(frame, LOOKUP_QUADS, GP_TEXCOORD0,
                                    dependent ? bench_corner_shifted : corner_nearer);
-    GpDraw *draw = work_draw(work, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
-    draw->textures[0].surface = bench_noise(work, false);
+    GpDraw *draw = frame_draw(frame, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
+    draw->textures[0].surface = bench_noise(frame, false);
     if (dependent)
-        draw->textures[1] = (GpTexture){ .surface = bench_waves(work),
+        draw->textures[1] = (GpTexture){ .surface = bench_waves(frame),
                                          .sampler = { .min = GP_LINEAR, .mag = GP_LINEAR } };
     else
         draw->state.depth = bench_depth_less;
@@ -113,7 +113,7 @@ GpResult bench_build_lookup(const BenchCase *bench, Work *work, GpError *error)
 
 /* --- arithmetic ---------------------------------------------------------------------------------- */
 
-GpResult bench_build_arithmetic(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_arithmetic(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)error;
     static const ArithmeticUniforms uniforms = {
@@ -125,8 +125,8 @@ GpResult bench_build_arithmetic(const BenchCase *bench, Work *work, GpError *err
         [ARITHMETIC_FLAT] = &mad_flat_program,
         [ARITHMETIC_MANDELBROT] = &mandelbrot_program,
     };
-    begin_screen(work, 1);
-    GpGeometry quad = bench_quads(work, 1, GP_TEXCOORD0, bench_corner_plain);
-    work_draw(work, programs[bench->variant], &uniforms, &quad);
+    begin_screen(frame, 1);
+    GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
+    frame_draw(frame, programs[bench->variant], &uniforms, &quad);
     return GP_OK;
 }

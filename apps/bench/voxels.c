@@ -11,7 +11,7 @@ enum { SIZE = 256, SLAB = 32 };
 /* --- meshes ----------------------------------------------------------------------------------- */
 
 /* Triangles in their box, in the work's memory. */
-static GpResult read_model(const char *name, Work *work, VoxelModel *model, GpError *error)
+static GpResult read_model(const char *name, Frame *frame, VoxelModel *model, GpError *error)
 {
     VoxelScene scene;
     GpResult result = voxel_scene_open(name, &scene, error);
@@ -21,14 +21,14 @@ static GpResult read_model(const char *name, Work *work, VoxelModel *model, GpEr
     *model = voxel_scene_model(&scene, &box);
     const size_t floats = 3 * (size_t)model->vertex_count,
                  corners = 3 * (size_t)model->triangle_count;
-    model->positions = work_copy(work, model->positions, floats * sizeof *model->positions);
-    model->indices = work_copy(work, model->indices, corners * sizeof *model->indices);
+    model->positions = frame_copy(frame, model->positions, floats * sizeof *model->positions);
+    model->indices = frame_copy(frame, model->indices, corners * sizeof *model->indices);
     model->normals = model->colors = NULL;
     voxel_scene_close(&scene);
     return GP_OK;
 }
 
-GpResult bench_build_volume(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error)
 {
     static const struct {
         const char *mesh;
@@ -46,19 +46,19 @@ GpResult bench_build_volume(const BenchCase *bench, Work *work, GpError *error)
                                    .size = SIZE,
                                    .bits = 1 };
     VoxelModel model;
-    Worksheet sheet;
+    FlatTexture sheet;
     uint32_t passes, draws;
-    GpResult result = read_model(volumes[bench->variant].mesh, work, &model, error);
+    GpResult result = read_model(volumes[bench->variant].mesh, frame, &model, error);
     if (result)
         return result;
     if (volumes[bench->variant].twist > 0) {
         model.motion.twist = model.most_twist = volumes[bench->variant].twist;
-        model.motions = work_alloc(work, 1, sizeof *model.motions);
+        model.motions = frame_alloc(frame, 1, sizeof *model.motions);
     }
     tech_voxel_room(&setting, &passes, &draws);
-    work_reserve(work, passes, draws);
-    result = tech_voxel_build(&model, &setting, work, &sheet, error);
-    work->color = sheet.texels;
+    frame_reserve(frame, passes, draws);
+    result = tech_voxel_build(&model, &setting, frame, &sheet, error);
+    frame->color = sheet.texels;
     return result;
 }
 
@@ -77,31 +77,31 @@ static uint32_t bits_of_ball(const double middle[3], double radius, uint32_t x, 
     return bits;
 }
 
-static Worksheet make_ball(Work *work, const double middle[3], double radius)
+static FlatTexture make_ball(Frame *frame, const double middle[3], double radius)
 {
-    Worksheet ball = worksheet_make(work, SIZE, 1);
+    FlatTexture ball = flat_texture_make(frame, SIZE, 1);
     for (uint32_t slab = 0; slab < ball.slabs; slab++)
         for (uint32_t y = 0; y < SIZE; y++)
             for (uint32_t x = 0; x < SIZE; x++) {
                 uint32_t bits = bits_of_ball(middle, radius, x, y, slab);
-                memcpy(worksheet_texel(&ball, slab, x, y), &bits, sizeof bits);
+                memcpy(flat_texture_texel(&ball, slab, x, y), &bits, sizeof bits);
             }
     return ball;
 }
 
 /* In place: later frames find what the first one left, and do the same work on it. */
-GpResult bench_build_combine(const BenchCase *bench, Work *work, GpError *error)
+GpResult bench_build_combine(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)error;
-    const Worksheet a = make_ball(work, (const double[3]){ 96, 128, 128 }, 80);
-    const Worksheet b = make_ball(work, (const double[3]){ 160, 128, 128 }, 80);
-    work_reserve(work, 2 * VOXEL_COMBINE_PASSES, 2 * voxel_combine_draws(&a));
+    const FlatTexture a = make_ball(frame, (const double[3]){ 96, 128, 128 }, 80);
+    const FlatTexture b = make_ball(frame, (const double[3]){ 160, 128, 128 }, 80);
+    frame_reserve(frame, 2 * VOXEL_COMBINE_PASSES, 2 * voxel_combine_draws(&a));
     if (bench->variant == COMBINE_COLLISION) {
         const VoxelRange whole = voxel_range_whole(SIZE);
-        voxel_collide(work, &a, &b, &whole, &a);
+        voxel_collide(frame, &a, &b, &whole, &a);
     } else {
-        voxel_combine(work, &a, &b, VOXEL_UNION, &a);
+        voxel_combine(frame, &a, &b, VOXEL_UNION, &a);
     }
-    work->color = a.texels;
+    frame->color = a.texels;
     return GP_OK;
 }

@@ -24,8 +24,8 @@ typedef struct ChartPoint {
 
 typedef struct Chart {
     char technique[32], title[128], scene[256], error_name[64];
-    char figures[TECHNIQUE_MAX_FIGURES][32];
-    int figure_count;
+    char metrics[TECHNIQUE_MAX_METRICS][32];
+    int metric_count;
     char machine[128], isa[16];
     int threads;
     uint32_t width, height; /* of the pictures; 0 where settings make volumes */
@@ -76,7 +76,7 @@ GpResult chart_read(const char *path, Chart *chart, GpError *error);
 void chart_draw(const Chart *chart, Text *svg);
 
 /* Writes FOLDER/index.html: all charts found there as JSON, each with the table of its front and
- * the pictures of it, and the growth of techniques (growth.h). A file that is no chart is named on
+ * the pictures of it, and the scaling of techniques (scaling.h). A file that is no chart is named on
  * the page, with the reason.
  * errors GP_ERROR_IO, GP_ERROR_MEMORY */
 GpResult chart_write_page(const char *folder, GpError *error);

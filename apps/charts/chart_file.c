@@ -34,8 +34,8 @@ static void write_csv(const Chart *chart, Text *csv)
 {
     text_add(csv, "method,options,ms,min_ms,cpu_ms,frames,");
     text_add_csv(csv, chart->error_name, ",");
-    for (int i = 0; i < chart->figure_count; i++)
-        text_add_csv(csv, chart->figures[i], ",");
+    for (int i = 0; i < chart->metric_count; i++)
+        text_add_csv(csv, chart->metrics[i], ",");
     text_add(csv, "best\n");
     for (uint32_t k = 0; k < chart->count; k++) {
         const ChartPoint *point = &chart->points[k];
@@ -46,36 +46,36 @@ static void write_csv(const Chart *chart, Text *csv)
         text_add_csv_number(csv, point->cpu_ms);
         text_add_csv_number(csv, point->frames);
         text_add_csv_number(csv, point->measured.error);
-        for (int i = 0; i < chart->figure_count; i++)
-            text_add_csv_number(csv, point->measured.figures[i]);
+        for (int i = 0; i < chart->metric_count; i++)
+            text_add_csv_number(csv, point->measured.metrics[i]);
         text_add(csv, "%d\n", point->best);
     }
 }
 
 /* --- JSON ------------------------------------------------------------------------------------- */
 
-static json_t *point_json(const ChartPoint *point, int figure_count)
+static json_t *point_json(const ChartPoint *point, int metric_count)
 {
-    json_t *figures = json_array();
-    for (int i = 0; i < figure_count; i++)
-        json_array_append_new(figures, json_number(point->measured.figures[i]));
+    json_t *metrics = json_array();
+    for (int i = 0; i < metric_count; i++)
+        json_array_append_new(metrics, json_number(point->measured.metrics[i]));
     return json_pack("{s:s, s:s, s:o, s:o, s:o, s:I, s:o, s:o, s:b, s:s}", "method", point->method,
                      "options", point->options, "ms", json_number(point->ms), "min_ms",
                      json_number(point->min_ms), "cpu_ms", json_number(point->cpu_ms), "frames",
                      (json_int_t)point->frames, "error", json_number(point->measured.error),
-                     "figures", figures, "best", point->best, "picture", point->picture);
+                     "metrics", metrics, "best", point->best, "picture", point->picture);
 }
 
 json_t *chart_json(const Chart *chart)
 {
-    json_t *figures = json_array(), *points = json_array();
-    for (int i = 0; i < chart->figure_count; i++)
-        json_array_append_new(figures, json_string(chart->figures[i]));
+    json_t *metrics = json_array(), *points = json_array();
+    for (int i = 0; i < chart->metric_count; i++)
+        json_array_append_new(metrics, json_string(chart->metrics[i]));
     for (uint32_t k = 0; k < chart->count; k++)
-        json_array_append_new(points, point_json(&chart->points[k], chart->figure_count));
+        json_array_append_new(points, point_json(&chart->points[k], chart->metric_count));
     return json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:i, s:I, s:I, s:o}", "technique",
                      chart->technique, "title", chart->title, "scene", chart->scene, "error_name",
-                     chart->error_name, "figures", figures, "machine", chart->machine, "isa",
+                     chart->error_name, "metrics", metrics, "machine", chart->machine, "isa",
                      chart->isa, "threads", chart->threads, "width", (json_int_t)chart->width,
                      "height", (json_int_t)chart->height, "points", points);
 }
@@ -149,7 +149,7 @@ static double read_number(Node *object, const char *key)
     return read_value(&node);
 }
 
-static void read_point(Node node, ChartPoint *point, int figure_count)
+static void read_point(Node node, ChartPoint *point, int metric_count)
 {
     read_text(&node, "method", point->method, sizeof point->method);
     read_text(&node, "options", point->options, sizeof point->options);
@@ -159,14 +159,14 @@ static void read_point(Node node, ChartPoint *point, int figure_count)
     point->cpu_ms = read_number(&node, "cpu_ms");
     point->frames = (uint32_t)read_integer(&node, "frames", UINT32_MAX);
     point->measured.error = read_number(&node, "error");
-    Node figures = node_member(&node, "figures"), best = node_member(&node, "best");
+    Node metrics = node_member(&node, "metrics"), best = node_member(&node, "best");
     node_require(&best);
     point->best = node_bool(&best, false);
-    if (node_length(&figures, TECHNIQUE_MAX_FIGURES) != (size_t)figure_count)
-        node_fail(&figures, GP_ERROR_FORMAT, "expected %d numbers", figure_count);
-    for (int i = 0; i < figure_count; i++) {
-        Node figure = node_element(&figures, (size_t)i);
-        point->measured.figures[i] = read_value(&figure);
+    if (node_length(&metrics, TECHNIQUE_MAX_METRICS) != (size_t)metric_count)
+        node_fail(&metrics, GP_ERROR_FORMAT, "expected %d numbers", metric_count);
+    for (int i = 0; i < metric_count; i++) {
+        Node metric = node_element(&metrics, (size_t)i);
+        point->measured.metrics[i] = read_value(&metric);
     }
     node_close(&node);
 }
@@ -181,7 +181,7 @@ static void read_points(const Node *points, Chart *chart)
         return;
     }
     for (uint32_t i = 0; i < chart->count; i++)
-        read_point(node_element(points, i), &chart->points[i], chart->figure_count);
+        read_point(node_element(points, i), &chart->points[i], chart->metric_count);
 }
 
 static void read_chart(Node root, Chart *chart)
@@ -195,12 +195,12 @@ static void read_chart(Node root, Chart *chart)
     chart->threads = (int)read_integer(&root, "threads", INT32_MAX);
     chart->width = (uint32_t)read_integer(&root, "width", UINT32_MAX);
     chart->height = (uint32_t)read_integer(&root, "height", UINT32_MAX);
-    Node figures = node_member(&root, "figures"), points = node_member(&root, "points");
-    node_require(&figures);
-    chart->figure_count = (int)node_length(&figures, TECHNIQUE_MAX_FIGURES);
-    for (int i = 0; i < chart->figure_count; i++) {
-        Node figure = node_element(&figures, (size_t)i);
-        read_string(&figure, chart->figures[i], sizeof chart->figures[i]);
+    Node metrics = node_member(&root, "metrics"), points = node_member(&root, "points");
+    node_require(&metrics);
+    chart->metric_count = (int)node_length(&metrics, TECHNIQUE_MAX_METRICS);
+    for (int i = 0; i < chart->metric_count; i++) {
+        Node metric = node_element(&metrics, (size_t)i);
+        read_string(&metric, chart->metrics[i], sizeof chart->metrics[i]);
     }
     read_points(&points, chart);
     node_close(&root);

@@ -1,4 +1,4 @@
-/* All charts of a folder, of accuracy and of growth, on one page that needs no other file: pictures
+/* All charts of a folder, of accuracy and of scaling, on one page that needs no other file: pictures
  * are in it. */
 #include "apps/charts/chart.h"
 
@@ -46,8 +46,8 @@ static void add_head(const Chart *chart, Text *page)
     add_cell(page, "th", "", "options");
     add_cell(page, "th", " class=\"n\"", "ms");
     add_cell(page, "th", " class=\"n\"", chart->error_name);
-    for (int i = 0; i < chart->figure_count; i++)
-        add_cell(page, "th", " class=\"n\"", chart->figures[i]);
+    for (int i = 0; i < chart->metric_count; i++)
+        add_cell(page, "th", " class=\"n\"", chart->metrics[i]);
 }
 
 static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
@@ -57,8 +57,8 @@ static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
     text_add_escaped(page, point->options);
     text_add(page, "</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>", point->ms,
              point->measured.error);
-    for (int i = 0; i < chart->figure_count; i++)
-        text_add(page, "<td class=\"n\">%.6g</td>", point->measured.figures[i]);
+    for (int i = 0; i < chart->metric_count; i++)
+        text_add(page, "<td class=\"n\">%.6g</td>", point->measured.metrics[i]);
 }
 
 static void add_table(const Chart *chart, const ChartPoint *const *points, uint32_t count,
@@ -141,7 +141,7 @@ static void add_chart(const char *folder, const Chart *chart, const char *name, 
     gp_free(points);
 }
 
-/* --- growth ----------------------------------------------------------------------------------- */
+/* --- scaling ----------------------------------------------------------------------------------- */
 
 static void begin_line(const char *name, const char *title, Text *contents)
 {
@@ -151,22 +151,22 @@ static void begin_line(const char *name, const char *title, Text *contents)
     text_add_escaped(contents, title);
 }
 
-/* The picture as growth_write left it, and the technique's words on it, if there is one. */
-static void add_growth(const char *folder, const Technique *technique, Text *contents,
-                       Text *sections)
+/* The picture as scaling_write left it, and the technique's words on it, if there is one. */
+static void add_scaling(const char *folder, const Technique *technique, Text *contents,
+                        Text *sections)
 {
     char name[64], path[CHART_MAX_PATH];
     GpFile file = { .data = NULL };
-    snprintf(name, sizeof name, "%s_growth", technique->name);
+    snprintf(name, sizeof name, "%s_scaling", technique->name);
     snprintf(path, sizeof path, "%s/%s.svg", folder, name);
-    if (!technique->growth || gp_file_read(path, &file, NULL))
+    if (!technique->scaling || gp_file_read(path, &file, NULL))
         return;
-    begin_line(name, technique->growth->title, contents);
+    begin_line(name, technique->scaling->title, contents);
     text_add(contents, "</a>\n");
     text_add(sections, "<section id=\"%s\">\n", name);
-    add_cell(sections, "h2", "", technique->growth->title);
+    add_cell(sections, "h2", "", technique->scaling->title);
     text_add(sections, "\n%.*s", (int)file.size, file.data);
-    for (const char *const *text = technique->growth->text; *text; text++) {
+    for (const char *const *text = technique->scaling->text; *text; text++) {
         add_cell(sections, "p", "", *text);
         text_add(sections, "\n");
     }
@@ -231,7 +231,7 @@ GpResult chart_write_page(const char *folder, GpError *error)
     }
     free(entries);
     for (size_t i = 0; techniques[i]; i++)
-        add_growth(folder, techniques[i], &contents, &sections);
+        add_scaling(folder, techniques[i], &contents, &sections);
     join(&contents, &sections, &page);
     char path[CHART_MAX_PATH];
     snprintf(path, sizeof path, "%s/index.html", folder);

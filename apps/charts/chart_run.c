@@ -24,30 +24,31 @@ typedef struct Run {
 /* --- one setting ------------------------------------------------------------------------------ */
 
 /* Builds a setting's frame and draws it for the first time. in work: zeroed; to be freed always */
-static GpResult draw_first(const Run *run, const char *options, Work *work, Frame *frame,
-                           bool *goes, GpError *error)
+static GpResult draw_first(const Run *run, const char *options, Frame *frame,
+                           RunStatistics *statistics, bool *goes, GpError *error)
 {
     const Technique *technique = run->job->technique;
     memcpy(run->setting, technique->defaults, technique->setting_bytes);
     GpResult result = setting_parse(technique->fields, run->setting, options, error);
     if (result)
         return result;
-    result = technique->build(run->scene, run->setting, work, error);
+    result = technique->build(run->scene, run->setting, frame, error);
     *goes = result != GP_ERROR_INVALID;
-    return result ? result : frame_first(run->job->device, &work->list, frame, error);
+    return result ? result : run_first(run->job->device, &frame->list, statistics, error);
 }
 
-static void describe_frame(Chart *chart, bool is_picture, const Work *work, const Frame *frame)
+static void describe_frame(Chart *chart, bool is_picture, const Frame *frame,
+                           const RunStatistics *statistics)
 {
-    const GpSurface *picture = work->color ? work->color : work->depth;
+    const GpSurface *picture = frame->color ? frame->color : frame->depth;
     chart->width = is_picture ? picture->width : 0;
     chart->height = is_picture ? picture->height : 0;
-    chart->threads = frame->threads;
-    text_copy(chart->isa, sizeof chart->isa, frame->isa);
+    chart->threads = statistics->threads;
+    text_copy(chart->isa, sizeof chart->isa, statistics->isa);
 }
 
 /* The error belongs to the first frame, the times to those after it. */
-static GpResult measure(Run *run, const Work *work, Frame *frame, ChartPoint *point)
+static GpResult measure(Run *run, const Frame *frame, RunStatistics *statistics, ChartPoint *point)
 {
     double seconds = run->job->seconds;
     const TimingPlan plan = { .seconds = seconds,
@@ -55,10 +56,10 @@ static GpResult measure(Run *run, const Work *work, Frame *frame, ChartPoint *po
                               .most_seconds = seconds > MOST_SECONDS ? seconds : MOST_SECONDS };
     Timing timing;
     const Technique *technique = run->job->technique;
-    describe_frame(&run->chart, !technique->makes_volumes, work, frame);
-    technique->measure(run->scene, work, &point->measured);
-    GpResult result =
-        timing_run(run->job->device, &work->list, &plan, run->each, frame, &timing, run->error);
+    describe_frame(&run->chart, !technique->makes_volumes, frame, statistics);
+    technique->measure(run->scene, frame, &point->measured);
+    GpResult result = timing_run(run->job->device, &frame->list, &plan, run->each, statistics,
+                                 &timing, run->error);
     if (result)
         return result;
     point->ms = timing.ms;
@@ -71,7 +72,7 @@ static GpResult measure(Run *run, const Work *work, Frame *frame, ChartPoint *po
 /* Rewrites a line on a terminal once the work takes longer than a second. */
 static void show_progress(const Run *run, uint32_t number, const char *text)
 {
-    bool long_work = meter_clock_ms(CLOCK_MONOTONIC) - run->start_ms > 1000;
+    bool long_work = machine_clock_ms(CLOCK_MONOTONIC) - run->start_ms > 1000;
     if (run->job->options->quiet || !long_work || !isatty(STDERR_FILENO))
         return;
     if (number < run->total)
@@ -85,15 +86,15 @@ static GpResult add_point(Run *run, const char *method, const char *options)
 {
     Chart *chart = &run->chart;
     ChartPoint *point = &chart->points[chart->count];
-    Work work = { .color = NULL };
-    Frame frame = { .isa = "" };
+    Frame frame = { .color = NULL };
+    RunStatistics statistics = { .isa = "" };
     bool goes = true;
     text_copy(point->method, sizeof point->method, method);
     text_copy(point->options, sizeof point->options, options);
-    GpResult result = draw_first(run, options, &work, &frame, &goes, run->error);
+    GpResult result = draw_first(run, options, &frame, &statistics, &goes, run->error);
     if (!result)
-        result = measure(run, &work, &frame, point);
-    work_free(&work);
+        result = measure(run, &frame, &statistics, point);
+    frame_free(&frame);
     if (!result)
         chart->count++;
     if (goes)
@@ -148,15 +149,15 @@ static GpResult sweep_all(Run *run)
 static GpResult write_picture(const Run *run, ChartPoint *point, const char *name)
 {
     char path[CHART_MAX_PATH];
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     bool goes;
     snprintf(path, sizeof path, "%s/%s", run->job->folder, name);
-    GpResult result = draw_first(run, point->options, &work, &frame, &goes, run->error);
+    GpResult result = draw_first(run, point->options, &frame, &statistics, &goes, run->error);
     if (!result)
         result =
-            picture_write_surface(path, work.color ? work.color : work.depth, true, run->error);
-    work_free(&work);
+            picture_write_surface(path, frame.color ? frame.color : frame.depth, true, run->error);
+    frame_free(&frame);
     if (!result)
         snprintf(point->picture, sizeof point->picture, "%s", name);
     return result;
@@ -197,13 +198,13 @@ static void describe(const ChartJob *job, Chart *chart)
     text_copy(chart->title, sizeof chart->title, technique->title);
     text_copy(chart->scene, sizeof chart->scene, job->scene);
     text_copy(chart->error_name, sizeof chart->error_name, technique->error_name);
-    for (int i = 0; technique->figures && technique->figures[i]; i++) {
-        GP_ASSERT(i < TECHNIQUE_MAX_FIGURES);
-        text_copy(chart->figures[i], sizeof chart->figures[i], technique->figures[i]);
-        chart->figure_count = i + 1;
+    for (int i = 0; technique->metrics && technique->metrics[i]; i++) {
+        GP_ASSERT(i < TECHNIQUE_MAX_METRICS);
+        text_copy(chart->metrics[i], sizeof chart->metrics[i], technique->metrics[i]);
+        chart->metric_count = i + 1;
     }
     char machine[256];
-    meter_machine(machine, sizeof machine);
+    machine_describe(machine, sizeof machine);
     text_copy(chart->machine, sizeof chart->machine, machine);
 }
 
@@ -225,7 +226,7 @@ static GpResult run_opened(Run *run)
 
 GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error)
 {
-    Run run = { .job = job, .start_ms = meter_clock_ms(CLOCK_MONOTONIC), .error = error };
+    Run run = { .job = job, .start_ms = machine_clock_ms(CLOCK_MONOTONIC), .error = error };
     const Options *options = job->options;
     GpResult result =
         job->technique->open(job->scene, options->width, options->height, &run.scene, error);

@@ -67,10 +67,10 @@ static void add_tooltip(const Chart *chart, const ChartPoint *point, Text *svg)
              point->cpu_ms, point->frames);
     text_add_escaped(svg, chart->error_name);
     text_add(svg, ": %.6g", point->measured.error);
-    for (int i = 0; i < chart->figure_count; i++) {
+    for (int i = 0; i < chart->metric_count; i++) {
         text_add(svg, "\n");
-        text_add_escaped(svg, chart->figures[i]);
-        text_add(svg, ": %.6g", point->measured.figures[i]);
+        text_add_escaped(svg, chart->metrics[i]);
+        text_add(svg, ": %.6g", point->measured.metrics[i]);
     }
     text_add(svg, "</title>");
 }

@@ -1,7 +1,7 @@
-/* Growth: what time the settings of a technique take as scenes and settings grow.
+/* Scaling: what time the settings of a technique take as scenes and settings grow.
  *
- * growth_run.c measures, growth_file.c writes, growth_draw.c draws; what is measured is declared by
- * the technique (TechniqueGrowth).
+ * scaling_run.c measures, scaling_file.c writes, scaling_draw.c draws; what is measured is declared by
+ * the technique (TechniqueScaling).
  */
 #ifndef APPS_CHARTS_SCALING_H
 #define APPS_CHARTS_SCALING_H
@@ -12,45 +12,45 @@
 
 #include <jansson.h>
 
-typedef struct GrowthPoint {
+typedef struct ScalingPoint {
     int panel, line; /* of the technique's table */
     char scene[256], options[SETTING_MAX_TEXT];
     double amount;             /* along the panel's axis */
     double ms, min_ms, cpu_ms; /* of a frame: median, least, processor time */
     uint32_t frames;           /* timed */
-} GrowthPoint;
+} ScalingPoint;
 
-typedef struct Growth {
-    const Technique *technique; /* has a table of growth */
+typedef struct Scaling {
+    const Technique *technique; /* has a table of scaling */
     char machine[128], isa[16];
     int threads;
-    GrowthPoint *points; /* owned; panel by panel, line by line, in the table's order */
+    ScalingPoint *points; /* owned; panel by panel, line by line, in the table's order */
     uint32_t count;
-} Growth;
+} Scaling;
 
-void growth_free(Growth *growth); /* a zeroed one is fine; zeroes it */
+void scaling_free(Scaling *scaling); /* a zeroed one is fine; zeroes it */
 
 /* The name of a point's line. */
-const char *growth_name(const Growth *growth, const GrowthPoint *point);
+const char *scaling_name(const Scaling *scaling, const ScalingPoint *point);
 
 /* Measures all lines. Scenes whose file is not there are left out with a message.
  * in     seconds: for each setting, after its first frame; options: what may be said on stderr
- * out    growth: untouched on failure
+ * out    scaling: untouched on failure
  * errors those of scenes that are there, and of settings; GP_ERROR_IO: none is there;
  *        GP_ERROR_MEMORY
- * owns   the caller, until growth_free */
-GpResult growth_run(const Technique *technique, GpDevice *device, const Options *options,
-                    double seconds, Growth *growth, GpError *error);
+ * owns   the caller, until scaling_free */
+GpResult scaling_run(const Technique *technique, GpDevice *device, const Options *options,
+                     double seconds, Scaling *scaling, GpError *error);
 
 /* --- files and pictures ----------------------------------------------------------------------- */
 
 /* Writes PATH.csv and PATH.svg. errors GP_ERROR_IO, GP_ERROR_MEMORY */
-GpResult growth_write(const char *path, const Growth *growth, GpError *error);
+GpResult scaling_write(const char *path, const Scaling *scaling, GpError *error);
 
 /* One object a point. The caller owns it; NULL without memory. */
-json_t *growth_json(const Growth *growth);
+json_t *scaling_json(const Scaling *scaling);
 
 /* Appends the picture as SVG. */
-void growth_draw(const Growth *growth, Text *svg);
+void scaling_draw(const Scaling *scaling, Text *svg);
 
 #endif

@@ -1,4 +1,4 @@
-/* Growth as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so
+/* Scaling as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so
  * that powers are straight lines. */
 #include "apps/charts/scaling.h"
 #include "apps/charts/svg.h"
@@ -27,24 +27,24 @@ static const double degrees = 180 / 3.14159265358979323846;
 
 /* What all parts of a panel share. */
 typedef struct Panel {
-    const Growth *growth;
+    const Scaling *scaling;
     const TechniquePanel *table;
     int number;
     PlotBox box;
     PlotScale x, y;
 } Panel;
 
-static bool has_place(const GrowthPoint *point)
+static bool has_place(const ScalingPoint *point)
 {
     return point->amount > 0 && point->ms > 0 && isfinite(point->amount) && isfinite(point->ms);
 }
 
 /* Times have one scale in all panels, so that they can be compared. */
-static Panel make_panel(const Growth *growth, int number)
+static Panel make_panel(const Scaling *scaling, int number)
 {
     double x[2] = { HUGE_VAL, 0 }, y[2] = { HUGE_VAL, 0 };
-    for (uint32_t i = 0; i < growth->count; i++) {
-        const GrowthPoint *point = &growth->points[i];
+    for (uint32_t i = 0; i < scaling->count; i++) {
+        const ScalingPoint *point = &scaling->points[i];
         if (!has_place(point))
             continue;
         y[0] = fmin(y[0], point->ms);
@@ -54,8 +54,8 @@ static Panel make_panel(const Growth *growth, int number)
         x[0] = fmin(x[0], point->amount);
         x[1] = fmax(x[1], point->amount);
     }
-    Panel panel = { .growth = growth,
-                    .table = &growth->technique->growth->panels[number],
+    Panel panel = { .scaling = scaling,
+                    .table = &scaling->technique->scaling->panels[number],
                     .number = number,
                     .box = boxes[number] };
     panel.x = plot_scale(x[0], x[1], panel.box.left, panel.box.right);
@@ -67,7 +67,7 @@ static Panel make_panel(const Growth *growth, int number)
 /* --- lines ------------------------------------------------------------------------------------ */
 
 /* Different names of lines, in the table's order. */
-static int list_names(const TechniqueGrowth *table, const char *names[MAX_NAMES])
+static int list_names(const TechniqueScaling *table, const char *names[MAX_NAMES])
 {
     int count = 0;
     for (int p = 0; p < TECHNIQUE_PANELS; p++)
@@ -82,10 +82,10 @@ static int list_names(const TechniqueGrowth *table, const char *names[MAX_NAMES]
     return count;
 }
 
-static int number_of_name(const Growth *growth, const char *name)
+static int number_of_name(const Scaling *scaling, const char *name)
 {
     const char *names[MAX_NAMES];
-    int count = list_names(growth->technique->growth, names), number = 0;
+    int count = list_names(scaling->technique->scaling, names), number = 0;
     while (number < count - 1 && strcmp(names[number], name) != 0)
         number++;
     return number;
@@ -94,17 +94,18 @@ static int number_of_name(const Growth *growth, const char *name)
 /* The next point of a line from index `i` on; the count of all where there is none. */
 static uint32_t next_of_line(const Panel *panel, int line, uint32_t i)
 {
-    const Growth *growth = panel->growth;
-    while (i < growth->count && (growth->points[i].panel != panel->number ||
-                                 growth->points[i].line != line || !has_place(&growth->points[i])))
+    const Scaling *scaling = panel->scaling;
+    while (i < scaling->count &&
+           (scaling->points[i].panel != panel->number || scaling->points[i].line != line ||
+            !has_place(&scaling->points[i])))
         i++;
     return i;
 }
 
-static void add_tooltip(const Panel *panel, const GrowthPoint *point, Text *svg)
+static void add_tooltip(const Panel *panel, const ScalingPoint *point, Text *svg)
 {
     text_add(svg, "<title>");
-    text_add_escaped(svg, growth_name(panel->growth, point));
+    text_add_escaped(svg, scaling_name(panel->scaling, point));
     text_add(svg, "\n");
     text_add_escaped(svg, point->scene);
     text_add(svg, "\n");
@@ -117,17 +118,17 @@ static void add_tooltip(const Panel *panel, const GrowthPoint *point, Text *svg)
 
 static void draw_line(const Panel *panel, int line, Text *svg)
 {
-    const Growth *growth = panel->growth;
-    const int series = number_of_name(growth, panel->table->lines[line].name);
+    const Scaling *scaling = panel->scaling;
+    const int series = number_of_name(scaling, panel->table->lines[line].name);
     uint32_t first = next_of_line(panel, line, 0);
     text_add(svg, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" d=\"", svg_color(series));
-    for (uint32_t i = first; i < growth->count; i = next_of_line(panel, line, i + 1))
+    for (uint32_t i = first; i < scaling->count; i = next_of_line(panel, line, i + 1))
         text_add(svg, "%s%.1f %.1f", i == first ? "M" : "L",
-                 plot_place(&panel->x, growth->points[i].amount),
-                 plot_place(&panel->y, growth->points[i].ms));
+                 plot_place(&panel->x, scaling->points[i].amount),
+                 plot_place(&panel->y, scaling->points[i].ms));
     text_add(svg, "\"/>\n");
-    for (uint32_t i = first; i < growth->count; i = next_of_line(panel, line, i + 1)) {
-        const GrowthPoint *point = &growth->points[i];
+    for (uint32_t i = first; i < scaling->count; i = next_of_line(panel, line, i + 1)) {
+        const ScalingPoint *point = &scaling->points[i];
         text_add(svg, "<g>");
         add_tooltip(panel, point, svg);
         svg_marker(svg, plot_place(&panel->x, point->amount), plot_place(&panel->y, point->ms),
@@ -142,8 +143,8 @@ static bool covers_point(const Panel *panel, const double end[2], const double a
                          double width)
 {
     const double below = 9, reach = 14;
-    for (uint32_t i = 0; i < panel->growth->count; i++) {
-        const GrowthPoint *point = &panel->growth->points[i];
+    for (uint32_t i = 0; i < panel->scaling->count; i++) {
+        const ScalingPoint *point = &panel->scaling->points[i];
         if (point->panel != panel->number || !has_place(point))
             continue;
         double x = plot_place(&panel->x, point->amount) - end[0];
@@ -157,15 +158,15 @@ static bool covers_point(const Panel *panel, const double end[2], const double a
 
 /* From the lower left corner to the scale's right or upper end; its name runs along it, below, as
  * far out as there is room. */
-static void draw_guide(const Panel *panel, const TechniqueGuide *guide, Text *svg)
+static void draw_slope(const Panel *panel, const TechniqueSlope *slope, Text *svg)
 {
     const PlotScale *x = &panel->x, *y = &panel->y;
-    double most = fmin(x->high / x->low, pow(y->high / y->low, 1 / guide->power));
+    double most = fmin(x->high / x->low, pow(y->high / y->low, 1 / slope->power));
     double length[2] = { plot_place(x, x->low * most) - x->begin,
-                         plot_place(y, y->low * pow(most, guide->power)) - y->begin };
+                         plot_place(y, y->low * pow(most, slope->power)) - y->begin };
     svg_dots(svg, x->begin, y->begin, x->begin + length[0], y->begin + length[1]);
 
-    double whole = hypot(length[0], length[1]), width = letter_width * (double)strlen(guide->name);
+    double whole = hypot(length[0], length[1]), width = letter_width * (double)strlen(slope->name);
     double along[2] = { length[0] / whole, length[1] / whole }, end[2];
     for (double share = 1; share > 0; share -= 0.1) {
         double reach = share * whole - 10;
@@ -177,7 +178,7 @@ static void draw_guide(const Panel *panel, const TechniqueGuide *guide, Text *sv
     char turned[256];
     snprintf(turned, sizeof turned, "%s dy=\"13\" transform=\"rotate(%.1f %.1f %.1f)\"",
              svg_small_words, atan2(along[1], along[0]) * degrees, end[0], end[1]);
-    svg_words(svg, end[0], end[1], "end", turned, guide->name);
+    svg_words(svg, end[0], end[1], "end", turned, slope->name);
 }
 
 /* --- scenes ----------------------------------------------------------------------------------- */
@@ -186,11 +187,11 @@ static void draw_guide(const Panel *panel, const TechniqueGuide *guide, Text *sv
  * setting. What finds no room is left out. */
 static void draw_scenes(const Panel *panel, Text *svg)
 {
-    const Growth *growth = panel->growth;
+    const Scaling *scaling = panel->scaling;
     double used[STRIP_ROWS] = { 0 };
-    for (uint32_t i = next_of_line(panel, 0, 0); i < growth->count;
+    for (uint32_t i = next_of_line(panel, 0, 0); i < scaling->count;
          i = next_of_line(panel, 0, i + 1)) {
-        const GrowthPoint *point = &growth->points[i];
+        const ScalingPoint *point = &scaling->points[i];
         char name[64];
         int row = 0;
         text_stem(point->scene, name, sizeof name);
@@ -220,8 +221,8 @@ static void draw_panel(const Panel *panel, Text *svg)
     svg_axis_left(svg, &panel->y, box, box.left - NAME_LEFT,
                   "time in milliseconds (median, logarithmic)");
     svg_border(svg, box);
-    for (const TechniqueGuide *guide = panel->table->guides; guide->name; guide++)
-        draw_guide(panel, guide, svg);
+    for (const TechniqueSlope *slope = panel->table->slopes; slope->name; slope++)
+        draw_slope(panel, slope, svg);
     draw_scenes(panel, svg);
     text_add(svg, "</g>\n");
     svg_words(svg, box.left, box.top - 12, "start", " font-size=\"15\" font-weight=\"bold\"",
@@ -230,10 +231,10 @@ static void draw_panel(const Panel *panel, Text *svg)
         draw_line(panel, line, svg);
 }
 
-static void draw_legend(const Growth *growth, Text *svg)
+static void draw_legend(const Scaling *scaling, Text *svg)
 {
     const char *names[MAX_NAMES];
-    int count = list_names(growth->technique->growth, names);
+    int count = list_names(scaling->technique->scaling, names);
     double x = MARGIN + 8;
     for (int i = 0; i < count; i++) {
         svg_marker(svg, x, LEGEND_Y - 4, i, false);
@@ -242,18 +243,18 @@ static void draw_legend(const Growth *growth, Text *svg)
     }
 }
 
-void growth_draw(const Growth *growth, Text *svg)
+void scaling_draw(const Scaling *scaling, Text *svg)
 {
     char note[320];
-    svg_begin(svg, WIDTH, HEIGHT, growth->technique->growth->title);
+    svg_begin(svg, WIDTH, HEIGHT, scaling->technique->scaling->title);
     svg_words(svg, MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"",
-              growth->technique->growth->title);
-    snprintf(note, sizeof note, "Measured on %s, %s, %d thread%s.", growth->machine, growth->isa,
-             growth->threads, growth->threads == 1 ? "" : "s");
+              scaling->technique->scaling->title);
+    snprintf(note, sizeof note, "Measured on %s, %s, %d thread%s.", scaling->machine, scaling->isa,
+             scaling->threads, scaling->threads == 1 ? "" : "s");
     svg_words(svg, MARGIN, 74, "start", " font-size=\"13\"", note);
-    draw_legend(growth, svg);
+    draw_legend(scaling, svg);
     for (int number = 0; number < TECHNIQUE_PANELS; number++) {
-        Panel panel = make_panel(growth, number);
+        Panel panel = make_panel(scaling, number);
         draw_panel(&panel, svg);
     }
     svg_words(svg, MARGIN, HEIGHT - 18, "start", " font-size=\"13\" font-style=\"italic\"",

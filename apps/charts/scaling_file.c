@@ -1,32 +1,32 @@
-/* Growth as files, and as JSON. */
+/* Scaling as files, and as JSON. */
 #include "apps/charts/scaling.h"
 
 #include "apps/base/json.h"
 
-void growth_free(Growth *growth)
+void scaling_free(Scaling *scaling)
 {
-    gp_free(growth->points);
-    *growth = (Growth){ .points = NULL };
+    gp_free(scaling->points);
+    *scaling = (Scaling){ .points = NULL };
 }
 
-static const TechniquePanel *panel_of(const Growth *growth, const GrowthPoint *point)
+static const TechniquePanel *panel_of(const Scaling *scaling, const ScalingPoint *point)
 {
-    return &growth->technique->growth->panels[point->panel];
+    return &scaling->technique->scaling->panels[point->panel];
 }
 
-const char *growth_name(const Growth *growth, const GrowthPoint *point)
+const char *scaling_name(const Scaling *scaling, const ScalingPoint *point)
 {
-    return panel_of(growth, point)->lines[point->line].name;
+    return panel_of(scaling, point)->lines[point->line].name;
 }
 
-static void write_csv(const Growth *growth, Text *csv)
+static void write_csv(const Scaling *scaling, Text *csv)
 {
     text_add(csv, "grows,amount,method,scene,options,ms,min_ms,cpu_ms,frames\n");
-    for (uint32_t i = 0; i < growth->count; i++) {
-        const GrowthPoint *point = &growth->points[i];
-        text_add_csv(csv, panel_of(growth, point)->axis, ",");
+    for (uint32_t i = 0; i < scaling->count; i++) {
+        const ScalingPoint *point = &scaling->points[i];
+        text_add_csv(csv, panel_of(scaling, point)->axis, ",");
         text_add_csv_number(csv, point->amount);
-        text_add_csv(csv, growth_name(growth, point), ",");
+        text_add_csv(csv, scaling_name(scaling, point), ",");
         text_add_csv(csv, point->scene, ",");
         text_add_csv(csv, point->options, ",");
         text_add_csv_number(csv, point->ms);
@@ -36,34 +36,34 @@ static void write_csv(const Growth *growth, Text *csv)
     }
 }
 
-json_t *growth_json(const Growth *growth)
+json_t *scaling_json(const Scaling *scaling)
 {
     json_t *points = json_array();
-    for (uint32_t i = 0; i < growth->count; i++) {
-        const GrowthPoint *point = &growth->points[i];
+    for (uint32_t i = 0; i < scaling->count; i++) {
+        const ScalingPoint *point = &scaling->points[i];
         json_array_append_new(
-            points,
-            json_pack("{s:s, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:I}", "grows",
-                      panel_of(growth, point)->axis, "amount", json_number(point->amount), "method",
-                      growth_name(growth, point), "scene", point->scene, "options", point->options,
-                      "ms", json_number(point->ms), "min_ms", json_number(point->min_ms), "cpu_ms",
-                      json_number(point->cpu_ms), "frames", (json_int_t)point->frames));
+            points, json_pack("{s:s, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:I}", "grows",
+                              panel_of(scaling, point)->axis, "amount", json_number(point->amount),
+                              "method", scaling_name(scaling, point), "scene", point->scene,
+                              "options", point->options, "ms", json_number(point->ms), "min_ms",
+                              json_number(point->min_ms), "cpu_ms", json_number(point->cpu_ms),
+                              "frames", (json_int_t)point->frames));
     }
-    return json_pack("{s:s, s:s, s:s, s:s, s:i, s:o}", "technique", growth->technique->name,
-                     "title", growth->technique->growth->title, "machine", growth->machine, "isa",
-                     growth->isa, "threads", growth->threads, "points", points);
+    return json_pack("{s:s, s:s, s:s, s:s, s:i, s:o}", "technique", scaling->technique->name,
+                     "title", scaling->technique->scaling->title, "machine", scaling->machine,
+                     "isa", scaling->isa, "threads", scaling->threads, "points", points);
 }
 
-GpResult growth_write(const char *path, const Growth *growth, GpError *error)
+GpResult scaling_write(const char *path, const Scaling *scaling, GpError *error)
 {
     static const struct {
         const char *extension;
-        void (*write)(const Growth *growth, Text *text);
-    } files[] = { { "csv", write_csv }, { "svg", growth_draw } };
+        void (*write)(const Scaling *scaling, Text *text);
+    } files[] = { { "csv", write_csv }, { "svg", scaling_draw } };
     GpResult result = GP_OK;
     for (size_t i = 0; i < GP_COUNT(files) && !result; i++) {
         Text text = { .data = NULL };
-        files[i].write(growth, &text);
+        files[i].write(scaling, &text);
         result = text_write_as(path, files[i].extension, &text, error);
         text_free(&text);
     }

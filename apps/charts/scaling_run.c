@@ -1,4 +1,4 @@
-/* Measuring the growth of a technique. */
+/* Measuring the scaling of a technique. */
 #include "apps/charts/scaling.h"
 
 #include "apps/base/machine.h"
@@ -13,7 +13,7 @@ enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
 typedef struct Run {
     const Options *options;
     TechniqueClock clock;
-    Growth growth;
+    Scaling scaling;
     Text missing; /* scenes without a file, a line each */
     GpError *error;
 } Run;
@@ -32,7 +32,7 @@ static GpResult expand(const char *text, List **list, size_t *count, GpError *er
     return GP_OK;
 }
 
-static size_t count_points(const TechniqueGrowth *table)
+static size_t count_points(const TechniqueScaling *table)
 {
     size_t count = 0;
     for (int p = 0; p < TECHNIQUE_PANELS; p++)
@@ -43,27 +43,27 @@ static size_t count_points(const TechniqueGrowth *table)
 }
 
 /* Measures a setting as the next point. */
-static GpResult add_point(Run *run, GrowthPoint point, void *scene, const char *options)
+static GpResult add_point(Run *run, ScalingPoint point, void *scene, const char *options)
 {
-    Growth *growth = &run->growth;
-    const Technique *technique = growth->technique;
-    Work work = { .color = NULL };
-    Frame frame;
+    Scaling *scaling = &run->scaling;
+    const Technique *technique = scaling->technique;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     Timing timing;
-    GpResult result =
-        technique_time(&run->clock, technique, scene, options, &work, &frame, &timing, run->error);
+    GpResult result = technique_time(&run->clock, technique, scene, options, &frame, &statistics,
+                                     &timing, run->error);
     if (result)
         return result;
     text_copy(point.options, sizeof point.options, options);
-    point.amount = technique->growth->panels[point.panel].amount(scene, &work);
+    point.amount = technique->scaling->panels[point.panel].amount(scene, &frame);
     point.ms = timing.ms;
     point.min_ms = timing.min_ms;
     point.cpu_ms = timing.cpu_ms;
     point.frames = timing.frames;
-    growth->points[growth->count++] = point;
-    growth->threads = frame.threads;
-    text_copy(growth->isa, sizeof growth->isa, frame.isa);
-    work_free(&work);
+    scaling->points[scaling->count++] = point;
+    scaling->threads = statistics.threads;
+    text_copy(scaling->isa, sizeof scaling->isa, statistics.isa);
+    frame_free(&frame);
     return GP_OK;
 }
 
@@ -81,7 +81,7 @@ static void leave_out(Run *run, const char *path)
 /* The settings of a line on one of its scenes. */
 static GpResult run_scene(Run *run, int panel, int line, const char *path)
 {
-    const Technique *technique = run->growth.technique;
+    const Technique *technique = run->scaling.technique;
     void *scene;
     List *options;
     size_t count;
@@ -92,10 +92,10 @@ static GpResult run_scene(Run *run, int panel, int line, const char *path)
     }
     if (result)
         return result;
-    GrowthPoint point = { .panel = panel, .line = line };
+    ScalingPoint point = { .panel = panel, .line = line };
     text_copy(point.scene, sizeof point.scene, path);
     result =
-        expand(technique->growth->panels[panel].lines[line].options, &options, &count, run->error);
+        expand(technique->scaling->panels[panel].lines[line].options, &options, &count, run->error);
     for (size_t i = 0; i < count && !result; i++)
         result = add_point(run, point, scene, options[i]);
     gp_free(options);
@@ -105,7 +105,7 @@ static GpResult run_scene(Run *run, int panel, int line, const char *path)
 
 static GpResult run_panel(Run *run, int panel)
 {
-    const TechniqueLine *lines = run->growth.technique->growth->panels[panel].lines;
+    const TechniqueLine *lines = run->scaling.technique->scaling->panels[panel].lines;
     GpResult result = GP_OK;
     for (int line = 0; lines[line].name && !result; line++) {
         List *scenes;
@@ -118,31 +118,31 @@ static GpResult run_panel(Run *run, int panel)
     return result;
 }
 
-GpResult growth_run(const Technique *technique, GpDevice *device, const Options *options,
-                    double seconds, Growth *growth, GpError *error)
+GpResult scaling_run(const Technique *technique, GpDevice *device, const Options *options,
+                     double seconds, Scaling *scaling, GpError *error)
 {
     Run run = { .options = options, .error = error };
     run.clock = (TechniqueClock){ .device = device,
                                   .plan = { seconds, LEAST_FRAMES,
                                             seconds > MOST_SECONDS ? seconds : MOST_SECONDS },
                                   .each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run.clock.each) };
-    run.growth.technique = technique;
-    run.growth.points = gp_alloc(count_points(technique->growth), sizeof *run.growth.points);
+    run.scaling.technique = technique;
+    run.scaling.points = gp_alloc(count_points(technique->scaling), sizeof *run.scaling.points);
     char machine[256];
-    meter_machine(machine, sizeof machine);
-    text_copy(run.growth.machine, sizeof run.growth.machine, machine);
+    machine_describe(machine, sizeof machine);
+    text_copy(run.scaling.machine, sizeof run.scaling.machine, machine);
     GpResult result = GP_OK;
-    if (!run.clock.each || !run.growth.points)
+    if (!run.clock.each || !run.scaling.points)
         result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (int panel = 0; panel < TECHNIQUE_PANELS && !result; panel++)
         result = run_panel(&run, panel);
-    if (!result && run.growth.count == 0)
+    if (!result && run.scaling.count == 0)
         result = GP_ERROR_IO; /* the last scene's message is there */
     gp_free(run.clock.each);
     text_free(&run.missing);
     if (result)
-        growth_free(&run.growth);
+        scaling_free(&run.scaling);
     else
-        *growth = run.growth;
+        *scaling = run.scaling;
     return result;
 }

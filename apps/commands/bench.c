@@ -134,14 +134,15 @@ typedef struct Times {
 /* Draws the first frame, then others until both the time is over and there are enough, but at most
  * twice the time. Where the first alone takes as long, it stands for all. */
 static GpResult measure(GpDevice *device, const GpList *list, double seconds, double *each,
-                        Frame *frame, Times *times, GpError *error)
+                        RunStatistics *statistics, Times *times, GpError *error)
 {
     const TimingPlan plan = { .seconds = seconds,
                               .least_frames = MIN_FRAMES,
                               .most_seconds = 2 * seconds };
-    GpResult result = frame_first(device, list, frame, error);
-    times->first_ms = frame->first_ms;
-    return result ? result : timing_run(device, list, &plan, each, frame, &times->frames, error);
+    GpResult result = run_first(device, list, statistics, error);
+    times->first_ms = statistics->first_ms;
+    return result ? result
+                  : timing_run(device, list, &plan, each, statistics, &times->frames, error);
 }
 
 /* --- results ------------------------------------------------------------------------------------- */
@@ -193,7 +194,8 @@ static json_t *phases_json(const Bench *bench, const Times *times)
 }
 
 static void print_result(const Bench *bench, const BenchCase *drawn, const Times *times,
-                         const Frame *frame, uint32_t width, uint32_t height, uint32_t hash)
+                         const RunStatistics *statistics, uint32_t width, uint32_t height,
+                         uint32_t hash)
 {
     char digits[9];
     snprintf(digits, sizeof digits, "%08x", hash);
@@ -201,7 +203,7 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     double megapixels = (double)width * height * 1e-6;
     json_t *object = json_pack(
         "{s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:s, s:I, s:f}", "case", drawn->name,
-        "renderer", "glasspipe", "threads", frame->threads, "width", (int)width, "height",
+        "renderer", "glasspipe", "threads", statistics->threads, "width", (int)width, "height",
         (int)height, "ms", times->frames.ms, "min_ms", times->frames.min_ms, "cpu_ms",
         times->frames.cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
         (json_int_t)times->frames.frames, "setup_ms", times->setup_ms);
@@ -214,10 +216,10 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     json_object_set_new(object, "peak_mb", json_real(times->peak_mb));
     if (times->others >= 0)
         json_object_set_new(object, "others", json_real(times->others));
-    frame_add_counters(frame, object);
+    run_add_counters(statistics, object);
     if (!reference)
         json_object_set_new(object, "phases", phases_json(bench, times));
-    json_object_set_new(object, "isa", json_string(frame->isa));
+    json_object_set_new(object, "isa", json_string(statistics->isa));
     json_object_set_new(object, "executor", json_string(reference ? "reference" : "fast"));
     json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
     putchar('\n');
@@ -225,21 +227,21 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     json_decref(object);
 }
 
-static int show_picture(const Bench *bench, const BenchCase *drawn, const Work *work,
-                        const Times *times, const Frame *frame)
+static int show_picture(const Bench *bench, const BenchCase *drawn, const Frame *frame,
+                        const Times *times, const RunStatistics *statistics)
 {
     uint32_t width, height;
-    bench_picture_size(work, &width, &height);
+    bench_picture_size(frame, &width, &height);
     uint8_t *rgba = gp_alloc((size_t)width * height, 4);
     if (!rgba)
         return report(EXIT_INTERNAL, "out of memory");
-    (drawn->picture ? drawn->picture : bench_show)(work, rgba);
+    (drawn->picture ? drawn->picture : bench_show)(frame, rgba);
     GpError error = { "" };
     GpResult result = bench->images
                           ? write_image(bench->images, drawn->name, rgba, width, height, &error)
                           : GP_OK;
     if (!result)
-        print_result(bench, drawn, times, frame, width, height,
+        print_result(bench, drawn, times, statistics, width, height,
                      bench_picture_hash(rgba, width, height));
     gp_free(rgba);
     return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
@@ -248,29 +250,30 @@ static int show_picture(const Bench *bench, const BenchCase *drawn, const Work *
 /* One device for each case, so that cases do not inherit memory from each other. */
 static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 {
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
-    meter_reset_peak();
-    double start = meter_clock_ms(CLOCK_MONOTONIC), before_mb = meter_peak_mb();
-    if (drawn->build(drawn, &work, &error)) {
+    machine_reset_peak();
+    double start = machine_clock_ms(CLOCK_MONOTONIC), before_mb = machine_peak_mb();
+    if (drawn->build(drawn, &frame, &error)) {
         notice(&bench->options, "%s: skipped: %s", drawn->name, error.text);
-        work_free(&work);
+        frame_free(&frame);
         return EXIT_DONE;
     }
     GpDevice *device = NULL;
-    Frame frame = { .isa = "" };
-    Times times = { .setup_ms = meter_clock_ms(CLOCK_MONOTONIC) - start };
+    RunStatistics statistics = { .isa = "" };
+    Times times = { .setup_ms = machine_clock_ms(CLOCK_MONOTONIC) - start };
     int code = options_device(&bench->options, NULL, &device);
     if (!code) {
-        MeterLoad load = meter_load_begin();
-        GpResult result = measure(device, &work.list, bench->seconds, each, &frame, &times, &error);
-        times.others = meter_others(&load);
-        times.peak_mb = meter_peak_mb() - before_mb;
+        MachineLoad load = machine_load_begin();
+        GpResult result =
+            measure(device, &frame.list, bench->seconds, each, &statistics, &times, &error);
+        times.others = machine_others(&load);
+        times.peak_mb = machine_peak_mb() - before_mb;
         code = result ? report(exit_of_run(result), "%s: %s", drawn->name, error.text)
-                      : show_picture(bench, drawn, &work, &times, &frame);
+                      : show_picture(bench, drawn, &frame, &times, &statistics);
     }
     gp_device_destroy(&device);
-    work_free(&work);
+    frame_free(&frame);
     return code;
 }
 

@@ -13,17 +13,17 @@ typedef struct ChartCommand {
     Options options; /* first: see options.h */
     const char *technique, *scene, *folder;
     double seconds;
-    bool growth;
+    bool scaling;
 } ChartCommand;
 
-enum { KEY_GROWTH = 0x200 };
+enum { KEY_SCALING = 0x200 };
 
 /* clang-format off */
 static const struct argp_option own_options[] = {
     { "output", 'o', "DIR", 0, "Write to the folder DIR, made where it does not exist "
       "(default: out/charts where out/ exists, else charts)", 0 },
     { "time", 't', "SECONDS", 0, "Draw each setting for so long (default: 0.3)", 0 },
-    { "growth", KEY_GROWTH, NULL, 0, "Instead of accuracy, chart how time grows with what the technique "
+    { "scaling", KEY_SCALING, NULL, 0, "Instead of accuracy, chart how time grows with what the technique "
       "is asked for: sizes and scenes of its own", 0 },
     { NULL, 0, NULL, 0, NULL, 0 },
 };
@@ -47,12 +47,12 @@ static void check_technique(struct argp_state *state, const ChartCommand *comman
         argp_error(state, "expected a technique (there are: %s)", list);
     else if (!technique_find(command->technique))
         argp_error(state, "no technique '%s' (there are: %s)", command->technique, list);
-    if (!command->growth)
+    if (!command->scaling)
         return;
-    if (!technique_find(command->technique)->growth)
-        argp_error(state, "--growth: %s has no table of what grows", command->technique);
+    if (!technique_find(command->technique)->scaling)
+        argp_error(state, "--scaling: %s has no table of what grows", command->technique);
     if (command->scene || command->options.width)
-        argp_error(state, "--growth draws scenes and sizes of its own");
+        argp_error(state, "--scaling draws scenes and sizes of its own");
 }
 
 static error_t parse_chart(int key, char *text, struct argp_state *state)
@@ -69,8 +69,8 @@ static error_t parse_chart(int key, char *text, struct argp_state *state)
     case 't':
         command->seconds = options_real(state, "--time", text);
         return 0;
-    case KEY_GROWTH:
-        command->growth = true;
+    case KEY_SCALING:
+        command->scaling = true;
         return 0;
     case ARGP_KEY_ARG:
         result = options_positional(state, slots, GP_COUNT(slots), text);
@@ -98,7 +98,7 @@ static const struct argp parser = {
     "  glasspipe chart shadow\n"
     "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
     "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
-    "  glasspipe chart voxelize --growth\n"
+    "  glasspipe chart voxelize --scaling\n"
     "\n"
     "Draws a scene with every setting of a technique's sweep, measures time and distance from the "
     "exact result, and writes a chart as SVG, CSV and JSON, and a page of all charts.\v"
@@ -177,43 +177,43 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device)
     return code;
 }
 
-/* --- growth ----------------------------------------------------------------------------------- */
+/* --- scaling ----------------------------------------------------------------------------------- */
 
-static void print_growth(const Growth *growth)
+static void print_scaling(const Scaling *scaling)
 {
     printf("%10s  %12s  setting\n", "ms", "amount");
-    for (uint32_t i = 0; i < growth->count; i++) {
-        const GrowthPoint *point = &growth->points[i];
-        printf("%10.3f  %12.10g  %s: %s %s\n", point->ms, point->amount, growth_name(growth, point),
-               point->scene, point->options);
+    for (uint32_t i = 0; i < scaling->count; i++) {
+        const ScalingPoint *point = &scaling->points[i];
+        printf("%10.3f  %12.10g  %s: %s %s\n", point->ms, point->amount,
+               scaling_name(scaling, point), point->scene, point->options);
     }
 }
 
-static int finish_growth(const ChartCommand *command, const Growth *growth)
+static int finish_scaling(const ChartCommand *command, const Scaling *scaling)
 {
     char name[64], path[CHART_MAX_PATH];
     GpError error = { "" };
-    snprintf(name, sizeof name, "%s_growth", command->technique);
+    snprintf(name, sizeof name, "%s_scaling", command->technique);
     if (make_path(command->folder, name, path))
         return EXIT_INTERNAL;
-    if (growth_write(path, growth, &error) || chart_write_page(command->folder, &error))
+    if (scaling_write(path, scaling, &error) || chart_write_page(command->folder, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(&command->options, "wrote %s.svg, .csv and %s/index.html", path, command->folder);
     if (command->options.json)
-        return print_object(growth_json(growth));
-    print_growth(growth);
+        return print_object(scaling_json(scaling));
+    print_scaling(scaling);
     return EXIT_DONE;
 }
 
-static int chart_growth(const ChartCommand *command, GpDevice *device)
+static int chart_scaling(const ChartCommand *command, GpDevice *device)
 {
-    Growth growth = { .points = NULL };
+    Scaling scaling = { .points = NULL };
     GpError error = { "" };
-    GpResult result = growth_run(technique_find(command->technique), device, &command->options,
-                                 command->seconds, &growth, &error);
+    GpResult result = scaling_run(technique_find(command->technique), device, &command->options,
+                                  command->seconds, &scaling, &error);
     int code =
-        result ? report(exit_of_run(result), "%s", error.text) : finish_growth(command, &growth);
-    growth_free(&growth);
+        result ? report(exit_of_run(result), "%s", error.text) : finish_scaling(command, &scaling);
+    scaling_free(&scaling);
     return code;
 }
 
@@ -228,7 +228,7 @@ int cmd_chart(int argc, char **argv)
     if (mkdir(command.folder, 0777) != 0 && errno != EEXIST)
         code = report(EXIT_INTERNAL, "%s: %s", command.folder, strerror(errno));
     else
-        code = command.growth ? chart_growth(&command, device) : chart_accuracy(&command, device);
+        code = command.scaling ? chart_scaling(&command, device) : chart_accuracy(&command, device);
     gp_device_destroy(&device);
     return code;
 }

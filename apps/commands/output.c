@@ -32,8 +32,8 @@ int output_frame(const Options *options, const char *input, const char *output, 
                  const GpList *list, const GpSurface *surface, bool opaque, json_t *more)
 {
     GpError error = { "" };
-    Frame frame;
-    GpResult result = frame_first(device, list, &frame, &error);
+    RunStatistics statistics;
+    GpResult result = run_first(device, list, &statistics, &error);
     if (result)
         return report(exit_of_run(result), "%s: %s", input, error.text);
     uint64_t hash = gp_surface_hash(surface);
@@ -41,17 +41,17 @@ int output_frame(const Options *options, const char *input, const char *output, 
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(options, "wrote %s", output);
     if (options->verbose)
-        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s", frame.first_ms,
-               (unsigned long long)frame.counters.primitives,
-               (unsigned long long)frame.counters.fragments_shaded, frame.isa);
+        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s",
+               statistics.first_ms, (unsigned long long)statistics.counters.primitives,
+               (unsigned long long)statistics.counters.fragments_shaded, statistics.isa);
     if (!options->json) {
         picture_print_hash(surface, hash);
         return EXIT_DONE;
     }
-    result = frame_again(device, list, &frame, &error);
+    result = run_again(device, list, &statistics, &error);
     if (result)
         return report(exit_of_run(result), "%s: %s", input, error.text);
-    json_t *object = frame_json(&frame, hash, surface);
+    json_t *object = run_json(&statistics, hash, surface);
     json_object_set_new(object, "file", json_string(output));
     json_object_update(object, more);
     json_print(object);

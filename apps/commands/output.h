@@ -11,7 +11,7 @@
 void output_default_path(const char *input, const char *extension, char *path, size_t size);
 
 /* Draws a list, writes the picture and prints its hash; with --json draws it a second time, which is
- * the one that is timed, and prints frame_json's object with the file's name and `more`.
+ * the one that is timed, and prints run_json's object with the file's name and `more`.
  * in   input: what the user gave, for messages; opaque: alpha stays out of the file; more: members to add, borrowed, NULL for none
  * returns the command's exit code, after a message where it is not EXIT_DONE */
 int output_frame(const Options *options, const char *input, const char *output, GpDevice *device,

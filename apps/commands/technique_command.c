@@ -189,16 +189,16 @@ static int draw_picture(const TechniqueRun *run)
 {
     const Technique *technique = run->technique;
     GpError error = { "" };
-    Work work = { .color = NULL };
-    if (technique->build(run->scene, run->setting, &work, &error))
+    Frame frame = { .color = NULL };
+    if (technique->build(run->scene, run->setting, &frame, &error))
         return report(EXIT_INPUT, "%s: %s", run->input, error.text);
     char setting[SETTING_MAX_TEXT];
     setting_print(technique->fields, run->setting, technique->defaults, setting, sizeof setting);
     json_t *more = json_pack("{s:s}", "setting", setting);
-    int code = output_frame(run->options, run->input, run->output, run->device, &work.list,
-                            work.color, true, more);
+    int code = output_frame(run->options, run->input, run->output, run->device, &frame.list,
+                            frame.color, true, more);
     json_decref(more);
-    work_free(&work);
+    frame_free(&frame);
     return code;
 }
 

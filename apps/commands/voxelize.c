@@ -108,30 +108,30 @@ static GpResult find_facts(const TechniqueRun *run, VoxelResult *result, GpError
 
 /* --- one run ---------------------------------------------------------------------------------- */
 
-static void print_json(const TechniqueRun *run, const Work *work, const Frame *frame,
+static void print_json(const TechniqueRun *run, const Frame *frame, const RunStatistics *statistics,
                        const VoxelResult *result)
 {
     char setting[SETTING_MAX_TEXT];
     setting_print(run->technique->fields, run->setting, run->technique->defaults, setting,
                   sizeof setting);
-    json_t *object = voxel_result_json(result, frame, work->color);
+    json_t *object = voxel_result_json(result, statistics, frame->color);
     json_object_set_new(object, "file", json_string(run->output));
     json_object_set_new(object, "setting", json_string(setting));
     json_print(object);
 }
 
 /* The first frame is what is written and told; --json times a second one. */
-static int draw(const TechniqueRun *run, const VoxelPair *pair, const Work *work,
+static int draw(const TechniqueRun *run, const VoxelPair *pair, const Frame *frame,
                 const VoxelPairMade *made, VoxelResult *result)
 {
     const VoxelSetting *setting = run->setting;
     GpError error = { "" };
-    Frame frame;
-    GpResult done = frame_first(run->device, &work->list, &frame, &error);
+    RunStatistics statistics;
+    GpResult done = run_first(run->device, &frame->list, &statistics, &error);
     if (done)
         return report(exit_of_run(done), "%s: %s", run->input, error.text);
     const bool touching = pair->scenes[1] && pair->combine == VOXEL_TOUCHING;
-    if (voxel_result_take(made, is_picture(run->output) ? work->color : NULL, touching, result))
+    if (voxel_result_take(made, is_picture(run->output) ? frame->color : NULL, touching, result))
         return report(EXIT_INTERNAL, "out of memory");
     done = find_facts(run, result, &error);
     if (!done && setting->kind == VOXEL_SOLID)
@@ -142,49 +142,49 @@ static int draw(const TechniqueRun *run, const VoxelPair *pair, const Work *work
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(run->options, "wrote %s", run->output);
     if (run->options->verbose)
-        notice(run->options, "%.3f ms, %" PRIu64 " fragments shaded, isa %s", frame.first_ms,
-               frame.counters.fragments_shaded, frame.isa);
+        notice(run->options, "%.3f ms, %" PRIu64 " fragments shaded, isa %s", statistics.first_ms,
+               statistics.counters.fragments_shaded, statistics.isa);
     if (!run->options->json) {
         voxel_result_print(result);
         return EXIT_DONE;
     }
-    done = frame_again(run->device, &work->list, &frame, &error);
+    done = run_again(run->device, &frame->list, &statistics, &error);
     if (done)
         return report(exit_of_run(done), "%s: %s", run->input, error.text);
-    print_json(run, work, &frame, result);
+    print_json(run, frame, &statistics, result);
     return EXIT_DONE;
 }
 
 static GpResult build(const TechniqueRun *run, const VoxelPair *pair, const GpVolume *scan,
-                      Work *work, VoxelPairMade *made, GpError *error)
+                      Frame *frame, VoxelPairMade *made, GpError *error)
 {
     const VoxelOptions *options = run->own;
     const VoxelSetting *setting = run->setting;
     const bool to_picture = is_picture(run->output);
     GpResult result = voxel_pair_build(pair, setting, VOXEL_PICTURE_PASSES, VOXEL_PICTURE_DRAWS,
-                                       work, made, error);
-    work->color = made->result.texels;
+                                       frame, made, error);
+    frame->color = made->result.texels;
     if (result || !to_picture)
         return result;
     VoxelPicture picture = options->picture;
     picture.shows_both = pair->scenes[1] && pair->combine == VOXEL_TOUCHING;
     picture.is_solid = setting->kind == VOXEL_SOLID;
-    return voxel_picture_build(&picture, made, scan, work, error);
+    return voxel_picture_build(&picture, made, scan, frame, error);
 }
 
 static int build_and_draw(const TechniqueRun *run, const VoxelPair *pair, const GpVolume *scan)
 {
     GpError error = { "" };
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     VoxelPairMade made;
     VoxelResult result = { .picture = NULL };
     for (int i = 0; i < 2 && pair->scenes[i]; i++)
         result.triangles += pair->scenes[i]->mesh.triangle_count;
-    GpResult done = build(run, pair, scan, &work, &made, &error);
+    GpResult done = build(run, pair, scan, &frame, &made, &error);
     int code = done ? report(exit_of_input(done), "%s", error.text)
-                    : draw(run, pair, &work, &made, &result);
+                    : draw(run, pair, &frame, &made, &result);
     gp_volume_free(&result.volume);
-    work_free(&work);
+    frame_free(&frame);
     return code;
 }
 

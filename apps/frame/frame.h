@@ -10,12 +10,12 @@
 #include "pipeline/glasspipe.h"
 
 enum {
-    WORK_MAX_BLOCKS = 1024,
-    WORK_MAX_SURFACES = 64,
+    FRAME_MAX_BLOCKS = 1024,
+    FRAME_MAX_SURFACES = 64,
 };
 
-/* A zeroed one is empty. Owned by whoever made it, until work_free. */
-typedef struct Work {
+/* A zeroed one is empty. Owned by whoever made it, until frame_free. */
+typedef struct Frame {
     GpList list;
     GpSurface *color; /* the picture, whose alpha may be a measure of its own; NULL: depth is */
     GpSurface *depth; /* the picture's depth buffer, NULL: none */
@@ -26,31 +26,31 @@ typedef struct Work {
     GpPass *passes;
     GpDraw *draws;
     uint32_t pass_room, draw_count, draw_room;
-    void *blocks[WORK_MAX_BLOCKS];
-    GpSurface *surfaces[WORK_MAX_SURFACES];
+    void *blocks[FRAME_MAX_BLOCKS];
+    GpSurface *surfaces[FRAME_MAX_SURFACES];
     int block_count, surface_count;
-} Work;
+} Frame;
 
 /* Frees all that was made for it, and zeroes it; a zeroed one is fine. */
-void work_free(Work *work);
+void frame_free(Frame *frame);
 
-/* --- memory and surfaces: belong to the work until work_free --------------------------------- */
+/* --- memory and surfaces: belong to the work until frame_free --------------------------------- */
 
-void *work_alloc(Work *work, size_t count, size_t size); /* zeroed */
-const void *work_copy(Work *work, const void *data, size_t size);
-GpSurface *work_surface(Work *work, GpFormat format, uint32_t width, uint32_t height,
-                        uint32_t levels);
+void *frame_alloc(Frame *frame, size_t count, size_t size); /* zeroed */
+const void *frame_copy(Frame *frame, const void *data, size_t size);
+GpSurface *frame_surface(Frame *frame, GpFormat format, uint32_t width, uint32_t height,
+                         uint32_t levels);
 
 /* --- passes ---------------------------------------------------------------------------------- */
 
 /* Makes room for a list; to be called once, before the first pass. */
-void work_reserve(Work *work, uint32_t passes, uint32_t draws);
+void frame_reserve(Frame *frame, uint32_t passes, uint32_t draws);
 
 /* Appends a pass, then draws to the last one. color, NULL for none, is cleared to clear_color;
  * depth, NULL for none, to 1. The struct returned is the list's own, for what is to be different. */
-GpPass *work_pass(Work *work, const char *name, GpSurface *color, GpSurface *depth,
-                  const float clear_color[4]);
-GpDraw *work_draw(Work *work, const GpProgram *program, const void *uniforms,
-                  const GpGeometry *geometry);
+GpPass *frame_pass(Frame *frame, const char *name, GpSurface *color, GpSurface *depth,
+                   const float clear_color[4]);
+GpDraw *frame_draw(Frame *frame, const GpProgram *program, const void *uniforms,
+                   const GpGeometry *geometry);
 
 #endif

@@ -8,38 +8,39 @@
 
 enum { COUNTED_BY_ALL = 6 };
 
-GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError *error)
+GpResult run_first(GpDevice *device, const GpList *list, RunStatistics *statistics, GpError *error)
 {
-    double start = meter_clock_ms(CLOCK_MONOTONIC);
-    double cpu = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+    double start = machine_clock_ms(CLOCK_MONOTONIC);
+    double cpu = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     GpResult result = gp_device_run(device, list, error);
     if (result)
         return result;
-    *frame = (Frame){ .first_ms = meter_clock_ms(CLOCK_MONOTONIC) - start,
-                      .first_cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu,
-                      .counters = *gp_device_counters(device),
-                      .phases = *gp_device_phases(device),
-                      .isa = gp_device_isa(device),
-                      .executor = gp_device_executor(device),
-                      .threads = gp_device_threads(device) };
+    *statistics = (RunStatistics){ .first_ms = machine_clock_ms(CLOCK_MONOTONIC) - start,
+                                   .first_cpu_ms = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu,
+                                   .counters = *gp_device_counters(device),
+                                   .phases = *gp_device_phases(device),
+                                   .isa = gp_device_isa(device),
+                                   .executor = gp_device_executor(device),
+                                   .threads = gp_device_threads(device) };
     return GP_OK;
 }
 
-GpResult frame_again(GpDevice *device, const GpList *list, Frame *frame, GpError *error)
+GpResult run_again(GpDevice *device, const GpList *list, RunStatistics *statistics, GpError *error)
 {
-    double start = meter_clock_ms(CLOCK_MONOTONIC), cpu = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+    double start = machine_clock_ms(CLOCK_MONOTONIC),
+           cpu = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     GpResult result = gp_device_run(device, list, error);
     if (result)
         return result;
-    frame->ms = meter_clock_ms(CLOCK_MONOTONIC) - start;
-    frame->cpu_ms = meter_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu;
-    frame->phases = *gp_device_phases(device);
+    statistics->ms = machine_clock_ms(CLOCK_MONOTONIC) - start;
+    statistics->cpu_ms = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu;
+    statistics->phases = *gp_device_phases(device);
     return GP_OK;
 }
 
-void frame_add_counters(const Frame *frame, json_t *object)
+void run_add_counters(const RunStatistics *statistics, json_t *object)
 {
-    const GpCounters *counters = &frame->counters;
+    const GpCounters *counters = &statistics->counters;
     const struct {
         const char *name;
         uint64_t value;
@@ -56,21 +57,22 @@ void frame_add_counters(const Frame *frame, json_t *object)
         { "pixels_written", counters->pixels_written },
     };
     /* what the fast executor does not count is left out, not reported as 0 */
-    size_t known = frame->executor == GP_EXECUTOR_REFERENCE ? GP_COUNT(counted) : COUNTED_BY_ALL;
+    size_t known =
+        statistics->executor == GP_EXECUTOR_REFERENCE ? GP_COUNT(counted) : COUNTED_BY_ALL;
     for (size_t i = 0; i < known; i++)
         json_object_set_new(object, counted[i].name, json_integer((json_int_t)counted[i].value));
 }
 
-json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface)
+json_t *run_json(const RunStatistics *statistics, uint64_t hash, const GpSurface *surface)
 {
     char digits[17];
     snprintf(digits, sizeof digits, "%016" PRIx64, hash);
-    json_t *object =
-        json_pack("{s:s, s:s, s:I, s:I, s:o, s:o, s:o, s:i, s:s}", "hash", digits, "format",
-                  gp_format_info(surface->format)->name, "width", (json_int_t)surface->width,
-                  "height", (json_int_t)surface->height, "ms", json_number(frame->ms), "first_ms",
-                  json_number(frame->first_ms), "cpu_ms", json_number(frame->cpu_ms), "threads",
-                  frame->threads, "isa", frame->isa);
-    frame_add_counters(frame, object);
+    json_t *object = json_pack(
+        "{s:s, s:s, s:I, s:I, s:o, s:o, s:o, s:i, s:s}", "hash", digits, "format",
+        gp_format_info(surface->format)->name, "width", (json_int_t)surface->width, "height",
+        (json_int_t)surface->height, "ms", json_number(statistics->ms), "first_ms",
+        json_number(statistics->first_ms), "cpu_ms", json_number(statistics->cpu_ms), "threads",
+        statistics->threads, "isa", statistics->isa);
+    run_add_counters(statistics, object);
     return object;
 }

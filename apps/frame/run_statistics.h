@@ -7,7 +7,7 @@
 #include <jansson.h>
 
 /* Times in milliseconds, and what the device did for one frame. */
-typedef struct Frame {
+typedef struct RunStatistics {
     double first_ms; /* the first frame, which also touches all memory for the first time */
     double first_cpu_ms;
     double ms, cpu_ms; /* a later one: wall clock, and processor time of all threads; 0: not run */
@@ -16,19 +16,19 @@ typedef struct Frame {
     const char *isa;
     GpExecutor executor;
     int threads;
-} Frame;
+} RunStatistics;
 
 /* Runs a list for the first time on a new device. Errors: those of gp_device_run. */
-GpResult frame_first(GpDevice *device, const GpList *list, Frame *frame, GpError *error);
+GpResult run_first(GpDevice *device, const GpList *list, RunStatistics *statistics, GpError *error);
 
 /* Runs it again, for the clock. A list that does not clear its targets draws over its first frame:
  * hash and write the picture before. */
-GpResult frame_again(GpDevice *device, const GpList *list, Frame *frame, GpError *error);
+GpResult run_again(GpDevice *device, const GpList *list, RunStatistics *statistics, GpError *error);
 
 /* Sets what the device counted in the first frame. */
-void frame_add_counters(const Frame *frame, json_t *object);
+void run_add_counters(const RunStatistics *statistics, json_t *object);
 
 /* The object of --json. The caller owns it. */
-json_t *frame_json(const Frame *frame, uint64_t hash, const GpSurface *surface);
+json_t *run_json(const RunStatistics *statistics, uint64_t hash, const GpSurface *surface);
 
 #endif

@@ -37,19 +37,19 @@ bool timing_is_over(const TimingPlan *plan, uint32_t frames, double spent_ms)
 }
 
 GpResult timing_run(GpDevice *device, const GpList *list, const TimingPlan *plan, double *each,
-                    Frame *frame, Timing *timing, GpError *error)
+                    RunStatistics *statistics, Timing *timing, GpError *error)
 {
-    double start = meter_clock_ms(CLOCK_MONOTONIC);
-    bool over = frame->first_ms >= plan->most_seconds * 1e3 / 2;
+    double start = machine_clock_ms(CLOCK_MONOTONIC);
+    bool over = statistics->first_ms >= plan->most_seconds * 1e3 / 2;
     Timing sums = { .frames = 0 };
     if (over)
-        add_frame(&sums, each, frame->first_ms, frame->first_cpu_ms, &frame->phases);
+        add_frame(&sums, each, statistics->first_ms, statistics->first_cpu_ms, &statistics->phases);
     while (!over) {
-        GpResult result = frame_again(device, list, frame, error);
+        GpResult result = run_again(device, list, statistics, error);
         if (result)
             return result;
-        add_frame(&sums, each, frame->ms, frame->cpu_ms, &frame->phases);
-        over = timing_is_over(plan, sums.frames, meter_clock_ms(CLOCK_MONOTONIC) - start);
+        add_frame(&sums, each, statistics->ms, statistics->cpu_ms, &statistics->phases);
+        over = timing_is_over(plan, sums.frames, machine_clock_ms(CLOCK_MONOTONIC) - start);
     }
     sums.ms = timing_median(each, sums.frames);
     sums.min_ms = each[0];

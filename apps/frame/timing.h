@@ -21,10 +21,10 @@ typedef struct Timing {
 } Timing;
 
 /* Draws a list again and again after its first frame.
- * in     frame: as frame_first left it; each: room for TIMING_MAX_FRAMES numbers
+ * in     frame: as run_first left it; each: room for TIMING_MAX_FRAMES numbers
  * errors those of gp_device_run */
 GpResult timing_run(GpDevice *device, const GpList *list, const TimingPlan *plan, double *each,
-                    Frame *frame, Timing *timing, GpError *error);
+                    RunStatistics *statistics, Timing *timing, GpError *error);
 
 /* Whether a plan ends after so many frames in so many milliseconds. */
 bool timing_is_over(const TimingPlan *plan, uint32_t frames, double spent_ms);

@@ -134,12 +134,12 @@ uint32_t view_slices_count(const ViewSlices *slices)
     return (slices->range.end[axis] - slices->range.low[axis]) * slices->parts;
 }
 
-GpGeometry view_slices_quads(Work *work, const ViewSlices *slices, bool nearest_first)
+GpGeometry view_slices_quads(Frame *frame, const ViewSlices *slices, bool nearest_first)
 {
     static const uint32_t triangles[6] = { 0, 1, 2, 2, 1, 3 };
     const uint32_t slabs = view_slices_count(slices);
-    SliceVertex *vertices = work_alloc(work, 4 * (size_t)slabs, sizeof *vertices);
-    uint32_t *indices = work_alloc(work, 6 * (size_t)slabs, sizeof *indices), quads = 0;
+    SliceVertex *vertices = frame_alloc(frame, 4 * (size_t)slabs, sizeof *vertices);
+    uint32_t *indices = frame_alloc(frame, 6 * (size_t)slabs, sizeof *indices), quads = 0;
     for (uint32_t i = 0; i < slabs; i++) {
         const uint32_t slab = nearest_first ? i : slabs - 1 - i;
         if (is_behind(slices, slab))

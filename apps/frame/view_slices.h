@@ -37,7 +37,7 @@ uint32_t view_slices_count(const ViewSlices *slices);
 
 /* Quads at the near sides of slabs, wider by a voxel than the range, since rays that enter it
  * through other sides pass there; nearest first, or last. Those behind the eye are left out. */
-GpGeometry view_slices_quads(Work *work, const ViewSlices *slices, bool nearest_first);
+GpGeometry view_slices_quads(Frame *frame, const ViewSlices *slices, bool nearest_first);
 
 /* All uniforms but the sheet and the colours. */
 VoxelViewUniforms view_slices_uniforms(const ViewSlices *slices, double aspect);

@@ -21,7 +21,7 @@ const Technique *technique_find(const char *name)
     return NULL;
 }
 
-GpResult technique_build(const Technique *technique, void *scene, const char *options, Work *work,
+GpResult technique_build(const Technique *technique, void *scene, const char *options, Frame *frame,
                          GpError *error)
 {
     void *setting = gp_alloc(1, technique->setting_bytes);
@@ -30,7 +30,7 @@ GpResult technique_build(const Technique *technique, void *scene, const char *op
     memcpy(setting, technique->defaults, technique->setting_bytes);
     GpResult result = setting_parse(technique->fields, setting, options, error);
     if (!result)
-        result = technique->build(scene, setting, work, error);
+        result = technique->build(scene, setting, frame, error);
     gp_free(setting);
     return result;
 }

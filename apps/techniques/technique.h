@@ -9,7 +9,7 @@
 #include "apps/techniques/settings.h"
 #include "apps/frame/frame.h"
 
-enum { TECHNIQUE_MAX_FIGURES = 8 };
+enum { TECHNIQUE_MAX_METRICS = 8 };
 
 /* Settings of one colour in the chart: a text of options in which a value may be a list, a|b|c; all
  * combinations are drawn. */
@@ -18,7 +18,7 @@ typedef struct TechniqueSweep {
     const char *options; /* "--method hardware --map 512|1024|2048 --slope 1|2" */
 } TechniqueSweep;
 
-/* A line of a growth picture: all combinations of scenes and settings, lists as in a sweep, what
+/* A line of a scaling picture: all combinations of scenes and settings, lists as in a sweep, what
  * grows in rising order. */
 typedef struct TechniqueLine {
     const char *name;    /* of the method; lines of one name share a colour; NULL ends a table */
@@ -27,34 +27,34 @@ typedef struct TechniqueLine {
 } TechniqueLine;
 
 /* A line to compare with: time as a power of the amount. */
-typedef struct TechniqueGuide {
+typedef struct TechniqueSlope {
     double power;
     const char *name; /* "as the square"; NULL ends a table */
-} TechniqueGuide;
+} TechniqueSlope;
 
 /* Time against one thing that grows. */
 typedef struct TechniquePanel {
-    const char *title, *axis;                              /* "a larger volume"; "voxels a side" */
-    bool doubles;                                          /* the axis is marked at powers of two */
-    double (*amount)(const void *scene, const Work *work); /* place of a frame along the axis */
+    const char *title, *axis; /* "a larger volume"; "voxels a side" */
+    bool doubles;             /* the axis is marked at powers of two */
+    double (*amount)(const void *scene, const Frame *frame); /* place of a frame along the axis */
     const TechniqueLine *lines;
-    const TechniqueGuide *guides;
+    const TechniqueSlope *slopes;
 } TechniquePanel;
 
 enum { TECHNIQUE_PANELS = 2 };
 
 /* How time grows with what is asked for. */
-typedef struct TechniqueGrowth {
+typedef struct TechniqueScaling {
     const char *title;
     const char *const
         *text; /* paragraphs for the page of charts: what grows with what; NULL ends */
     TechniquePanel panels[TECHNIQUE_PANELS];
-} TechniqueGrowth;
+} TechniqueScaling;
 
 /* How far a frame is from the truth. */
 typedef struct TechniqueError {
     double error;                          /* what the chart's axis shows; 0: none */
-    double figures[TECHNIQUE_MAX_FIGURES]; /* as many as the technique names */
+    double metrics[TECHNIQUE_MAX_METRICS]; /* as many as the technique names */
 } TechniqueError;
 
 typedef struct Technique {
@@ -68,9 +68,9 @@ typedef struct Technique {
     bool makes_volumes; /* work->color has no size that a user knows */
 
     const TechniqueSweep *sweep;
-    const char *error_name;        /* of the axis: "wrong pixels" */
-    const char *const *figures;    /* names of further figures, NULL at the end: "acne", "leak" */
-    const TechniqueGrowth *growth; /* NULL: none */
+    const char *error_name;          /* of the axis: "wrong pixels" */
+    const char *const *metrics;      /* names of further figures, NULL at the end: "acne", "leak" */
+    const TechniqueScaling *scaling; /* NULL: none */
 
     /* Reads what all settings share. size 0 x 0: the scene's own.
      * errors as scene_load's; owns: the caller, until close */
@@ -81,14 +81,14 @@ typedef struct Technique {
     /* The frame of a setting: its list, its picture (or a volume as one) in work->color.
      * in   work: zeroed. errors GP_ERROR_INVALID: the setting does not go with the scene, with the
      *      reason; *work is then empty */
-    GpResult (*build)(void *scene, const void *setting, Work *work, GpError *error);
+    GpResult (*build)(void *scene, const void *setting, Frame *frame, GpError *error);
 
     /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
      * none, with the reason */
     GpResult (*find_truth)(void *scene, int threads, GpError *error);
 
     /* Holds a frame that has been drawn against the truth. */
-    void (*measure)(const void *scene, const Work *work, TechniqueError *error);
+    void (*measure)(const void *scene, const Frame *frame, TechniqueError *error);
 } Technique;
 
 /* All techniques, NULL at the end. */
@@ -99,7 +99,7 @@ const Technique *technique_find(const char *name);
 
 /* Builds the frame of a setting that is given as a text of options, on top of the defaults.
  * in   work: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *work is then empty */
-GpResult technique_build(const Technique *technique, void *scene, const char *options, Work *work,
+GpResult technique_build(const Technique *technique, void *scene, const char *options, Frame *frame,
                          GpError *error);
 
 /* All combinations of a sweep's options, each as text; the last list varies fastest.

@@ -1,17 +1,17 @@
 #include "apps/techniques/timed_setting.h"
 
 GpResult technique_time(const TechniqueClock *clock, const Technique *technique, void *scene,
-                        const char *options, Work *work, Frame *frame, Timing *timing,
-                        GpError *error)
+                        const char *options, Frame *frame, RunStatistics *statistics,
+                        Timing *timing, GpError *error)
 {
-    GpResult result = technique_build(technique, scene, options, work, error);
+    GpResult result = technique_build(technique, scene, options, frame, error);
     if (result)
         return result;
-    result = frame_first(clock->device, &work->list, frame, error);
+    result = run_first(clock->device, &frame->list, statistics, error);
     if (!result)
-        result =
-            timing_run(clock->device, &work->list, &clock->plan, clock->each, frame, timing, error);
+        result = timing_run(clock->device, &frame->list, &clock->plan, clock->each, statistics,
+                            timing, error);
     if (result)
-        work_free(work);
+        frame_free(frame);
     return result;
 }

@@ -16,9 +16,9 @@ typedef struct TechniqueClock {
  * in     work: zeroed
  * out    work: as it was drawn; frame: of the last; timing
  * errors those of technique_build and gp_device_run; *work is then empty
- * owns   the caller, until work_free */
+ * owns   the caller, until frame_free */
 GpResult technique_time(const TechniqueClock *clock, const Technique *technique, void *scene,
-                        const char *options, Work *work, Frame *frame, Timing *timing,
-                        GpError *error);
+                        const char *options, Frame *frame, RunStatistics *statistics,
+                        Timing *timing, GpError *error);
 
 #endif

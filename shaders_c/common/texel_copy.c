@@ -1,6 +1,6 @@
 /* Texels on their way into another surface: as they are, or inverted. Constructive solid geometry on
- * worksheets is then a choice of the blend operation.
- * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: blending of worksheets */
+ * flat textures is then a choice of the blend operation.
+ * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: blending of flat textures */
 #include "pipeline/shader.h"
 #include "shaders_c/common/texel_copy.h"
 

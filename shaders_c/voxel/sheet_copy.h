@@ -1,4 +1,4 @@
-/* A rectangle of a texture over the viewport: one patch of a worksheet to another, or all of it. */
+/* A rectangle of a texture over the viewport: one patch of a flat texture to another, or all of it. */
 #ifndef SHADERS_SHEET_COPY_H
 #define SHADERS_SHEET_COPY_H
 

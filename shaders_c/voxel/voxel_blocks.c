@@ -1,8 +1,8 @@
-/* Blocks of voxels: the greatest byte of ten columns. A byte of a worksheet of bits is eight voxels
+/* Blocks of voxels: the greatest byte of ten columns. A byte of a flat texture of bits is eight voxels
  * along z, and not 0 where any of them is there. */
 #include "pipeline/shader.h"
 #include "shaders_c/voxel/voxel_blocks.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 typedef struct Vertex {
     float3 position;

@@ -7,18 +7,18 @@
 #define SHADERS_VOXEL_BLOCKS_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 enum { VOXEL_BLOCK = 8 };
 
 typedef struct VoxelBlocksUniforms {
-    WorksheetLayout sheet;
+    FlatTextureLayout sheet;
     float columns;       /* blocks a side */
     float width, height; /* of what the second reads */
 } VoxelBlocksUniforms;
 
 /* One triangle around the target. First voxels next to each other along x become blocks, of one
- * worksheet or two, slots 0 and 1; then, of that in slot 0, those along y. Blocks reach a voxel
+ * flat texture or two, slots 0 and 1; then, of that in slot 0, those along y. Blocks reach a voxel
  * further on both sides, and along z as far as their neighbours do. */
 extern const GpProgram voxel_block_rows_program;
 extern const GpProgram voxel_blocks_program;

@@ -8,7 +8,7 @@
 
 /* A square over the columns. Where they are wider than high, or higher than wide, it is too large, and
  * finds nothing in its other pixels. */
-GP_INLINE float4 square_middle(const WorksheetLayout *sheet, const Placed *triangle)
+GP_INLINE float4 square_middle(const FlatTextureLayout *sheet, const Placed *triangle)
 {
     return sheet_position(sheet, add(triangle->first, triangle->side * 0.5f));
 }
@@ -34,7 +34,8 @@ vertex_shader(voxel_sampled_vs, VoxelColumnsUniforms, Vertex, Varying)
  * DEVIATES: Hasselgren, Akenine-Moller and Ohlsson, "Conservative rasterization", GPU Gems 2, 2005,
  * ch. 42, move the triangle's own corners out, to infinity where it is a sliver. What a rectangle
  * has too much, the pixel shader cuts off, as theirs does outside the triangle's box. */
-GP_INLINE float4 rectangle_corner(const WorksheetLayout *sheet, const Placed *triangle, flt number)
+GP_INLINE float4 rectangle_corner(const FlatTextureLayout *sheet, const Placed *triangle,
+                                  flt number)
 {
     float3 a = triangle->a, b = triangle->b, d = triangle->c;
     flt ab = square_length(a, b), bc = square_length(b, d), ca = square_length(d, a);

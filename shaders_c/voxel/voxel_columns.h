@@ -5,10 +5,10 @@
 
 #include "pipeline/shader/program.h"
 #include "shaders_c/voxel/voxel_motion.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 typedef struct VoxelColumnsUniforms {
-    WorksheetLayout sheet;
+    FlatTextureLayout sheet;
     VoxelMotion motion;
     float step; /* a triangle is drawn into the slab so many above its lowest */
 } VoxelColumnsUniforms;

@@ -13,7 +13,7 @@
 
 #include "shaders_c/voxel/voxel_columns.h"
 #include "shaders_c/voxel/voxel_motion_shared.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 typedef struct Vertex {
     float3 a, b, c;

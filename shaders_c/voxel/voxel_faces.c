@@ -5,7 +5,7 @@
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/voxel_faces.h"
 
-vertex_shader(voxel_faces_vs, WorksheetSlab, CoverVertex, CoverVarying)
+vertex_shader(voxel_faces_vs, FlatTextureSlab, CoverVertex, CoverVarying)
 {
     *position = cover_position(in->corner);
     out->place = cover_place(in->corner);
@@ -36,7 +36,7 @@ GP_INLINE float4 four_inside(GpInvocation *gp, flt x, flt y, float4 z, float4 in
     return mul(mul(inside_x, inside_y), inside_z);
 }
 
-pixel_shader(voxel_faces_ps, WorksheetSlab, CoverVarying)
+pixel_shader(voxel_faces_ps, FlatTextureSlab, CoverVarying)
 {
     float4 near = sp4(texld(4, in->place).x), from_far = sp4(texld(5, in->place).x);
     flt byte[4];

@@ -3,9 +3,9 @@
 #define SHADERS_VOXEL_FACES_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
-/* Covers a patch, with WorksheetSlab for uniforms. Slot 2 a: depth seen along axis a, 2 a + 1: seen
+/* Covers a patch, with FlatTextureSlab for uniforms. Slot 2 a: depth seen along axis a, 2 a + 1: seen
  * the other way, from there. */
 extern const GpProgram voxel_faces_program;
 

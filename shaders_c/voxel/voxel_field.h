@@ -1,5 +1,5 @@
 /* Solids and surfaces of functions that were sampled before: a volume of floats, four along z in
- * each texel, in patches as worksheets have them. */
+ * each texel, in patches as flat textures have them. */
 #ifndef SHADERS_VOXEL_FIELD_H
 #define SHADERS_VOXEL_FIELD_H
 

@@ -3,7 +3,7 @@
  *        objects", Vision, Modeling and Visualization 2003; Everitt, "Interactive
  *        order-independent transparency", NVIDIA 2001 */
 #include "shaders_c/common/cover_shared.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 #include "shaders_c/voxel/voxel_layers.h"
 
 /* --- peeling ---------------------------------------------------------------------------------- */
@@ -51,19 +51,19 @@ program(voxel_peel_next_program, voxel_peel_vs, voxel_peel_next_ps, PEEL_DECLARA
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
-vertex_shader(voxel_layer_vs, WorksheetSlab, CoverVertex, CoverVarying)
+vertex_shader(voxel_layer_vs, FlatTextureSlab, CoverVertex, CoverVarying)
 {
     *position = cover_position(in->corner);
     out->place = cover_place(in->corner);
 }
 
-pixel_shader(voxel_layer_ps, WorksheetSlab, CoverVarying)
+pixel_shader(voxel_layer_ps, FlatTextureSlab, CoverVarying)
 {
     flt voxel = floor_(texld(0, in->place).x * c->size) - c->base;
     return bits_between(voxel, voxel + 1.0f);
 }
 
-pixel_shader(voxel_between_ps, WorksheetSlab, CoverVarying)
+pixel_shader(voxel_between_ps, FlatTextureSlab, CoverVarying)
 {
     flt entry = texld(0, in->place).x * c->size, exit = texld(1, in->place).x;
     flt first = -floor_(0.5f - entry), end = floor_(exit * c->size + 0.5f);

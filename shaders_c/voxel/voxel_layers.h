@@ -4,7 +4,7 @@
 #define SHADERS_VOXEL_LAYERS_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 typedef struct VoxelPeelUniforms {
     float to_clip[4][4]; /* model to clip space, looking along z; w stays 1 */
@@ -18,7 +18,7 @@ extern const GpProgram voxel_peel_next_program;
 /* Where there is no surface any more: beyond all depths. */
 #define VOXEL_NO_LAYER 2.0f
 
-/* Covers a patch, with WorksheetSlab for uniforms, blended with GP_BLEND_LOGIC_OR: the voxel of the
+/* Covers a patch, with FlatTextureSlab for uniforms, blended with GP_BLEND_LOGIC_OR: the voxel of the
  * depth in slot 0; those whose middles lie between slots 0 and 1, none where slot 1 has no
  * layer. */
 extern const GpProgram voxel_layer_program;

@@ -4,7 +4,7 @@
  *        CG&A 8(3), 1988; shading by Phong, "Illumination for computer generated pictures", 1975 */
 #include "pipeline/shader.h"
 #include "shaders_c/voxel/voxel_light.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 typedef struct Vertex {
     float3 position;
@@ -61,7 +61,7 @@ typedef struct Weights {
 } Weights;
 
 /* In: numbers of the first voxels; how far the place lies past the third ones' middles. */
-GP_INLINE Weights weigh_six(const WorksheetLayout *sheet, float2 first, float2 past)
+GP_INLINE Weights weigh_six(const FlatTextureLayout *sheet, float2 first, float2 past)
 {
     const float last_from_middle = (sheet->size - 1) * 0.5f;
     float2 from_middle = sub(first, last_from_middle);

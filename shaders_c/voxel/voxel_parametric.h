@@ -1,5 +1,5 @@
 /* Parametric surfaces as voxels: points whose place the vertex shader computes. Drawn as points
- * into a whole worksheet, blended with GP_BLEND_LOGIC_OR. */
+ * into a whole flat texture, blended with GP_BLEND_LOGIC_OR. */
 #ifndef SHADERS_VOXEL_PARAMETRIC_H
 #define SHADERS_VOXEL_PARAMETRIC_H
 

@@ -7,7 +7,7 @@
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/voxel_parity.h"
 #include "shaders_c/voxel/voxel_motion_shared.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 /* --- turning over what is below --------------------------------------------------------------- */
 

@@ -1,12 +1,12 @@
-/* Points as voxels. Drawn as points into a whole worksheet, blended with GP_BLEND_LOGIC_OR. */
+/* Points as voxels. Drawn as points into a whole flat texture, blended with GP_BLEND_LOGIC_OR. */
 #ifndef SHADERS_VOXEL_POINTS_H
 #define SHADERS_VOXEL_POINTS_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 typedef struct VoxelPointsUniforms {
-    WorksheetLayout sheet;
+    FlatTextureLayout sheet;
     float scale, offset[3]; /* voxels = scale * position + offset */
 } VoxelPointsUniforms;
 

@@ -3,7 +3,7 @@
 #define SHADERS_VOXEL_POINTS_SHARED_H
 
 #include "shaders_c/voxel/voxel_points.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 typedef struct PointVarying {
     float4 bit; /* the voxel's, as a colour */
@@ -13,7 +13,7 @@ typedef struct PointVarying {
 GP_INLINE float4 set_voxel(const VoxelPointsUniforms *c, float3 position, PointVarying *out,
                            flt *point_size)
 {
-    const WorksheetLayout *sheet = &c->sheet;
+    const FlatTextureLayout *sheet = &c->sheet;
     float3 voxel = floor_(mad(position, c->scale, u3(c->offset)));
     flt slab = floor_(voxel.z * (1.0f / 32)), bit = voxel.z - slab * 32.0f;
     flt low = min(min(voxel.x, voxel.y), voxel.z), high = max(max(voxel.x, voxel.y), voxel.z);

@@ -6,7 +6,7 @@
 #include "pipeline/shader.h"
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/voxel_rows.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 vertex_shader(voxel_rows_vs, VoxelRowsUniforms, CoverVertex, CoverVarying)
 {

@@ -3,12 +3,12 @@
 #define SHADERS_VOXEL_ROWS_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 enum { VOXEL_ROWS_SLABS = 32 }; /* of 1024 voxels */
 
 typedef struct VoxelRowsUniforms {
-    WorksheetLayout sheet;             /* of 1 bit a voxel */
+    FlatTextureLayout sheet;           /* of 1 bit a voxel */
     float origin[VOXEL_ROWS_SLABS][2]; /* of each slab's patch, in texture space */
 } VoxelRowsUniforms;
 

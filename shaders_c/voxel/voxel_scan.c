@@ -21,7 +21,7 @@ vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms, Corner, Nothing)
 }
 
 /* The sample of a voxel, those at the volume's ends going on for ever. */
-GP_INLINE flt sample_at(GpInvocation *gp, const WorksheetLayout *scan, flt x, flt y, flt z)
+GP_INLINE flt sample_at(GpInvocation *gp, const FlatTextureLayout *scan, flt x, flt y, flt z)
 {
     flt last = bcast(scan->size - 1);
     float3 voxel = vec3(min(max(x, 0), last), min(max(y, 0), last), min(max(z, 0), last));
@@ -33,7 +33,7 @@ GP_INLINE flt sample_at(GpInvocation *gp, const WorksheetLayout *scan, flt x, fl
 
 pixel_shader(voxel_slopes_ps, VoxelSlopesUniforms, Nothing)
 {
-    const WorksheetLayout *scan = &c->scan;
+    const FlatTextureLayout *scan = &c->scan;
     float3 at = texel_column(&c->slopes, vpos());
     float3 fall = vec3(
         sample_at(gp, scan, at.x - 1.0f, at.y, at.z) - sample_at(gp, scan, at.x + 1.0f, at.y, at.z),
@@ -66,7 +66,7 @@ vertex_shader(voxel_scan_vs, VoxelScanUniforms, SlabVertex, Varying)
 }
 
 /* A texel of one layer's patch, linear between four; at the patch's edge they stay inside it. */
-GP_INLINE float4 layer_at(GpInvocation *gp, const WorksheetLayout *sheet, float3 place, flt layer)
+GP_INLINE float4 layer_at(GpInvocation *gp, const FlatTextureLayout *sheet, float3 place, flt layer)
 {
     flt inside = bcast(sheet->size - 0.5f);
     float2 origin = patch_origin(sheet, min(max(layer, 0), sheet->size - 1));

@@ -5,16 +5,16 @@
 #include "shaders_c/voxel/voxel_view.h"
 
 typedef struct VoxelSlopesUniforms {
-    WorksheetLayout scan, slopes;
+    FlatTextureLayout scan, slopes;
 } VoxelSlopesUniforms;
 
-/* One triangle around a worksheet of one voxel a texel: red, green and blue are the direction in
+/* One triangle around a flat texture of one voxel a texel: red, green and blue are the direction in
  * which samples fall off, alpha is the sample. Slot 0: the scan, read by points. */
 extern const GpProgram voxel_slopes_program;
 
 typedef struct VoxelScanUniforms {
     VoxelViewUniforms slices; /* of the voxels; thickness and the rest of the scan too */
-    WorksheetLayout slopes;
+    FlatTextureLayout slopes;
     float light[3];  /* towards it, unit length; x, y, z */
     float to_eye[3]; /* from the volume's middle */
 } VoxelScanUniforms;

@@ -1,4 +1,4 @@
-/* The synthesis of worksheets: what belongs at a texel stands in as many texels of the other sheet
+/* The synthesis of flat textures: what belongs at a texel stands in as many texels of the other sheet
  * as a texel has voxels, one below, or beside, the other.
  * source Dong et al., Pacific Graphics 2004: lookup tables for places and for bits. DEVIATES:
  *        theirs is a map of every place to every place; ours has an entry for each depth, since
@@ -6,7 +6,7 @@
 #include "pipeline/shader.h"
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/voxel_turn.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 vertex_shader(voxel_turn_vs, VoxelTurnUniforms, CoverVertex, CoverVarying)
 {
@@ -24,7 +24,7 @@ typedef struct Column {
 GP_INLINE Column find_column(GpInvocation *gp, const VoxelTurnUniforms *c, flt depth, flt other,
                              flt z)
 {
-    const WorksheetLayout *sheet = &c->sheet;
+    const FlatTextureLayout *sheet = &c->sheet;
     float4 place = texldl(1, vec4((depth + 0.5f) * (1.0f / sheet->size), 0.5f, 0, 0));
     float2 texel = vec2(1.0f / sheet->width, 1.0f / sheet->height);
     float2 from = add(mul(u2(c->aside), other), mul(u2(c->down), z));

@@ -1,14 +1,14 @@
-/* Worksheets of lines along x or y into the places of volumes: slabs along z. */
+/* Flat textures of lines along x or y into the places of volumes: slabs along z. */
 #ifndef SHADERS_VOXEL_TURN_H
 #define SHADERS_VOXEL_TURN_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
-/* A worksheet along an axis holds at texel (u, v) of a slab the voxels of depth w: u, v, w are y,
+/* A flat texture along an axis holds at texel (u, v) of a slab the voxels of depth w: u, v, w are y,
  * z, x for x and z, x, y for y, so that z is v for the one and u for the other. */
 typedef struct VoxelTurnUniforms {
-    WorksheetLayout sheet;     /* of both */
+    FlatTextureLayout sheet;   /* of both */
     float depth[2], across[2]; /* of x and y, the one that is depth, and the one that is not */
     float aside[2];            /* (u, v) for that which is not */
     float down[2];             /* and for z */

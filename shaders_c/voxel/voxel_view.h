@@ -5,14 +5,14 @@
 #define SHADERS_VOXEL_VIEW_H
 
 #include "pipeline/shader/program.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 /* A voxel's kind: which volumes have it. */
 enum { VOXEL_KIND_FIRST = 1, VOXEL_KIND_SECOND, VOXEL_KIND_BOTH, VOXEL_KINDS };
 
 /* Places are (u, v, w): w goes across the slices, u and v are the two other axes. */
 typedef struct VoxelViewUniforms {
-    WorksheetLayout sheet;
+    FlatTextureLayout sheet;
     float block_columns, blocks_width, blocks_height; /* of voxel_blocks */
     float to_clip[4][4];                              /* from (u, v, w) */
     float axes[3][3];                                 /* x, y, z of (u, v, w) */
@@ -23,7 +23,7 @@ typedef struct VoxelViewUniforms {
 } VoxelViewUniforms;
 
 /* Triangles of quads at a slab's near side: GP_POSITION is (u, v, w), GP_TEXCOORD0 the layer. Slots
- * 0 and, of the programs of two, 1 are worksheets, slot 3 is the blocks of their voxels; all are
+ * 0 and, of the programs of two, 1 are flat textures, slot 3 is the blocks of their voxels; all are
  * read by points. */
 extern const GpProgram voxel_first_program; /* the voxel met first: (x, y, z, kind); else nothing */
 extern const GpProgram voxel_first_two_program;

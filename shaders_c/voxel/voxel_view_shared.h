@@ -1,10 +1,10 @@
-/* Voxels of worksheets as slices find them. For shader files only. */
+/* Voxels of flat textures as slices find them. For shader files only. */
 #ifndef SHADERS_VOXEL_VIEW_SHARED_H
 #define SHADERS_VOXEL_VIEW_SHARED_H
 
 #include "shaders_c/voxel/voxel_blocks.h"
 #include "shaders_c/voxel/voxel_view.h"
-#include "shaders_c/voxel/worksheet_shared.h"
+#include "shaders_c/voxel/flat_texture_shared.h"
 
 /* Where a voxel's word is, and which bit is the voxel's. */
 typedef struct VoxelPlace {
@@ -13,7 +13,7 @@ typedef struct VoxelPlace {
 } VoxelPlace;
 
 /* Of whole numbers. */
-GP_INLINE VoxelPlace place_of_voxel(const WorksheetLayout *sheet, float3 voxel)
+GP_INLINE VoxelPlace place_of_voxel(const FlatTextureLayout *sheet, float3 voxel)
 {
     flt slab = whole_part(voxel.z, sheet->per_texel);
     float2 origin = patch_origin(sheet, slab);

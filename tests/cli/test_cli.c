@@ -505,7 +505,7 @@ static void compare_writes_the_scaled_difference(void **state)
     expect_refused(2, "compare a.ppm b.ppm -o d.txt", "d.txt");
 }
 
-static void compare_json_holds_the_figures(void **state)
+static void compare_json_holds_the_metrics(void **state)
 {
     (void)state;
     write_file("a.ppm", "P6 2 1 255\nabcabc");
@@ -632,7 +632,7 @@ int main(void)
         TEST(a_reader_that_left_is_an_error_and_no_signal),
         TEST(compare_tells_same_different_and_different_sizes),
         TEST(compare_writes_the_scaled_difference),
-        TEST(compare_json_holds_the_figures),
+        TEST(compare_json_holds_the_metrics),
         TEST(explain_tells_units_and_limits_of_every_draw),
         TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
         TEST(the_history_of_a_covered_pixel_names_every_stage),

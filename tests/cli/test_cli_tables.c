@@ -1,4 +1,4 @@
-/* `bench --table' and `chart --growth' with meshes that are small, or not there; no time is judged. */
+/* `bench --table' and `chart --scaling' with meshes that are small, or not there; no time is judged. */
 #include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
@@ -121,23 +121,23 @@ static void table_2_2_has_a_row_for_each_size(void **state)
     assert_null(next_line(&at));
 }
 
-static void growth_is_charted_for_the_meshes_that_are_there(void **state)
+static void scaling_is_charted_for_the_meshes_that_are_there(void **state)
 {
     (void)state;
-    expect_refused(2, "chart shadow --growth", "shadow has no table");
-    expect_refused(2, "chart voxelize meshes/bunny.ply --growth", "scenes and sizes of its own");
-    expect_refused(2, "chart voxelize --size 64x64 --growth", "scenes and sizes of its own");
-    assert_int_equal(run("chart voxelize --growth -t 0 -o charts"), 3);
+    expect_refused(2, "chart shadow --scaling", "shadow has no table");
+    expect_refused(2, "chart voxelize meshes/bunny.ply --scaling", "scenes and sizes of its own");
+    expect_refused(2, "chart voxelize --size 64x64 --scaling", "scenes and sizes of its own");
+    assert_int_equal(run("chart voxelize --scaling -t 0 -o charts"), 3);
     expect_contains(err, "no such file");
     put_mesh("meshes/bunny.ply");
-    assert_int_equal(run("chart voxelize --growth -t 0 -o charts --json"), 0);
+    assert_int_equal(run("chart voxelize --scaling -t 0 -o charts --json"), 0);
     expect_contains(err, "left out: meshes/horse.ply");
     json_t *object = parse_output();
     /* three methods in four sizes, and four methods with one mesh */
     assert_int_equal(json_array_size(json_object_get(object, "points")), 16);
     json_decref(object);
-    assert_int_equal(access("charts/voxelize_growth.svg", R_OK), 0);
-    assert_int_equal(access("charts/voxelize_growth.csv", R_OK), 0);
+    assert_int_equal(access("charts/voxelize_scaling.svg", R_OK), 0);
+    assert_int_equal(access("charts/voxelize_scaling.csv", R_OK), 0);
     static char page[1 << 18];
     read_file("charts/index.html", page, sizeof page);
     expect_contains(page, "Voxelization: time against size");
@@ -153,7 +153,7 @@ int main(void)
         TEST(rows_without_a_file_are_left_out),
         TEST(table_2_1_has_the_steps_beside_the_print),
         TEST(table_2_2_has_a_row_for_each_size),
-        TEST(growth_is_charted_for_the_meshes_that_are_there),
+        TEST(scaling_is_charted_for_the_meshes_that_are_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,37 +35,37 @@ static size_t level_bytes(const GpLevel *level)
     return level->pitch * level->height;
 }
 
-static uint64_t hash_surfaces(const Work *work)
+static uint64_t hash_surfaces(const Frame *frame)
 {
     uint64_t hash = 0;
-    for (int i = 0; i < work->surface_count; i++)
-        hash = hash * 3 + gp_surface_hash(work->surfaces[i]);
+    for (int i = 0; i < frame->surface_count; i++)
+        hash = hash * 3 + gp_surface_hash(frame->surfaces[i]);
     return hash;
 }
 
-void run_everywhere(const Work *work)
+void run_everywhere(const Frame *frame)
 {
-    uint8_t *before[WORK_MAX_SURFACES] = { NULL };
+    uint8_t *before[FRAME_MAX_SURFACES] = { NULL };
     uint64_t first = 0;
-    for (int i = 0; i < work->surface_count; i++) {
-        const GpLevel *level = &work->surfaces[i]->level[0];
-        assert_int_equal(work->surfaces[i]->levels, 1);
+    for (int i = 0; i < frame->surface_count; i++) {
+        const GpLevel *level = &frame->surfaces[i]->level[0];
+        assert_int_equal(frame->surfaces[i]->levels, 1);
         before[i] = gp_alloc(level_bytes(level), 1);
         assert_non_null(before[i]);
         memcpy(before[i], level->texels, level_bytes(level));
     }
     for (size_t d = 0; d < GP_COUNT(devices); d++) {
-        for (int i = 0; i < work->surface_count; i++) {
-            const GpLevel *level = &work->surfaces[i]->level[0];
+        for (int i = 0; i < frame->surface_count; i++) {
+            const GpLevel *level = &frame->surfaces[i]->level[0];
             memcpy(level->texels, before[i], level_bytes(level));
         }
-        if (!run_on(&devices[d], &work->list))
+        if (!run_on(&devices[d], &frame->list))
             continue;
-        const uint64_t hash = hash_surfaces(work);
+        const uint64_t hash = hash_surfaces(frame);
         first = d == 0 ? hash : first;
         if (hash != first)
             fail_msg("device %zu draws other bits", d);
     }
-    for (int i = 0; i < work->surface_count; i++)
+    for (int i = 0; i < frame->surface_count; i++)
         gp_free(before[i]);
 }

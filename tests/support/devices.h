@@ -12,6 +12,6 @@ void run_list(const GpList *list);
 /* Runs a work on every device that the processor and the build have; each begins with the surfaces
  * as they are now, and leaves the same bits in all of them.
  * errors fails the running test where one does not run, or draws other bits than the first */
-void run_everywhere(const Work *work);
+void run_everywhere(const Frame *frame);
 
 #endif

@@ -60,38 +60,38 @@ void technique_stage_close(TechniqueStage *stage)
     *stage = (TechniqueStage){ 0 };
 }
 
-GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Work *work,
+GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Frame *frame,
                               GpError *error)
 {
-    *work = (Work){ .color = NULL };
-    GpResult result = technique_build(stage->technique, stage->scene, options, work, error);
+    *frame = (Frame){ .color = NULL };
+    GpResult result = technique_build(stage->technique, stage->scene, options, frame, error);
     if (!result)
-        result = gp_device_run(stage->device, &work->list, error);
+        result = gp_device_run(stage->device, &frame->list, error);
     if (result)
-        work_free(work);
+        frame_free(frame);
     return result;
 }
 
 GpResult technique_stage_measure(const TechniqueStage *stage, const char *options,
                                  TechniqueError *measured, GpError *error)
 {
-    Work work;
-    GpResult result = technique_stage_draw(stage, options, &work, error);
+    Frame frame;
+    GpResult result = technique_stage_draw(stage, options, &frame, error);
     if (result)
         return result;
-    stage->technique->measure(stage->scene, &work, measured);
-    work_free(&work);
+    stage->technique->measure(stage->scene, &frame, measured);
+    frame_free(&frame);
     return GP_OK;
 }
 
-double technique_figure(const Technique *technique, const TechniqueError *measured,
+double technique_metric(const Technique *technique, const TechniqueError *measured,
                         const char *name)
 {
     if (strcmp(name, "error") == 0)
         return measured->error;
-    for (int i = 0; technique->figures[i]; i++)
-        if (strcmp(name, technique->figures[i]) == 0)
-            return measured->figures[i];
+    for (int i = 0; technique->metrics[i]; i++)
+        if (strcmp(name, technique->metrics[i]) == 0)
+            return measured->metrics[i];
     return (double)NAN;
 }
 
@@ -104,11 +104,11 @@ static GpResult check_case(const TechniqueStage *stage, const TechniqueCase *row
     GpResult result = technique_stage_measure(stage, row->options, &measured, &reason);
     if (result)
         return gp_fail(error, result, "%s: %s: %s", row->name, row->options, reason.text);
-    double figure = technique_figure(stage->technique, &measured, row->figure);
-    if (figure >= row->low && figure <= row->high)
+    double metric = technique_metric(stage->technique, &measured, row->metric);
+    if (metric >= row->low && metric <= row->high)
         return GP_OK;
     return gp_fail(error, GP_ERROR_INVALID, "%s: %s: %s is %g, not in [%g, %g]", row->name,
-                   row->options, row->figure, figure, row->low, row->high);
+                   row->options, row->metric, metric, row->low, row->high);
 }
 
 GpResult technique_cases_check(const Technique *technique, const TechniqueCase *cases, size_t count,

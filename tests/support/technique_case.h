@@ -10,7 +10,7 @@ typedef struct TechniqueCase {
     const char *name;
     const char *scene;   /* a path; or the scene itself, from its {, where ' may stand for " */
     const char *options; /* "--map 512 --bias 0" */
-    const char *figure;  /* one of the technique's, or "error" */
+    const char *metric;  /* one of the technique's, or "error" */
     double low, high;    /* both included */
 } TechniqueCase;
 
@@ -38,7 +38,7 @@ void technique_stage_close(TechniqueStage *stage); /* a zeroed one is fine */
 
 /* Draws with these options.
  * owns   the caller frees *work */
-GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Work *work,
+GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Frame *frame,
                               GpError *error);
 
 /* Draws and measures. */
@@ -46,7 +46,7 @@ GpResult technique_stage_measure(const TechniqueStage *stage, const char *option
                                  TechniqueError *measured, GpError *error);
 
 /* A figure by name, or "error"; NaN where there is none. */
-double technique_figure(const Technique *technique, const TechniqueError *measured,
+double technique_metric(const Technique *technique, const TechniqueError *measured,
                         const char *name);
 
 #endif

@@ -8,27 +8,27 @@
 
 enum { MORE = 2 }; /* passes and draws beside a picture's own */
 
-void view_case_begin(Work *work)
+void view_case_begin(Frame *frame)
 {
-    *work = (Work){ .color = NULL };
-    work_reserve(work, VOXEL_VIEW_PASSES + MORE, VOXEL_VIEW_DRAWS + MORE);
+    *frame = (Frame){ .color = NULL };
+    frame_reserve(frame, VOXEL_VIEW_PASSES + MORE, VOXEL_VIEW_DRAWS + MORE);
 }
 
-void view_case_put(const Worksheet *sheet, uint32_t x, uint32_t y, uint32_t z)
+void view_case_put(const FlatTexture *sheet, uint32_t x, uint32_t y, uint32_t z)
 {
-    uint8_t *texel = worksheet_texel(sheet, z / 32, x, y);
+    uint8_t *texel = flat_texture_texel(sheet, z / 32, x, y);
     texel[z % 32 / 8] = (uint8_t)(texel[z % 32 / 8] | 1u << z % 8);
 }
 
-bool view_case_get(const Worksheet *sheet, const uint32_t voxel[3])
+bool view_case_get(const FlatTexture *sheet, const uint32_t voxel[3])
 {
-    const uint8_t *texel = worksheet_texel(sheet, voxel[2] / 32, voxel[0], voxel[1]);
+    const uint8_t *texel = flat_texture_texel(sheet, voxel[2] / 32, voxel[0], voxel[1]);
     return texel[voxel[2] % 32 / 8] >> voxel[2] % 8 & 1;
 }
 
-Worksheet view_case_random(Work *work, uint32_t size, int32_t rarity, uint64_t seed)
+FlatTexture view_case_random(Frame *frame, uint32_t size, int32_t rarity, uint64_t seed)
 {
-    const Worksheet sheet = worksheet_make(work, size, 1);
+    const FlatTexture sheet = flat_texture_make(frame, size, 1);
     Random random = { seed };
     for (uint32_t i = 0; i < size * size * size; i++)
         if (random_int(&random, 1, rarity) == 1)
@@ -51,19 +51,19 @@ Camera view_case_camera(uint32_t size, double x, double y, double z, double dist
     return camera;
 }
 
-void view_case_draw(Work *work, const Worksheet *sheet, const VoxelView *view)
+void view_case_draw(Frame *frame, const FlatTexture *sheet, const VoxelView *view)
 {
     GpError error = { "" };
-    if (voxel_view_build(sheet, view, VIEW_CASE_SIDE, VIEW_CASE_SIDE, work, &error))
+    if (voxel_view_build(sheet, view, VIEW_CASE_SIDE, VIEW_CASE_SIDE, frame, &error))
         fail_msg("%s", error.text);
-    run_list(&work->list);
+    run_list(&frame->list);
 }
 
-void view_case_pixel(const Work *work, const char *pass, int x, int y, float rgba[4])
+void view_case_pixel(const Frame *frame, const char *pass, int x, int y, float rgba[4])
 {
-    for (uint32_t i = 0; i < work->list.pass_count; i++)
-        if (!strcmp(work->list.passes[i].name, pass)) {
-            const GpSurface *surface = work->list.passes[i].color[0].surface;
+    for (uint32_t i = 0; i < frame->list.pass_count; i++)
+        if (!strcmp(frame->list.passes[i].name, pass)) {
+            const GpSurface *surface = frame->list.passes[i].color[0].surface;
             gp_texel_load(surface->format,
                           gp_surface_texel(&surface->level[0],
                                            gp_format_info(surface->format)->bytes, (uint32_t)x,

@@ -134,20 +134,20 @@ static uint64_t count_voxels(const uint8_t *voxels, uint32_t size, uint32_t bits
 static void draw_volume(VoxelDraw *draw, const void *context, uint32_t size, uint32_t bits,
                         bool everywhere, uint8_t *voxels)
 {
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     uint32_t passes, draws;
     tech_voxel_room(&(VoxelSetting){ .size = size }, &passes, &draws);
-    work_reserve(&work, passes, draws);
-    const Worksheet sheet = worksheet_make(&work, size, bits);
-    draw(context, &work, &sheet);
+    frame_reserve(&frame, passes, draws);
+    const FlatTexture sheet = flat_texture_make(&frame, size, bits);
+    draw(context, &frame, &sheet);
     if (everywhere)
-        run_everywhere(&work);
+        run_everywhere(&frame);
     else
-        run_list(&work.list);
-    worksheet_read(&sheet, voxels);
+        run_list(&frame.list);
+    flat_texture_read(&sheet, voxels);
     /* none beyond its end */
-    assert_int_equal(worksheet_count(&sheet), count_voxels(voxels, size, bits));
-    work_free(&work);
+    assert_int_equal(flat_texture_count(&sheet), count_voxels(voxels, size, bits));
+    frame_free(&frame);
 }
 
 void voxel_draw(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere, uint8_t *bits)
@@ -160,11 +160,11 @@ typedef struct Build {
     const VoxelSetting *setting;
 } Build;
 
-static void build(const void *context, Work *work, const Worksheet *sheet)
+static void build(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const Build *b = context;
     GpError error = { "" };
-    if (tech_voxel_draw(b->model, b->setting, work, sheet, &error))
+    if (tech_voxel_draw(b->model, b->setting, frame, sheet, &error))
         fail_msg("%s", error.text);
 }
 
@@ -184,11 +184,11 @@ uint8_t *voxel_case_volume(const VoxelCase *c, const VoxelSetting *setting)
     return voxels;
 }
 
-uint8_t *voxel_read(const Worksheet *sheet)
+uint8_t *voxel_read(const FlatTexture *sheet)
 {
-    uint8_t *voxels = gp_alloc(worksheet_bytes(sheet), 1);
+    uint8_t *voxels = gp_alloc(flat_texture_bytes(sheet), 1);
     assert_non_null(voxels);
-    worksheet_read(sheet, voxels);
+    flat_texture_read(sheet, voxels);
     return voxels;
 }
 

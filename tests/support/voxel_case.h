@@ -29,7 +29,7 @@ void voxel_case_free(VoxelCase *c);
 /* --- volumes ---------------------------------------------------------------------------------- */
 
 /* Appends the passes of a volume to a work in which there is room. */
-typedef void VoxelDraw(const void *context, Work *work, const Worksheet *sheet);
+typedef void VoxelDraw(const void *context, Frame *frame, const FlatTexture *sheet);
 
 /* Draws a volume of one bit a voxel; fails the running test where the list does not run, or sets
  * bits beyond the volume's end.
@@ -39,15 +39,15 @@ void voxel_draw(VoxelDraw *draw, const void *context, uint32_t size, bool everyw
                 uint8_t *bits);
 
 /* The volume of a setting of 1, 8 or 16 bits; otherwise as voxel_draw.
- * out  voxels: in order, as worksheet_read gives them */
+ * out  voxels: in order, as flat_texture_read gives them */
 void voxel_case_draw(const VoxelCase *c, const VoxelSetting *setting, bool everywhere,
                      uint8_t *voxels);
 
 /* The same on one device, into memory that the caller frees with gp_free. */
 uint8_t *voxel_case_volume(const VoxelCase *c, const VoxelSetting *setting);
 
-/* The voxels of a worksheet; the caller frees them with gp_free. */
-uint8_t *voxel_read(const Worksheet *sheet);
+/* The voxels of a flat texture; the caller frees them with gp_free. */
+uint8_t *voxel_read(const FlatTexture *sheet);
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 

@@ -28,17 +28,17 @@ uint32_t shadow_tile_draws(uint32_t objects)
 
 static GpSurface *draw_request(const ShadowBuild *build, const ShadowLamp *lamp)
 {
-    Work *work = build->work;
+    Frame *frame = build->frame;
     const GpPass *scene = &build->scene->list.passes[0];
     uint32_t width = (build->scene->picture->width + REQUEST_SHARE - 1) / REQUEST_SHARE;
     uint32_t height = (build->scene->picture->height + REQUEST_SHARE - 1) / REQUEST_SHARE;
-    GpSurface *request = work_surface(work, GP_R32F, width, height, 1);
-    ShadowTilesUniforms *uniforms = work_alloc(work, scene->draw_count, sizeof *uniforms);
-    work_pass(work, "request", request, work_surface(work, GP_D32F, width, height, 1), nothing);
+    GpSurface *request = frame_surface(frame, GP_R32F, width, height, 1);
+    ShadowTilesUniforms *uniforms = frame_alloc(frame, scene->draw_count, sizeof *uniforms);
+    frame_pass(frame, "request", request, frame_surface(frame, GP_D32F, width, height, 1), nothing);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
         shadow_set_uniforms(build, lamp, object, &uniforms[i]);
-        GpDraw *draw = work_draw(work, &shadow_request_program, &uniforms[i], &object->geometry);
+        GpDraw *draw = frame_draw(frame, &shadow_request_program, &uniforms[i], &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
@@ -52,30 +52,30 @@ static GpSurface *draw_request(const ShadowBuild *build, const ShadowLamp *lamp)
 static GpSurface *draw_marks(const ShadowBuild *build, const GpSurface *request)
 {
     static const ShadowMarkUniforms uniforms = { TILES };
-    Work *work = build->work;
-    GpSurface *marks = work_surface(work, GP_A8R8G8B8, TILES, TILES, 1);
+    Frame *frame = build->frame;
+    GpSurface *marks = frame_surface(frame, GP_A8R8G8B8, TILES, TILES, 1);
     uint32_t count = request->width * request->height;
-    float(*pixel)[2] = work_alloc(work, count, sizeof *pixel);
+    float(*pixel)[2] = frame_alloc(frame, count, sizeof *pixel);
     for (uint32_t i = 0; i < count; i++) {
         pixel[i][0] = ((float)(i % request->width) + 0.5f) / (float)request->width;
         pixel[i][1] = ((float)(i / request->width) + 0.5f) / (float)request->height;
     }
     GpGeometry points = { .primitive = GP_POINTS, .vertex_count = count };
     points.streams[GP_TEXCOORD0] = (GpStream){ .data = pixel, .components = 2 };
-    work_pass(work, "mark", marks, NULL, nothing);
-    GpDraw *draw = work_draw(work, &shadow_mark_program, &uniforms, &points);
+    frame_pass(frame, "mark", marks, NULL, nothing);
+    GpDraw *draw = frame_draw(frame, &shadow_mark_program, &uniforms, &points);
     draw->textures[0].surface = request;
     return marks;
 }
 
 /* Runs the passes from `first` on. */
-static GpResult run(const Work *work, uint32_t first, GpError *error)
+static GpResult run(const Frame *frame, uint32_t first, GpError *error)
 {
     GpDevice *device;
     GpResult result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
     if (result)
         return result;
-    const GpList list = { work->list.passes + first, work->list.pass_count - first };
+    const GpList list = { frame->list.passes + first, frame->list.pass_count - first };
     result = gp_device_run(device, &list, error);
     gp_device_destroy(&device);
     return result;
@@ -156,8 +156,8 @@ static void draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, const uint32_
                        uint32_t count)
 {
     const GpPass *scene = &build->scene->list.passes[0];
-    Box *boxes = work_alloc(build->work, scene->draw_count, sizeof *boxes);
-    float(*clip)[4][4] = work_alloc(build->work, count, sizeof *clip);
+    Box *boxes = frame_alloc(build->frame, scene->draw_count, sizeof *boxes);
+    float(*clip)[4][4] = frame_alloc(build->frame, count, sizeof *clip);
     float size = (float)lamp->tile;
     for (uint32_t i = 0; i < scene->draw_count; i++)
         boxes[i] = draw_box(&scene->draws[i]);
@@ -176,10 +176,10 @@ static void draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, const uint32_
 
 GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, GpError *error)
 {
-    Work *work = build->work;
-    uint32_t first = work->list.pass_count - 1;
+    Frame *frame = build->frame;
+    uint32_t first = frame->list.pass_count - 1;
     const GpSurface *marks = draw_marks(build, draw_request(build, lamp));
-    GpResult result = run(work, first, error);
+    GpResult result = run(frame, first, error);
     if (result)
         return result;
 
@@ -191,11 +191,11 @@ GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, GpError *
         return GP_OK;
     lamp->columns = (uint32_t)ceil(sqrt(count));
     lamp->rows = (count + lamp->columns - 1) / lamp->columns;
-    lamp->table = work_surface(work, GP_A8R8G8B8, TILES, TILES, 1);
-    lamp->atlas = work_surface(work, shadow_map_format(build->setting, lamp->light),
-                               lamp->columns * lamp->tile, lamp->rows * lamp->tile, 1);
+    lamp->table = frame_surface(frame, GP_A8R8G8B8, TILES, TILES, 1);
+    lamp->atlas = frame_surface(frame, shadow_map_format(build->setting, lamp->light),
+                                lamp->columns * lamp->tile, lamp->rows * lamp->tile, 1);
     fill_table(tiles, count, lamp);
-    work_pass(work, "tiles", NULL, lamp->atlas, NULL)->depth.clear_stencil =
+    frame_pass(frame, "tiles", NULL, lamp->atlas, NULL)->depth.clear_stencil =
         gp_format_info(lamp->atlas->format)->has_stencil;
     draw_tiles(build, lamp, tiles, count);
     return GP_OK;

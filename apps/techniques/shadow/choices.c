@@ -60,8 +60,9 @@ double shadow_bias(const ShadowSetting *setting, const ShadowLamp *lamp)
         return lamp->map->format == GP_D16 ? 0x1p-16 : 0x1p-24;
     /* Depth grows by this over a unit of length, and a texel is so many units wide. */
     double middle = 0.5 * (view->near + view->far), range = view->far - view->near;
-    double growth = view->parallel ? 1 / range : view->near * view->far / range / (middle * middle);
-    return steep * growth * view->width * (view->parallel ? 1 : middle) / lamp->size;
+    double scaling =
+        view->parallel ? 1 / range : view->near * view->far / range / (middle * middle);
+    return steep * scaling * view->width * (view->parallel ? 1 : middle) / lamp->size;
 }
 
 /* --- refusals --------------------------------------------------------------------------------- */

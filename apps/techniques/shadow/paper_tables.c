@@ -76,14 +76,14 @@ static int run_row(const BenchTable *table, const BenchTableRun *run, const Fram
     if (!scene)
         return code;
     for (int i = 0; !code && i < COLUMNS; i++) {
-        Work work = { .color = NULL };
-        Frame frame;
+        Frame frame = { .color = NULL };
+        RunStatistics statistics;
         Timing timing = { .ms = 0 };
         GpError error = { "" };
-        if (technique_time(&run->clock, &shadow_technique, scene, frames->options[i], &work, &frame,
-                           &timing, &error))
+        if (technique_time(&run->clock, &shadow_technique, scene, frames->options[i], &frame,
+                           &statistics, &timing, &error))
             code = report(EXIT_INPUT, "%s: %s", frames->options[i], error.text);
-        work_free(&work);
+        frame_free(&frame);
         ms[i] = timing.ms;
     }
     shadow_technique.close(scene);

@@ -24,7 +24,7 @@ typedef struct ShadowLamp {
 typedef struct ShadowBuild {
     const Scene *scene;
     const ShadowSetting *setting;
-    Work *work;
+    Frame *frame;
 } ShadowBuild;
 
 /* --- choices ---------------------------------------------------------------------------------- */

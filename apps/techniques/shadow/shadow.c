@@ -48,7 +48,7 @@ static GpViewport map_viewport(const ShadowLamp *lamp, int side)
 static const bool *find_casts(const ShadowBuild *build, const SceneLight *light)
 {
     const GpPass *scene = &build->scene->list.passes[0];
-    bool *casts = work_alloc(build->work, scene->draw_count, sizeof *casts);
+    bool *casts = frame_alloc(build->frame, scene->draw_count, sizeof *casts);
     for (uint32_t i = 0; i < scene->draw_count; i++)
         casts[i] = build->setting->fit == LIGHT_FIT_LIGHT ||
                    !only_receives(build->scene, light, &scene->draws[i]);
@@ -67,8 +67,8 @@ void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, uint32
     if (!lamp->casts[object])
         return;
     bool plain = setting->method == SHADOW_PLAIN;
-    GpDraw *draw = work_draw(build->work, plain ? &shadow_map_program : &depth_only_program,
-                             uniforms, &caster->geometry);
+    GpDraw *draw = frame_draw(build->frame, plain ? &shadow_map_program : &depth_only_program,
+                              uniforms, &caster->geometry);
     GpRasterState *raster = &draw->state.raster;
     draw->name = caster->name;
     draw->viewport = *viewport;
@@ -87,22 +87,23 @@ void shadow_draw_caster(const ShadowBuild *build, const ShadowLamp *lamp, uint32
 static void draw_map(const ShadowBuild *build, ShadowLamp *lamp)
 {
     static const float farthest[4] = { 1, 1, 1, 1 };
-    Work *work = build->work;
+    Frame *frame = build->frame;
     GpFormat format = shadow_map_format(build->setting, lamp->light);
     uint32_t columns = lamp->six_sides ? 3 : 1, rows = lamp->six_sides ? 2 : 1;
     uint32_t width = columns * lamp->size, height = rows * lamp->size;
-    lamp->map = work_surface(work, format, width, height, 1);
+    lamp->map = frame_surface(frame, format, width, height, 1);
     if (gp_format_info(format)->is_depth)
-        work_pass(work, "map", NULL, lamp->map, NULL)->depth.clear_stencil =
+        frame_pass(frame, "map", NULL, lamp->map, NULL)->depth.clear_stencil =
             gp_format_info(format)->has_stencil;
     else
-        work_pass(work, "map", lamp->map, work_surface(work, GP_D32F, width, height, 1), farthest);
+        frame_pass(frame, "map", lamp->map, frame_surface(frame, GP_D32F, width, height, 1),
+                   farthest);
     for (int side = 0; side < (lamp->six_sides ? 6 : 1); side++) {
         const GpPass *scene = &build->scene->list.passes[0];
         GpViewport viewport = map_viewport(lamp, side);
         float clip[4][4];
         round_matrix(lamp->view[side].clip, clip);
-        const void *uniforms = work_copy(work, clip, sizeof clip);
+        const void *uniforms = frame_copy(frame, clip, sizeof clip);
         for (uint32_t i = 0; i < scene->draw_count; i++)
             shadow_draw_caster(build, lamp, i, uniforms, &viewport, lamp->six_sides);
     }
@@ -242,20 +243,20 @@ GpSampler shadow_map_sampler(const ShadowSetting *setting)
 /* The first light brings depth and the ambient light, the others are added to what is seen. */
 static void draw_lit(const ShadowBuild *build, const ShadowLamp *lamp, bool first)
 {
-    Work *work = build->work;
+    Frame *frame = build->frame;
     const GpPass *scene = &build->scene->list.passes[0];
-    GpPass *pass = work_pass(work, "lit", work->color, work->depth, build->scene->background);
+    GpPass *pass = frame_pass(frame, "lit", frame->color, frame->depth, build->scene->background);
     pass->color[0].clear_color[3] = 0;
     pass->color[0].clear = pass->depth.clear_depth = first;
-    ShadowTilesUniforms *uniforms = work_alloc(work, scene->draw_count, sizeof *uniforms);
+    ShadowTilesUniforms *uniforms = frame_alloc(frame, scene->draw_count, sizeof *uniforms);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
         bool textured = object->program == &textured_phong_program;
         shadow_set_uniforms(build, lamp, object, &uniforms[i]);
         if (!first)
             memcpy(uniforms[i].shadow.ambient, black, sizeof uniforms[i].shadow.ambient);
-        GpDraw *draw =
-            work_draw(work, choose_program(build, lamp, textured), &uniforms[i], &object->geometry);
+        GpDraw *draw = frame_draw(frame, choose_program(build, lamp, textured), &uniforms[i],
+                                  &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = first ? nearer : same;
@@ -274,13 +275,13 @@ static void draw_lit(const ShadowBuild *build, const ShadowLamp *lamp, bool firs
 
 /* --- the frame -------------------------------------------------------------------------------- */
 
-GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Work *work,
+GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Frame *frame,
                            GpError *error)
 {
     GpResult result = shadow_check(scene, setting, error);
     if (result)
         return result;
-    const ShadowBuild build = { scene, setting, work };
+    const ShadowBuild build = { scene, setting, frame };
     bool adaptive = setting->fit == LIGHT_FIT_ADAPTIVE;
     uint32_t objects = scene->list.passes[0].draw_count;
     uint32_t passes = 2, draws = 7 * objects; /* of a light, at most */
@@ -288,9 +289,10 @@ GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Wor
         passes += SHADOW_TILE_PASSES;
         draws += shadow_tile_draws(objects);
     }
-    work_reserve(work, scene->light_count * passes, scene->light_count * draws);
-    work->color = work_surface(work, GP_A8R8G8B8, scene->picture->width, scene->picture->height, 1);
-    work->depth = work_surface(work, GP_D32F, scene->picture->width, scene->picture->height, 1);
+    frame_reserve(frame, scene->light_count * passes, scene->light_count * draws);
+    frame->color =
+        frame_surface(frame, GP_A8R8G8B8, scene->picture->width, scene->picture->height, 1);
+    frame->depth = frame_surface(frame, GP_D32F, scene->picture->width, scene->picture->height, 1);
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const SceneLight *light = &scene->lights[i];
         ShadowLamp lamp = { .light = light,
@@ -301,7 +303,7 @@ GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Wor
             lamp.view[side] = light_view(scene, lamp.light, side, (LightFit)setting->fit);
         draw_map(&build, &lamp);
         if (adaptive && (result = shadow_draw_tiles(&build, &lamp, error))) {
-            work_free(work);
+            frame_free(frame);
             return result;
         }
         draw_lit(&build, &lamp, i == 0);

@@ -47,7 +47,7 @@ extern const ShadowSetting shadow_defaults;
  * out  work->color: A8R8G8B8; with one light, alpha is its visibility; 0 where nothing was drawn
  * errors GP_ERROR_INVALID: the setting contradicts itself, the scene has passes of its own, no light
  *        or an object of another program, with the reason; *work is then empty */
-GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Work *work,
+GpResult tech_shadow_build(const Scene *scene, const ShadowSetting *setting, Frame *frame,
                            GpError *error);
 
 #endif

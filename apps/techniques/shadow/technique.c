@@ -113,10 +113,10 @@ static void close_scene(void *opened)
     gp_free(study);
 }
 
-static GpResult build(void *opened, const void *setting, Work *work, GpError *error)
+static GpResult build(void *opened, const void *setting, Frame *frame, GpError *error)
 {
     const Study *study = opened;
-    return tech_shadow_build(&study->scene, setting, work, error);
+    return tech_shadow_build(&study->scene, setting, frame, error);
 }
 
 /* All triangles of the scene, for rays. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */
@@ -194,10 +194,10 @@ static GpResult find_truth(void *opened, int threads, GpError *error)
     return gp_fail(error, result, "no memory for the truth");
 }
 
-static const char *const figures[] = { "acne", "leak", "rmse", "covered", NULL };
+static const char *const metrics[] = { "acne", "leak", "rmse", "covered", NULL };
 
 /* Alpha is the visibility; where depth stayed clear, nothing was drawn. */
-static void measure(const void *opened, const Work *work, TechniqueError *error)
+static void measure(const void *opened, const Frame *frame, TechniqueError *error)
 {
     const Study *study = opened;
     size_t pixels = (size_t)study->truth.width * study->truth.height;
@@ -207,17 +207,17 @@ static void measure(const void *opened, const Work *work, TechniqueError *error)
         return;
     for (size_t i = 0; i < pixels; i++) {
         float depth;
-        memcpy(&depth, work->depth->level[0].texels + i * sizeof depth, sizeof depth);
-        uint8_t alpha = work->color->level[0].texels[4 * i + 3];
+        memcpy(&depth, frame->depth->level[0].texels + i * sizeof depth, sizeof depth);
+        uint8_t alpha = frame->color->level[0].texels[4 * i + 3];
         visibility[i] = depth < 1 ? (float)alpha / 255 : SHADOW_NOTHING;
     }
     ShadowError shadow = shadow_error(&study->truth, visibility, NULL);
     gp_free(visibility);
     error->error = shadow.acne + shadow.leak;
-    error->figures[0] = shadow.acne;
-    error->figures[1] = shadow.leak;
-    error->figures[2] = shadow.rmse;
-    error->figures[3] = shadow.covered;
+    error->metrics[0] = shadow.acne;
+    error->metrics[1] = shadow.leak;
+    error->metrics[2] = shadow.rmse;
+    error->metrics[3] = shadow.covered;
 }
 
 const Technique shadow_technique = {
@@ -229,7 +229,7 @@ const Technique shadow_technique = {
     .setting_bytes = sizeof(ShadowSetting),
     .sweep = sweep,
     .error_name = "wrong pixels",
-    .figures = figures,
+    .metrics = metrics,
     .open = open_scene,
     .close = close_scene,
     .build = build,

@@ -4,40 +4,40 @@
 
 #include <string.h>
 
-static void begin_pass(Work *work, const char *name, const Worksheet *sheet)
+static void begin_pass(Frame *frame, const char *name, const FlatTexture *sheet)
 {
-    worksheet_pass(work, name, sheet)->color[0].clear = false;
+    flat_texture_pass(frame, name, sheet)->color[0].clear = false;
 }
 
 /* Begins the pass that draws the result. Passes without draws come before, to make the operands
  * targets of its neighbours: tiles hold those, and read in place what they hold; all else would be
  * read texel by texel. */
-static void begin_result(Work *work, const char *name, const Worksheet *a, const Worksheet *b,
-                         const Worksheet *result)
+static void begin_result(Frame *frame, const char *name, const FlatTexture *a, const FlatTexture *b,
+                         const FlatTexture *result)
 {
-    begin_pass(work, "operand", b);
+    begin_pass(frame, "operand", b);
     if (a->texels != result->texels)
-        begin_pass(work, "operand", a);
-    begin_pass(work, name, result);
+        begin_pass(frame, "operand", a);
+    begin_pass(frame, name, result);
 }
 
-static GpDraw *draw_sheet(Work *work, const GpProgram *program, const Worksheet *sheet,
+static GpDraw *draw_sheet(Frame *frame, const GpProgram *program, const FlatTexture *sheet,
                           GpBlendOp blend)
 {
-    GpDraw *draw = work_draw(work, program, NULL, &worksheet_cover);
+    GpDraw *draw = frame_draw(frame, program, NULL, &flat_texture_cover);
     draw->textures[0].surface = sheet->texels;
     draw->state.blend[0].op = blend;
     return draw;
 }
 
-static bool are_alike(const Worksheet *a, const Worksheet *b)
+static bool are_alike(const FlatTexture *a, const FlatTexture *b)
 {
     return a->size == b->size && a->bits == b->bits && a->texels->width == b->texels->width &&
            a->texels->height == b->texels->height;
 }
 
-void voxel_combine(Work *work, const Worksheet *a, const Worksheet *b, VoxelCombine operation,
-                   const Worksheet *result)
+void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, VoxelCombine operation,
+                   const FlatTexture *result)
 {
     static const struct {
         const GpProgram *program;
@@ -50,14 +50,14 @@ void voxel_combine(Work *work, const Worksheet *a, const Worksheet *b, VoxelComb
     const bool in_place = a->texels == result->texels;
     GP_ASSERT(a->bits != 16 && are_alike(a, b) && are_alike(a, result));
     GP_ASSERT(b->texels != result->texels);
-    begin_result(work, "combine", a, b, result);
+    begin_result(frame, "combine", a, b, result);
     if (!in_place)
-        draw_sheet(work, &texel_copy_program, a, GP_BLEND_OFF);
-    draw_sheet(work, ways[operation].program, b,
+        draw_sheet(frame, &texel_copy_program, a, GP_BLEND_OFF);
+    draw_sheet(frame, ways[operation].program, b,
                a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
 }
 
-uint32_t voxel_combine_draws(const Worksheet *sheet)
+uint32_t voxel_combine_draws(const FlatTexture *sheet)
 {
     return 2 * sheet->slabs;
 }
@@ -65,10 +65,10 @@ uint32_t voxel_combine_draws(const Worksheet *sheet)
 /* --- collision -------------------------------------------------------------------------------- */
 
 /* The range's rectangle on the patch of a slab. */
-static void cut_to_slab(GpRasterState *raster, const Worksheet *sheet, const VoxelRange *range,
+static void cut_to_slab(GpRasterState *raster, const FlatTexture *sheet, const VoxelRange *range,
                         uint32_t slab)
 {
-    const GpViewport patch = worksheet_patch(sheet, slab);
+    const GpViewport patch = flat_texture_patch(sheet, slab);
     const int32_t left = (int32_t)patch.x, top = (int32_t)patch.y;
     raster->scissor = true;
     raster->scissor_x0 = left + (int32_t)range->low[0];
@@ -77,26 +77,26 @@ static void cut_to_slab(GpRasterState *raster, const Worksheet *sheet, const Vox
     raster->scissor_y1 = top + (int32_t)range->end[1];
 }
 
-void voxel_collide(Work *work, const Worksheet *a, const Worksheet *b, const VoxelRange *common,
-                   const Worksheet *result)
+void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
+                   const VoxelRange *common, const FlatTexture *result)
 {
     GP_ASSERT(a->bits == 1 && are_alike(a, b) && are_alike(a, result));
     GP_ASSERT(b->texels != result->texels);
     if (voxel_range_is_empty(common))
         return;
-    begin_result(work, "collide", a, b, result);
+    begin_result(frame, "collide", a, b, result);
     for (uint32_t slab = common->low[2] / 32; slab * 32 < common->end[2]; slab++) {
         GpDraw *draw;
         if (a->texels != result->texels) {
-            draw = draw_sheet(work, &texel_copy_program, a, GP_BLEND_OFF);
+            draw = draw_sheet(frame, &texel_copy_program, a, GP_BLEND_OFF);
             cut_to_slab(&draw->state.raster, result, common, slab);
         }
-        draw = draw_sheet(work, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
+        draw = draw_sheet(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
         cut_to_slab(&draw->state.raster, result, common, slab);
     }
 }
 
-uint64_t voxel_count_range(const Worksheet *sheet, const VoxelRange *range)
+uint64_t voxel_count_range(const FlatTexture *sheet, const VoxelRange *range)
 {
     uint64_t count = 0;
     GP_ASSERT(sheet->bits == 1);
@@ -107,8 +107,8 @@ uint64_t voxel_count_range(const Worksheet *sheet, const VoxelRange *range)
         const uint32_t end = range->end[2] - slab * 32;
         const uint32_t mask = (end < 32 ? (1u << end) - 1 : ~0u) & ~0u << first;
         for (uint32_t y = range->low[1]; y < range->end[1]; y++)
-            count += worksheet_count_words(worksheet_texel(sheet, slab, range->low[0], y),
-                                           range->end[0] - range->low[0], mask);
+            count += flat_texture_count_words(flat_texture_texel(sheet, slab, range->low[0], y),
+                                              range->end[0] - range->low[0], mask);
     }
     return count;
 }

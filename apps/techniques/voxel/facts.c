@@ -80,17 +80,17 @@ static GpResult find_solid(const VoxelModel *model, uint32_t size, GpDevice *dev
     const VoxelSetting setting = {
         .kind = VOXEL_SOLID, .method = VOXEL_XOR, .size = size, .bits = 1, .axes = 3
     };
-    Work work = { .color = NULL };
-    Worksheet sheet;
+    Frame frame = { .color = NULL };
+    FlatTexture sheet;
     uint32_t passes, draws;
     tech_voxel_room(&setting, &passes, &draws);
-    work_reserve(&work, passes, draws);
-    GpResult result = tech_voxel_build(model, &setting, &work, &sheet, error);
+    frame_reserve(&frame, passes, draws);
+    GpResult result = tech_voxel_build(model, &setting, &frame, &sheet, error);
     if (!result)
-        result = gp_device_run(device, &work.list, error);
+        result = gp_device_run(device, &frame.list, error);
     if (!result)
-        worksheet_read(&sheet, bits);
-    work_free(&work);
+        flat_texture_read(&sheet, bits);
+    frame_free(&frame);
     return result;
 }
 

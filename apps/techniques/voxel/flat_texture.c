@@ -13,7 +13,7 @@ static uint32_t choose_columns(uint32_t size, uint32_t slabs)
     return columns < slabs ? columns : slabs;
 }
 
-GpResult worksheet_check(uint32_t size, uint32_t bits, GpError *error)
+GpResult flat_texture_check(uint32_t size, uint32_t bits, GpError *error)
 {
     if (size < 8 || size > 1024)
         return gp_fail(error, GP_ERROR_INVALID, "a volume of %u voxels a side: expected 8 to 1024",
@@ -29,29 +29,29 @@ GpResult worksheet_check(uint32_t size, uint32_t bits, GpError *error)
     return GP_OK;
 }
 
-Worksheet worksheet_make_slabs(Work *work, uint32_t size, uint32_t bits, uint32_t slabs)
+FlatTexture flat_texture_make_slabs(Frame *frame, uint32_t size, uint32_t bits, uint32_t slabs)
 {
-    Worksheet sheet = { .size = size, .bits = bits, .per_texel = 32 / bits, .slabs = slabs };
+    FlatTexture sheet = { .size = size, .bits = bits, .per_texel = 32 / bits, .slabs = slabs };
     sheet.columns = choose_columns(size, slabs);
     uint32_t rows = (slabs + sheet.columns - 1) / sheet.columns;
-    sheet.texels = work_surface(work, GP_A8R8G8B8, sheet.columns * size, rows * size, 1);
+    sheet.texels = frame_surface(frame, GP_A8R8G8B8, sheet.columns * size, rows * size, 1);
     return sheet;
 }
 
-Worksheet worksheet_make(Work *work, uint32_t size, uint32_t bits)
+FlatTexture flat_texture_make(Frame *frame, uint32_t size, uint32_t bits)
 {
     uint32_t per_texel = 32 / bits;
-    return worksheet_make_slabs(work, size, bits, (size + per_texel - 1) / per_texel);
+    return flat_texture_make_slabs(frame, size, bits, (size + per_texel - 1) / per_texel);
 }
 
 static const float corners[3][2] = { { -1, 1 }, { 3, 1 }, { -1, -3 } };
 
-const GpGeometry worksheet_cover = {
+const GpGeometry flat_texture_cover = {
     .vertex_count = GP_COUNT(corners),
     .streams = { [GP_POSITION] = { .data = corners, .components = 2 } },
 };
 
-GpViewport worksheet_patch(const Worksheet *sheet, uint32_t slab)
+GpViewport flat_texture_patch(const FlatTexture *sheet, uint32_t slab)
 {
     return (GpViewport){ .x = (float)(slab % sheet->columns * sheet->size),
                          .y = (float)(slab / sheet->columns * sheet->size),
@@ -59,45 +59,46 @@ GpViewport worksheet_patch(const Worksheet *sheet, uint32_t slab)
                          .height = (float)sheet->size };
 }
 
-GpDraw *worksheet_draw(Work *work, const GpProgram *program, const void *uniforms,
-                       const Worksheet *sheet, uint32_t slab)
+GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
+                          const FlatTexture *sheet, uint32_t slab)
 {
-    GpDraw *draw = work_draw(work, program, uniforms, &worksheet_cover);
-    draw->viewport = worksheet_patch(sheet, slab);
+    GpDraw *draw = frame_draw(frame, program, uniforms, &flat_texture_cover);
+    draw->viewport = flat_texture_patch(sheet, slab);
     return draw;
 }
 
-WorksheetLayout worksheet_layout(const Worksheet *sheet)
+FlatTextureLayout flat_texture_layout(const FlatTexture *sheet)
 {
-    return (WorksheetLayout){ .size = (float)sheet->size,
-                              .per_texel = (float)sheet->per_texel,
-                              .columns = (float)sheet->columns,
-                              .width = (float)sheet->texels->width,
-                              .height = (float)sheet->texels->height };
+    return (FlatTextureLayout){ .size = (float)sheet->size,
+                                .per_texel = (float)sheet->per_texel,
+                                .columns = (float)sheet->columns,
+                                .width = (float)sheet->texels->width,
+                                .height = (float)sheet->texels->height };
 }
 
-WorksheetSlab worksheet_slab(const Worksheet *sheet, uint32_t slab)
+FlatTextureSlab flat_texture_slab(const FlatTexture *sheet, uint32_t slab)
 {
-    return (WorksheetSlab){ .size = (float)sheet->size, .base = (float)(slab * sheet->per_texel) };
+    return (FlatTextureSlab){ .size = (float)sheet->size,
+                              .base = (float)(slab * sheet->per_texel) };
 }
 
-GpPass *worksheet_pass(Work *work, const char *name, const Worksheet *sheet)
+GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *sheet)
 {
-    return work_pass(work, name, sheet->texels, NULL, (const float[4]){ 0, 0, 0, 0 });
+    return frame_pass(frame, name, sheet->texels, NULL, (const float[4]){ 0, 0, 0, 0 });
 }
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
-const int worksheet_channel[4] = { 2, 1, 0, 3 };
+const int flat_texture_channel[4] = { 2, 1, 0, 3 };
 
-uint8_t *worksheet_texel(const Worksheet *sheet, uint32_t slab, uint32_t x, uint32_t y)
+uint8_t *flat_texture_texel(const FlatTexture *sheet, uint32_t slab, uint32_t x, uint32_t y)
 {
     return gp_surface_texel(&sheet->texels->level[0], sizeof(uint32_t),
                             slab % sheet->columns * sheet->size + x,
                             slab / sheet->columns * sheet->size + y);
 }
 
-size_t worksheet_bytes(const Worksheet *sheet)
+size_t flat_texture_bytes(const FlatTexture *sheet)
 {
     return ((size_t)sheet->size * sheet->size * sheet->size * sheet->bits + 7) / 8;
 }
@@ -113,16 +114,16 @@ static void put_voxel(uint8_t *voxels, size_t index, uint32_t bits, uint32_t val
     }
 }
 
-void worksheet_read(const Worksheet *sheet, uint8_t *voxels)
+void flat_texture_read(const FlatTexture *sheet, uint8_t *voxels)
 {
     const uint32_t size = sheet->size, bits = sheet->bits;
     const uint32_t mask = bits == 16 ? 0xffff : (1u << bits) - 1;
-    memset(voxels, 0, worksheet_bytes(sheet));
+    memset(voxels, 0, flat_texture_bytes(sheet));
     for (uint32_t slab = 0; slab < sheet->slabs; slab++)
         for (uint32_t y = 0; y < size; y++)
             for (uint32_t x = 0; x < size; x++) {
                 uint32_t word, z = slab * sheet->per_texel;
-                memcpy(&word, worksheet_texel(sheet, slab, x, y), sizeof word);
+                memcpy(&word, flat_texture_texel(sheet, slab, x, y), sizeof word);
                 for (; word && z < size; z++, word >>= bits)
                     if (word & mask)
                         put_voxel(voxels, x + size * (y + (size_t)size * z), bits, word & mask);
@@ -139,7 +140,7 @@ static uint32_t count_bits(uint64_t word)
 }
 
 /* Of a row of words, those bits that the mask has. Most words are empty where surfaces meet. */
-uint64_t worksheet_count_words(const uint8_t *texels, uint32_t words, uint32_t mask)
+uint64_t flat_texture_count_words(const uint8_t *texels, uint32_t words, uint32_t mask)
 {
     uint64_t count = 0, two;
     for (; words >= 2; words -= 2, texels += sizeof two) {
@@ -153,7 +154,7 @@ uint64_t worksheet_count_words(const uint8_t *texels, uint32_t words, uint32_t m
     return count + count_bits(one & mask);
 }
 
-uint64_t worksheet_count(const Worksheet *sheet)
+uint64_t flat_texture_count(const FlatTexture *sheet)
 {
     const uint32_t bits = sheet->bits, mask = bits == 16 ? 0xffff : (1u << bits) - 1;
     uint64_t count = 0;
@@ -161,7 +162,7 @@ uint64_t worksheet_count(const Worksheet *sheet)
     for (uint32_t y = 0; y < level->height; y++) {
         const uint8_t *row = gp_surface_texel(level, sizeof(uint32_t), 0, y);
         if (bits == 1)
-            count += worksheet_count_words(row, level->width, ~0u);
+            count += flat_texture_count_words(row, level->width, ~0u);
         for (uint32_t x = 0, word; bits != 1 && x < level->width; x++)
             for (memcpy(&word, row + 4 * (size_t)x, sizeof word); word; word >>= bits)
                 count += (word & mask) != 0;

@@ -42,22 +42,22 @@ static Camera camera_for(uint32_t size)
                      .far = 5 * n };
 }
 
-static GpResult time_picture(const TechniqueClock *clock, const Worksheet *sheet, double *ms,
+static GpResult time_picture(const TechniqueClock *clock, const FlatTexture *sheet, double *ms,
                              GpError *error)
 {
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     Timing timing;
     VoxelView view = voxel_view_defaults;
     view.camera = camera_for(sheet->size);
-    work_reserve(&work, VOXEL_VIEW_PASSES, VOXEL_VIEW_DRAWS);
-    GpResult result = voxel_view_build(sheet, &view, PICTURE, PICTURE, &work, error);
+    frame_reserve(&frame, VOXEL_VIEW_PASSES, VOXEL_VIEW_DRAWS);
+    GpResult result = voxel_view_build(sheet, &view, PICTURE, PICTURE, &frame, error);
     if (!result)
-        result = frame_first(clock->device, &work.list, &frame, error);
+        result = run_first(clock->device, &frame.list, &statistics, error);
     if (!result)
-        result = timing_run(clock->device, &work.list, &clock->plan, clock->each, &frame, &timing,
-                            error);
-    work_free(&work);
+        result = timing_run(clock->device, &frame.list, &clock->plan, clock->each, &statistics,
+                            &timing, error);
+    frame_free(&frame);
     if (!result)
         *ms = timing.ms;
     return result;
@@ -68,18 +68,18 @@ static GpResult measure_picture(const TechniqueClock *clock, VoxelScene *scene, 
                                 double *ms, GpError *error)
 {
     char options[64];
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     snprintf(options, sizeof options, "--method sheets --size %u", size);
-    GpResult result = technique_build(&voxel_technique, scene, options, &work, error);
+    GpResult result = technique_build(&voxel_technique, scene, options, &frame, error);
     if (result)
         return result;
-    result = frame_first(clock->device, &work.list, &frame, error);
+    result = run_first(clock->device, &frame.list, &statistics, error);
     if (!result) {
-        const VoxelMade *made = work.made;
+        const VoxelMade *made = frame.made;
         result = time_picture(clock, &made->sheet, ms, error);
     }
-    work_free(&work);
+    frame_free(&frame);
     return result;
 }
 
@@ -87,20 +87,20 @@ static GpResult measure_row(const TechniqueClock *clock, VoxelScene *scene, cons
                             SizesMeasured *measured, GpError *error)
 {
     char options[64];
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     Timing timing;
     snprintf(options, sizeof options, "--method sheets --size %u --bits %u", row->size, row->bits);
-    GpResult result =
-        technique_time(clock, &voxel_technique, scene, options, &work, &frame, &timing, error);
+    GpResult result = technique_time(clock, &voxel_technique, scene, options, &frame, &statistics,
+                                     &timing, error);
     if (result)
         return result;
-    const VoxelMade *made = work.made;
+    const VoxelMade *made = frame.made;
     measured->ms = timing.ms;
-    measured->voxels = worksheet_count(&made->sheet);
-    measured->memory_mb = (double)worksheet_bytes(&made->sheet) / (1 << 20);
-    measured->worksheets_mb = (double)sheets_bytes(&work.list) / (1 << 20);
-    work_free(&work);
+    measured->voxels = flat_texture_count(&made->sheet);
+    measured->memory_mb = (double)flat_texture_bytes(&made->sheet) / (1 << 20);
+    measured->worksheets_mb = (double)sheets_bytes(&frame.list) / (1 << 20);
+    frame_free(&frame);
     return measure_picture(clock, scene, row->size, &measured->picture_ms, error);
 }
 

@@ -42,12 +42,12 @@ typedef struct StepsMeasured {
 static GpResult measure_whole(const TechniqueClock *clock, VoxelScene *scene, const char *options,
                               double *ms, GpError *error)
 {
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     Timing timing;
-    GpResult result =
-        technique_time(clock, &voxel_technique, scene, options, &work, &frame, &timing, error);
-    work_free(&work);
+    GpResult result = technique_time(clock, &voxel_technique, scene, options, &frame, &statistics,
+                                     &timing, error);
+    frame_free(&frame);
     if (!result)
         *ms = timing.ms;
     return result;
@@ -56,20 +56,20 @@ static GpResult measure_whole(const TechniqueClock *clock, VoxelScene *scene, co
 static GpResult measure_sheets(const TechniqueClock *clock, VoxelScene *scene,
                                StepsMeasured *measured, GpError *error)
 {
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     Timing timing;
     SheetsTimes steps;
     GpResult result = technique_time(clock, &voxel_technique, scene, "--method sheets" AT_SIZE,
-                                     &work, &frame, &timing, error);
+                                     &frame, &statistics, &timing, error);
     if (result)
         return result;
-    const VoxelMade *made = work.made;
+    const VoxelMade *made = frame.made;
     measured->sheets = timing.ms;
-    measured->voxels = worksheet_count(&made->sheet);
-    measured->worksheets_mb = (double)sheets_bytes(&work.list) / (1 << 20);
-    result = sheets_time_steps(clock, &work, &steps, error);
-    work_free(&work);
+    measured->voxels = flat_texture_count(&made->sheet);
+    measured->worksheets_mb = (double)sheets_bytes(&frame.list) / (1 << 20);
+    result = sheets_time_steps(clock, &frame, &steps, error);
+    frame_free(&frame);
     if (result)
         return result;
     measured->step[0] = steps.raster;

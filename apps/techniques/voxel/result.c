@@ -33,12 +33,12 @@ GpResult voxel_result_take(const VoxelPairMade *made, const GpSurface *picture, 
     static const GpVolumeType types[] = {
         [1] = GP_VOLUME_BITS, [8] = GP_VOLUME_U8, [16] = GP_VOLUME_U16
     };
-    const Worksheet *sheet = &made->result;
-    const size_t bytes = worksheet_bytes(sheet);
+    const FlatTexture *sheet = &made->result;
+    const size_t bytes = flat_texture_bytes(sheet);
     uint8_t *voxels = gp_alloc(bytes, 1);
     if (!voxels)
         return GP_ERROR_MEMORY;
-    worksheet_read(sheet, voxels);
+    flat_texture_read(sheet, voxels);
     result->volume = (GpVolume){ .type = types[sheet->bits], .data = voxels };
     for (int k = 0; k < 3; k++) {
         result->volume.dims[k] = sheet->size;
@@ -46,7 +46,7 @@ GpResult voxel_result_take(const VoxelPairMade *made, const GpSurface *picture, 
     }
     result->picture = picture;
     result->hash = picture ? gp_surface_hash(picture) : XXH3_64bits(voxels, bytes);
-    result->voxels = worksheet_count(sheet);
+    result->voxels = flat_texture_count(sheet);
     result->is_touching = is_touching;
     if (is_touching)
         result->where = range_of_bits(voxels, sheet->size);
@@ -85,10 +85,11 @@ static json_t *range_json(const VoxelRange *range)
     return array;
 }
 
-json_t *voxel_result_json(const VoxelResult *result, const Frame *frame, const GpSurface *color)
+json_t *voxel_result_json(const VoxelResult *result, const RunStatistics *statistics,
+                          const GpSurface *color)
 {
     const json_int_t size = result->volume.dims[0];
-    json_t *object = frame_json(frame, result->hash, color);
+    json_t *object = run_json(statistics, result->hash, color);
     if (!result->picture) {
         json_t *volume =
             json_pack("{s:s, s:I, s:I, s:I, s:I}", "format", "VOXELS", "width", size, "height",

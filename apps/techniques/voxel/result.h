@@ -1,4 +1,4 @@
-/* What a voxelization gave: taken from its worksheets, written to a file, and told. */
+/* What a voxelization gave: taken from its flat textures, written to a file, and told. */
 #ifndef APPS_TECHNIQUES_VOXEL_RESULT_H
 #define APPS_TECHNIQUES_VOXEL_RESULT_H
 
@@ -36,6 +36,7 @@ GpResult voxel_result_write(const VoxelResult *result, const char *path, GpError
 void voxel_result_print(const VoxelResult *result);
 
 /* Members beside the frame's, for --json. color: of the frame. The caller owns it. */
-json_t *voxel_result_json(const VoxelResult *result, const Frame *frame, const GpSurface *color);
+json_t *voxel_result_json(const VoxelResult *result, const RunStatistics *statistics,
+                          const GpSurface *color);
 
 #endif

@@ -21,28 +21,28 @@ static GpResult time_step(const TechniqueClock *clock, const GpList *list, int s
                           double *ms, GpError *error)
 {
     GpList chosen = { .passes = some };
-    Frame frame;
+    RunStatistics statistics;
     Timing timing;
     for (uint32_t i = 0; i < list->pass_count; i++)
         if (step_of(&list->passes[i]) == step)
             some[chosen.pass_count++] = list->passes[i];
-    GpResult result = frame_first(clock->device, &chosen, &frame, error);
+    GpResult result = run_first(clock->device, &chosen, &statistics, error);
     if (!result)
-        result =
-            timing_run(clock->device, &chosen, &clock->plan, clock->each, &frame, &timing, error);
+        result = timing_run(clock->device, &chosen, &clock->plan, clock->each, &statistics, &timing,
+                            error);
     if (!result)
         *ms = timing.ms;
     return result;
 }
 
-GpResult sheets_time_steps(const TechniqueClock *clock, const Work *work, SheetsTimes *steps,
+GpResult sheets_time_steps(const TechniqueClock *clock, const Frame *frame, SheetsTimes *steps,
                            GpError *error)
 {
     double ms[STEPS];
-    GpPass *some = gp_alloc(work->list.pass_count, sizeof *some);
+    GpPass *some = gp_alloc(frame->list.pass_count, sizeof *some);
     GpResult result = some ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (int step = 0; step < STEPS && !result; step++)
-        result = time_step(clock, &work->list, step, some, &ms[step], error);
+        result = time_step(clock, &frame->list, step, some, &ms[step], error);
     gp_free(some);
     if (!result)
         *steps = (SheetsTimes){ ms[RASTER], ms[TEXELIZE], ms[SYNTHESIZE] };
@@ -55,14 +55,14 @@ enum { SLAB = 32 }; /* voxels of one bit in a texel */
 
 static double time_sorting(const TechniqueClock *clock, const VoxelModel *model, VoxelSort *sort)
 {
-    const double start = meter_clock_ms(CLOCK_MONOTONIC);
+    const double start = machine_clock_ms(CLOCK_MONOTONIC);
     double begin, end = start;
     uint32_t times = 0;
     do {
         begin = end;
         voxel_sort_count(model, sort);
         voxel_sort_fill(model, sort);
-        end = meter_clock_ms(CLOCK_MONOTONIC);
+        end = machine_clock_ms(CLOCK_MONOTONIC);
         clock->each[times++] = end - begin;
     } while (!timing_is_over(&clock->plan, times, end - start));
     return timing_median(clock->each, times);

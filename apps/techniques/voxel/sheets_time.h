@@ -8,14 +8,14 @@
 /* Milliseconds, medians, of the steps. */
 typedef struct SheetsTimes {
     double raster;     /* triangles into slabs, along three axes */
-    double texelize;   /* slabs into worksheets */
-    double synthesize; /* worksheets along x and y turned and merged into the one along z */
+    double texelize;   /* slabs into flat textures */
+    double synthesize; /* flat textures along x and y turned and merged into the one along z */
 } SheetsTimes;
 
 /* Measures the passes of --method sheets in groups, each by the clock's plan.
  * in     work: of a frame that has been drawn
  * errors those of gp_device_run, GP_ERROR_MEMORY */
-GpResult sheets_time_steps(const TechniqueClock *clock, const Work *work, SheetsTimes *steps,
+GpResult sheets_time_steps(const TechniqueClock *clock, const Frame *frame, SheetsTimes *steps,
                            GpError *error);
 
 /* Milliseconds, the median, of sorting a model's triangles as --method sheets does once for a model

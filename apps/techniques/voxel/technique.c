@@ -97,27 +97,27 @@ static void close_scene(void *opened)
     gp_free(study);
 }
 
-static GpResult build(void *opened, const void *chosen, Work *work, GpError *error)
+static GpResult build(void *opened, const void *chosen, Frame *frame, GpError *error)
 {
     const Study *study = opened;
     const VoxelSetting *setting = chosen;
-    GpResult result = worksheet_check(setting->size, setting->bits, error);
+    GpResult result = flat_texture_check(setting->size, setting->bits, error);
     if (result)
         return result;
     uint32_t passes, draws;
-    VoxelMade *made = work_alloc(work, 1, sizeof *made);
+    VoxelMade *made = frame_alloc(frame, 1, sizeof *made);
     made->setting = *setting;
     made->box = voxel_scene_box(&study->scene, setting->size);
-    made->sheet = worksheet_make(work, setting->size, setting->bits);
+    made->sheet = flat_texture_make(frame, setting->size, setting->bits);
     voxel_scene_room(setting, &made->sheet, &passes, &draws);
-    work_reserve(work, passes, draws);
-    result = voxel_scene_draw(&study->scene, setting, &made->box, work, &made->sheet, error);
+    frame_reserve(frame, passes, draws);
+    result = voxel_scene_draw(&study->scene, setting, &made->box, frame, &made->sheet, error);
     if (result) {
-        work_free(work);
+        frame_free(frame);
         return result;
     }
-    work->color = made->sheet.texels;
-    work->made = made;
+    frame->color = made->sheet.texels;
+    frame->made = made;
     return GP_OK;
 }
 
@@ -141,13 +141,13 @@ static VoxelTruthKind truth_of(const VoxelSetting *setting)
     return setting->method == VOXEL_THIN ? VOXEL_TRUTH_SAMPLED : VOXEL_TRUTH_TOUCHED;
 }
 
-/* The voxels of a worksheet that are not 0, as bits. NULL without memory; the caller frees them. */
-static uint8_t *bits_of(const Worksheet *sheet)
+/* The voxels of a flat texture that are not 0, as bits. NULL without memory; the caller frees them. */
+static uint8_t *bits_of(const FlatTexture *sheet)
 {
     const size_t count = (size_t)sheet->size * sheet->size * sheet->size, each = sheet->bits / 8;
-    uint8_t *voxels = gp_alloc(worksheet_bytes(sheet), 1);
+    uint8_t *voxels = gp_alloc(flat_texture_bytes(sheet), 1);
     if (voxels)
-        worksheet_read(sheet, voxels);
+        flat_texture_read(sheet, voxels);
     if (!voxels || sheet->bits == 1)
         return voxels;
     uint8_t *bits = gp_alloc((count + 7) / 8, 1);
@@ -158,12 +158,12 @@ static uint8_t *bits_of(const Worksheet *sheet)
     return bits;
 }
 
-static const char *const figures[] = { "voxels", "missing", "extra", NULL };
+static const char *const metrics[] = { "voxels", "missing", "extra", NULL };
 
-static void measure(const void *opened, const Work *work, TechniqueError *error)
+static void measure(const void *opened, const Frame *frame, TechniqueError *error)
 {
     const Study *study = opened;
-    const VoxelMade *made = work->made;
+    const VoxelMade *made = frame->made;
     const VoxelSetting *setting = &made->setting;
     const VoxelTruth *truth =
         voxel_truths_find(study->truths, &study->scene, truth_of(setting), setting->size);
@@ -178,23 +178,23 @@ static void measure(const void *opened, const Work *work, TechniqueError *error)
             ? voxel_truths_wrong_volume(study->truths, &study->scene, setting->size, bits)
             : voxel_truths_distance(study->truths, &study->scene, setting->size, bits);
     gp_free(bits);
-    error->figures[0] = (double)worksheet_count(&made->sheet);
-    error->figures[1] = (double)missing;
-    error->figures[2] = (double)extra;
+    error->metrics[0] = (double)flat_texture_count(&made->sheet);
+    error->metrics[1] = (double)missing;
+    error->metrics[2] = (double)extra;
 }
 
-/* --- growth ----------------------------------------------------------------------------------- */
+/* --- scaling ----------------------------------------------------------------------------------- */
 
-static double voxels_a_side(const void *opened, const Work *work)
+static double voxels_a_side(const void *opened, const Frame *frame)
 {
     (void)opened;
-    const VoxelMade *made = work->made;
+    const VoxelMade *made = frame->made;
     return made->setting.size;
 }
 
-static double triangles(const void *opened, const Work *work)
+static double triangles(const void *opened, const Frame *frame)
 {
-    (void)work;
+    (void)frame;
     const Study *study = opened;
     return study->scene.mesh.triangle_count;
 }
@@ -220,12 +220,12 @@ static const TechniqueLine with_triangles[] = {
     { .name = NULL },
 };
 
-static const TechniqueGuide size_guides[] = {
+static const TechniqueSlope size_slopes[] = {
     { 1, "as the side" }, { 2, "as the square" }, { 3, "as the cube" }, { .name = NULL }
 };
-static const TechniqueGuide triangle_guides[] = { { 1, "as their number" }, { .name = NULL } };
+static const TechniqueSlope triangle_slopes[] = { { 1, "as their number" }, { .name = NULL } };
 
-static const char *const growth_text[] = {
+static const char *const scaling_text[] = {
     "Two costs add up. The volume is cleared and stored, whatever is in it: at one bit a voxel a "
     "volume of N voxels a side is N^3/8 bytes, 32 KB at 64 and 16 MB at 512. The triangles come "
     "one "
@@ -247,20 +247,20 @@ static const char *const growth_text[] = {
     NULL
 };
 
-static const TechniqueGrowth growth = {
+static const TechniqueScaling scaling = {
     .title = "Voxelization: time against size",
-    .text = growth_text,
+    .text = scaling_text,
     .panels = { { .title = "Larger volumes: bunny; solid: horse",
                   .axis = "voxels a side",
                   .doubles = true,
                   .amount = voxels_a_side,
                   .lines = with_size,
-                  .guides = size_guides },
+                  .slopes = size_slopes },
                 { .title = "Larger meshes, at 256 voxels a side",
                   .axis = "triangles",
                   .amount = triangles,
                   .lines = with_triangles,
-                  .guides = triangle_guides } },
+                  .slopes = triangle_slopes } },
 };
 
 const Technique voxel_technique = {
@@ -273,8 +273,8 @@ const Technique voxel_technique = {
     .makes_volumes = true,
     .sweep = sweep,
     .error_name = "RMS distance, thousandths of the model's size",
-    .figures = figures,
-    .growth = &growth,
+    .metrics = metrics,
+    .scaling = &scaling,
     .open = open_scene,
     .close = close_scene,
     .build = build,
@@ -296,7 +296,7 @@ const Technique solid_technique = {
     .makes_volumes = true,
     .sweep = solid_sweep,
     .error_name = "wrong volume, thousandths",
-    .figures = figures,
+    .metrics = metrics,
     .open = open_scene,
     .close = close_scene,
     .build = build,

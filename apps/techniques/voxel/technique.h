@@ -12,11 +12,11 @@ extern const Technique voxel_technique;
  * other. */
 extern const Technique solid_technique;
 
-/* What the technique leaves in work->made, beside the worksheet in work->color. */
+/* What the technique leaves in work->made, beside the flat texture in work->color. */
 typedef struct VoxelMade {
     VoxelSetting setting;
     VoxelBox box;
-    Worksheet sheet;
+    FlatTexture sheet;
 } VoxelMade;
 
 #endif

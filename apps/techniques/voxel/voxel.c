@@ -78,13 +78,13 @@ static GpResult check(const VoxelModel *model, const VoxelSetting *setting, GpEr
         return gp_fail(error, GP_ERROR_INVALID, "the model has no colours");
     if (setting->axes == 2)
         return gp_fail(error, GP_ERROR_INVALID, "--axes 2: expected 1 or 3");
-    return worksheet_check(setting->size, setting->bits, error);
+    return flat_texture_check(setting->size, setting->bits, error);
 }
 
-GpResult tech_voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                         const Worksheet *sheet, GpError *error)
+GpResult tech_voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                         const FlatTexture *sheet, GpError *error)
 {
-    typedef void Method(const VoxelModel *, const VoxelSetting *, Work *, const Worksheet *);
+    typedef void Method(const VoxelModel *, const VoxelSetting *, Frame *, const FlatTexture *);
     static Method *const methods[] = {
         [VOXEL_CONSERVATIVE] = voxel_columns,
         [VOXEL_THIN] = voxel_columns,
@@ -97,16 +97,16 @@ GpResult tech_voxel_draw(const VoxelModel *model, const VoxelSetting *setting, W
     const VoxelSetting full = complete(setting);
     GpResult result = check(model, &full, error);
     if (!result)
-        methods[full.method](model, &full, work, sheet);
+        methods[full.method](model, &full, frame, sheet);
     return result;
 }
 
-GpResult tech_voxel_build(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                          Worksheet *sheet, GpError *error)
+GpResult tech_voxel_build(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                          FlatTexture *sheet, GpError *error)
 {
-    GpResult result = worksheet_check(setting->size, setting->bits, error);
+    GpResult result = flat_texture_check(setting->size, setting->bits, error);
     if (result)
         return result;
-    *sheet = worksheet_make(work, setting->size, setting->bits);
-    return tech_voxel_draw(model, setting, work, sheet, error);
+    *sheet = flat_texture_make(frame, setting->size, setting->bits);
+    return tech_voxel_draw(model, setting, frame, sheet, error);
 }

@@ -1,4 +1,4 @@
-/* Voxelization: models into volumes, by passes that end in a worksheet. */
+/* Voxelization: models into volumes, by passes that end in a flat texture. */
 #ifndef APPS_TECHNIQUES_VOXEL_VOXEL_H
 #define APPS_TECHNIQUES_VOXEL_VOXEL_H
 
@@ -13,7 +13,7 @@ typedef enum VoxelMethod {
     VOXEL_CONSERVATIVE, /* surface: every voxel that a triangle touches */
     VOXEL_THIN,         /* surface: voxels met by lines through middles, along three axes */
     VOXEL_XOR,          /* solid: each fragment turns over what is below it */
-    VOXEL_SHEETS, /* as printed: three directional worksheets, synthesized; solid: row scans */
+    VOXEL_SHEETS, /* as printed: three directional flat textures, synthesized; solid: row scans */
     VOXEL_SLICES, /* baseline: one pass a slice, between clip planes (Fang and Chen 2000) */
     VOXEL_LDI,    /* baseline: layered depth images by peeling (Heidelberger et al. 2003) */
     VOXEL_FACES,  /* baseline: depth buffers of the box's six faces (Karabassi et al. 1999) */
@@ -63,15 +63,15 @@ typedef struct VoxelModel {
 /* Appends the passes of a setting to a work in which there is room (tech_voxel_room).
  * in     sheet: of the setting's size and bits; its texels are right once the list has run
  * errors GP_ERROR_INVALID: the setting contradicts itself, with the reason */
-GpResult tech_voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                         const Worksheet *sheet, GpError *error);
+GpResult tech_voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                         const FlatTexture *sheet, GpError *error);
 
-/* The same into a worksheet that is made for it.
- * errors also those of worksheet_check */
-GpResult tech_voxel_build(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                          Worksheet *sheet, GpError *error);
+/* The same into a flat texture that is made for it.
+ * errors also those of flat_texture_check */
+GpResult tech_voxel_build(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                          FlatTexture *sheet, GpError *error);
 
-/* Upper bounds of the passes and draws that a setting appends, for work_reserve. */
+/* Upper bounds of the passes and draws that a setting appends, for frame_reserve. */
 void tech_voxel_room(const VoxelSetting *setting, uint32_t *passes, uint32_t *draws);
 
 #endif

@@ -31,19 +31,19 @@ typedef struct PeerPicture {
 /* --- pictures --------------------------------------------------------------------------------- */
 
 /* A case with a picture of its own makes it from its surfaces, so these receive what was drawn. */
-static GpResult take_picture(Replay *replay, const BenchCase *drawn, const Work *work,
+static GpResult take_picture(Replay *replay, const BenchCase *drawn, const Frame *frame,
                              PeerPicture *picture, GpError *error)
 {
-    bench_picture_size(work, &picture->width, &picture->height);
+    bench_picture_size(frame, &picture->width, &picture->height);
     picture->rgba = gp_alloc((size_t)picture->width * picture->height, 4);
     if (!picture->rgba)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for a picture");
     if (!drawn->picture)
-        return replay_show(replay, work->color, work->depth, picture->rgba, error);
-    for (uint32_t p = 0; p < work->list.pass_count; p++)
-        for (int i = 0; i < GP_MAX_TARGETS && work->list.passes[p].color[i].surface; i++)
-            replay_fetch(replay, work->list.passes[p].color[i].surface);
-    drawn->picture(work, picture->rgba);
+        return replay_show(replay, frame->color, frame->depth, picture->rgba, error);
+    for (uint32_t p = 0; p < frame->list.pass_count; p++)
+        for (int i = 0; i < GP_MAX_TARGETS && frame->list.passes[p].color[i].surface; i++)
+            replay_fetch(replay, frame->list.passes[p].color[i].surface);
+    drawn->picture(frame, picture->rgba);
     return replay_check(replay, error);
 }
 
@@ -88,7 +88,7 @@ static void print_line(const char *renderer, int threads, const BenchCase *drawn
 }
 
 /* Draws a case that has been built, in a context of its own. */
-static GpResult draw_case(const BenchCase *drawn, const Work *work, const Options *options,
+static GpResult draw_case(const BenchCase *drawn, const Frame *frame, const Options *options,
                           GpError *error)
 {
     Gl gl;
@@ -97,13 +97,13 @@ static GpResult draw_case(const BenchCase *drawn, const Work *work, const Option
     PeerPicture picture = { .rgba = NULL };
     GpResult result = gl_open(options->threads, &gl, error);
     if (!result)
-        result = replay_create(&gl, &work->list, &replay, error);
+        result = replay_create(&gl, &frame->list, &replay, error);
     if (!result) {
         timing = measure(replay, options->seconds);
         result = replay_check(replay, error);
     }
     if (!result)
-        result = take_picture(replay, drawn, work, &picture, error);
+        result = take_picture(replay, drawn, frame, &picture, error);
     if (!result)
         print_line((const char *)gl.GetString(GL_RENDERER), options->threads, drawn, &timing,
                    &picture);
@@ -118,16 +118,16 @@ static GpResult draw_case(const BenchCase *drawn, const Work *work, const Option
 /* Returns an exit status; a case without its data is left out with a message. */
 static int run_case(const BenchCase *drawn, const Options *options)
 {
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
     int status = EXIT_SUCCESS;
-    if (drawn->build(drawn, &work, &error))
+    if (drawn->build(drawn, &frame, &error))
         fprintf(stderr, "peer_bench: %s: skipped: %s\n", drawn->name, error.text);
-    else if (draw_case(drawn, &work, options, &error)) {
+    else if (draw_case(drawn, &frame, options, &error)) {
         fprintf(stderr, "peer_bench: %s: %s\n", drawn->name, error.text);
         status = EXIT_FAILURE;
     }
-    work_free(&work);
+    frame_free(&frame);
     return status;
 }
 

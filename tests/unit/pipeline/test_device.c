@@ -16,18 +16,18 @@ typedef struct Corner {
     float position[4], color[4], uv[2];
 } Corner;
 
-typedef struct Frame {
+typedef struct RunStatistics {
     GpSurface *color, *depth;
     ExerciseUniforms uniforms;
     GpDraw draw[8];
     GpPass pass;
     GpList list;
     GpError error;
-} Frame;
+} RunStatistics;
 
-static Frame new_frame(GpFormat color)
+static RunStatistics new_frame(GpFormat color)
 {
-    Frame f = { 0 };
+    RunStatistics f = { 0 };
     assert_int_equal(
         gp_surface_create(
             &(GpSurfaceDesc){ .format = color, .width = SIZE, .height = SIZE, .name = "picture" },
@@ -44,8 +44,8 @@ static Frame new_frame(GpFormat color)
 }
 
 /* Links the frame's own parts; after this it must not move. */
-static void link_frame(Frame *f, uint32_t draws, const GpProgram *program, const Corner *corners,
-                       uint32_t count)
+static void link_frame(RunStatistics *f, uint32_t draws, const GpProgram *program,
+                       const Corner *corners, uint32_t count)
 {
     f->pass = (GpPass){ .name = "main",
                         .color[0] = { .surface = f->color, .clear = true },
@@ -69,7 +69,7 @@ static void link_frame(Frame *f, uint32_t draws, const GpProgram *program, const
     }
 }
 
-static void free_frame(Frame *f)
+static void free_frame(RunStatistics *f)
 {
     gp_surface_destroy(&f->color);
     gp_surface_destroy(&f->depth);
@@ -86,7 +86,7 @@ static GpResult run(const GpList *list, const GpDeviceDesc *desc, GpError *error
 }
 
 /* Runs the frame with both executors, which must agree; it clears what it draws to. */
-static void run_frame(Frame *f)
+static void run_frame(RunStatistics *f)
 {
     if (run(&f->list, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, &f->error))
         fail_msg("%s", f->error.text);
@@ -127,7 +127,7 @@ static void r01_d3d9_centres_draw_the_picture_of_a_moved_viewport(void **state)
                                         { { -0.1f, -0.8f, 0, 1 }, { 0, 0, 1, 1 }, { 0, 0 } } };
     uint64_t hash[2];
     for (int i = 0; i < 2; i++) {
-        Frame f = new_frame(GP_A8R8G8B8);
+        RunStatistics f = new_frame(GP_A8R8G8B8);
         link_frame(&f, 1, &exercise_color, triangle, 3);
         float shift = i ? 0 : 0.5f;
         f.draw[0].viewport = (GpViewport){ shift, shift, SIZE, SIZE, 0, 1, i == 1 };
@@ -145,7 +145,7 @@ static void r04_sliver_that_snaps_to_zero_area_draws_nothing(void **state)
     const Corner sliver[3] = { { { -1, y, 0, 1 }, { 1, 1, 1, 1 }, { 0, 0 } },
                                { { 1, y, 0, 1 }, { 1, 1, 1, 1 }, { 0, 0 } },
                                { { 0, y + tiny, 0, 1 }, { 1, 1, 1, 1 }, { 0, 0 } } };
-    Frame f = new_frame(GP_A8R8G8B8);
+    RunStatistics f = new_frame(GP_A8R8G8B8);
     link_frame(&f, 1, &exercise_color, sliver, 3);
     run_frame(&f);
     assert_int_equal(pixels_not_zero(f.color), 0);
@@ -214,7 +214,7 @@ static void r29_control_word_is_set_and_restored(void **state)
     uint64_t hash[2];
     unsigned before = _mm_getcsr();
     for (int i = 0; i < 2; i++) {
-        Frame f = new_frame(GP_A32B32G32R32F);
+        RunStatistics f = new_frame(GP_A32B32G32R32F);
         link_frame(&f, 1, &exercise_targets4, faint, 3);
         f.draw[0].program = &exercise_color;
         f.uniforms.color[0] = 1e-40f;
@@ -248,7 +248,7 @@ static void r35_fragments_arrive_in_primitive_order(void **state)
                                           { shade, shade, shade, 0.5f },
                                           { 0, 0 } };
     }
-    Frame f = new_frame(GP_A32B32G32R32F);
+    RunStatistics f = new_frame(GP_A32B32G32R32F);
     link_frame(&f, 1, &exercise_discard, layers, 60);
     f.draw[0].state.blend[0] =
         (GpBlend){ .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
@@ -264,7 +264,7 @@ static void r35_fragments_arrive_in_primitive_order(void **state)
 static void r37_kept_channels_keep_their_bits(void **state)
 {
     (void)state;
-    Frame f = new_frame(GP_A8R8G8B8);
+    RunStatistics f = new_frame(GP_A8R8G8B8);
     link_frame(&f, 1, &exercise_discard, full_screen, 6);
     f.pass.color[0].clear_color[1] = 1;
     f.draw[0].state.blend[0].keep = 1 << 1 | 1 << 3; /* green and alpha */
@@ -281,7 +281,7 @@ static void stencil_scissor_and_alpha_test_stop_fragments(void **state)
 {
     (void)state;
     for (int test = 0; test < 4; test++) {
-        Frame f = new_frame(GP_A8R8G8B8);
+        RunStatistics f = new_frame(GP_A8R8G8B8);
         link_frame(&f, 1, &exercise_depth, full_screen, 6);
         GpState *s = &f.draw[0].state;
         int expected = SIZE * SIZE;
@@ -311,7 +311,7 @@ static void stencil_scissor_and_alpha_test_stop_fragments(void **state)
 static void an_invalid_draw_is_named_and_changes_nothing(void **state)
 {
     (void)state;
-    Frame f = new_frame(GP_A8R8G8B8);
+    RunStatistics f = new_frame(GP_A8R8G8B8);
     link_frame(&f, 2, &exercise_texture, full_screen, 6); /* no textures bound */
     f.draw[0].program = &exercise_color;
     memset(f.color->level[0].texels, 0x5a, SIZE * SIZE * 4);
@@ -382,7 +382,7 @@ static void a_watched_pixel_reports_every_unit_in_order(void **state)
 {
     (void)state;
     Seen seen = { .in_order = true };
-    Frame f = new_frame(GP_A8R8G8B8);
+    RunStatistics f = new_frame(GP_A8R8G8B8);
     link_frame(&f, 3, &exercise_discard, full_screen, 6);
     for (int i = 0; i < 3; i++)
         f.draw[i].state.depth = (GpDepthState){ GP_LESS, true };
@@ -436,7 +436,7 @@ static void traced_shares_are_those_of_the_vertices_in_their_order(void **state)
                           { { -1, 3, 0.5f, 1 }, { 0, 0, 1, 1 }, { 0, 0 } } };
     for (int turn = 0; turn < 2; turn++) { /* counter-clockwise, then clockwise */
         Shares shares = { .corners = 0 };
-        Frame f = new_frame(GP_A8R8G8B8);
+        RunStatistics f = new_frame(GP_A8R8G8B8);
         link_frame(&f, 1, &exercise_depth, corners, 3);
         GpDeviceDesc desc = {
             .executor = GP_EXECUTOR_REFERENCE,

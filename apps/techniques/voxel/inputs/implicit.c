@@ -15,7 +15,7 @@ _Static_assert((int)VOXEL_FUNCTION_DEGREE == (int)POLYNOMIAL_DEGREE, "one degree
 
 enum { CORNERS = 8 };
 
-uint32_t voxel_input_draws(const Worksheet *sheet)
+uint32_t voxel_input_draws(const FlatTexture *sheet)
 {
     const uint32_t draws = sheet->slabs * (CORNERS + 1);
     return draws > SHAPE_TEAPOT_PATCHES ? draws : SHAPE_TEAPOT_PATCHES;
@@ -45,16 +45,16 @@ VoxelBox voxel_box_of_cube(double reach, uint32_t size)
 typedef struct Sampling {
     const VoxelFunction *function;
     const VoxelBox *box;
-    Work *work;
-    const Worksheet *sheet;
+    Frame *frame;
+    const FlatTexture *sheet;
     VoxelImplicitUniforms *next_polynomial; /* one for each draw */
     VoxelFieldUniforms *next_field;
-    GpSurface *field; /* of a callback */
-    Worksheet layout; /* the field's patches */
+    GpSurface *field;   /* of a callback */
+    FlatTexture layout; /* the field's patches */
 } Sampling;
 
 /* Bounds below which samples of a slab are inside; none is past the end. */
-static void bound_samples(const Worksheet *sheet, uint32_t slab, float inside[])
+static void bound_samples(const FlatTexture *sheet, uint32_t slab, float inside[])
 {
     for (uint32_t k = 0; k < sheet->per_texel; k++)
         inside[k] = slab * sheet->per_texel + k < sheet->size ? 0 : -INFINITY;
@@ -77,9 +77,9 @@ static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const fl
         for (int j = 0; j < POLYNOMIAL_SIDE; j++)
             for (int k = 0; k < POLYNOMIAL_SIDE; k++)
                 u->coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
-    return worksheet_draw(s->work,
-                          corner ? &voxel_implicit_corner_program : &voxel_implicit_program, u,
-                          s->sheet, slab);
+    return flat_texture_draw(s->frame,
+                             corner ? &voxel_implicit_corner_program : &voxel_implicit_program, u,
+                             s->sheet, slab);
 }
 
 static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
@@ -93,12 +93,12 @@ static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float p
     for (uint32_t i = 0; i < VOXEL_FIELD_PATCHES; i++) {
         const uint32_t last = s->layout.slabs - 1;
         const uint32_t patch = slab * (s->sheet->per_texel / s->layout.per_texel) + i;
-        const GpViewport v = worksheet_patch(&s->layout, patch < last ? patch : last);
+        const GpViewport v = flat_texture_patch(&s->layout, patch < last ? patch : last);
         u->origin[i][0] = v.x + (corner ? place[0] : 0);
         u->origin[i][1] = v.y + (corner ? place[1] : 0);
     }
-    GpDraw *draw = worksheet_draw(
-        s->work, corner ? &voxel_field_corner_program : &voxel_field_program, u, s->sheet, slab);
+    GpDraw *draw = flat_texture_draw(
+        s->frame, corner ? &voxel_field_corner_program : &voxel_field_program, u, s->sheet, slab);
     draw->textures[0].surface = s->field;
     return draw;
 }
@@ -112,8 +112,8 @@ static GpDraw *draw_samples(Sampling *s, uint32_t slab, bool corner, const float
 
 enum { PER_TEXEL = 4 };
 
-/* Patches of a field: as a worksheet's, four samples a texel. */
-static GpResult plan_field(uint32_t samples, Worksheet *layout, GpError *error)
+/* Patches of a field: as a flat texture's, four samples a texel. */
+static GpResult plan_field(uint32_t samples, FlatTexture *layout, GpError *error)
 {
     const uint32_t slabs = (samples + PER_TEXEL - 1) / PER_TEXEL, columns = GP_MAX_SIZE / samples;
     const uint32_t rows = (slabs + columns - 1) / columns;
@@ -122,10 +122,10 @@ static GpResult plan_field(uint32_t samples, Worksheet *layout, GpError *error)
             error, GP_ERROR_INVALID,
             "%u samples a side of a function: more than a texture of %d x %d texels holds", samples,
             GP_MAX_SIZE, GP_MAX_SIZE);
-    *layout = (Worksheet){ .size = samples,
-                           .per_texel = PER_TEXEL,
-                           .slabs = slabs,
-                           .columns = columns < slabs ? columns : slabs };
+    *layout = (FlatTexture){ .size = samples,
+                             .per_texel = PER_TEXEL,
+                             .slabs = slabs,
+                             .columns = columns < slabs ? columns : slabs };
     return GP_OK;
 }
 
@@ -134,7 +134,7 @@ static GpResult plan_field(uint32_t samples, Worksheet *layout, GpError *error)
 static void fill_layer(const Sampling *s, uint32_t z, float place)
 {
     const size_t bytes = PER_TEXEL * sizeof(float);
-    const GpViewport patch = worksheet_patch(&s->layout, z / PER_TEXEL);
+    const GpViewport patch = flat_texture_patch(&s->layout, z / PER_TEXEL);
     for (uint32_t y = 0; y < s->layout.size; y++) {
         float *texels = (float *)(void *)gp_surface_texel(&s->field->level[0], bytes,
                                                           (uint32_t)patch.x, (uint32_t)patch.y + y);
@@ -151,10 +151,10 @@ static void fill_layer(const Sampling *s, uint32_t z, float place)
 
 static void fill_field(Sampling *s, float place)
 {
-    const Worksheet *layout = &s->layout;
+    const FlatTexture *layout = &s->layout;
     const uint32_t rows = (layout->slabs + layout->columns - 1) / layout->columns;
-    s->field = work_surface(s->work, GP_A32B32G32R32F, layout->columns * layout->size,
-                            rows * layout->size, 1);
+    s->field = frame_surface(s->frame, GP_A32B32G32R32F, layout->columns * layout->size,
+                             rows * layout->size, 1);
     for (uint32_t z = 0; z < layout->size; z++)
         fill_layer(s, z, place);
 }
@@ -164,7 +164,7 @@ static void fill_field(Sampling *s, float place)
 static void draw_solid(Sampling *s)
 {
     static const float middle[3] = { 0.5f, 0.5f, 0.5f };
-    worksheet_pass(s->work, "inside", s->sheet);
+    flat_texture_pass(s->frame, "inside", s->sheet);
     for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
         draw_samples(s, slab, false, middle);
 }
@@ -172,8 +172,8 @@ static void draw_solid(Sampling *s)
 static void draw_surface(Sampling *s)
 {
     const GpSurface *sheet = s->sheet->texels;
-    GpSurface *all = work_surface(s->work, sheet->format, sheet->width, sheet->height, 1);
-    GpPass *pass = worksheet_pass(s->work, "corners", s->sheet);
+    GpSurface *all = frame_surface(s->frame, sheet->format, sheet->width, sheet->height, 1);
+    GpPass *pass = flat_texture_pass(s->frame, "corners", s->sheet);
     pass->color[1] =
         (GpColorTarget){ .surface = all, .clear = true, .clear_color = { 1, 1, 1, 1 } };
     for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
@@ -183,29 +183,29 @@ static void draw_surface(Sampling *s)
             draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
             draw->state.blend[1].op = GP_BLEND_LOGIC_AND;
         }
-    worksheet_pass(s->work, "not all corners", s->sheet)->color[0].clear = false;
+    flat_texture_pass(s->frame, "not all corners", s->sheet)->color[0].clear = false;
     for (uint32_t slab = 0; slab < s->sheet->slabs; slab++) {
-        GpDraw *draw = worksheet_draw(s->work, &texel_copy_program, NULL, s->sheet, slab);
+        GpDraw *draw = flat_texture_draw(s->frame, &texel_copy_program, NULL, s->sheet, slab);
         draw->state.blend[0].op = GP_BLEND_LOGIC_XOR;
         draw->textures[0].surface = all;
     }
 }
 
-GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Work *work,
-                        const Worksheet *sheet, GpError *error)
+GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
+                        const FlatTexture *sheet, GpError *error)
 {
     GP_ASSERT(sheet->bits == 1);
     const bool solid = kind == VOXEL_SOLID;
-    Sampling s = { .function = function, .box = box, .work = work, .sheet = sheet };
+    Sampling s = { .function = function, .box = box, .frame = frame, .sheet = sheet };
     const uint32_t draws = sheet->slabs * (solid ? 1 : CORNERS);
     if (function->evaluate) {
         GpResult result = plan_field(sheet->size + !solid, &s.layout, error);
         if (result)
             return result;
         fill_field(&s, solid ? 0.5f : 0);
-        s.next_field = work_alloc(work, draws, sizeof *s.next_field);
+        s.next_field = frame_alloc(frame, draws, sizeof *s.next_field);
     } else {
-        s.next_polynomial = work_alloc(work, draws, sizeof *s.next_polynomial);
+        s.next_polynomial = frame_alloc(frame, draws, sizeof *s.next_polynomial);
     }
     (solid ? draw_solid : draw_surface)(&s);
     return GP_OK;

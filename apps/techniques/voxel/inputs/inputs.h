@@ -1,5 +1,5 @@
 /* Volumes of what is no mesh: functions, parametric surfaces and points. Each appends passes that
- * draw into a worksheet of one bit a voxel, in a work with room for VOXEL_INPUT_PASSES and
+ * draw into a flat texture of one bit a voxel, in a work with room for VOXEL_INPUT_PASSES and
  * voxel_input_draws.
  */
 #ifndef APPS_TECHNIQUES_VOXEL_INPUTS_INPUTS_H
@@ -11,7 +11,7 @@
 enum { VOXEL_INPUT_PASSES = 2 };
 
 /* Upper bound of the draws that any of these appends. */
-uint32_t voxel_input_draws(const Worksheet *sheet);
+uint32_t voxel_input_draws(const FlatTexture *sheet);
 
 /* --- implicit surfaces ------------------------------------------------------------------------ */
 
@@ -35,8 +35,8 @@ VoxelBox voxel_box_of_cube(double reach, uint32_t size);
  * in     box: from the function's space to voxels; kind: VoxelKind
  * errors GP_ERROR_INVALID: a callback's samples do not fit a texture
  * note   the callback is called here, once for each middle or corner, x fastest */
-GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Work *work,
-                        const Worksheet *sheet, GpError *error);
+GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
+                        const FlatTexture *sheet, GpError *error);
 
 /* --- parametric surfaces ---------------------------------------------------------------------- */
 
@@ -56,15 +56,15 @@ GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, Gp
  *        surface's derivatives
  * errors GP_ERROR_INVALID: no such surface; more points than VOXEL_PARAMETRIC_MAX_POINTS */
 enum { VOXEL_PARAMETRIC_MAX_POINTS = 1 << 26 };
-GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Work *work,
-                          const Worksheet *sheet, GpError *error);
+GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Frame *frame,
+                          const FlatTexture *sheet, GpError *error);
 
 /* --- points ----------------------------------------------------------------------------------- */
 
 /* The voxel of each point; points outside the volume are left out.
  * in     positions: [3 * count], borrowed
  * errors GP_ERROR_INVALID: no points */
-GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Work *work,
-                      const Worksheet *sheet, GpError *error);
+GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Frame *frame,
+                      const FlatTexture *sheet, GpError *error);
 
 #endif

@@ -81,11 +81,11 @@ static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpErro
     if (pair->scenes[1] && pair->scenes[0]->twist != 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "--twist turns about the middle of the volume: not --with another model");
-    return worksheet_check(setting->size, setting->bits, error);
+    return flat_texture_check(setting->size, setting->bits, error);
 }
 
-static void reserve(const VoxelPair *pair, const VoxelSetting *setting, const Worksheet *sheet,
-                    uint32_t more_passes, uint32_t more_draws, Work *work)
+static void reserve(const VoxelPair *pair, const VoxelSetting *setting, const FlatTexture *sheet,
+                    uint32_t more_passes, uint32_t more_draws, Frame *frame)
 {
     uint32_t passes, draws;
     voxel_scene_room(setting, sheet, &passes, &draws);
@@ -93,15 +93,15 @@ static void reserve(const VoxelPair *pair, const VoxelSetting *setting, const Wo
         passes = 2 * passes + VOXEL_COMBINE_PASSES;
         draws = 2 * draws + voxel_combine_draws(sheet);
     }
-    work_reserve(work, passes + more_passes, draws + more_draws);
+    frame_reserve(frame, passes + more_passes, draws + more_draws);
 }
 
 static GpResult draw_model(const VoxelPair *pair, int which, const VoxelSetting *setting,
-                           const VoxelBox *box, Work *work, VoxelPairMade *made, GpError *error)
+                           const VoxelBox *box, Frame *frame, VoxelPairMade *made, GpError *error)
 {
     GpError reason;
     GpResult result =
-        voxel_scene_draw(pair->scenes[which], setting, box, work, &made->sheets[which], &reason);
+        voxel_scene_draw(pair->scenes[which], setting, box, frame, &made->sheets[which], &reason);
     return result ? gp_fail(error, result, "%.100s: %s", pair->names[which], reason.text) : GP_OK;
 }
 
@@ -115,24 +115,24 @@ static VoxelRange range_around(const VoxelRange *a, const VoxelRange *b)
     return range;
 }
 
-static void combine(const VoxelPair *pair, const VoxelRange ranges[2], Work *work,
+static void combine(const VoxelPair *pair, const VoxelRange ranges[2], Frame *frame,
                     VoxelPairMade *made)
 {
-    const Worksheet *first = &made->sheets[0], *second = &made->sheets[1];
+    const FlatTexture *first = &made->sheets[0], *second = &made->sheets[1];
     const VoxelRange common = voxel_range_common(&ranges[0], &ranges[1]);
     made->around = range_around(&ranges[0], &ranges[1]);
     made->range = pair->combine == VOXEL_UNION        ? made->around
                   : pair->combine == VOXEL_DIFFERENCE ? ranges[0]
                                                       : common;
-    made->result = worksheet_make(work, first->size, first->bits);
+    made->result = flat_texture_make(frame, first->size, first->bits);
     if (pair->combine == VOXEL_TOUCHING)
-        voxel_collide(work, first, second, &common, &made->result);
+        voxel_collide(frame, first, second, &common, &made->result);
     else
-        voxel_combine(work, first, second, (VoxelCombine)pair->combine, &made->result);
+        voxel_combine(frame, first, second, (VoxelCombine)pair->combine, &made->result);
 }
 
 GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, uint32_t more_passes,
-                          uint32_t more_draws, Work *work, VoxelPairMade *made, GpError *error)
+                          uint32_t more_draws, Frame *frame, VoxelPairMade *made, GpError *error)
 {
     GpResult result = check(pair, setting, error);
     if (result)
@@ -145,11 +145,11 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, ui
         boxes[0] = place_one(pair, setting->size);
     *made = (VoxelPairMade){ .box = boxes[0] };
     for (int i = 0; i <= two; i++)
-        made->sheets[i] = worksheet_make(work, setting->size, setting->bits);
-    reserve(pair, setting, &made->sheets[0], more_passes, more_draws, work);
+        made->sheets[i] = flat_texture_make(frame, setting->size, setting->bits);
+    reserve(pair, setting, &made->sheets[0], more_passes, more_draws, frame);
     VoxelRange ranges[2];
     for (int i = 0; i <= two && !result; i++) {
-        result = draw_model(pair, i, setting, &boxes[i], work, made, error);
+        result = draw_model(pair, i, setting, &boxes[i], frame, made, error);
         ranges[i] = voxel_scene_range(pair->scenes[i], &boxes[i]);
     }
     if (result)
@@ -157,6 +157,6 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, ui
     made->result = made->sheets[0];
     made->range = made->around = ranges[0];
     if (two)
-        combine(pair, ranges, work, made);
+        combine(pair, ranges, frame, made);
     return GP_OK;
 }

@@ -22,18 +22,18 @@ typedef struct VoxelPair {
 } VoxelPair;
 
 typedef struct VoxelPairMade {
-    Worksheet sheets[2]; /* of each model */
-    Worksheet result;    /* of both; of one model its own */
-    VoxelRange range;    /* what the result may lie in */
-    VoxelRange around;   /* what the models may lie in */
-    VoxelBox box;        /* of the first model */
+    FlatTexture sheets[2]; /* of each model */
+    FlatTexture result;    /* of both; of one model its own */
+    VoxelRange range;      /* what the result may lie in */
+    VoxelRange around;     /* what the models may lie in */
+    VoxelBox box;          /* of the first model */
 } VoxelPairMade;
 
-/* Makes worksheets and appends the passes of models and of what becomes of them. Two models lie in the
+/* Makes flat textures and appends the passes of models and of what becomes of them. Two models lie in the
  * box of both, unless the first is placed.
  * in     work: without passes; more_passes, more_draws: room for those that the caller appends
  * errors those of voxel_scene_draw; GP_ERROR_INVALID: voxels of so many bits cannot be combined so */
 GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, uint32_t more_passes,
-                          uint32_t more_draws, Work *work, VoxelPairMade *made, GpError *error);
+                          uint32_t more_draws, Frame *frame, VoxelPairMade *made, GpError *error);
 
 #endif

@@ -84,12 +84,13 @@ static double points_of(const double slope[2], double step, const VoxelBox *box)
 }
 
 /* Appends the points of a surface, at most `step` voxels apart. */
-static void draw_grid(Work *work, const GpProgram *program, const VoxelParametricUniforms *uniforms,
-                      const double slope[2], double step, const VoxelBox *box)
+static void draw_grid(Frame *frame, const GpProgram *program,
+                      const VoxelParametricUniforms *uniforms, const double slope[2], double step,
+                      const VoxelBox *box)
 {
     const uint32_t columns = (uint32_t)points_along(slope[0], step, box);
     const uint32_t rows = (uint32_t)points_along(slope[1], step, box);
-    float(*uv)[2] = work_alloc(work, (size_t)columns * rows, sizeof *uv);
+    float(*uv)[2] = frame_alloc(frame, (size_t)columns * rows, sizeof *uv);
     for (uint32_t row = 0; row < rows; row++)
         for (uint32_t column = 0; column < columns; column++) {
             float *point = uv[(size_t)row * columns + column];
@@ -99,13 +100,13 @@ static void draw_grid(Work *work, const GpProgram *program, const VoxelParametri
     const GpGeometry grid = { .primitive = GP_POINTS,
                               .vertex_count = columns * rows,
                               .streams = { [GP_TEXCOORD0] = { uv, 0, 2, GP_FLOAT32 } } };
-    work_draw(work, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
+    frame_draw(frame, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 
-static VoxelPointsUniforms place_points(const VoxelBox *box, const Worksheet *sheet)
+static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *sheet)
 {
     return (VoxelPointsUniforms){
-        .sheet = worksheet_layout(sheet),
+        .sheet = flat_texture_layout(sheet),
         .scale = (float)box->scale,
         .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
     };
@@ -139,8 +140,8 @@ static GpResult check_points(double points, double step, GpError *error)
                    step, VOXEL_PARAMETRIC_MAX_POINTS);
 }
 
-static GpResult draw_teapot(double step, const VoxelBox *box, Work *work, const Worksheet *sheet,
-                            GpError *error)
+static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame,
+                            const FlatTexture *sheet, GpError *error)
 {
     float control[SHAPE_TEAPOT_PATCHES][4][4][3];
     double slope[SHAPE_TEAPOT_PATCHES][2], points = 0;
@@ -152,52 +153,52 @@ static GpResult draw_teapot(double step, const VoxelBox *box, Work *work, const 
     GpResult result = check_points(points, step, error);
     if (result)
         return result;
-    VoxelParametricUniforms *uniforms = work_alloc(work, SHAPE_TEAPOT_PATCHES, sizeof *uniforms);
-    worksheet_pass(work, "patches", sheet);
+    VoxelParametricUniforms *uniforms = frame_alloc(frame, SHAPE_TEAPOT_PATCHES, sizeof *uniforms);
+    flat_texture_pass(frame, "patches", sheet);
     for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
         uniforms[i].place = place_points(box, sheet);
         memcpy(uniforms[i].control, control[i], sizeof control[i]);
-        draw_grid(work, &voxel_bezier_program, &uniforms[i], slope[i], step, box);
+        draw_grid(frame, &voxel_bezier_program, &uniforms[i], slope[i], step, box);
     }
     return GP_OK;
 }
 
-GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Work *work,
-                          const Worksheet *sheet, GpError *error)
+GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Frame *frame,
+                          const FlatTexture *sheet, GpError *error)
 {
     GP_ASSERT(sheet->bits == 1 && step > 0);
     if (strcmp(name, teapot) == 0)
-        return draw_teapot(step, box, work, sheet, error);
+        return draw_teapot(step, box, frame, sheet, error);
     const Surface *surface = find_surface(name);
     if (!surface)
         return refuse_name(name, error);
     GpResult result = check_points(points_of(surface->slope, step, box), step, error);
     if (result)
         return result;
-    VoxelParametricUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    VoxelParametricUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     uniforms->place = place_points(box, sheet);
     uniforms->radius = surface->radius;
     uniforms->width = surface->width;
-    worksheet_pass(work, surface->name, sheet);
-    draw_grid(work, surface->program, uniforms, surface->slope, step, box);
+    flat_texture_pass(frame, surface->name, sheet);
+    draw_grid(frame, surface->program, uniforms, surface->slope, step, box);
     return GP_OK;
 }
 
 /* --- points ----------------------------------------------------------------------------------- */
 
-GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Work *work,
-                      const Worksheet *sheet, GpError *error)
+GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Frame *frame,
+                      const FlatTexture *sheet, GpError *error)
 {
     GP_ASSERT(sheet->bits == 1);
     if (count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
-    VoxelPointsUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    VoxelPointsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     *uniforms = place_points(box, sheet);
     const GpGeometry points = { .primitive = GP_POINTS,
                                 .vertex_count = count,
                                 .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };
-    worksheet_pass(work, "points", sheet);
-    work_draw(work, &voxel_points_program, uniforms, &points)->state.blend[0].op =
+    flat_texture_pass(frame, "points", sheet);
+    frame_draw(frame, &voxel_points_program, uniforms, &points)->state.blend[0].op =
         GP_BLEND_LOGIC_OR;
     return GP_OK;
 }

@@ -42,16 +42,16 @@ static uint32_t sample_linear(const Samples *s, const uint32_t before[3], const 
     return (uint32_t)(sum + 0.5);
 }
 
-static void put_voxel(const Worksheet *sheet, const uint32_t at[3], uint32_t value)
+static void put_voxel(const FlatTexture *sheet, const uint32_t at[3], uint32_t value)
 {
-    worksheet_texel(sheet, at[2] / sheet->per_texel, at[0], at[1])[at[2] % sheet->per_texel] =
+    flat_texture_texel(sheet, at[2] / sheet->per_texel, at[0], at[1])[at[2] % sheet->per_texel] =
         (uint8_t)value;
 }
 
-Worksheet voxel_scan(Work *work, const uint8_t *samples, const uint32_t dims[3],
-                     const double spacing[3], uint32_t size)
+FlatTexture voxel_scan(Frame *frame, const uint8_t *samples, const uint32_t dims[3],
+                       const double spacing[3], uint32_t size)
 {
-    const Worksheet sheet = worksheet_make(work, size, 8);
+    const FlatTexture sheet = flat_texture_make(frame, size, 8);
     Samples s = { .values = samples, .dims = dims };
     for (int k = 0; k < 3; k++) {
         s.spacing[k] = spacing ? spacing[k] : 1;
@@ -83,14 +83,14 @@ uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3])
 
 /* --- slopes ----------------------------------------------------------------------------------- */
 
-Worksheet voxel_scan_slopes(Work *work, const Worksheet *scan)
+FlatTexture voxel_scan_slopes(Frame *frame, const FlatTexture *scan)
 {
-    const Worksheet slopes = worksheet_make(work, scan->size, 32);
-    const VoxelSlopesUniforms uniforms = { .scan = worksheet_layout(scan),
-                                           .slopes = worksheet_layout(&slopes) };
-    worksheet_pass(work, "slopes", &slopes);
-    work_draw(work, &voxel_slopes_program, work_copy(work, &uniforms, sizeof uniforms),
-              &worksheet_cover)
+    const FlatTexture slopes = flat_texture_make(frame, scan->size, 32);
+    const VoxelSlopesUniforms uniforms = { .scan = flat_texture_layout(scan),
+                                           .slopes = flat_texture_layout(&slopes) };
+    flat_texture_pass(frame, "slopes", &slopes);
+    frame_draw(frame, &voxel_slopes_program, frame_copy(frame, &uniforms, sizeof uniforms),
+               &flat_texture_cover)
         ->textures[0]
         .surface = scan->texels;
     return slopes;

@@ -191,7 +191,7 @@ VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box)
                          .motion = voxel_still(box) };
 }
 
-void voxel_scene_room(const VoxelSetting *setting, const Worksheet *sheet, uint32_t *passes,
+void voxel_scene_room(const VoxelSetting *setting, const FlatTexture *sheet, uint32_t *passes,
                       uint32_t *draws)
 {
     tech_voxel_room(setting, passes, draws);
@@ -224,7 +224,7 @@ static bool can_twist(int method)
 }
 
 /* A twisted model is one that moves, as far as lists of triangles are concerned. */
-static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Work *work,
+static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Frame *frame,
                             VoxelModel *model, int method, GpError *error)
 {
     if (!can_twist(method))
@@ -235,33 +235,33 @@ static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Work *
     if (height > 0)
         model->motion.twist = (float)(scene->twist * RADIANS / height);
     model->most_twist = model->motion.twist;
-    model->motions = work_alloc(work, 1, sizeof *model->motions);
+    model->motions = frame_alloc(frame, 1, sizeof *model->motions);
     return GP_OK;
 }
 
 static GpResult draw_mesh(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
-                          Work *work, const Worksheet *sheet, GpError *error)
+                          Frame *frame, const FlatTexture *sheet, GpError *error)
 {
     VoxelModel model = voxel_scene_model(scene, box);
     if (scene->twist != 0) {
-        GpResult result = twist_model(scene, box, work, &model, setting->method, error);
+        GpResult result = twist_model(scene, box, frame, &model, setting->method, error);
         if (result)
             return result;
     }
-    return tech_voxel_draw(&model, setting, work, sheet, error);
+    return tech_voxel_draw(&model, setting, frame, sheet, error);
 }
 
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
-                          Work *work, const Worksheet *sheet, GpError *error)
+                          Frame *frame, const FlatTexture *sheet, GpError *error)
 {
     if (scene->input == VOXEL_MESH)
-        return draw_mesh(scene, setting, box, work, sheet, error);
+        return draw_mesh(scene, setting, box, frame, sheet, error);
     GpResult result = check_input(scene, setting, error);
     if (result)
         return result;
     if (scene->input == VOXEL_FUNCTION)
-        return voxel_implicit(&scene->function, box, setting->kind, work, sheet, error);
+        return voxel_implicit(&scene->function, box, setting->kind, frame, sheet, error);
     if (scene->input == VOXEL_PARAMETRIC)
-        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_STEP, box, work, sheet, error);
-    return voxel_points(scene->mesh.positions, scene->mesh.vertex_count, box, work, sheet, error);
+        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_STEP, box, frame, sheet, error);
+    return voxel_points(scene->mesh.positions, scene->mesh.vertex_count, box, frame, sheet, error);
 }

@@ -51,15 +51,15 @@ VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box);
 /* The mesh of a scene as tech_voxel_draw takes it, borrowed and not twisted. */
 VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);
 
-/* Upper bounds of the passes and draws that voxel_scene_draw appends, for work_reserve. */
-void voxel_scene_room(const VoxelSetting *setting, const Worksheet *sheet, uint32_t *passes,
+/* Upper bounds of the passes and draws that voxel_scene_draw appends, for frame_reserve. */
+void voxel_scene_room(const VoxelSetting *setting, const FlatTexture *sheet, uint32_t *passes,
                       uint32_t *draws);
 
 /* Appends the passes of a model in its box.
- * in     sheet: of the setting's size and bits, which worksheet_check lets pass
+ * in     sheet: of the setting's size and bits, which flat_texture_check lets pass
  * errors those of tech_voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with
  *        what the model is */
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
-                          Work *work, const Worksheet *sheet, GpError *error);
+                          Frame *frame, const FlatTexture *sheet, GpError *error);
 
 #endif

@@ -62,10 +62,10 @@ static void bind_corners(GpGeometry *geometry, const float *data, uint32_t strid
 }
 
 /* One vertex for each triangle of a list. */
-static GpGeometry make_points(const VoxelModel *model, Work *work, const uint32_t *list,
+static GpGeometry make_points(const VoxelModel *model, Frame *frame, const uint32_t *list,
                               uint32_t count)
 {
-    float *corners = work_alloc(work, (size_t)count * CORNERS, sizeof *corners);
+    float *corners = frame_alloc(frame, (size_t)count * CORNERS, sizeof *corners);
     for (uint32_t i = 0; i < count; i++)
         copy_corners(model, list[i], corners + (size_t)i * CORNERS);
     GpGeometry points = { .primitive = GP_POINTS, .vertex_count = count };
@@ -74,13 +74,13 @@ static GpGeometry make_points(const VoxelModel *model, Work *work, const uint32_
 }
 
 /* Four vertices and two triangles for each of a list. */
-static GpGeometry make_rectangles(const VoxelModel *model, Work *work, const uint32_t *list,
+static GpGeometry make_rectangles(const VoxelModel *model, Frame *frame, const uint32_t *list,
                                   uint32_t count)
 {
     enum { FLOATS = CORNERS + 1 };
     static const uint32_t halves[6] = { 0, 1, 2, 0, 2, 3 };
-    float *vertices = work_alloc(work, (size_t)count * 4 * FLOATS, sizeof *vertices);
-    uint32_t *indices = work_alloc(work, (size_t)count * 6, sizeof *indices);
+    float *vertices = frame_alloc(frame, (size_t)count * 4 * FLOATS, sizeof *vertices);
+    uint32_t *indices = frame_alloc(frame, (size_t)count * 6, sizeof *indices);
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t j = 0; j < 4; j++) {
             float *vertex = vertices + ((size_t)i * 4 + j) * FLOATS;
@@ -102,13 +102,13 @@ static GpGeometry make_rectangles(const VoxelModel *model, Work *work, const uin
 
 /* --- draws ------------------------------------------------------------------------------------ */
 
-static void add_draw(const VoxelModel *model, Work *work, const Worksheet *sheet,
+static void add_draw(const VoxelModel *model, Frame *frame, const FlatTexture *sheet,
                      const GpProgram *program, uint32_t step, const GpGeometry *geometry)
 {
-    VoxelColumnsUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
-    *uniforms = (VoxelColumnsUniforms){ .sheet = worksheet_layout(sheet), .step = (float)step };
+    VoxelColumnsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
+    *uniforms = (VoxelColumnsUniforms){ .sheet = flat_texture_layout(sheet), .step = (float)step };
     voxel_set_motion(model, &uniforms->motion);
-    work_draw(work, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
+    frame_draw(frame, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 
 /* Points of a draw: as many as stay in a core's caches from their vertices to their pixels. */
@@ -132,35 +132,35 @@ static const Share sampled[] = {
     { in_rectangle, &voxel_sampled_rectangle_program, true },
 };
 
-static void draw_list(const VoxelModel *model, Work *work, const Worksheet *sheet,
+static void draw_list(const VoxelModel *model, Frame *frame, const FlatTexture *sheet,
                       const Share *share, VoxelList list, uint32_t step)
 {
     const uint32_t room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
     for (uint32_t done = 0; done < list.count; done += room) {
         const uint32_t *from = list.triangles + done;
         const uint32_t next = list.count - done < room ? list.count - done : room;
-        GpGeometry geometry = share->is_rectangles ? make_rectangles(model, work, from, next)
-                                                   : make_points(model, work, from, next);
-        add_draw(model, work, sheet, share->program, step, &geometry);
+        GpGeometry geometry = share->is_rectangles ? make_rectangles(model, frame, from, next)
+                                                   : make_points(model, frame, from, next);
+        add_draw(model, frame, sheet, share->program, step, &geometry);
     }
 }
 
-void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                   const Worksheet *sheet)
+void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                   const FlatTexture *sheet)
 {
     const bool thin = setting->method == VOXEL_THIN;
     const Share *shares = thin ? sampled : touched;
     const size_t share_count = thin ? GP_COUNT(sampled) : GP_COUNT(touched);
-    VoxelExtent *extents = work_alloc(work, model->triangle_count, sizeof *extents);
+    VoxelExtent *extents = frame_alloc(frame, model->triangle_count, sizeof *extents);
     voxel_extents(model, extents);
 
-    worksheet_pass(work, thin ? "sampled" : "touched", sheet);
+    flat_texture_pass(frame, thin ? "sampled" : "touched", sheet);
     for (size_t i = 0; i < share_count; i++) {
         VoxelList list = { NULL, model->triangle_count };
         for (uint32_t step = 0; list.count && step < sheet->slabs; step++) {
             /* what reaches so far has reached all slabs before */
-            list = voxel_choose(work, extents, list, shares[i].choice, (float)step);
-            draw_list(model, work, sheet, &shares[i], list, step);
+            list = voxel_choose(frame, extents, list, shares[i].choice, (float)step);
+            draw_list(model, frame, sheet, &shares[i], list, step);
         }
     }
 }

@@ -9,32 +9,33 @@
 
 enum { FACES = 6 };
 
-static void draw_faces(const VoxelModel *model, uint32_t size, Work *work, GpSurface *faces[FACES])
+static void draw_faces(const VoxelModel *model, uint32_t size, Frame *frame,
+                       GpSurface *faces[FACES])
 {
     static const char *const names[FACES] = { "face -x", "face +x", "face -y",
                                               "face +y", "face -z", "face +z" };
     const GpGeometry geometry = voxel_model_geometry(model);
-    DepthOnlyUniforms *uniforms = work_alloc(work, FACES, sizeof *uniforms);
+    DepthOnlyUniforms *uniforms = frame_alloc(frame, FACES, sizeof *uniforms);
     for (int i = 0; i < FACES; i++) {
-        faces[i] = work_surface(work, GP_D32F, size, size, 1);
+        faces[i] = frame_surface(frame, GP_D32F, size, size, 1);
         voxel_along_view(model, size, i / 2, i % 2, uniforms[i].mvp);
-        work_pass(work, names[i], NULL, faces[i], NULL);
-        GpDraw *draw = work_draw(work, &depth_only_program, &uniforms[i], &geometry);
+        frame_pass(frame, names[i], NULL, faces[i], NULL);
+        GpDraw *draw = frame_draw(frame, &depth_only_program, &uniforms[i], &geometry);
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     }
 }
 
-void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                 const Worksheet *sheet)
+void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                 const FlatTexture *sheet)
 {
     GpSurface *faces[FACES];
-    draw_faces(model, setting->size, work, faces);
+    draw_faces(model, setting->size, frame, faces);
 
-    WorksheetSlab *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
-    worksheet_pass(work, "faces to voxels", sheet);
+    FlatTextureSlab *uniforms = frame_alloc(frame, sheet->slabs, sizeof *uniforms);
+    flat_texture_pass(frame, "faces to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        uniforms[slab] = worksheet_slab(sheet, slab);
-        GpDraw *draw = worksheet_draw(work, &voxel_faces_program, &uniforms[slab], sheet, slab);
+        uniforms[slab] = flat_texture_slab(sheet, slab);
+        GpDraw *draw = flat_texture_draw(frame, &voxel_faces_program, &uniforms[slab], sheet, slab);
         for (int i = 0; i < FACES; i++)
             draw->textures[i].surface = faces[i];
     }

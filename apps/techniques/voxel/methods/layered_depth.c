@@ -8,19 +8,19 @@
 #include "apps/techniques/voxel/methods/along.h"
 #include "shaders_c/voxel/voxel_layers.h"
 
-static void peel(const VoxelModel *model, uint32_t size, Work *work,
+static void peel(const VoxelModel *model, uint32_t size, Frame *frame,
                  GpSurface *layers[VOXEL_LDI_LAYERS])
 {
     static const float no_layer[4] = { VOXEL_NO_LAYER };
     const GpGeometry geometry = voxel_model_geometry(model);
-    GpSurface *depth = work_surface(work, GP_D32F, size, size, 1);
-    VoxelPeelUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    GpSurface *depth = frame_surface(frame, GP_D32F, size, size, 1);
+    VoxelPeelUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     voxel_along_view(model, size, 2, false, uniforms->to_clip);
     for (int i = 0; i < VOXEL_LDI_LAYERS; i++) {
-        layers[i] = work_surface(work, GP_R32F, size, size, 1);
-        work_pass(work, "layer", layers[i], depth, no_layer);
-        GpDraw *draw = work_draw(work, i ? &voxel_peel_next_program : &voxel_peel_first_program,
-                                 uniforms, &geometry);
+        layers[i] = frame_surface(frame, GP_R32F, size, size, 1);
+        frame_pass(frame, "layer", layers[i], depth, no_layer);
+        GpDraw *draw = frame_draw(frame, i ? &voxel_peel_next_program : &voxel_peel_first_program,
+                                  uniforms, &geometry);
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
         if (i)
             draw->textures[0].surface = layers[i - 1];
@@ -28,31 +28,32 @@ static void peel(const VoxelModel *model, uint32_t size, Work *work,
 }
 
 /* Draws a patch from one layer, or from two. */
-static void fill_patch(Work *work, const Worksheet *sheet, uint32_t slab,
-                       const WorksheetSlab *uniforms, const GpSurface *entry, const GpSurface *exit)
+static void fill_patch(Frame *frame, const FlatTexture *sheet, uint32_t slab,
+                       const FlatTextureSlab *uniforms, const GpSurface *entry,
+                       const GpSurface *exit)
 {
     const GpProgram *program = exit ? &voxel_between_program : &voxel_layer_program;
-    GpDraw *draw = worksheet_draw(work, program, uniforms, sheet, slab);
+    GpDraw *draw = flat_texture_draw(frame, program, uniforms, sheet, slab);
     draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
     draw->textures[0].surface = entry;
     draw->textures[1].surface = exit;
 }
 
-void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-               const Worksheet *sheet)
+void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+               const FlatTexture *sheet)
 {
     GpSurface *layers[VOXEL_LDI_LAYERS];
-    peel(model, setting->size, work, layers);
+    peel(model, setting->size, frame, layers);
 
-    WorksheetSlab *uniforms = work_alloc(work, sheet->slabs, sizeof *uniforms);
-    worksheet_pass(work, "layers to voxels", sheet);
+    FlatTextureSlab *uniforms = frame_alloc(frame, sheet->slabs, sizeof *uniforms);
+    flat_texture_pass(frame, "layers to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        uniforms[slab] = worksheet_slab(sheet, slab);
+        uniforms[slab] = flat_texture_slab(sheet, slab);
         if (setting->kind == VOXEL_SOLID)
             for (int i = 0; i + 1 < VOXEL_LDI_LAYERS; i += 2)
-                fill_patch(work, sheet, slab, &uniforms[slab], layers[i], layers[i + 1]);
+                fill_patch(frame, sheet, slab, &uniforms[slab], layers[i], layers[i + 1]);
         else
             for (int i = 0; i < VOXEL_LDI_LAYERS; i++)
-                fill_patch(work, sheet, slab, &uniforms[slab], layers[i], NULL);
+                fill_patch(frame, sheet, slab, &uniforms[slab], layers[i], NULL);
     }
 }

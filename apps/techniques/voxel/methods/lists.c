@@ -59,10 +59,10 @@ void voxel_extents(const VoxelModel *model, VoxelExtent *extents)
     }
 }
 
-VoxelList voxel_choose(Work *work, const VoxelExtent *extents, VoxelList from, VoxelChoice *choice,
-                       float about)
+VoxelList voxel_choose(Frame *frame, const VoxelExtent *extents, VoxelList from,
+                       VoxelChoice *choice, float about)
 {
-    uint32_t *chosen = work_alloc(work, (size_t)from.count + 1, sizeof *chosen), count = 0;
+    uint32_t *chosen = frame_alloc(frame, (size_t)from.count + 1, sizeof *chosen), count = 0;
     for (uint32_t i = 0; i < from.count; i++) {
         const uint32_t triangle = from.triangles ? from.triangles[i] : i;
         chosen[count] = triangle;

@@ -27,7 +27,7 @@ typedef struct VoxelList {
 
 /* Those of a list that a choice takes.
  * owns   work */
-VoxelList voxel_choose(Work *work, const VoxelExtent *extents, VoxelList from, VoxelChoice *choice,
-                       float about);
+VoxelList voxel_choose(Frame *frame, const VoxelExtent *extents, VoxelList from,
+                       VoxelChoice *choice, float about);
 
 #endif

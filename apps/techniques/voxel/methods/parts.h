@@ -16,28 +16,28 @@ void voxel_corner(const VoxelModel *model, size_t corner, double place[3]);
 GpGeometry voxel_model_geometry(const VoxelModel *model);
 
 /* tech_voxel_columns.c: conservative and thin; what xor draws is in tech_voxel_xor.c. */
-void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                   const Worksheet *sheet);
-void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-               const Worksheet *sheet);
+void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                   const FlatTexture *sheet);
+void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+               const FlatTexture *sheet);
 
 /* tech_voxel_sheets.c: the printed method, surfaces and solids; its steps are in
  * tech_voxel_sheets.h. */
-void voxel_sheets(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                  const Worksheet *sheet);
+void voxel_sheets(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                  const FlatTexture *sheet);
 
 /* tech_voxel_slices.c */
-void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                  const Worksheet *sheet);
+void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                  const FlatTexture *sheet);
 
 /* tech_voxel_ldi.c; surfaces that lie behind so many others are lost. Even, so that what is left of
  * a solid ends at a surface. */
 enum { VOXEL_LDI_LAYERS = 16 };
-void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-               const Worksheet *sheet);
+void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+               const FlatTexture *sheet);
 
 /* tech_voxel_faces.c: solids only */
-void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                 const Worksheet *sheet);
+void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                 const FlatTexture *sheet);
 
 #endif

@@ -8,10 +8,10 @@
 
 /* --- what passes are made of ------------------------------------------------------------------ */
 
-const GpSurface *voxel_table(Work *work, uint32_t width, uint32_t height, uint32_t channels,
+const GpSurface *voxel_table(Frame *frame, uint32_t width, uint32_t height, uint32_t channels,
                              const uint8_t *codes)
 {
-    GpSurface *table = work_surface(work, GP_A8R8G8B8, width, height, 1);
+    GpSurface *table = frame_surface(frame, GP_A8R8G8B8, width, height, 1);
     uint8_t *texel = table->level[0].texels;
     for (uint32_t i = 0; i < width * height; i++, texel += 4) { /* bytes are B G R A */
         texel[2] = codes[i * channels];
@@ -43,7 +43,7 @@ static void describe_values(const VoxelSetting *setting, VoxelSheetsUniforms *u)
 {
     const bool wide = setting->bits == 16;
     for (int c = 0; c < 4; c++) {
-        const int byte = worksheet_channel[c];
+        const int byte = flat_texture_channel[c];
         u->voxel_of[c] = (float)(wide ? byte / 2 : byte);
         u->low[c] = !wide || byte % 2 == 0 ? 1 : 0;
         u->high[c] = 1 - u->low[c];
@@ -89,7 +89,7 @@ static const GpProgram *choose_program(const VoxelSetting *setting)
 
 /* The four targets: slab i of a direction is patch i / 4 of target i % 4. */
 typedef struct Targets {
-    Worksheet of[GP_MAX_TARGETS];
+    FlatTexture of[GP_MAX_TARGETS];
 } Targets;
 
 static GpGeometry list_of(const VoxelModel *model, const VoxelSort *sort, uint32_t list)
@@ -103,23 +103,23 @@ static GpGeometry list_of(const VoxelModel *model, const VoxelSort *sort, uint32
     return geometry;
 }
 
-static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int axis, Work *work,
+static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int axis, Frame *frame,
                       const VoxelSort *sort, const Targets *targets, const GpSurface *powers)
 {
     static const char *const names[3] = { "along x", "along y", "along z" };
-    GpPass *pass = work_pass(work, names[axis], NULL, NULL, NULL);
+    GpPass *pass = frame_pass(frame, names[axis], NULL, NULL, NULL);
     for (int i = 0; i < GP_MAX_TARGETS; i++)
         pass->color[i] = (GpColorTarget){ .surface = targets->of[i].texels, .clear = true };
 
-    VoxelSheetsUniforms *uniforms = work_alloc(work, sort->groups, sizeof *uniforms);
+    VoxelSheetsUniforms *uniforms = frame_alloc(frame, sort->groups, sizeof *uniforms);
     for (uint32_t g = 0; g < sort->groups; g++) {
         GpGeometry list = list_of(model, sort, (uint32_t)axis * sort->groups + g);
         if (list.index_count == 0)
             continue;
         uniforms[g] = describe_axis(model, setting, axis);
         uniforms[g].first_slab = (float)(GP_MAX_TARGETS * g);
-        GpDraw *draw = work_draw(work, choose_program(setting), &uniforms[g], &list);
-        draw->viewport = worksheet_patch(&targets->of[0], g);
+        GpDraw *draw = frame_draw(frame, choose_program(setting), &uniforms[g], &list);
+        draw->viewport = flat_texture_patch(&targets->of[0], g);
         if (setting->bits == 1)
             draw->textures[0] = voxel_texels(powers);
         for (int i = 0; i < GP_MAX_TARGETS; i++)
@@ -127,72 +127,73 @@ static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int 
     }
 }
 
-/* Puts slabs where a worksheet has them. */
-static void gather(Work *work, const Targets *from, const Worksheet *to)
+/* Puts slabs where a flat texture has them. */
+static void gather(Frame *frame, const Targets *from, const FlatTexture *to)
 {
-    worksheet_pass(work, "gather", to);
-    SheetCopyUniforms *uniforms = work_alloc(work, to->slabs, sizeof *uniforms);
+    flat_texture_pass(frame, "gather", to);
+    SheetCopyUniforms *uniforms = frame_alloc(frame, to->slabs, sizeof *uniforms);
     for (uint32_t slab = 0; slab < to->slabs; slab++) {
-        const Worksheet *target = &from->of[slab % GP_MAX_TARGETS];
+        const FlatTexture *target = &from->of[slab % GP_MAX_TARGETS];
         const float width = (float)target->texels->width, height = (float)target->texels->height;
-        GpViewport patch = worksheet_patch(target, slab / GP_MAX_TARGETS);
+        GpViewport patch = flat_texture_patch(target, slab / GP_MAX_TARGETS);
         uniforms[slab] =
             (SheetCopyUniforms){ .origin = { patch.x / width, patch.y / height },
                                  .extent = { patch.width / width, patch.height / height } };
-        GpDraw *draw = worksheet_draw(work, &sheet_copy_program, &uniforms[slab], to, slab);
+        GpDraw *draw = flat_texture_draw(frame, &sheet_copy_program, &uniforms[slab], to, slab);
         draw->textures[0] = voxel_texels(target->texels);
     }
 }
 
-VoxelDirections voxel_directions_make(const VoxelSetting *setting, Work *work, const Worksheet *z)
+VoxelDirections voxel_directions_make(const VoxelSetting *setting, Frame *frame,
+                                      const FlatTexture *z)
 {
     VoxelDirections directions = { .along = { { .texels = NULL } } };
     for (int axis = setting->axes == 1 ? 2 : 0; axis < 3; axis++)
         directions.along[axis] =
-            axis == 2 && z ? *z : worksheet_make(work, setting->size, setting->bits);
+            axis == 2 && z ? *z : flat_texture_make(frame, setting->size, setting->bits);
     return directions;
 }
 
 void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting, int sort_by,
-                           Work *work, const VoxelDirections *directions)
+                           Frame *frame, const VoxelDirections *directions)
 {
-    const Worksheet *z = &directions->along[2];
+    const FlatTexture *z = &directions->along[2];
     const uint32_t groups = (z->slabs + GP_MAX_TARGETS - 1) / GP_MAX_TARGETS;
     VoxelSort sort = { .by = sort_by,
                        .groups = groups,
                        .group_depth = GP_MAX_TARGETS * (double)z->per_texel,
-                       .spans = work_alloc(work, model->triangle_count, sizeof(VoxelSpans)) };
-    sort.indices = work_alloc(work, voxel_sort_count(model, &sort) + 1, sizeof(uint32_t));
+                       .spans = frame_alloc(frame, model->triangle_count, sizeof(VoxelSpans)) };
+    sort.indices = frame_alloc(frame, voxel_sort_count(model, &sort) + 1, sizeof(uint32_t));
     voxel_sort_fill(model, &sort);
 
     static const uint8_t codes[8] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    const GpSurface *powers = setting->bits == 1 ? voxel_table(work, 8, 1, 1, codes) : NULL;
+    const GpSurface *powers = setting->bits == 1 ? voxel_table(frame, 8, 1, 1, codes) : NULL;
     Targets targets;
     for (int i = 0; i < GP_MAX_TARGETS; i++)
-        targets.of[i] = worksheet_make_slabs(work, setting->size, setting->bits, groups);
+        targets.of[i] = flat_texture_make_slabs(frame, setting->size, setting->bits, groups);
     for (int axis = setting->axes == 1 ? 2 : 0; axis < 3; axis++) {
-        draw_axis(model, setting, axis, work, &sort, &targets, powers);
-        gather(work, &targets, &directions->along[axis]);
+        draw_axis(model, setting, axis, frame, &sort, &targets, powers);
+        gather(frame, &targets, &directions->along[axis]);
     }
 }
 
 /* --- the method ------------------------------------------------------------------------------- */
 
-static void make_surface(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                         const Worksheet *sheet)
+static void make_surface(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                         const FlatTexture *sheet)
 {
-    VoxelDirections directions = voxel_directions_make(setting, work, sheet);
+    VoxelDirections directions = voxel_directions_make(setting, frame, sheet);
     voxel_directions_draw(model, setting, setting->axes == 1 ? VOXEL_ALONG_Z : VOXEL_BY_NORMAL,
-                          work, &directions);
+                          frame, &directions);
     if (setting->axes != 1)
-        voxel_synthesize(setting, work, &directions);
+        voxel_synthesize(setting, frame, &directions);
 }
 
-void voxel_sheets(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                  const Worksheet *sheet)
+void voxel_sheets(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                  const FlatTexture *sheet)
 {
     if (setting->kind == VOXEL_SOLID)
-        voxel_sheets_solid(model, setting, work, sheet);
+        voxel_sheets_solid(model, setting, frame, sheet);
     else
-        make_surface(model, setting, work, sheet);
+        make_surface(model, setting, frame, sheet);
 }

@@ -1,6 +1,6 @@
-/* The printed method step by step: directional worksheets, their synthesis, and the row scan.
+/* The printed method step by step: directional flat textures, their synthesis, and the row scan.
  *
- * A worksheet along an axis has the layout of a volume's whose x, y, z are u, v and the depth w:
+ * A flat texture along an axis has the layout of a volume's whose x, y, z are u, v and the depth w:
  * along x those are y, z, x, along y they are z, x, y, and along z they are x, y, z themselves. */
 #ifndef APPS_TECHNIQUES_VOXEL_METHODS_SHEETS_H
 #define APPS_TECHNIQUES_VOXEL_METHODS_SHEETS_H
@@ -8,12 +8,13 @@
 #include "apps/techniques/voxel/methods/sort.h"
 
 typedef struct VoxelDirections {
-    Worksheet along[3]; /* x, y, z; where setting->axes is 1 there is only the last */
+    FlatTexture along[3]; /* x, y, z; where setting->axes is 1 there is only the last */
 } VoxelDirections;
 
 /* Makes the sheets that a setting needs.
  * in     z: what the last one is to be; NULL: a sheet of its own */
-VoxelDirections voxel_directions_make(const VoxelSetting *setting, Work *work, const Worksheet *z);
+VoxelDirections voxel_directions_make(const VoxelSetting *setting, Frame *frame,
+                                      const FlatTexture *z);
 
 /* Appends the passes that draw triangles into their slabs, each along one axis, or all along every
  * axis (VoxelSortBy): for each axis one pass, four slabs at once, and one that gathers the slabs.
@@ -21,14 +22,14 @@ VoxelDirections voxel_directions_make(const VoxelSetting *setting, Work *work, c
  *        cut to the patch by its viewport, and every fourth slab lies in the same target, so that
  *        one set of four targets serves all; the print leaves open how patches are reached. */
 void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting, int sort_by,
-                           Work *work, const VoxelDirections *directions);
+                           Frame *frame, const VoxelDirections *directions);
 
 /* Appends the passes that put the sheets along x and y into the volume's places and merges them
  * with the one along z, which becomes the volume.
  * source Dong et al., Pacific Graphics 2004: synthesis, by lookup tables. The print leaves open how
  *        bits are merged: here by OR, whatever the setting's blend, which is what a shader does
  *        that reads all three bits. Values merge as fragments do. */
-void voxel_synthesize(const VoxelSetting *setting, Work *work, const VoxelDirections *directions);
+void voxel_synthesize(const VoxelSetting *setting, Frame *frame, const VoxelDirections *directions);
 
 /* How fragments of a setting come together: bits are added as printed, or set (VOXEL_OR); densities
  * are counted, each fragment adds 1 and 255 is the most (VOXEL_ADD), or are all there is
@@ -46,12 +47,12 @@ GpBlend voxel_sheets_blend(const VoxelSetting *setting);
  *        three are merged, and what rows are scanned against. On the synthesized surface they would
  *        meet voxels beside which it passes, in runs of any length; what lines along a row's own
  *        axis cross it meets once each. */
-VoxelDirections voxel_row_scan(const VoxelSetting *setting, Work *work,
-                               const VoxelDirections *crossings, const Worksheet *solid);
+VoxelDirections voxel_row_scan(const VoxelSetting *setting, Frame *frame,
+                               const VoxelDirections *crossings, const FlatTexture *solid);
 
 /* All of a solid: crossings, scans, majority. Returns what voxel_row_scan does. */
-VoxelDirections voxel_sheets_solid(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                                   const Worksheet *solid);
+VoxelDirections voxel_sheets_solid(const VoxelModel *model, const VoxelSetting *setting,
+                                   Frame *frame, const FlatTexture *solid);
 
 /* --- steps of theirs -------------------------------------------------------------------------- */
 
@@ -62,16 +63,16 @@ typedef struct VoxelTables {
 } VoxelTables;
 
 /* For sheets of this layout; the work owns them. */
-VoxelTables voxel_tables_make(Work *work, const Worksheet *sheet);
+VoxelTables voxel_tables_make(Frame *frame, const FlatTexture *sheet);
 
-/* Appends passes that put a worksheet along x (axis 0) or y (1) into the volume's places, to `to`;
+/* Appends passes that put a flat texture along x (axis 0) or y (1) into the volume's places, to `to`;
  * `blend` says what becomes of what is there. */
-void voxel_turn(int axis, const Worksheet *from, const VoxelTables *tables, const Worksheet *to,
-                const GpBlend *blend, Work *work);
+void voxel_turn(int axis, const FlatTexture *from, const VoxelTables *tables, const FlatTexture *to,
+                const GpBlend *blend, Frame *frame);
 
 /* A texture of bytes, red the value and green the second where `channels` is 2.
  * in   codes: [height][width][channels] */
-const GpSurface *voxel_table(Work *work, uint32_t width, uint32_t height, uint32_t channels,
+const GpSurface *voxel_table(Frame *frame, uint32_t width, uint32_t height, uint32_t channels,
                              const uint8_t *codes);
 
 /* Reads texels as they are: point filtering, and nothing beyond the edges. */

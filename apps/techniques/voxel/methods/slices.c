@@ -10,7 +10,7 @@
 static void color_of_bit(uint32_t bit, float color[4])
 {
     memset(color, 0, sizeof(float[4]));
-    color[worksheet_channel[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
+    color[flat_texture_channel[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
 }
 
 /* Surface: the piece of the model inside the slice sets its voxels. Solid: a middle that an odd
@@ -29,17 +29,17 @@ static void cut(GpRasterState *raster, int kind, float size, float slice)
     }
 }
 
-void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-                  const Worksheet *sheet)
+void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                  const FlatTexture *sheet)
 {
     const GpGeometry geometry = voxel_model_geometry(model);
-    UnlitUniforms *uniforms = work_alloc(work, setting->size, sizeof *uniforms);
-    worksheet_pass(work, "slices", sheet);
+    UnlitUniforms *uniforms = frame_alloc(frame, setting->size, sizeof *uniforms);
+    flat_texture_pass(frame, "slices", sheet);
     for (uint32_t slice = 0; slice < setting->size; slice++) {
         voxel_along_view(model, setting->size, 2, false, uniforms[slice].mvp);
         color_of_bit(slice % sheet->per_texel, uniforms[slice].color);
-        GpDraw *draw = work_draw(work, &unlit_program, &uniforms[slice], &geometry);
-        draw->viewport = worksheet_patch(sheet, slice / sheet->per_texel);
+        GpDraw *draw = frame_draw(frame, &unlit_program, &uniforms[slice], &geometry);
+        draw->viewport = flat_texture_patch(sheet, slice / sheet->per_texel);
         draw->state.blend[0].op =
             setting->kind == VOXEL_SOLID ? GP_BLEND_LOGIC_XOR : GP_BLEND_LOGIC_OR;
         cut(&draw->state.raster, setting->kind, (float)setting->size, (float)slice);

@@ -1,21 +1,21 @@
-/* The synthesis: directional worksheets into the one of the volume. */
+/* The synthesis: directional flat textures into the one of the volume. */
 #include "apps/techniques/voxel/methods/sheets.h"
 #include "shaders_c/voxel/voxel_turn.h"
 
 #include <string.h>
 
-static uint32_t count_octets(const Worksheet *sheet)
+static uint32_t count_octets(const FlatTexture *sheet)
 {
     return (sheet->size + 7) / 8;
 }
 
 /* For each depth its patch's origin, and where in a texel it is (shaders_c/voxel/voxel_turn.h). */
-static const GpSurface *make_places(Work *work, const Worksheet *sheet)
+static const GpSurface *make_places(Frame *frame, const FlatTexture *sheet)
 {
-    GpSurface *table = work_surface(work, GP_A32B32G32R32F, sheet->size, 1, 1);
+    GpSurface *table = frame_surface(frame, GP_A32B32G32R32F, sheet->size, 1, 1);
     const uint32_t bytes = sheet->bits / 8;
     for (uint32_t depth = 0; depth < sheet->size; depth++) {
-        const GpViewport patch = worksheet_patch(sheet, depth / sheet->per_texel);
+        const GpViewport patch = flat_texture_patch(sheet, depth / sheet->per_texel);
         const uint32_t part = depth % sheet->per_texel;
         const float row = ((float)(part % 8) + 0.5f) / 8;
         const float place[4] = { patch.x, patch.y, bytes ? (float)part : row,
@@ -26,36 +26,36 @@ static const GpSurface *make_places(Work *work, const Worksheet *sheet)
 }
 
 /* Bit t of s at (s, t). */
-static const GpSurface *make_bits(Work *work)
+static const GpSurface *make_bits(Frame *frame)
 {
     uint8_t codes[8][256];
     for (int t = 0; t < 8; t++)
         for (int s = 0; s < 256; s++)
             codes[t][s] = s >> t & 1 ? 255 : 0;
-    return voxel_table(work, 256, 8, 1, codes[0]);
+    return voxel_table(frame, 256, 8, 1, codes[0]);
 }
 
-VoxelTables voxel_tables_make(Work *work, const Worksheet *sheet)
+VoxelTables voxel_tables_make(Frame *frame, const FlatTexture *sheet)
 {
-    VoxelTables tables = { .places = make_places(work, sheet) };
+    VoxelTables tables = { .places = make_places(frame, sheet) };
     if (sheet->bits == 1) {
-        tables.bits = make_bits(work);
+        tables.bits = make_bits(frame);
         tables.found =
-            work_surface(work, GP_A8R8G8B8, count_octets(sheet) * sheet->slabs, sheet->size, 1);
+            frame_surface(frame, GP_A8R8G8B8, count_octets(sheet) * sheet->slabs, sheet->size, 1);
     }
     return tables;
 }
 
-static void draw_turned(int axis, const Worksheet *from, const VoxelTables *tables,
-                        const GpProgram *program, const GpBlend *blend, Work *work)
+static void draw_turned(int axis, const FlatTexture *from, const VoxelTables *tables,
+                        const GpProgram *program, const GpBlend *blend, Frame *frame)
 {
-    VoxelTurnUniforms uniforms = { .sheet = worksheet_layout(from),
+    VoxelTurnUniforms uniforms = { .sheet = flat_texture_layout(from),
                                    .octets = (float)count_octets(from),
                                    .slabs = (float)from->slabs };
     uniforms.depth[axis] = uniforms.across[1 - axis] = 1;
     uniforms.aside[axis] = uniforms.down[1 - axis] = 1;
-    GpDraw *draw =
-        work_draw(work, program, work_copy(work, &uniforms, sizeof uniforms), &worksheet_cover);
+    GpDraw *draw = frame_draw(frame, program, frame_copy(frame, &uniforms, sizeof uniforms),
+                              &flat_texture_cover);
     draw->textures[0] = voxel_texels(from->texels);
     draw->textures[1] = voxel_texels(tables->places);
     if (program == &voxel_turn_bits_program) {
@@ -65,8 +65,8 @@ static void draw_turned(int axis, const Worksheet *from, const VoxelTables *tabl
     draw->state.blend[0] = *blend;
 }
 
-void voxel_turn(int axis, const Worksheet *from, const VoxelTables *tables, const Worksheet *to,
-                const GpBlend *blend, Work *work)
+void voxel_turn(int axis, const FlatTexture *from, const VoxelTables *tables, const FlatTexture *to,
+                const GpBlend *blend, Frame *frame)
 {
     static const char *const names[2] = { "turn x", "turn y" };
     const GpBlend replace = { .op = GP_BLEND_OFF };
@@ -74,20 +74,20 @@ void voxel_turn(int axis, const Worksheet *from, const VoxelTables *tables, cons
         from->bits == 8 ? &voxel_turn_bytes_program : &voxel_turn_pairs_program;
     if (from->bits == 1) {
         program = &voxel_turn_bits_program;
-        work_pass(work, "found", tables->found, NULL, (const float[4]){ 0, 0, 0, 0 });
-        draw_turned(axis, from, tables, &voxel_found_program, &replace, work);
+        frame_pass(frame, "found", tables->found, NULL, (const float[4]){ 0, 0, 0, 0 });
+        draw_turned(axis, from, tables, &voxel_found_program, &replace, frame);
     }
-    worksheet_pass(work, names[axis], to)->color[0].clear = false;
-    draw_turned(axis, from, tables, program, blend, work);
+    flat_texture_pass(frame, names[axis], to)->color[0].clear = false;
+    draw_turned(axis, from, tables, program, blend, frame);
 }
 
-void voxel_synthesize(const VoxelSetting *setting, Work *work, const VoxelDirections *directions)
+void voxel_synthesize(const VoxelSetting *setting, Frame *frame, const VoxelDirections *directions)
 {
-    const Worksheet *volume = &directions->along[2];
-    const VoxelTables tables = voxel_tables_make(work, volume);
+    const FlatTexture *volume = &directions->along[2];
+    const VoxelTables tables = voxel_tables_make(frame, volume);
     GpBlend blend = voxel_sheets_blend(setting);
     if (setting->bits == 1)
         blend = (GpBlend){ .op = GP_BLEND_LOGIC_OR };
     for (int axis = 0; axis < 2; axis++)
-        voxel_turn(axis, &directions->along[axis], &tables, volume, &blend, work);
+        voxel_turn(axis, &directions->along[axis], &tables, volume, &blend, frame);
 }

@@ -20,15 +20,15 @@ static bool crosses(const VoxelExtent *extent, float floor)
 }
 
 /* The triangles of a group of slabs; the top group has those above the volume too. */
-static GpGeometry choose_triangles(const VoxelModel *model, Work *work, const VoxelExtent *extents,
-                                   float floor, bool top)
+static GpGeometry choose_triangles(const VoxelModel *model, Frame *frame,
+                                   const VoxelExtent *extents, float floor, bool top)
 {
     GpGeometry geometry = voxel_model_geometry(model);
     if (model->motions)
         return geometry;
     const VoxelList all = { NULL, model->triangle_count };
-    const VoxelList list = voxel_choose(work, extents, all, top ? rises_above : crosses, floor);
-    uint32_t *indices = work_alloc(work, 3 * (size_t)list.count + 1, sizeof *indices);
+    const VoxelList list = voxel_choose(frame, extents, all, top ? rises_above : crosses, floor);
+    uint32_t *indices = frame_alloc(frame, 3 * (size_t)list.count + 1, sizeof *indices);
     for (uint32_t i = 0; i < list.count; i++)
         memcpy(indices + 3 * (size_t)i, model->indices + 3 * (size_t)list.triangles[i],
                3 * sizeof *indices);
@@ -37,11 +37,11 @@ static GpGeometry choose_triangles(const VoxelModel *model, Work *work, const Vo
     return geometry;
 }
 
-static void draw_group(const VoxelModel *model, Work *work, const VoxelExtent *extents,
+static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent *extents,
                        uint32_t size, uint32_t group, uint32_t groups)
 {
     const bool top = group + 1 == groups;
-    VoxelParityUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    VoxelParityUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     *uniforms = (VoxelParityUniforms){ .size = (float)size,
                                        .patch = (float)group,
                                        .patches = (float)groups,
@@ -49,10 +49,10 @@ static void draw_group(const VoxelModel *model, Work *work, const VoxelExtent *e
                                        .most = top ? 1e30f : (float)DEPTH };
     voxel_set_motion(model, &uniforms->motion);
 
-    GpGeometry geometry = choose_triangles(model, work, extents, uniforms->floor, top);
+    GpGeometry geometry = choose_triangles(model, frame, extents, uniforms->floor, top);
     if (!geometry.index_count)
         return;
-    GpDraw *draw = work_draw(work, &voxel_parity_program, uniforms, &geometry);
+    GpDraw *draw = frame_draw(frame, &voxel_parity_program, uniforms, &geometry);
     for (int i = 0; i < TARGETS; i++)
         draw->state.blend[i].op = GP_BLEND_LOGIC_XOR;
     draw->state.raster.scissor = true;
@@ -61,34 +61,34 @@ static void draw_group(const VoxelModel *model, Work *work, const VoxelExtent *e
     draw->state.raster.scissor_y1 = (int32_t)((group + 1) * size);
 }
 
-static void copy_slab(Work *work, GpSurface *const *targets, const Worksheet *sheet, uint32_t slab,
-                      uint32_t groups)
+static void copy_slab(Frame *frame, GpSurface *const *targets, const FlatTexture *sheet,
+                      uint32_t slab, uint32_t groups)
 {
-    VoxelParityResolveUniforms *uniforms = work_alloc(work, 1, sizeof *uniforms);
+    VoxelParityResolveUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     *uniforms =
         (VoxelParityResolveUniforms){ .patch = (float)(slab / TARGETS), .patches = (float)groups };
-    GpDraw *draw = worksheet_draw(work, &voxel_parity_resolve_program, uniforms, sheet, slab);
+    GpDraw *draw = flat_texture_draw(frame, &voxel_parity_resolve_program, uniforms, sheet, slab);
     draw->textures[0].surface = targets[slab % TARGETS];
     draw->textures[1].surface = targets[0];
 }
 
-void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Work *work,
-               const Worksheet *sheet)
+void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+               const FlatTexture *sheet)
 {
     const uint32_t size = setting->size, groups = (size + DEPTH - 1) / DEPTH;
-    VoxelExtent *extents = work_alloc(work, model->triangle_count, sizeof *extents);
+    VoxelExtent *extents = frame_alloc(frame, model->triangle_count, sizeof *extents);
     voxel_extents(model, extents);
 
     GpSurface *targets[TARGETS];
     for (int i = 0; i < TARGETS; i++)
-        targets[i] = work_surface(work, GP_A8R8G8B8, size, groups * size, 1);
-    GpPass *pass = work_pass(work, "parity", NULL, NULL, NULL);
+        targets[i] = frame_surface(frame, GP_A8R8G8B8, size, groups * size, 1);
+    GpPass *pass = frame_pass(frame, "parity", NULL, NULL, NULL);
     for (int i = 0; i < TARGETS; i++)
         pass->color[i] = (GpColorTarget){ .surface = targets[i], .clear = true };
     for (uint32_t group = 0; group < groups; group++)
-        draw_group(model, work, extents, size, group, groups);
+        draw_group(model, frame, extents, size, group, groups);
 
-    worksheet_pass(work, "solid", sheet);
+    flat_texture_pass(frame, "solid", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++)
-        copy_slab(work, targets, sheet, slab, groups);
+        copy_slab(frame, targets, sheet, slab, groups);
 }

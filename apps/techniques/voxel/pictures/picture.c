@@ -71,9 +71,9 @@ static const Stop stops[] = {
 
 enum { RAMP_SIZE = 128 };
 
-static const uint8_t *make_ramp(Work *work, uint32_t size)
+static const uint8_t *make_ramp(Frame *frame, uint32_t size)
 {
-    uint8_t *ramp = work_alloc(work, VALUES, 4);
+    uint8_t *ramp = frame_alloc(frame, VALUES, 4);
     size_t stop = 0;
     for (int i = 0; i < VALUES; i++) {
         while (stop + 2 < GP_COUNT(stops) && stops[stop + 1].value < i)
@@ -90,13 +90,13 @@ static const uint8_t *make_ramp(Work *work, uint32_t size)
     return ramp;
 }
 
-static GpResult add_scan(const GpVolume *scan, uint32_t size, Work *work, VoxelView *view,
+static GpResult add_scan(const GpVolume *scan, uint32_t size, Frame *frame, VoxelView *view,
                          GpError *error)
 {
     if (size > VOXEL_SCAN_MAX_SIZE)
         return gp_fail(error, GP_ERROR_INVALID, "--scan: a volume of at most %d voxels a side",
                        VOXEL_SCAN_MAX_SIZE);
-    GpResult result = worksheet_check(size, 8, error);
+    GpResult result = flat_texture_check(size, 8, error);
     if (result)
         return result;
     uint8_t *bytes = make_bytes(scan);
@@ -107,12 +107,12 @@ static GpResult add_scan(const GpVolume *scan, uint32_t size, Work *work, VoxelV
         longest = fmax(longest, scan->dims[k] * scan->spacing[k]);
     for (int k = 0; k < 3; k++)
         spacing[k] = scan->spacing[k] * size / longest;
-    const Worksheet sheet = voxel_scan(work, bytes, scan->dims, spacing, size);
+    const FlatTexture sheet = voxel_scan(frame, bytes, scan->dims, spacing, size);
     gp_free(bytes);
-    Worksheet *slopes = work_alloc(work, 1, sizeof *slopes);
-    *slopes = voxel_scan_slopes(work, &sheet);
+    FlatTexture *slopes = frame_alloc(frame, 1, sizeof *slopes);
+    *slopes = voxel_scan_slopes(frame, &sheet);
     view->scan = slopes;
-    view->transfer = make_ramp(work, size);
+    view->transfer = make_ramp(frame, size);
     return GP_OK;
 }
 
@@ -199,7 +199,7 @@ static Camera place_camera(const VoxelPicture *picture, const VoxelRange *range)
 }
 
 GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *made,
-                             const GpVolume *scan, Work *work, GpError *error)
+                             const GpVolume *scan, Frame *frame, GpError *error)
 {
     const uint32_t size = made->result.size;
     if (made->result.bits != 1)
@@ -216,7 +216,7 @@ GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *m
         view.range = made->around;
     }
     if (scan) {
-        GpResult result = add_scan(scan, size, work, &view, error);
+        GpResult result = add_scan(scan, size, frame, &view, error);
         if (result)
             return result;
         view.paint = view.second_paint; /* not the colour of bones */
@@ -226,5 +226,5 @@ GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *m
     const VoxelRange seen = anywhere ? voxel_range_whole(size) : view.range;
     view.camera = place_camera(picture, &seen);
     return voxel_view_build(picture->shows_both ? &made->sheets[0] : &made->result, &view,
-                            picture->width, picture->height, work, error);
+                            picture->width, picture->height, frame, error);
 }

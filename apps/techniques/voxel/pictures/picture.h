@@ -31,6 +31,6 @@ enum { VOXEL_PICTURE_PASSES = VOXEL_VIEW_PASSES + 1, VOXEL_PICTURE_DRAWS = VOXEL
  * errors those of voxel_view_build; GP_ERROR_INVALID: a scan in a volume that is too large, or more
  *        than one bit a voxel; GP_ERROR_MEMORY */
 GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *made,
-                             const GpVolume *scan, Work *work, GpError *error);
+                             const GpVolume *scan, Frame *frame, GpError *error);
 
 #endif

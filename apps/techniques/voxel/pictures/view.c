@@ -18,9 +18,9 @@ const VoxelView voxel_view_defaults = {
 
 /* What the passes of one picture share. */
 typedef struct ViewBuild {
-    const Worksheet *sheet;
+    const FlatTexture *sheet;
     const VoxelView *view;
-    Work *work;
+    Frame *frame;
     uint32_t width, height;
     double aspect;
     ViewSlices slices;
@@ -78,23 +78,23 @@ uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double
 
 static void find_blocks(ViewBuild *build)
 {
-    Work *work = build->work;
-    const Worksheet *sheet = build->sheet, *second = build->view->second;
+    Frame *frame = build->frame;
+    const FlatTexture *sheet = build->sheet, *second = build->view->second;
     const uint32_t columns = (sheet->size + VOXEL_BLOCK - 1) / VOXEL_BLOCK;
     const uint32_t width = columns * sheet->slabs;
-    GpSurface *rows = work_surface(work, GP_A8R8G8B8, width, sheet->size, 1);
-    build->blocks = work_surface(work, GP_A8R8G8B8, width, columns, 1);
-    const VoxelBlocksUniforms uniforms = { .sheet = worksheet_layout(sheet),
+    GpSurface *rows = frame_surface(frame, GP_A8R8G8B8, width, sheet->size, 1);
+    build->blocks = frame_surface(frame, GP_A8R8G8B8, width, columns, 1);
+    const VoxelBlocksUniforms uniforms = { .sheet = flat_texture_layout(sheet),
                                            .columns = (float)columns,
                                            .width = (float)width,
                                            .height = (float)sheet->size };
-    const void *own = work_copy(work, &uniforms, sizeof uniforms);
-    work_pass(work, "rows of blocks", rows, NULL, nothing);
-    GpDraw *draw = work_draw(work, &voxel_block_rows_program, own, &worksheet_cover);
+    const void *own = frame_copy(frame, &uniforms, sizeof uniforms);
+    frame_pass(frame, "rows of blocks", rows, NULL, nothing);
+    GpDraw *draw = frame_draw(frame, &voxel_block_rows_program, own, &flat_texture_cover);
     draw->textures[0].surface = sheet->texels;
     draw->textures[1].surface = second ? second->texels : sheet->texels;
-    work_pass(work, "blocks", build->blocks, NULL, nothing);
-    work_draw(work, &voxel_blocks_program, own, &worksheet_cover)->textures[0].surface = rows;
+    frame_pass(frame, "blocks", build->blocks, NULL, nothing);
+    frame_draw(frame, &voxel_blocks_program, own, &flat_texture_cover)->textures[0].surface = rows;
 }
 
 /* --- slices ----------------------------------------------------------------------------------- */
@@ -104,7 +104,7 @@ static VoxelViewUniforms slices_uniforms(const ViewBuild *build)
     const VoxelView *view = build->view;
     const VoxelPaint *paints[3] = { &view->paint, &view->second_paint, &view->hit_paint };
     VoxelViewUniforms uniforms = view_slices_uniforms(&build->slices, build->aspect);
-    uniforms.sheet = worksheet_layout(build->sheet);
+    uniforms.sheet = flat_texture_layout(build->sheet);
     uniforms.block_columns = (float)build->blocks->height;
     uniforms.blocks_width = (float)build->blocks->width;
     uniforms.blocks_height = (float)build->blocks->height;
@@ -115,14 +115,14 @@ static VoxelViewUniforms slices_uniforms(const ViewBuild *build)
     return uniforms;
 }
 
-/* Worksheets are read by points, of slots 0 and 1. */
+/* Flat textures are read by points, of slots 0 and 1. */
 static GpDraw *draw_slices(const ViewBuild *build, const GpProgram *one, const GpProgram *two,
                            bool nearest_first)
 {
     const VoxelViewUniforms uniforms = slices_uniforms(build);
-    const GpGeometry quads = view_slices_quads(build->work, &build->slices, nearest_first);
-    GpDraw *draw = work_draw(build->work, build->view->second ? two : one,
-                             work_copy(build->work, &uniforms, sizeof uniforms), &quads);
+    const GpGeometry quads = view_slices_quads(build->frame, &build->slices, nearest_first);
+    GpDraw *draw = frame_draw(build->frame, build->view->second ? two : one,
+                              frame_copy(build->frame, &uniforms, sizeof uniforms), &quads);
     draw->textures[0].surface = build->sheet->texels;
     draw->textures[3].surface = build->blocks;
     if (build->view->second)
@@ -132,9 +132,9 @@ static GpDraw *draw_slices(const ViewBuild *build, const GpProgram *one, const G
 
 static void find_voxels(ViewBuild *build)
 {
-    build->found = work_surface(build->work, GP_A16B16G16R16F, build->width, build->height, 1);
-    build->depth = work_surface(build->work, GP_D32F, build->width, build->height, 1);
-    work_pass(build->work, "voxels", build->found, build->depth, nothing);
+    build->found = frame_surface(build->frame, GP_A16B16G16R16F, build->width, build->height, 1);
+    build->depth = frame_surface(build->frame, GP_D32F, build->width, build->height, 1);
+    frame_pass(build->frame, "voxels", build->found, build->depth, nothing);
     GpDraw *draw = draw_slices(build, &voxel_first_program, &voxel_first_two_program, true);
     draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
 }
@@ -142,9 +142,10 @@ static void find_voxels(ViewBuild *build)
 /* --- light ------------------------------------------------------------------------------------ */
 
 /* Smoothed density of every pattern of six voxels in a row, and its slope. */
-static GpSurface *make_run_table(Work *work)
+static GpSurface *make_run_table(Frame *frame)
 {
-    GpSurface *table = work_surface(work, GP_A16B16G16R16F, VOXEL_RUN_PATTERNS, VOXEL_RUN_ROWS, 1);
+    GpSurface *table =
+        frame_surface(frame, GP_A16B16G16R16F, VOXEL_RUN_PATTERNS, VOXEL_RUN_ROWS, 1);
     for (uint32_t row = 0; row < VOXEL_RUN_ROWS; row++)
         for (uint32_t pattern = 0; pattern < VOXEL_RUN_PATTERNS; pattern++) {
             float density = 0, slope = 0;
@@ -181,13 +182,13 @@ static void set_ray(const ViewBuild *build, VoxelLightUniforms *uniforms)
 }
 
 /* Lights the voxels of one kind, all of which a volume has. */
-static void light_voxels(const ViewBuild *build, const Worksheet *sheet, const VoxelPaint *paint,
+static void light_voxels(const ViewBuild *build, const FlatTexture *sheet, const VoxelPaint *paint,
                          float kind, const GpSurface *table)
 {
     const VoxelView *view = build->view;
     const bool smooth = view->shading == VOXEL_SMOOTH;
     const float across = 1 / (float)sheet->texels->width, down = 1 / (float)sheet->texels->height;
-    VoxelLightUniforms uniforms = { .sheet = worksheet_layout(sheet),
+    VoxelLightUniforms uniforms = { .sheet = flat_texture_layout(sheet),
                                     .slabs = (float)sheet->slabs,
                                     .across = { across, 0, across, 0 },
                                     .down = { 0, down, 0, down },
@@ -195,8 +196,8 @@ static void light_voxels(const ViewBuild *build, const Worksheet *sheet, const V
     set_ray(build, &uniforms);
     memcpy(uniforms.color, paint->color, sizeof uniforms.color);
     GpDraw *draw =
-        work_draw(build->work, smooth ? &voxel_light_smooth_program : &voxel_light_faces_program,
-                  work_copy(build->work, &uniforms, sizeof uniforms), &worksheet_cover);
+        frame_draw(build->frame, smooth ? &voxel_light_smooth_program : &voxel_light_faces_program,
+                   frame_copy(build->frame, &uniforms, sizeof uniforms), &flat_texture_cover);
     draw->textures[0].surface = build->found;
     if (!smooth)
         return;
@@ -207,7 +208,7 @@ static void light_voxels(const ViewBuild *build, const Worksheet *sheet, const V
 static void light_found(const ViewBuild *build)
 {
     const VoxelView *view = build->view;
-    const GpSurface *table = view->shading == VOXEL_SMOOTH ? make_run_table(build->work) : NULL;
+    const GpSurface *table = view->shading == VOXEL_SMOOTH ? make_run_table(build->frame) : NULL;
     light_voxels(build, build->sheet, &view->paint, VOXEL_KIND_FIRST, table);
     if (!view->second)
         return;
@@ -217,9 +218,9 @@ static void light_found(const ViewBuild *build)
 
 /* --- haze ------------------------------------------------------------------------------------- */
 
-static GpSurface *make_ramp(Work *work, const uint8_t *transfer)
+static GpSurface *make_ramp(Frame *frame, const uint8_t *transfer)
 {
-    GpSurface *ramp = work_surface(work, GP_A8R8G8B8, RAMP, 1, 1);
+    GpSurface *ramp = frame_surface(frame, GP_A8R8G8B8, RAMP, 1, 1);
     for (uint32_t i = 0; i < RAMP; i++) {
         float rgba[4];
         for (int c = 0; c < 4; c++)
@@ -239,30 +240,30 @@ static GpDraw *draw_scan(const ViewBuild *build)
     VoxelLightUniforms light;
     set_ray(build, &light);
     VoxelScanUniforms uniforms = { .slices = slices_uniforms(build),
-                                   .slopes = worksheet_layout(view->scan) };
+                                   .slopes = flat_texture_layout(view->scan) };
     for (int k = 0; k < 3; k++) {
         uniforms.light[k] = light.light[k];
         uniforms.to_eye[k] = -light.at[k];
     }
-    const GpGeometry quads = view_slices_quads(build->work, &build->slices, false);
+    const GpGeometry quads = view_slices_quads(build->frame, &build->slices, false);
     const bool mixed = view->mode == VOXEL_TRANSPARENT;
-    GpDraw *draw = work_draw(build->work, mixed ? &voxel_scan_mixed_program : &voxel_scan_program,
-                             work_copy(build->work, &uniforms, sizeof uniforms), &quads);
+    GpDraw *draw = frame_draw(build->frame, mixed ? &voxel_scan_mixed_program : &voxel_scan_program,
+                              frame_copy(build->frame, &uniforms, sizeof uniforms), &quads);
     if (mixed) {
         draw->textures[0].surface = build->sheet->texels;
         draw->textures[3].surface = build->blocks;
     }
     draw->textures[1] = (GpTexture){ view->scan->texels, linear };
-    draw->textures[2] = (GpTexture){ make_ramp(build->work, view->transfer), linear };
+    draw->textures[2] = (GpTexture){ make_ramp(build->frame, view->transfer), linear };
     return draw;
 }
 
 /* Summed up in halves, since many slices add less than a byte can tell. */
 static void draw_haze(const ViewBuild *build)
 {
-    Work *work = build->work;
-    GpSurface *haze = work_surface(work, GP_A16B16G16R16F, build->width, build->height, 1);
-    GpPass *pass = work_pass(work, "haze", haze, build->depth, nothing);
+    Frame *frame = build->frame;
+    GpSurface *haze = frame_surface(frame, GP_A16B16G16R16F, build->width, build->height, 1);
+    GpPass *pass = frame_pass(frame, "haze", haze, build->depth, nothing);
     pass->depth.clear_depth = false;
     GpDraw *draw = build->view->scan
                        ? draw_scan(build)
@@ -270,15 +271,15 @@ static void draw_haze(const ViewBuild *build)
     draw->state.blend[0] = over;
     draw->state.depth.test = build->depth ? GP_LESS : GP_ALWAYS;
 
-    work_pass(work, "over", work->color, NULL, nothing)->color[0].clear = false;
-    draw = work_draw(work, &texel_copy_program, NULL, &worksheet_cover);
+    frame_pass(frame, "over", frame->color, NULL, nothing)->color[0].clear = false;
+    draw = frame_draw(frame, &texel_copy_program, NULL, &flat_texture_cover);
     draw->textures[0].surface = haze;
     draw->state.blend[0] = over;
 }
 
-static GpResult check_view(const Worksheet *sheet, const VoxelView *view, GpError *error)
+static GpResult check_view(const FlatTexture *sheet, const VoxelView *view, GpError *error)
 {
-    const Worksheet *second = view->second, *scan = view->scan;
+    const FlatTexture *second = view->second, *scan = view->scan;
     if (sheet->bits != 1)
         return gp_fail(error, GP_ERROR_INVALID, "slices show volumes of 1 bit a voxel, not %u",
                        sheet->bits);
@@ -293,12 +294,12 @@ static GpResult check_view(const Worksheet *sheet, const VoxelView *view, GpErro
     return GP_OK;
 }
 
-GpResult voxel_view_build(const Worksheet *sheet, const VoxelView *view, uint32_t width,
-                          uint32_t height, Work *work, GpError *error)
+GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint32_t width,
+                          uint32_t height, Frame *frame, GpError *error)
 {
     ViewBuild build = { .sheet = sheet,
                         .view = view,
-                        .work = work,
+                        .frame = frame,
                         .width = width,
                         .height = height,
                         .aspect = (double)width / height };
@@ -311,11 +312,11 @@ GpResult voxel_view_build(const Worksheet *sheet, const VoxelView *view, uint32_
         result = view_slices_find(&range, &view->camera, build.aspect, &build.slices, error);
     if (result)
         return result;
-    work->color = work_surface(work, GP_A8R8G8B8, width, height, 1);
+    frame->color = frame_surface(frame, GP_A8R8G8B8, width, height, 1);
     find_blocks(&build);
     if (view->mode == VOXEL_OPAQUE)
         find_voxels(&build);
-    work_pass(work, "light", work->color, NULL, background);
+    frame_pass(frame, "light", frame->color, NULL, background);
     if (view->mode == VOXEL_OPAQUE)
         light_found(&build);
     if (view->mode == VOXEL_TRANSPARENT || view->scan)

@@ -1,4 +1,4 @@
-/* Pictures of volumes of bits: worksheets drawn by slices. */
+/* Pictures of volumes of bits: flat textures drawn by slices. */
 #ifndef APPS_TECHNIQUES_VOXEL_PICTURES_VIEW_H
 #define APPS_TECHNIQUES_VOXEL_PICTURES_VIEW_H
 
@@ -18,14 +18,14 @@ typedef struct VoxelPaint {
 typedef struct VoxelView {
     Camera camera; /* in voxels: voxel_camera */
     int mode, shading;
-    VoxelRange range;        /* where voxels may be, which is faster; empty: anywhere */
-    VoxelPaint paint;        /* of the volume */
-    const Worksheet *second; /* NULL: none; else of the same layout */
-    VoxelPaint second_paint; /* of the second alone */
-    VoxelPaint hit_paint;    /* of voxels that both have */
-    const Worksheet *scan;   /* NULL: none; else what voxel_scan_slopes made, of the same size */
-    const uint8_t *transfer; /* of a scan: [256][4] red, green, blue, opacity of a voxel */
-    float light[3];          /* towards it: right, up, towards the eye; any length but 0 */
+    VoxelRange range;          /* where voxels may be, which is faster; empty: anywhere */
+    VoxelPaint paint;          /* of the volume */
+    const FlatTexture *second; /* NULL: none; else of the same layout */
+    VoxelPaint second_paint;   /* of the second alone */
+    VoxelPaint hit_paint;      /* of voxels that both have */
+    const FlatTexture *scan;   /* NULL: none; else what voxel_scan_slopes made, of the same size */
+    const uint8_t *transfer;   /* of a scan: [256][4] red, green, blue, opacity of a voxel */
+    float light[3];            /* towards it: right, up, towards the eye; any length but 0 */
     float background[3];
 } VoxelView;
 
@@ -52,10 +52,10 @@ uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double
  * out    work->color: A8R8G8B8
  * errors GP_ERROR_INVALID: more bits, a view too wide for slices across one axis, volumes of
  *        different sizes, a scan with two transparent volumes in it */
-GpResult voxel_view_build(const Worksheet *sheet, const VoxelView *view, uint32_t width,
-                          uint32_t height, Work *work, GpError *error);
+GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint32_t width,
+                          uint32_t height, Frame *frame, GpError *error);
 
-/* Upper bounds of the passes and draws, for work_reserve. */
+/* Upper bounds of the passes and draws, for frame_reserve. */
 enum { VOXEL_VIEW_PASSES = 8, VOXEL_VIEW_DRAWS = 8 };
 
 #endif

@@ -58,7 +58,7 @@ static void same_bits_differ_nowhere(void **state)
     assert_true(fabs(report.ssim - 1) < 1e-12);
 }
 
-static void two_changed_pixels_give_the_figures_worked_out_by_hand(void **state)
+static void two_changed_pixels_give_the_metrics_worked_out_by_hand(void **state)
 {
     (void)state;
     fill_pair(SIDE, SIDE, 4);
@@ -209,7 +209,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_bits_differ_nowhere),
-        cmocka_unit_test(two_changed_pixels_give_the_figures_worked_out_by_hand),
+        cmocka_unit_test(two_changed_pixels_give_the_metrics_worked_out_by_hand),
         cmocka_unit_test(negative_zero_differs_in_bits_only),
         cmocka_unit_test(equal_nans_are_the_same_and_a_nan_against_a_number_is_infinitely_far),
         cmocka_unit_test(tolerances_work_as_idiff_defines_them),

@@ -10,17 +10,17 @@
 static const double pi = 3.14159265358979323846;
 
 /* Builds a case; skips the test where its mesh is not there. */
-static Work build(const char *name)
+static Frame build(const char *name)
 {
     const BenchCase *bench = bench_case_find(name);
     assert_non_null(bench);
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
-    if (bench->build(bench, &work, &error)) {
-        work_free(&work);
+    if (bench->build(bench, &frame, &error)) {
+        frame_free(&frame);
         skip();
     }
-    return work;
+    return frame;
 }
 
 static void run(const GpList *list)
@@ -36,14 +36,14 @@ static void run(const GpList *list)
 /* The picture of a case as RGBA8, to be freed with gp_free. */
 static uint8_t *picture_of(const char *name)
 {
-    Work work = build(name);
-    run(&work.list);
+    Frame frame = build(name);
+    run(&frame.list);
     uint32_t width, height;
-    bench_picture_size(&work, &width, &height);
+    bench_picture_size(&frame, &width, &height);
     uint8_t *rgba = gp_alloc((size_t)width * height, 4);
     const BenchCase *bench = bench_case_find(name);
-    (bench->picture ? bench->picture : bench_show)(&work, rgba);
-    work_free(&work);
+    (bench->picture ? bench->picture : bench_show)(&frame, rgba);
+    frame_free(&frame);
     return rgba;
 }
 
@@ -72,22 +72,23 @@ static void every_case_is_valid_and_draws_what_the_table_says(void **state)
 {
     (void)state;
     for (size_t i = 0; i < bench_case_count; i++) {
-        Work work = { .color = NULL };
+        Frame frame = { .color = NULL };
         GpError error = { "" };
-        if (bench_cases[i].build(&bench_cases[i], &work, &error) == GP_OK) {
-            if (gp_list_check(&work.list, &error))
+        if (bench_cases[i].build(&bench_cases[i], &frame, &error) == GP_OK) {
+            if (gp_list_check(&frame.list, &error))
                 fail_msg("%s: %s", bench_cases[i].name, error.text);
             double primitives = 0;
-            for (uint32_t p = 0; p < work.list.pass_count; p++)
-                for (uint32_t d = 0; d < work.list.passes[p].draw_count; d++) {
-                    const GpDraw *draw = &work.list.passes[p].draws[d];
-                    bool whole_screen = draw->geometry.index_count == 6 && work.list.pass_count > 2;
+            for (uint32_t p = 0; p < frame.list.pass_count; p++)
+                for (uint32_t d = 0; d < frame.list.passes[p].draw_count; d++) {
+                    const GpDraw *draw = &frame.list.passes[p].draws[d];
+                    bool whole_screen =
+                        draw->geometry.index_count == 6 && frame.list.pass_count > 2;
                     primitives += whole_screen ? 0 : gp_geometry_primitives(&draw->geometry);
                 }
             if (primitives != bench_cases[i].primitives)
                 fail_msg("%s: %g primitives", bench_cases[i].name, primitives);
         }
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -97,11 +98,11 @@ static void layers_are_one_group(void **state)
     (void)state;
     static const char *const names[] = { "sheets", "peel" };
     for (size_t i = 0; i < GP_COUNT(names); i++) {
-        Work work = build(names[i]);
-        uint32_t *groups = gp_alloc(work.list.pass_count, sizeof *groups);
-        assert_int_equal(gp_list_groups(&work.list, groups), 1);
+        Frame frame = build(names[i]);
+        uint32_t *groups = gp_alloc(frame.list.pass_count, sizeof *groups);
+        assert_int_equal(gp_list_groups(&frame.list, groups), 1);
         gp_free(groups);
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -122,8 +123,8 @@ static void picture_hash_is_fnv_1a_from_the_bottom_up(void **state)
 static void torus_has_the_volume_of_a_torus(void **state)
 {
     (void)state;
-    Work work = { .color = NULL };
-    GpGeometry torus = bench_torus(&work, 400, 200);
+    Frame frame = { .color = NULL };
+    GpGeometry torus = bench_torus(&frame, 400, 200);
     const GpStream *stream = &torus.streams[GP_POSITION];
     double volume = 0;
     for (uint32_t i = 0; i < torus.index_count; i += 3) {
@@ -139,7 +140,7 @@ static void torus_has_the_volume_of_a_torus(void **state)
     }
     double exact = 2 * pi * pi * 0.85 * 0.42 * 0.42;
     assert_true(fabs(volume / exact - 1) < 5e-4);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 static void rotated_corners_span_one_and_seven_tenths(void **state)
@@ -256,20 +257,20 @@ static void interpolated_depth_is_the_depth_buffers(void **state)
     const Camera camera = {
         .eye = { 0, 1, 2.5 }, .up = { 0, 1, 0 }, .fovy = 45, .near = 0.5, .far = 10
     };
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
     bench_matrix(&camera, NULL, uniforms.mvp);
-    GpGeometry torus = bench_torus(&work, 60, 30);
-    work_reserve(&work, 1, 1);
-    GpSurface *depth = work_surface(&work, GP_D32F, size, size, 1);
+    GpGeometry torus = bench_torus(&frame, 60, 30);
+    frame_reserve(&frame, 1, 1);
+    GpSurface *depth = frame_surface(&frame, GP_D32F, size, size, 1);
     GpSurface *targets[GP_MAX_TARGETS];
-    GpPass *pass = work_pass(&work, "maps", NULL, depth, NULL);
+    GpPass *pass = frame_pass(&frame, "maps", NULL, depth, NULL);
     for (int i = 0; i < GP_MAX_TARGETS; i++) {
-        targets[i] = work_surface(&work, GP_A32B32G32R32F, size, size, 1);
+        targets[i] = frame_surface(&frame, GP_A32B32G32R32F, size, size, 1);
         pass->color[i] = (GpColorTarget){ .surface = targets[i], .clear = true };
     }
-    work_draw(&work, &surface_maps_program, &uniforms, &torus)->state.depth = bench_depth_less;
-    run(&work.list);
+    frame_draw(&frame, &surface_maps_program, &uniforms, &torus)->state.depth = bench_depth_less;
+    run(&frame.list);
 
     uint32_t covered = 0;
     for (uint32_t i = 0; i < size * size; i++) {
@@ -280,7 +281,7 @@ static void interpolated_depth_is_the_depth_buffers(void **state)
             assert_true(fabs((double)stored - (double)given) < 1.5e-7);
     }
     assert_true(covered > 10000);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 int main(void)

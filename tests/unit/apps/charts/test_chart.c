@@ -61,7 +61,7 @@ static void corner_white(int quad, int corner, BenchCorner *out)
 }
 
 /* Seven layers do not go with any scene; scenes 1 pixel wide go with no setting. */
-static GpResult build_light(void *scene, const void *setting, Work *work, GpError *error)
+static GpResult build_light(void *scene, const void *setting, Frame *frame, GpError *error)
 {
     const Scene *opened = scene;
     const Light *light = setting;
@@ -69,11 +69,11 @@ static GpResult build_light(void *scene, const void *setting, Work *work, GpErro
         return gp_fail(error, GP_ERROR_INVALID, "not with %u layers", light->layers);
     ScaledColorUniforms uniforms = { .scale =
                                          (float)(light->scale / (light->method == 1 ? 2 : 1)) };
-    work_reserve(work, 1, 1);
-    work->color = work_surface(work, GP_A8R8G8B8, opened->width, opened->height, 1);
-    work_pass(work, "light", work->color, NULL, bench_black);
-    GpGeometry quads = bench_quads(work, (int)light->layers, GP_COLOR, corner_white);
-    work_draw(work, &scaled_color_program, work_copy(work, &uniforms, sizeof uniforms), &quads);
+    frame_reserve(frame, 1, 1);
+    frame->color = frame_surface(frame, GP_A8R8G8B8, opened->width, opened->height, 1);
+    frame_pass(frame, "light", frame->color, NULL, bench_black);
+    GpGeometry quads = bench_quads(frame, (int)light->layers, GP_COLOR, corner_white);
+    frame_draw(frame, &scaled_color_program, frame_copy(frame, &uniforms, sizeof uniforms), &quads);
     return GP_OK;
 }
 
@@ -86,14 +86,14 @@ static GpResult find_true_light(void *scene, int threads, GpError *error)
     return opened->height == 1 ? gp_fail(error, GP_ERROR_INVALID, "too flat") : GP_OK;
 }
 
-static void measure_light(const void *scene, const Work *work, TechniqueError *error)
+static void measure_light(const void *scene, const Frame *frame, TechniqueError *error)
 {
     const Scene *opened = scene;
     assert_true(opened->true_known);
-    const uint8_t *texel = work->color->level[0].texels;
+    const uint8_t *texel = frame->color->level[0].texels;
     error->error = 255 - texel[0];
-    error->figures[0] = texel[0];
-    error->figures[1] = opened->width;
+    error->metrics[0] = texel[0];
+    error->metrics[1] = opened->width;
 }
 
 static const TechniqueSweep light_sweep[] = {
@@ -102,7 +102,7 @@ static const TechniqueSweep light_sweep[] = {
     { NULL, NULL },
 };
 
-static const char *const light_figures[] = { "red", "width", NULL };
+static const char *const light_metrics[] = { "red", "width", NULL };
 
 static const Technique light = {
     .name = "light",
@@ -113,7 +113,7 @@ static const Technique light = {
     .setting_bytes = sizeof(Light),
     .sweep = light_sweep,
     .error_name = "darkness, codes",
-    .figures = light_figures,
+    .metrics = light_metrics,
     .open = open_light,
     .close = close_light,
     .build = build_light,
@@ -169,8 +169,8 @@ static void a_run_measures_all_settings_that_go_with_the_scene_in_order(void **s
     assert_string_equal(chart.title, "Light");
     assert_string_equal(chart.scene, "scenes/light.json");
     assert_string_equal(chart.error_name, "darkness, codes");
-    assert_int_equal(chart.figure_count, 2);
-    assert_string_equal(chart.figures[1], "width");
+    assert_int_equal(chart.metric_count, 2);
+    assert_string_equal(chart.metrics[1], "width");
     assert_true(chart.machine[0] && chart.isa[0]);
     assert_int_equal(chart.threads, 2);
     assert_int_equal(chart.width, 24);
@@ -181,8 +181,8 @@ static void a_run_measures_all_settings_that_go_with_the_scene_in_order(void **s
         assert_string_equal(point->method, expected[i].method);
         assert_string_equal(point->options, expected[i].options);
         assert_true(point->measured.error == expected[i].error);
-        assert_true(point->measured.figures[0] == 255 - expected[i].error);
-        assert_true(point->measured.figures[1] == 24);
+        assert_true(point->measured.metrics[0] == 255 - expected[i].error);
+        assert_true(point->measured.metrics[1] == 24);
         assert_true(point->frames >= 5 && point->min_ms > 0 && point->min_ms <= point->ms);
         assert_string_equal(point->picture, "");
     }
@@ -252,20 +252,22 @@ static void frames_are_as_many_as_the_plan_wants(void **state)
     (void)state;
     double *each = gp_alloc(TIMING_MAX_FRAMES, sizeof *each);
     GpDevice *device = two_threads();
-    Work work = { .color = NULL };
-    Frame frame;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics;
     Timing timing;
     Scene scene = { .width = 2, .height = 2 };
     const TimingPlan seven = { .least_frames = 7, .most_seconds = 1e9 }, none = { 0 };
-    assert_int_equal(build_light(&scene, &light_defaults, &work, NULL), GP_OK);
-    assert_int_equal(frame_first(device, &work.list, &frame, NULL), GP_OK);
-    assert_int_equal(timing_run(device, &work.list, &none, each, &frame, &timing, NULL), GP_OK);
+    assert_int_equal(build_light(&scene, &light_defaults, &frame, NULL), GP_OK);
+    assert_int_equal(run_first(device, &frame.list, &statistics, NULL), GP_OK);
+    assert_int_equal(timing_run(device, &frame.list, &none, each, &statistics, &timing, NULL),
+                     GP_OK);
     assert_int_equal(timing.frames, 1);
-    assert_true(timing.ms == frame.first_ms && timing.cpu_ms == frame.first_cpu_ms);
-    assert_int_equal(timing_run(device, &work.list, &seven, each, &frame, &timing, NULL), GP_OK);
+    assert_true(timing.ms == statistics.first_ms && timing.cpu_ms == statistics.first_cpu_ms);
+    assert_int_equal(timing_run(device, &frame.list, &seven, each, &statistics, &timing, NULL),
+                     GP_OK);
     assert_int_equal(timing.frames, 7);
     assert_true(timing.min_ms == each[0] && timing.ms == each[3]);
-    work_free(&work);
+    frame_free(&frame);
     gp_device_destroy(&device);
     gp_free(each);
     assert_true(timing_median((double[]){ 3, 1, 2 }, 3) == 2);

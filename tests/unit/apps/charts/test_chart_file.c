@@ -33,8 +33,8 @@ static void json_restores_every_bit(void **state)
                     .title = "a \"b\" \\ <c> & \xc3\xa9\n",
                     .scene = "/",
                     .error_name = "e",
-                    .figures = { "x", "" },
-                    .figure_count = 2,
+                    .metrics = { "x", "" },
+                    .metric_count = 2,
                     .machine = "m",
                     .isa = "i",
                     .threads = 3,
@@ -51,8 +51,8 @@ static void json_restores_every_bit(void **state)
         point->min_ms = i % 3 ? random_double(&random) : -HUGE_VAL;
         point->cpu_ms = i % 5 ? i : (double)NAN;
         point->measured.error = i % 4 ? random_double(&random) : HUGE_VAL;
-        point->measured.figures[0] = i % 2 ? -0.0 : 0.1;
-        point->measured.figures[1] = random_double(&random);
+        point->measured.metrics[0] = i % 2 ? -0.0 : 0.1;
+        point->measured.metrics[1] = random_double(&random);
         point->frames = (uint32_t)random_bits(&random);
         point->best = i % 2;
     }
@@ -62,8 +62,8 @@ static void json_restores_every_bit(void **state)
     assert_int_equal(folder_count(false), 3);
     assert_string_equal(read.title, chart.title);
     assert_string_equal(read.scene, chart.scene);
-    assert_string_equal(read.figures[0], "x");
-    assert_int_equal(read.figure_count, 2);
+    assert_string_equal(read.metrics[0], "x");
+    assert_int_equal(read.metric_count, 2);
     assert_int_equal(read.threads, 3);
     assert_int_equal(read.width, 4294967295);
     assert_int_equal(read.count, chart.count);
@@ -76,8 +76,8 @@ static void json_restores_every_bit(void **state)
         expect_same_bits(a->min_ms, b->min_ms);
         expect_same_bits(a->cpu_ms, b->cpu_ms);
         expect_same_bits(a->measured.error, b->measured.error);
-        expect_same_bits(a->measured.figures[0], b->measured.figures[0]);
-        expect_same_bits(a->measured.figures[1], b->measured.figures[1]);
+        expect_same_bits(a->measured.metrics[0], b->measured.metrics[0]);
+        expect_same_bits(a->measured.metrics[1], b->measured.metrics[1]);
         assert_int_equal(a->frames, b->frames);
         assert_int_equal(a->best, b->best);
     }
@@ -100,8 +100,8 @@ static void csv_quotes_what_needs_it(void **state)
         { .method = "plain", .options = "two\nlines", .ms = 1.0 / 3 },
     };
     const Chart chart = { .error_name = "wrong, pixels",
-                          .figures = { "x", "y" },
-                          .figure_count = 2,
+                          .metrics = { "x", "y" },
+                          .metric_count = 2,
                           .points = points,
                           .count = 2 };
     GpError error = { "" };

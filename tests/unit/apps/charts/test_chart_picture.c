@@ -25,8 +25,8 @@ static Chart make_chart(uint32_t count, uint32_t methods)
 {
     Chart chart = { .technique = "t",
                     .isa = "i",
-                    .figures = { "" },
-                    .figure_count = 1,
+                    .metrics = { "" },
+                    .metric_count = 1,
                     .threads = 1,
                     .width = 5,
                     .height = 4,
@@ -35,7 +35,7 @@ static Chart make_chart(uint32_t count, uint32_t methods)
     snprintf(chart.scene, sizeof chart.scene, "%s", nasty);
     snprintf(chart.machine, sizeof chart.machine, "%s", nasty);
     snprintf(chart.error_name, sizeof chart.error_name, "%s", nasty);
-    snprintf(chart.figures[0], sizeof chart.figures[0], "%s", nasty);
+    snprintf(chart.metrics[0], sizeof chart.metrics[0], "%s", nasty);
     chart.points = gp_alloc(count, sizeof *chart.points);
     for (uint32_t i = 0; i < count; i++) {
         ChartPoint *point = &chart.points[i];
@@ -62,7 +62,7 @@ static Text draw(const Chart *chart)
 
 /* --- pictures ----------------------------------------------------------------------------------- */
 
-static void pictures_are_well_formed_for_any_names_and_figures(void **state)
+static void pictures_are_well_formed_for_any_names_and_metrics(void **state)
 {
     (void)state;
     static const uint32_t counts[][2] = { { 0, 1 }, { 1, 1 }, { 2, 1 }, { 60, 14 }, { 300, 40 } };
@@ -81,7 +81,7 @@ static void pictures_are_well_formed_for_any_names_and_figures(void **state)
     }
 }
 
-static void every_point_with_figures_is_drawn_with_its_tooltip(void **state)
+static void every_point_with_metrics_is_drawn_with_its_tooltip(void **state)
 {
     (void)state;
     Chart chart = make_chart(60, 5);
@@ -292,8 +292,8 @@ static void pictures_that_are_missing_or_elsewhere_are_left_out(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_are_well_formed_for_any_names_and_figures),
-        cmocka_unit_test(every_point_with_figures_is_drawn_with_its_tooltip),
+        cmocka_unit_test(pictures_are_well_formed_for_any_names_and_metrics),
+        cmocka_unit_test(every_point_with_metrics_is_drawn_with_its_tooltip),
         cmocka_unit_test(a_page_of_equal_points_has_its_axes),
         cmocka_unit_test(scales_are_logarithmic_and_hold_every_point),
         cmocka_unit_test(ticks_rise_and_lie_between_the_ends),

@@ -1,4 +1,4 @@
-/* Growth: which points a run makes of a table, the layout of their picture, and their files; no
+/* Scaling: which points a run makes of a table, the layout of their picture, and their files; no
  * time is judged. */
 #include "apps/charts/chart.h"
 #include "apps/charts/scaling.h"
@@ -11,15 +11,15 @@
 
 /* --- a table of its own ----------------------------------------------------------------------- */
 
-static double side(const void *scene, const Work *work)
+static double side(const void *scene, const Frame *frame)
 {
     (void)scene;
-    return ((const VoxelMade *)work->made)->setting.size;
+    return ((const VoxelMade *)frame->made)->setting.size;
 }
 
-static double triangles(const void *scene, const Work *work)
+static double triangles(const void *scene, const Frame *frame)
 {
-    (void)work;
+    (void)frame;
     return ((const VoxelScene *)scene)->mesh.triangle_count;
 }
 
@@ -32,29 +32,29 @@ static const TechniqueLine with_triangles[] = {
     { "solid", "builtin:cube|missing/a.ply|builtin:knot", "--kind solid --size 16" },
     { .name = NULL },
 };
-static const TechniqueGuide guides[] = { { 3, "as <the cube>" }, { .name = NULL } };
+static const TechniqueSlope slopes[] = { { 3, "as <the cube>" }, { .name = NULL } };
 static const char *const text[] = { "Why & how.", NULL };
 
-static const TechniqueGrowth table = {
+static const TechniqueScaling table = {
     .title = "Growth & co",
     .text = text,
-    .panels = { { "Sides", "voxels, a side", true, side, with_side, guides },
-                { "Meshes", "triangles", false, triangles, with_triangles, guides } },
+    .panels = { { "Sides", "voxels, a side", true, side, with_side, slopes },
+                { "Meshes", "triangles", false, triangles, with_triangles, slopes } },
 };
 
-static Technique voxels(const TechniqueGrowth *growth)
+static Technique voxels(const TechniqueScaling *scaling)
 {
     Technique technique = voxel_technique;
-    technique.growth = growth;
+    technique.scaling = scaling;
     return technique;
 }
 
-static GpResult run(const Technique *technique, Growth *growth, GpError *error)
+static GpResult run(const Technique *technique, Scaling *scaling, GpError *error)
 {
     GpDevice *device;
     const Options options = { .quiet = true };
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, error), GP_OK);
-    GpResult result = growth_run(technique, device, &options, 0, growth, error);
+    GpResult result = scaling_run(technique, device, &options, 0, scaling, error);
     gp_device_destroy(&device);
     return result;
 }
@@ -73,13 +73,13 @@ static void a_run_makes_all_points_of_the_table_in_order(void **state)
         { 1, 0, 0, "--kind solid --size 16" },
     };
     const Technique technique = voxels(&table);
-    Growth growth;
+    Scaling scaling;
     GpError error = { "" };
-    assert_int_equal(run(&technique, &growth, &error), GP_OK);
-    assert_int_equal(growth.count, GP_COUNT(expected));
-    assert_int_equal(growth.threads, 2);
-    for (uint32_t i = 0; i < growth.count; i++) {
-        const GrowthPoint *point = &growth.points[i];
+    assert_int_equal(run(&technique, &scaling, &error), GP_OK);
+    assert_int_equal(scaling.count, GP_COUNT(expected));
+    assert_int_equal(scaling.threads, 2);
+    for (uint32_t i = 0; i < scaling.count; i++) {
+        const ScalingPoint *point = &scaling.points[i];
         assert_int_equal(point->panel, expected[i].panel);
         assert_int_equal(point->line, expected[i].line);
         assert_string_equal(point->options, expected[i].options);
@@ -87,9 +87,9 @@ static void a_run_makes_all_points_of_the_table_in_order(void **state)
             assert_true(point->amount == expected[i].amount);
         assert_true(point->frames > 0 && point->ms >= point->min_ms && point->min_ms > 0);
     }
-    assert_string_equal(growth.points[6].scene, "builtin:knot");
-    assert_true(growth.points[6].amount > 12);
-    growth_free(&growth);
+    assert_string_equal(scaling.points[6].scene, "builtin:knot");
+    assert_true(scaling.points[6].amount > 12);
+    scaling_free(&scaling);
 }
 
 static void a_table_without_any_scene_fails(void **state)
@@ -99,25 +99,25 @@ static void a_table_without_any_scene_fails(void **state)
                                           { .name = NULL } };
     static const TechniqueLine wrong[] = { { "thin", "builtin:cube", "--size 7" },
                                            { .name = NULL } };
-    TechniqueGrowth growth_table = table;
-    growth_table.panels[0].lines = growth_table.panels[1].lines = none;
-    const Technique technique = voxels(&growth_table);
-    Growth growth = { .count = 77 };
+    TechniqueScaling scaling_table = table;
+    scaling_table.panels[0].lines = scaling_table.panels[1].lines = none;
+    const Technique technique = voxels(&scaling_table);
+    Scaling scaling = { .count = 77 };
     GpError error = { "" };
-    assert_int_equal(run(&technique, &growth, &error), GP_ERROR_IO);
+    assert_int_equal(run(&technique, &scaling, &error), GP_ERROR_IO);
     assert_non_null(strstr(error.text, "missing/b.ply"));
-    growth_table.panels[0].lines = wrong;
-    assert_int_equal(run(&technique, &growth, &error), GP_ERROR_INVALID);
-    assert_int_equal(growth.count, 77);
+    scaling_table.panels[0].lines = wrong;
+    assert_int_equal(run(&technique, &scaling, &error), GP_ERROR_INVALID);
+    assert_int_equal(scaling.count, 77);
 }
 
 static void the_tables_of_techniques_are_whole(void **state)
 {
     (void)state;
     for (size_t i = 0; techniques[i]; i++) {
-        const TechniqueGrowth *growth = techniques[i]->growth;
-        for (int p = 0; growth && p < TECHNIQUE_PANELS; p++)
-            for (const TechniqueLine *line = growth->panels[p].lines; line->name; line++) {
+        const TechniqueScaling *scaling = techniques[i]->scaling;
+        for (int p = 0; scaling && p < TECHNIQUE_PANELS; p++)
+            for (const TechniqueLine *line = scaling->panels[p].lines; line->name; line++) {
                 char options[8][SETTING_MAX_TEXT];
                 void *setting = gp_alloc(1, techniques[i]->setting_bytes);
                 size_t count = technique_expand(line->options, options, 8);
@@ -129,7 +129,7 @@ static void the_tables_of_techniques_are_whole(void **state)
                 gp_free(setting);
             }
     }
-    assert_non_null(voxel_technique.growth);
+    assert_non_null(voxel_technique.scaling);
 }
 
 /* --- figures without a clock ------------------------------------------------------------------ */
@@ -137,38 +137,38 @@ static void the_tables_of_techniques_are_whole(void **state)
 enum { POINTS = 7 };
 
 /* Times that are the amount's square over 100, but one that is no number. */
-static Growth make_growth(const Technique *technique)
+static Scaling make_scaling(const Technique *technique)
 {
     static const double amounts[POINTS] = { 8, 16, 32, 8, 16, 100, 4000 };
-    Growth growth = { .technique = technique,
-                      .machine = "m",
-                      .isa = "i",
-                      .threads = 1,
-                      .points = gp_alloc(POINTS, sizeof *growth.points),
-                      .count = POINTS };
+    Scaling scaling = { .technique = technique,
+                        .machine = "m",
+                        .isa = "i",
+                        .threads = 1,
+                        .points = gp_alloc(POINTS, sizeof *scaling.points),
+                        .count = POINTS };
     for (int i = 0; i < POINTS; i++) {
         double ms = amounts[i] * amounts[i] / 100;
-        growth.points[i] = (GrowthPoint){ .panel = i >= 5,
-                                          .line = i == 3 || i == 4,
-                                          .amount = amounts[i],
-                                          .ms = ms,
-                                          .min_ms = ms / 2,
-                                          .cpu_ms = 2 * ms,
-                                          .frames = 9 };
-        snprintf(growth.points[i].scene, sizeof growth.points[i].scene, "a/mesh<%d>.ply", i);
-        snprintf(growth.points[i].options, sizeof growth.points[i].options, "--size %d", i);
+        scaling.points[i] = (ScalingPoint){ .panel = i >= 5,
+                                            .line = i == 3 || i == 4,
+                                            .amount = amounts[i],
+                                            .ms = ms,
+                                            .min_ms = ms / 2,
+                                            .cpu_ms = 2 * ms,
+                                            .frames = 9 };
+        snprintf(scaling.points[i].scene, sizeof scaling.points[i].scene, "a/mesh<%d>.ply", i);
+        snprintf(scaling.points[i].options, sizeof scaling.points[i].options, "--size %d", i);
     }
-    growth.points[4].ms = (double)NAN;
-    return growth;
+    scaling.points[4].ms = (double)NAN;
+    return scaling;
 }
 
 static void the_picture_is_well_formed_and_has_every_point(void **state)
 {
     (void)state;
     const Technique technique = voxels(&table);
-    Growth growth = make_growth(&technique);
+    Scaling scaling = make_scaling(&technique);
     Text svg = { .data = NULL };
-    growth_draw(&growth, &svg);
+    scaling_draw(&scaling, &svg);
     assert_false(svg.failed);
     markup_check(svg.data);
     assert_int_equal(markup_count(svg.data, "<g><title>"), POINTS - 1);
@@ -180,7 +180,7 @@ static void the_picture_is_well_formed_and_has_every_point(void **state)
     for (size_t i = 0; i < GP_COUNT(ticks); i++)
         assert_non_null(strstr(svg.data, ticks[i]));
     text_free(&svg);
-    growth_free(&growth);
+    scaling_free(&scaling);
 }
 
 /* Places of the markers, in the order of the points: the last of the legend's two come before. */
@@ -200,10 +200,10 @@ static void powers_are_straight_lines(void **state)
 {
     (void)state;
     const Technique technique = voxels(&table);
-    Growth growth = make_growth(&technique);
+    Scaling scaling = make_scaling(&technique);
     Text svg = { .data = NULL };
     double at[POINTS - 1][2];
-    growth_draw(&growth, &svg);
+    scaling_draw(&scaling, &svg);
     find_markers(svg.data, at, POINTS - 1);
     for (int k = 0; k < 2; k++)
         assert_true(fabs((at[1][k] - at[0][k]) - (at[2][k] - at[1][k])) < 0.25);
@@ -214,16 +214,16 @@ static void powers_are_straight_lines(void **state)
     double four = at[0][1] - at[1][1], more = at[4][1] - at[5][1];
     assert_true(fabs(more / four - log(1600) / log(4)) < 0.02);
     text_free(&svg);
-    growth_free(&growth);
+    scaling_free(&scaling);
 }
 
 static void no_points_are_a_picture_too(void **state)
 {
     (void)state;
     const Technique technique = voxels(&table);
-    const Growth growth = { .technique = &technique };
+    const Scaling scaling = { .technique = &technique };
     Text svg = { .data = NULL };
-    growth_draw(&growth, &svg);
+    scaling_draw(&scaling, &svg);
     markup_check(svg.data);
     assert_int_equal(markup_count(svg.data, "<g><title>"), 0);
     text_free(&svg);
@@ -245,10 +245,10 @@ static void files_are_csv_and_svg(void **state)
 {
     (void)state;
     const Technique technique = voxels(&table);
-    Growth growth = make_growth(&technique);
+    Scaling scaling = make_scaling(&technique);
     GpError error = { "" };
-    growth.count = 2;
-    assert_int_equal(growth_write(in_folder("g"), &growth, &error), GP_OK);
+    scaling.count = 2;
+    assert_int_equal(scaling_write(in_folder("g"), &scaling, &error), GP_OK);
     assert_int_equal(folder_count(false), 2);
     read_content("g.csv");
     assert_string_equal(content, "grows,amount,method,scene,options,ms,min_ms,cpu_ms,frames\n"
@@ -258,16 +258,16 @@ static void files_are_csv_and_svg(void **state)
                                  "2.56,1.28,5.12,9\n");
     read_content("g.svg");
     markup_check(content);
-    assert_int_equal(growth_write(in_folder("none/g"), &growth, &error), GP_ERROR_IO);
-    growth_free(&growth);
+    assert_int_equal(scaling_write(in_folder("none/g"), &scaling, &error), GP_ERROR_IO);
+    scaling_free(&scaling);
 }
 
 static void json_has_an_object_for_each_point(void **state)
 {
     (void)state;
     const Technique technique = voxels(&table);
-    Growth growth = make_growth(&technique);
-    json_t *object = growth_json(&growth), *points = json_object_get(object, "points");
+    Scaling scaling = make_scaling(&technique);
+    json_t *object = scaling_json(&scaling), *points = json_object_get(object, "points");
     assert_int_equal(json_array_size(points), POINTS);
     json_t *last = json_array_get(points, POINTS - 1);
     assert_string_equal(json_string_value(json_object_get(last, "grows")), "triangles");
@@ -276,26 +276,26 @@ static void json_has_an_object_for_each_point(void **state)
     json_t *absent = json_object_get(json_array_get(points, 4), "ms");
     assert_string_equal(json_string_value(absent), "nan");
     json_decref(object);
-    growth_free(&growth);
+    scaling_free(&scaling);
 }
 
-static void the_page_shows_the_growth_of_techniques_that_declare_it(void **state)
+static void the_page_shows_the_scaling_of_techniques_that_declare_it(void **state)
 {
     (void)state;
-    const Technique technique = voxels(voxel_technique.growth);
-    Growth growth = make_growth(&technique);
+    const Technique technique = voxels(voxel_technique.scaling);
+    Scaling scaling = make_scaling(&technique);
     GpError error = { "" };
-    assert_int_equal(growth_write(in_folder("voxelize_growth"), &growth, &error), GP_OK);
-    put_text("shadow_growth.svg", "<svg>");
-    put_text("other_growth.svg", "<svg>");
+    assert_int_equal(scaling_write(in_folder("voxelize_scaling"), &scaling, &error), GP_OK);
+    put_text("shadow_scaling.svg", "<svg>");
+    put_text("other_scaling.svg", "<svg>");
     assert_int_equal(chart_write_page(folder, &error), GP_OK);
     read_content("index.html");
     markup_check(content);
     assert_int_equal(markup_count(content, "<svg"), 1);
-    assert_int_equal(markup_count(content, "<section id=\"voxelize_growth\">"), 1);
-    assert_int_equal(markup_count(content, "<a href=\"#voxelize_growth\">"), 1);
+    assert_int_equal(markup_count(content, "<section id=\"voxelize_scaling\">"), 1);
+    assert_int_equal(markup_count(content, "<a href=\"#voxelize_scaling\">"), 1);
     assert_non_null(strstr(content, "Two costs add up."));
-    growth_free(&growth);
+    scaling_free(&scaling);
 }
 
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, folder_set_up, folder_tear_down)
@@ -311,7 +311,7 @@ int main(void)
         cmocka_unit_test(no_points_are_a_picture_too),
         IN_FOLDER(files_are_csv_and_svg),
         cmocka_unit_test(json_has_an_object_for_each_point),
-        IN_FOLDER(the_page_shows_the_growth_of_techniques_that_declare_it),
+        IN_FOLDER(the_page_shows_the_scaling_of_techniques_that_declare_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,11 +7,11 @@
 
 enum { MOST = 200 };
 
-typedef struct Frame {
+typedef struct RunStatistics {
     GpSurface *from, *to;
     GpDraw draw;
     bool both; /* the surface that is read is a target of the pass before */
-} Frame;
+} RunStatistics;
 
 static void fill(Random *random, GpSurface *surface)
 {
@@ -20,59 +20,63 @@ static void fill(Random *random, GpSurface *surface)
         texels[i] = (uint8_t)random_bits(random);
 }
 
-static Frame make_frame(Random *random)
+static RunStatistics make_frame(Random *random)
 {
     static const GpBlendOp ops[] = { GP_BLEND_LOGIC_AND, GP_BLEND_LOGIC_OR, GP_BLEND_LOGIC_XOR,
                                      GP_BLEND_OFF, GP_BLEND_MAX };
     const GpSurfaceDesc desc = { .format = GP_A8R8G8B8,
                                  .width = (uint32_t)random_int(random, 1, MOST),
                                  .height = (uint32_t)random_int(random, 1, MOST) };
-    Frame frame = { .both = random_int(random, 0, 3) > 0 };
+    RunStatistics statistics = { .both = random_int(random, 0, 3) > 0 };
     GpError error;
-    assert_int_equal(gp_surface_create(&desc, &frame.from, &error), GP_OK);
-    assert_int_equal(gp_surface_create(&desc, &frame.to, &error), GP_OK);
-    fill(random, frame.from);
-    fill(random, frame.to);
-    frame.draw = (GpDraw){ .program = random_int(random, 0, 3) ? &texel_copy_program
-                                                               : &texel_complement_program,
-                           .uniforms = "",
-                           .geometry = worksheet_cover };
-    frame.draw.textures[0].surface = frame.from;
-    frame.draw.state.blend[0].op = ops[random_int(random, 0, (int32_t)GP_COUNT(ops) - 1)];
+    assert_int_equal(gp_surface_create(&desc, &statistics.from, &error), GP_OK);
+    assert_int_equal(gp_surface_create(&desc, &statistics.to, &error), GP_OK);
+    fill(random, statistics.from);
+    fill(random, statistics.to);
+    statistics.draw = (GpDraw){ .program = random_int(random, 0, 3) ? &texel_copy_program
+                                                                    : &texel_complement_program,
+                                .uniforms = "",
+                                .geometry = flat_texture_cover };
+    statistics.draw.textures[0].surface = statistics.from;
+    statistics.draw.state.blend[0].op = ops[random_int(random, 0, (int32_t)GP_COUNT(ops) - 1)];
     if (random_int(random, 0, 2) == 0)
-        frame.draw.state.blend[0].keep = (uint8_t)random_int(random, 1, 14);
+        statistics.draw.state.blend[0].keep = (uint8_t)random_int(random, 1, 14);
     if (random_int(random, 0, 1)) {
-        GpRasterState *raster = &frame.draw.state.raster;
+        GpRasterState *raster = &statistics.draw.state.raster;
         raster->scissor = true;
         raster->scissor_x0 = random_int(random, 0, (int32_t)desc.width - 1);
         raster->scissor_y0 = random_int(random, 0, (int32_t)desc.height - 1);
         raster->scissor_x1 = random_int(random, raster->scissor_x0 + 1, (int32_t)desc.width);
         raster->scissor_y1 = random_int(random, raster->scissor_y0 + 1, (int32_t)desc.height);
     }
-    return frame;
+    return statistics;
 }
 
 /* The hash of what the frame makes of its target, which is left as it was. */
-static uint64_t run(const Frame *frame, const GpDeviceDesc *desc)
+static uint64_t run(const RunStatistics *statistics, const GpDeviceDesc *desc)
 {
     static uint8_t before[MOST * MOST * 4];
-    const size_t bytes = (size_t)frame->to->width * frame->to->height * 4;
-    const GpDraw draws[2] = { frame->draw, frame->draw }; /* the second in a layer over the first */
+    const size_t bytes = (size_t)statistics->to->width * statistics->to->height * 4;
+    const GpDraw draws[2] = { statistics->draw,
+                              statistics->draw }; /* the second in a layer over the first */
     const GpPass passes[2] = {
-        { .name = "operand", .color = { { .surface = frame->from } } },
-        { .name = "copy", .color = { { .surface = frame->to } }, .draws = draws, .draw_count = 2 },
+        { .name = "operand", .color = { { .surface = statistics->from } } },
+        { .name = "copy",
+          .color = { { .surface = statistics->to } },
+          .draws = draws,
+          .draw_count = 2 },
     };
-    const GpList list = { passes + !frame->both, 1 + frame->both };
+    const GpList list = { passes + !statistics->both, 1 + statistics->both };
     GpDevice *device = NULL;
     GpError error = { "" };
     if (gp_device_create(desc, &device, &error) == GP_ERROR_UNSUPPORTED)
         return 0;
-    memcpy(before, frame->to->level[0].texels, bytes);
+    memcpy(before, statistics->to->level[0].texels, bytes);
     if (gp_device_run(device, &list, &error))
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
-    uint64_t hash = gp_surface_hash(frame->to);
-    memcpy(frame->to->level[0].texels, before, bytes);
+    uint64_t hash = gp_surface_hash(statistics->to);
+    memcpy(statistics->to->level[0].texels, before, bytes);
     return hash;
 }
 
@@ -85,15 +89,16 @@ static void copies_are_those_of_the_reference(void **state)
                                             { .threads = 3, .isa = "lanes16" } };
     Random random = { 77 };
     for (int i = 0; i < 120; i++) {
-        Frame frame = make_frame(&random);
-        const uint64_t expected = run(&frame, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE });
+        RunStatistics statistics = make_frame(&random);
+        const uint64_t expected =
+            run(&statistics, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE });
         for (size_t d = 0; d < GP_COUNT(devices); d++) {
-            const uint64_t hash = run(&frame, &devices[d]);
+            const uint64_t hash = run(&statistics, &devices[d]);
             if (hash && hash != expected)
                 fail_msg("frame %d, device %zu: other bits", i, d);
         }
-        gp_surface_destroy(&frame.from);
-        gp_surface_destroy(&frame.to);
+        gp_surface_destroy(&statistics.from);
+        gp_surface_destroy(&statistics.to);
     }
 }
 

@@ -13,13 +13,13 @@ typedef struct Point {
     float position[3], color[4], size;
 } Point;
 
-typedef struct Frame {
+typedef struct RunStatistics {
     Point points[MOST_DRAWS][POINTS];
     uint32_t indices[MOST_DRAWS][POINTS];
     GpDraw draws[MOST_DRAWS];
     GpSurface *surfaces[GP_MAX_TARGETS + 1];
     GpPass pass;
-} Frame;
+} RunStatistics;
 
 /* --- frames --------------------------------------------------------------------------------------- */
 
@@ -76,10 +76,10 @@ static GpBlend random_blend(Random *r)
     return blend;
 }
 
-static void set_draw(Random *r, Frame *frame, int number, bool four, bool has_depth)
+static void set_draw(Random *r, RunStatistics *statistics, int number, bool four, bool has_depth)
 {
-    GpDraw *draw = &frame->draws[number];
-    const Point *points = frame->points[number];
+    GpDraw *draw = &statistics->draws[number];
+    const Point *points = statistics->points[number];
     const bool discards = random_int(r, 0, 1);
     *draw = (GpDraw){
         .program = four       ? &flat_points_targets4
@@ -95,10 +95,10 @@ static void set_draw(Random *r, Frame *frame, int number, bool four, bool has_de
     if (random_int(r, 0, 4) == 0)
         streams[GP_COLOR].type = GP_UNORM8;
     if (random_int(r, 0, 5) == 0) {
-        draw->geometry.indices = frame->indices[number];
+        draw->geometry.indices = statistics->indices[number];
         draw->geometry.index_count = draw->geometry.vertex_count;
         for (uint32_t i = 0; i < draw->geometry.vertex_count; i++)
-            frame->indices[number][i] = i * 37 % draw->geometry.vertex_count;
+            statistics->indices[number][i] = i * 37 % draw->geometry.vertex_count;
     }
     for (int t = 0; t < (four ? 4 : 1); t++)
         draw->state.blend[t] = random_blend(r);
@@ -115,45 +115,45 @@ static void set_draw(Random *r, Frame *frame, int number, bool four, bool has_de
     }
 }
 
-static void create_frame(Random *r, Frame *frame)
+static void create_frame(Random *r, RunStatistics *statistics)
 {
     const bool four = random_int(r, 0, 1), has_depth = random_int(r, 0, 3) == 0;
     const int targets = four ? 4 : 1;
-    memset(frame, 0, sizeof *frame);
-    frame->pass.name = "points";
+    memset(statistics, 0, sizeof *statistics);
+    statistics->pass.name = "points";
     for (int i = 0; i <= targets; i++) {
         const GpSurfaceDesc desc = { .format = i < targets ? GP_A8R8G8B8 : GP_D24S8,
                                      .width = WIDTH,
                                      .height = HEIGHT };
-        assert_int_equal(gp_surface_create(&desc, &frame->surfaces[i], NULL), GP_OK);
+        assert_int_equal(gp_surface_create(&desc, &statistics->surfaces[i], NULL), GP_OK);
         if (i < targets)
-            frame->pass.color[i] =
-                (GpColorTarget){ frame->surfaces[i], true, { 0.2f, 0.6f, 0.1f, 0.9f } };
+            statistics->pass.color[i] =
+                (GpColorTarget){ statistics->surfaces[i], true, { 0.2f, 0.6f, 0.1f, 0.9f } };
         else if (has_depth)
-            frame->pass.depth = (GpDepthTarget){ .surface = frame->surfaces[i],
-                                                 .clear_depth = true,
-                                                 .depth_value = 1 };
+            statistics->pass.depth = (GpDepthTarget){ .surface = statistics->surfaces[i],
+                                                      .clear_depth = true,
+                                                      .depth_value = 1 };
     }
-    frame->pass.draws = frame->draws;
-    frame->pass.draw_count = (uint32_t)random_int(r, 1, MOST_DRAWS);
-    for (uint32_t i = 0; i < frame->pass.draw_count; i++) {
-        set_points(r, frame->points[i]);
-        set_draw(r, frame, (int)i, four, has_depth);
+    statistics->pass.draws = statistics->draws;
+    statistics->pass.draw_count = (uint32_t)random_int(r, 1, MOST_DRAWS);
+    for (uint32_t i = 0; i < statistics->pass.draw_count; i++) {
+        set_points(r, statistics->points[i]);
+        set_draw(r, statistics, (int)i, four, has_depth);
     }
 }
 
-static void destroy_frame(Frame *frame)
+static void destroy_frame(RunStatistics *statistics)
 {
-    for (size_t i = 0; i < GP_COUNT(frame->surfaces); i++)
-        gp_surface_destroy(&frame->surfaces[i]);
+    for (size_t i = 0; i < GP_COUNT(statistics->surfaces); i++)
+        gp_surface_destroy(&statistics->surfaces[i]);
 }
 
 /* --- runs ----------------------------------------------------------------------------------------- */
 
 /* Hash of all targets; false where this machine has no such lanes. */
-static bool run(const Frame *frame, const GpDeviceDesc *desc, uint64_t *hash)
+static bool run(const RunStatistics *statistics, const GpDeviceDesc *desc, uint64_t *hash)
 {
-    const GpList list = { &frame->pass, 1 };
+    const GpList list = { &statistics->pass, 1 };
     GpDevice *device = NULL;
     GpError error = { "" };
     if (gp_device_create(desc, &device, &error) == GP_ERROR_UNSUPPORTED)
@@ -162,8 +162,8 @@ static bool run(const Frame *frame, const GpDeviceDesc *desc, uint64_t *hash)
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
     *hash = 0;
-    for (int t = 0; t < GP_MAX_TARGETS && frame->pass.color[t].surface; t++)
-        *hash = *hash * 31 + gp_surface_hash(frame->pass.color[t].surface);
+    for (int t = 0; t < GP_MAX_TARGETS && statistics->pass.color[t].surface; t++)
+        *hash = *hash * 31 + gp_surface_hash(statistics->pass.color[t].surface);
     return true;
 }
 
@@ -171,18 +171,19 @@ static void flat_points_are_the_references(void **state)
 {
     (void)state;
     static const char *const isas[] = { NULL, "sse2", "avx2", "avx512", "neon" };
-    static Frame frame;
+    static RunStatistics statistics;
     for (int seed = 0; seed < SEEDS; seed++) {
         Random random = { (uint64_t)seed };
-        create_frame(&random, &frame);
+        create_frame(&random, &statistics);
         uint64_t expected = 0, hash = 0;
-        assert_true(run(&frame, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, &expected));
+        assert_true(
+            run(&statistics, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, &expected));
         for (size_t i = 0; i < GP_COUNT(isas); i++) {
             const GpDeviceDesc desc = { .threads = 1 + seed % 3, .isa = isas[i] };
-            if (run(&frame, &desc, &hash) && hash != expected)
+            if (run(&statistics, &desc, &hash) && hash != expected)
                 fail_msg("seed %d, %s: the executors differ", seed, isas[i] ? isas[i] : "auto");
         }
-        destroy_frame(&frame);
+        destroy_frame(&statistics);
     }
 }
 

@@ -6,7 +6,7 @@
 #include <math.h>
 
 /* A small valid list that each case breaks in one place. */
-typedef struct Work {
+typedef struct Frame {
     GpSurface *color, *other, *small, *depth24, *depth16;
     ExerciseUniforms uniforms;
     float vertices[3 * 10];
@@ -14,7 +14,7 @@ typedef struct Work {
     GpDraw draw;
     GpPass pass;
     GpList list;
-} Work;
+} Frame;
 
 static GpSurface *surface(GpFormat format, uint32_t size, const char *name)
 {
@@ -24,7 +24,7 @@ static GpSurface *surface(GpFormat format, uint32_t size, const char *name)
     return s;
 }
 
-static void set_up(Work *w)
+static void set_up(Frame *w)
 {
     memset(w, 0, sizeof *w);
     w->color = surface(GP_A8R8G8B8, 16, "color");
@@ -52,14 +52,14 @@ static void set_up(Work *w)
     w->list = (GpList){ &w->pass, 1 };
 }
 
-static void tear_down(Work *w)
+static void tear_down(Frame *w)
 {
     GpSurface **all[] = { &w->color, &w->other, &w->small, &w->depth24, &w->depth16 };
     for (size_t i = 0; i < GP_COUNT(all); i++)
         gp_surface_destroy(all[i]);
 }
 
-static void refuses(const Work *w, const char *expected)
+static void refuses(const Frame *w, const char *expected)
 {
     GpError error = { "" };
     assert_int_equal(gp_list_check(&w->list, &error), GP_ERROR_INVALID);
@@ -72,7 +72,7 @@ static void refuses(const Work *w, const char *expected)
     static void name(void **state)                                                                 \
     {                                                                                              \
         (void)state;                                                                               \
-        Work w;                                                                                    \
+        Frame w;                                                                                   \
         set_up(&w);                                                                                \
         assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);                                     \
         change;                                                                                    \

@@ -203,13 +203,13 @@ static TechniqueStage open_stage(const char *scene, uint32_t width, uint32_t hei
     return stage;
 }
 
-static double measure(const TechniqueStage *stage, const char *options, const char *figure)
+static double measure(const TechniqueStage *stage, const char *options, const char *metric)
 {
     TechniqueError measured;
     GpError error = { "" };
     if (technique_stage_measure(stage, options, &measured, &error))
         fail_msg("%s: %s", options, error.text);
-    return technique_figure(stage->technique, &measured, figure);
+    return technique_metric(stage->technique, &measured, metric);
 }
 
 /* Steps along an edge are as wide as texels: each doubling of the map halves what is wrong, until

@@ -23,18 +23,18 @@ static uint64_t hash_frame(const Frames *frames, const char *options)
 {
     const TechniqueStage stage = { &shadow_technique, frames->scene, frames->device };
     GpError error = { "" };
-    Work work;
-    if (technique_stage_draw(&stage, options, &work, &error))
+    Frame frame;
+    if (technique_stage_draw(&stage, options, &frame, &error))
         fail_msg("%s: %s", options, error.text);
     uint64_t hash = 0;
-    for (uint32_t i = 0; i < work.list.pass_count; i++) {
-        const GpPass *pass = &work.list.passes[i];
+    for (uint32_t i = 0; i < frame.list.pass_count; i++) {
+        const GpPass *pass = &frame.list.passes[i];
         if (pass->color[0].surface)
             hash = hash * 3 + gp_surface_hash(pass->color[0].surface);
         if (pass->depth.surface)
             hash = hash * 3 + gp_surface_hash(pass->depth.surface);
     }
-    work_free(&work);
+    frame_free(&frame);
     return hash;
 }
 
@@ -163,7 +163,7 @@ static void record_event(void *user, const GpTraceEvent *event)
 
 /* Draws with the reference executor and records the fragments of the lit pass.
  * owns   the caller frees *work and the record */
-static Record *record_frame(void *opened, const char *options, Work *work)
+static Record *record_frame(void *opened, const char *options, Frame *frame)
 {
     Record *record = gp_alloc(1, sizeof *record);
     GpError error = { "" };
@@ -176,7 +176,7 @@ static Record *record_frame(void *opened, const char *options, Work *work)
     };
     TechniqueStage stage = { .technique = &shadow_technique, .scene = opened };
     assert_int_equal(gp_device_create(&desc, &stage.device, &error), GP_OK);
-    if (technique_stage_draw(&stage, options, work, &error))
+    if (technique_stage_draw(&stage, options, frame, &error))
         fail_msg("%s: %s", options, error.text);
     gp_device_destroy(&stage.device);
     assert_true(record->count > SIDE * SIDE / 2);
@@ -261,7 +261,7 @@ static void three_causes_part_four_compares_from_a_filter(void **state)
     GpError error = { "" };
     if (technique_stage_open(&shadow_technique, scene, 0, 0, &stage, &error))
         fail_msg("%s", error.text);
-    Work plain_work, hardware_work;
+    Frame plain_work, hardware_work;
     Record *plain = record_frame(stage.scene, plain_options, &plain_work);
     Record *hardware = record_frame(stage.scene, hardware_options, &hardware_work);
     GpSurface *plain_map = as_depth(plain_work.list.passes[0].color[0].surface);
@@ -297,8 +297,8 @@ static void three_causes_part_four_compares_from_a_filter(void **state)
     gp_surface_destroy(&plain_map);
     free_record(plain);
     free_record(hardware);
-    work_free(&plain_work);
-    work_free(&hardware_work);
+    frame_free(&plain_work);
+    frame_free(&hardware_work);
     technique_stage_close(&stage);
 }
 
@@ -309,7 +309,7 @@ static void colours_are_not_the_depth_buffer(void **state)
     (void)state;
     TechniqueStage stage;
     GpError error = { "" };
-    Work plain, hardware;
+    Frame plain, hardware;
     if (technique_stage_open(&shadow_technique, scene, 0, 0, &stage, &error) ||
         technique_stage_draw(&stage, plain_options, &plain, &error) ||
         technique_stage_draw(&stage, hardware_options, &hardware, &error))
@@ -328,8 +328,8 @@ static void colours_are_not_the_depth_buffer(void **state)
     }
     print_message("# %u of %d texels differ\n", different, MAP * MAP);
     assert_true(different > MAP * MAP / 10);
-    work_free(&plain);
-    work_free(&hardware);
+    frame_free(&plain);
+    frame_free(&hardware);
     technique_stage_close(&stage);
 }
 

@@ -49,22 +49,22 @@ static ShadowSetting setting_of(LightFit fit)
                             .slope = 2 };
 }
 
-static Work build(const Scene *scene, const ShadowSetting *setting)
+static Frame build(const Scene *scene, const ShadowSetting *setting)
 {
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
-    if (tech_shadow_build(scene, setting, &work, &error))
+    if (tech_shadow_build(scene, setting, &frame, &error))
         fail_msg("%s", error.text);
-    return work;
+    return frame;
 }
 
-static void draw(const Work *work, GpExecutor executor, int threads)
+static void draw(const Frame *frame, GpExecutor executor, int threads)
 {
     GpDevice *device;
     GpError error = { "" };
     const GpDeviceDesc desc = { .executor = executor, .threads = threads };
     assert_int_equal(gp_device_create(&desc, &device, &error), GP_OK);
-    if (gp_device_run(device, &work->list, &error))
+    if (gp_device_run(device, &frame->list, &error))
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
 }
@@ -110,15 +110,15 @@ static ShadowError error_of(const Scene *scene, const ShadowTruth *truth, LightF
 {
     static float measured[WIDTH * HEIGHT];
     ShadowSetting setting = setting_of(fit);
-    Work work = build(scene, &setting);
-    draw(&work, GP_EXECUTOR_FAST, 2);
+    Frame frame = build(scene, &setting);
+    draw(&frame, GP_EXECUTOR_FAST, 2);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const uint8_t *color = gp_surface_texel(work.color->level, 4, i % WIDTH, i / WIDTH);
+        const uint8_t *color = gp_surface_texel(frame.color->level, 4, i % WIDTH, i / WIDTH);
         float depth;
-        memcpy(&depth, gp_surface_texel(work.depth->level, 4, i % WIDTH, i / WIDTH), sizeof depth);
+        memcpy(&depth, gp_surface_texel(frame.depth->level, 4, i % WIDTH, i / WIDTH), sizeof depth);
         measured[i] = depth < 1 ? (float)color[3] / 255 : SHADOW_NOTHING;
     }
-    work_free(&work);
+    frame_free(&frame);
     return shadow_error(truth, measured, NULL);
 }
 
@@ -146,12 +146,12 @@ static void every_executor_draws_the_same(void **state)
     (void)state;
     Scene scene = load(spot);
     ShadowSetting setting = setting_of(LIGHT_FIT_ADAPTIVE);
-    Work work = build(&scene, &setting), again = build(&scene, &setting);
-    draw(&work, GP_EXECUTOR_FAST, 3);
+    Frame frame = build(&scene, &setting), again = build(&scene, &setting);
+    draw(&frame, GP_EXECUTOR_FAST, 3);
     draw(&again, GP_EXECUTOR_REFERENCE, 1);
-    assert_true(gp_surface_hash(work.color) == gp_surface_hash(again.color));
-    work_free(&work);
-    work_free(&again);
+    assert_true(gp_surface_hash(frame.color) == gp_surface_hash(again.color));
+    frame_free(&frame);
+    frame_free(&again);
     scene_free(&scene);
 }
 
@@ -161,11 +161,11 @@ static void the_list_holds_what_the_tiles_cost(void **state)
     static const char *const names[] = { "map", "request", "mark", "tiles", "lit" };
     Scene scene = load(sun);
     ShadowSetting setting = setting_of(LIGHT_FIT_ADAPTIVE);
-    Work work = build(&scene, &setting);
-    assert_int_equal(work.list.pass_count, 5);
+    Frame frame = build(&scene, &setting);
+    assert_int_equal(frame.list.pass_count, 5);
     for (int i = 0; i < 5; i++)
-        assert_string_equal(work.list.passes[i].name, names[i]);
-    work_free(&work);
+        assert_string_equal(frame.list.passes[i].name, names[i]);
+    frame_free(&frame);
     scene_free(&scene);
 }
 
@@ -175,14 +175,14 @@ static void every_light_has_its_tiles(void **state)
     Scene scene = load("\"direction\": [-0.75, 1, 0.25] }, { \"position\": [6, 8, 3], "
                        "\"at\": [0, 0, 0], \"shadow\": { \"fovy\": 50 }");
     ShadowSetting setting = setting_of(LIGHT_FIT_ADAPTIVE);
-    Work work = build(&scene, &setting);
+    Frame frame = build(&scene, &setting);
     assert_int_equal(scene.light_count, 2);
-    assert_int_equal(work.list.pass_count, 10);
-    const GpDraw *first = work.list.passes[4].draws, *second = work.list.passes[9].draws;
+    assert_int_equal(frame.list.pass_count, 10);
+    const GpDraw *first = frame.list.passes[4].draws, *second = frame.list.passes[9].draws;
     for (int i = 1; i <= 3; i++)
         assert_true(first->textures[i].surface != second->textures[i].surface);
-    draw(&work, GP_EXECUTOR_FAST, 2);
-    work_free(&work);
+    draw(&frame, GP_EXECUTOR_FAST, 2);
+    frame_free(&frame);
     scene_free(&scene);
 }
 
@@ -191,10 +191,10 @@ static void without_edges_there_are_no_tiles(void **state)
     (void)state;
     Scene scene = load("\"direction\": [0, -1, 0]"); /* from below: the floor is all in the dark */
     ShadowSetting setting = setting_of(LIGHT_FIT_ADAPTIVE);
-    Work work = build(&scene, &setting);
-    assert_int_equal(work.list.pass_count, 4);
-    draw(&work, GP_EXECUTOR_FAST, 1);
-    work_free(&work);
+    Frame frame = build(&scene, &setting);
+    assert_int_equal(frame.list.pass_count, 4);
+    draw(&frame, GP_EXECUTOR_FAST, 1);
+    frame_free(&frame);
     scene_free(&scene);
 }
 
@@ -213,11 +213,11 @@ static void refuses_what_has_no_tiles(void **state)
         setting.method = cases[i].method;
         setting.filter = cases[i].filter;
         setting.slope = 0;
-        Work work = { .color = NULL };
+        Frame frame = { .color = NULL };
         GpError error = { "" };
-        assert_int_equal(tech_shadow_build(&scene, &setting, &work, &error), GP_ERROR_INVALID);
+        assert_int_equal(tech_shadow_build(&scene, &setting, &frame, &error), GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, cases[i].reason));
-        assert_null(work.color);
+        assert_null(frame.color);
         scene_free(&scene);
     }
 }

@@ -35,7 +35,7 @@ typedef struct Search {
 } Search;
 
 /* Whether acne, or leaks, are less than 0.1 % of what is seen. */
-static bool is_clean(const Search *search, int step, const char *figure)
+static bool is_clean(const Search *search, int step, const char *metric)
 {
     char options[SETTING_MAX_TEXT];
     TechniqueError measured;
@@ -45,8 +45,8 @@ static bool is_clean(const Search *search, int step, const char *figure)
     if (technique_stage_measure(search->stage, options, &measured, &error))
         fail_msg("%s: %s", options, error.text);
     const Technique *technique = search->stage->technique;
-    return technique_figure(technique, &measured, figure) <
-           0.001 * technique_figure(technique, &measured, "covered");
+    return technique_metric(technique, &measured, metric) <
+           0.001 * technique_metric(technique, &measured, "covered");
 }
 
 /* The first step from which there is no acne, and the last up to which there are no leaks; one

@@ -5,7 +5,7 @@
 
 typedef struct Stage {
     void *scene;
-    Work work;
+    Frame frame;
     TechniqueClock clock;
 } Stage;
 
@@ -17,13 +17,13 @@ static void set_up(Stage *stage, const char *options)
     assert_int_equal(
         gp_device_create(&(GpDeviceDesc){ .threads = 1 }, &stage->clock.device, &error), GP_OK);
     assert_int_equal(voxel_technique.open("builtin:cube", 0, 0, &stage->scene, &error), GP_OK);
-    if (technique_build(&voxel_technique, stage->scene, options, &stage->work, &error))
+    if (technique_build(&voxel_technique, stage->scene, options, &stage->frame, &error))
         fail_msg("%s", error.text);
 }
 
 static void tear_down(Stage *stage)
 {
-    work_free(&stage->work);
+    frame_free(&stage->frame);
     voxel_technique.close(stage->scene);
     gp_device_destroy(&stage->clock.device);
     gp_free(stage->clock.each);
@@ -36,8 +36,8 @@ static void the_printed_method_has_passes_of_all_steps(void **state)
     Stage stage;
     uint32_t along = 0, gather = 0, others = 0;
     set_up(&stage, "--method sheets --size 64");
-    for (uint32_t i = 0; i < stage.work.list.pass_count; i++) {
-        const char *name = stage.work.list.passes[i].name;
+    for (uint32_t i = 0; i < stage.frame.list.pass_count; i++) {
+        const char *name = stage.frame.list.passes[i].name;
         along += strncmp(name, "along ", 6) == 0;
         gather += strcmp(name, "gather") == 0;
         others += strcmp(name, "found") == 0 || strncmp(name, "turn ", 5) == 0;
@@ -45,7 +45,7 @@ static void the_printed_method_has_passes_of_all_steps(void **state)
     assert_int_equal(along, 3);
     assert_int_equal(gather, 3);
     assert_int_equal(others, 4);
-    assert_int_equal(along + gather + others, stage.work.list.pass_count);
+    assert_int_equal(along + gather + others, stage.frame.list.pass_count);
     tear_down(&stage);
 }
 
@@ -57,7 +57,7 @@ static void every_step_takes_time(void **state)
     SheetsTimes steps = { 0, 0, 0 };
     double sort = 0;
     set_up(&stage, "--method sheets --size 64");
-    if (sheets_time_steps(&stage.clock, &stage.work, &steps, &error))
+    if (sheets_time_steps(&stage.clock, &stage.frame, &steps, &error))
         fail_msg("%s", error.text);
     assert_true(steps.raster > 0 && steps.texelize > 0 && steps.synthesize > 0);
     assert_int_equal(sheets_time_sort(&stage.clock, stage.scene, 512, &sort, &error), GP_OK);
@@ -65,7 +65,7 @@ static void every_step_takes_time(void **state)
     tear_down(&stage);
 }
 
-/* At 64 voxels a side: three worksheets of 64 x 128 texels, four targets of one patch, and, for the
+/* At 64 voxels a side: three flat textures of 64 x 128 texels, four targets of one patch, and, for the
  * turns, 8 octets a row of each of 2 slabs. */
 static void memory_is_that_of_all_surfaces_once(void **state)
 {
@@ -73,10 +73,10 @@ static void memory_is_that_of_all_surfaces_once(void **state)
     const size_t texel = 4, sheets = 3 * 64 * 128, targets = 4 * 64 * 64, found = 8 * 2 * 64;
     Stage stage;
     set_up(&stage, "--method sheets --size 64");
-    assert_int_equal(sheets_bytes(&stage.work.list), texel * (sheets + targets + found));
+    assert_int_equal(sheets_bytes(&stage.frame.list), texel * (sheets + targets + found));
     tear_down(&stage);
     set_up(&stage, "--method sheets --axes 1 --size 64");
-    assert_int_equal(sheets_bytes(&stage.work.list), texel * (sheets / 3 + targets));
+    assert_int_equal(sheets_bytes(&stage.frame.list), texel * (sheets / 3 + targets));
     tear_down(&stage);
 }
 

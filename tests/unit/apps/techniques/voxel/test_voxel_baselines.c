@@ -14,7 +14,7 @@ enum { N = 48, FULL = N * N * N / 8 };
 static const double askew = 0.7;
 
 /* Appends to a work what makes a volume. */
-typedef void Method(const VoxelModel *, const VoxelSetting *, Work *, const Worksheet *);
+typedef void Method(const VoxelModel *, const VoxelSetting *, Frame *, const FlatTexture *);
 
 typedef struct Drawing {
     Method *method;
@@ -22,11 +22,11 @@ typedef struct Drawing {
     int kind;
 } Drawing;
 
-static void append(const void *context, Work *work, const Worksheet *sheet)
+static void append(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const Drawing *d = context;
     const VoxelSetting setting = { .kind = d->kind, .size = sheet->size, .bits = 1 };
-    d->method(d->model, &setting, work, sheet);
+    d->method(d->model, &setting, frame, sheet);
 }
 
 static void draw(Method *method, const VoxelCase *c, int kind, uint8_t *bits)

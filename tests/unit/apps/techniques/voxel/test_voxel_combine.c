@@ -1,4 +1,4 @@
-/* Volumes put together: worksheets against the same operations on plain arrays of voxels. */
+/* Volumes put together: flat textures against the same operations on plain arrays of voxels. */
 #include "apps/techniques/voxel/combine.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
@@ -12,7 +12,7 @@ enum { MOST_BYTES = 64 * 64 * 64 };
 
 static uint8_t voxels_a[MOST_BYTES], voxels_b[MOST_BYTES], voxels_result[MOST_BYTES];
 
-static void fill_sheet(const Worksheet *sheet, Random *random)
+static void fill_sheet(const FlatTexture *sheet, Random *random)
 {
     const GpLevel *level = &sheet->texels->level[0];
     for (size_t i = 0; i < level->pitch * level->height; i++)
@@ -39,26 +39,26 @@ typedef struct Case {
 static void check_case(const Case *c)
 {
     Random random = { 77 + c->size };
-    Work work = { .color = NULL };
-    work_reserve(&work, VOXEL_COMBINE_PASSES, 4);
-    const Worksheet a = worksheet_make(&work, c->size, c->bits);
-    const Worksheet b = worksheet_make(&work, c->size, c->bits);
-    const Worksheet other = worksheet_make(&work, c->size, c->bits);
-    const Worksheet *result = c->in_place ? &a : &other;
+    Frame frame = { .color = NULL };
+    frame_reserve(&frame, VOXEL_COMBINE_PASSES, 4);
+    const FlatTexture a = flat_texture_make(&frame, c->size, c->bits);
+    const FlatTexture b = flat_texture_make(&frame, c->size, c->bits);
+    const FlatTexture other = flat_texture_make(&frame, c->size, c->bits);
+    const FlatTexture *result = c->in_place ? &a : &other;
     fill_sheet(&a, &random);
     fill_sheet(&b, &random);
-    worksheet_read(&a, voxels_a);
-    worksheet_read(&b, voxels_b);
-    voxel_combine(&work, &a, &b, c->operation, result);
-    run_everywhere(&work);
-    const size_t bytes = worksheet_bytes(&a), whole = bytes - (c->bits == 1);
-    worksheet_read(result, voxels_result);
+    flat_texture_read(&a, voxels_a);
+    flat_texture_read(&b, voxels_b);
+    voxel_combine(&frame, &a, &b, c->operation, result);
+    run_everywhere(&frame);
+    const size_t bytes = flat_texture_bytes(&a), whole = bytes - (c->bits == 1);
+    flat_texture_read(result, voxels_result);
     for (size_t i = 0; i < whole; i++) /* of bits the last byte may not be full */
         assert_int_equal(voxels_result[i],
                          combine_bytes(voxels_a[i], voxels_b[i], c->operation, c->bits));
-    worksheet_read(&b, voxels_result); /* operands stay */
+    flat_texture_read(&b, voxels_result); /* operands stay */
     assert_memory_equal(voxels_result, voxels_b, bytes);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 static void sheets_combine_as_their_voxels_do(void **state)
@@ -78,23 +78,25 @@ static void operands_may_be_results_of_the_same_list(void **state)
     enum { SIZE = 45 };
     static uint8_t voxels_c[MOST_BYTES];
     Random random = { 31 };
-    Work work = { .color = NULL };
-    work_reserve(&work, 2 * VOXEL_COMBINE_PASSES, 8);
-    const Worksheet a = worksheet_make(&work, SIZE, 1), b = worksheet_make(&work, SIZE, 1);
-    const Worksheet c = worksheet_make(&work, SIZE, 1), result = worksheet_make(&work, SIZE, 1);
+    Frame frame = { .color = NULL };
+    frame_reserve(&frame, 2 * VOXEL_COMBINE_PASSES, 8);
+    const FlatTexture a = flat_texture_make(&frame, SIZE, 1),
+                      b = flat_texture_make(&frame, SIZE, 1);
+    const FlatTexture c = flat_texture_make(&frame, SIZE, 1),
+                      result = flat_texture_make(&frame, SIZE, 1);
     fill_sheet(&a, &random);
     fill_sheet(&b, &random);
     fill_sheet(&c, &random);
-    worksheet_read(&a, voxels_a);
-    worksheet_read(&b, voxels_b);
-    worksheet_read(&c, voxels_c);
-    voxel_combine(&work, &b, &c, VOXEL_UNION, &b);
-    voxel_combine(&work, &a, &b, VOXEL_DIFFERENCE, &result);
-    run_everywhere(&work);
-    worksheet_read(&result, voxels_result);
-    for (size_t i = 0; i + 1 < worksheet_bytes(&a); i++)
+    flat_texture_read(&a, voxels_a);
+    flat_texture_read(&b, voxels_b);
+    flat_texture_read(&c, voxels_c);
+    voxel_combine(&frame, &b, &c, VOXEL_UNION, &b);
+    voxel_combine(&frame, &a, &b, VOXEL_DIFFERENCE, &result);
+    run_everywhere(&frame);
+    flat_texture_read(&result, voxels_result);
+    for (size_t i = 0; i + 1 < flat_texture_bytes(&a); i++)
         assert_int_equal(voxels_result[i], voxels_a[i] & (uint8_t) ~(voxels_b[i] | voxels_c[i]));
-    work_free(&work);
+    frame_free(&frame);
 }
 
 /* --- collision -------------------------------------------------------------------------------- */
@@ -118,20 +120,21 @@ static bool is_drawn(const VoxelRange *range, uint32_t x, uint32_t y, uint32_t z
 static void check_collision(uint32_t size, const VoxelRange *range, bool in_place)
 {
     Random random = { 5 + size };
-    Work work = { .color = NULL };
-    work_reserve(&work, VOXEL_COMBINE_PASSES, 64);
-    const Worksheet a = worksheet_make(&work, size, 1), b = worksheet_make(&work, size, 1);
-    const Worksheet other = worksheet_make(&work, size, 1);
-    const Worksheet *result = in_place ? &a : &other;
+    Frame frame = { .color = NULL };
+    frame_reserve(&frame, VOXEL_COMBINE_PASSES, 64);
+    const FlatTexture a = flat_texture_make(&frame, size, 1),
+                      b = flat_texture_make(&frame, size, 1);
+    const FlatTexture other = flat_texture_make(&frame, size, 1);
+    const FlatTexture *result = in_place ? &a : &other;
     fill_sheet(&a, &random);
     fill_sheet(&b, &random);
-    worksheet_read(&a, voxels_a);
-    worksheet_read(&b, voxels_b);
-    voxel_collide(&work, &a, &b, range, result);
-    assert_true(work.draw_count <= voxel_combine_draws(&a));
-    run_everywhere(&work);
+    flat_texture_read(&a, voxels_a);
+    flat_texture_read(&b, voxels_b);
+    voxel_collide(&frame, &a, &b, range, result);
+    assert_true(frame.draw_count <= voxel_combine_draws(&a));
+    run_everywhere(&frame);
     uint64_t both = 0;
-    worksheet_read(result, voxels_result);
+    flat_texture_read(result, voxels_result);
     for (uint32_t z = 0; z < size; z++)
         for (uint32_t y = 0; y < size; y++)
             for (uint32_t x = 0; x < size; x++) {
@@ -143,7 +146,7 @@ static void check_collision(uint32_t size, const VoxelRange *range, bool in_plac
                                  is_drawn(range, x, y, z) ? meet : before);
             }
     assert_int_equal(voxel_count_range(result, range), both);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 static void collisions_are_found_inside_the_range(void **state)
@@ -180,7 +183,7 @@ static void ranges_hold_their_models(void **state)
     assert_memory_equal(&common, &both, sizeof common);
     const VoxelRange none = voxel_range_common(&range, &apart);
     assert_true(voxel_range_is_empty(&none) && !voxel_range_is_empty(&common));
-    assert_int_equal(voxel_count_range(&(Worksheet){ .bits = 1 }, &none), 0);
+    assert_int_equal(voxel_count_range(&(FlatTexture){ .bits = 1 }, &none), 0);
 }
 
 int main(void)

@@ -122,7 +122,7 @@ static void triangles_without_area_are_lines_and_points(void **state)
     voxel_case_free(&subject);
 }
 
-/* What lies outside is cut off, and does not come back in another patch of the worksheet. */
+/* What lies outside is cut off, and does not come back in another patch of the flat texture. */
 static void models_may_leave_their_volume(void **state)
 {
     (void)state;

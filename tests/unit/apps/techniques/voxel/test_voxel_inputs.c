@@ -11,10 +11,10 @@
 enum { MOST = 64, FULL = MOST * MOST * MOST / 8 };
 
 /* What was appended is within what is promised. */
-static void check_room(const Work *work, const Worksheet *sheet)
+static void check_room(const Frame *frame, const FlatTexture *sheet)
 {
-    assert_in_range(work->list.pass_count, 1, VOXEL_INPUT_PASSES);
-    assert_in_range(work->draw_count, 1, voxel_input_draws(sheet));
+    assert_in_range(frame->list.pass_count, 1, VOXEL_INPUT_PASSES);
+    assert_in_range(frame->draw_count, 1, voxel_input_draws(sheet));
 }
 
 /* --- implicit surfaces ------------------------------------------------------------------------ */
@@ -27,14 +27,14 @@ typedef struct Implicit {
     int kind;
 } Implicit;
 
-static void append_implicit(const void *context, Work *work, const Worksheet *sheet)
+static void append_implicit(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const Implicit *i = context;
     const VoxelBox box = voxel_box_of_cube(i->reach, sheet->size);
     GpError error = { "" };
-    if (voxel_implicit(&i->function, &box, i->kind, work, sheet, &error))
+    if (voxel_implicit(&i->function, &box, i->kind, frame, sheet, &error))
         fail_msg("%s", error.text);
-    check_room(work, sheet);
+    check_room(frame, sheet);
 }
 
 static double evaluate(const Implicit *i, const VoxelBox *box, double x, double y, double z)
@@ -165,14 +165,14 @@ static void too_many_samples_are_refused(void **state)
 {
     (void)state;
     const VoxelFunction function = { .evaluate = quartic_again };
-    const Worksheet sheet = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
+    const FlatTexture sheet = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
     const VoxelBox box = voxel_box_of_cube(3, sheet.size);
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
-    assert_int_equal(voxel_implicit(&function, &box, VOXEL_SURFACE, &work, &sheet, &error),
+    assert_int_equal(voxel_implicit(&function, &box, VOXEL_SURFACE, &frame, &sheet, &error),
                      GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "1025 samples a side"));
-    assert_int_equal(work.surface_count, 0);
+    assert_int_equal(frame.surface_count, 0);
 }
 
 /* --- points ----------------------------------------------------------------------------------- */
@@ -183,11 +183,11 @@ typedef struct Points {
     VoxelBox box;
 } Points;
 
-static void append_points(const void *context, Work *work, const Worksheet *sheet)
+static void append_points(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const Points *p = context;
-    assert_int_equal(voxel_points(p->positions, p->count, &p->box, work, sheet, NULL), GP_OK);
-    check_room(work, sheet);
+    assert_int_equal(voxel_points(p->positions, p->count, &p->box, frame, sheet, NULL), GP_OK);
+    check_room(frame, sheet);
 }
 
 /* The same in plain floats. */
@@ -226,11 +226,11 @@ static void points_set_their_voxels(void **state)
         assert_memory_equal(bits, wanted, voxel_bytes(size));
         assert_true(voxel_count(bits, size) > COUNT / 3);
     }
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
     const VoxelBox box = voxel_box_of_cube(1, 64);
-    const Worksheet sheet = { .bits = 1 };
-    assert_int_equal(voxel_points(positions, 0, &box, &work, &sheet, &error), GP_ERROR_INVALID);
+    const FlatTexture sheet = { .bits = 1 };
+    assert_int_equal(voxel_points(positions, 0, &box, &frame, &sheet, &error), GP_ERROR_INVALID);
 }
 
 static void a_scanned_point_set_sets_its_voxels(void **state)

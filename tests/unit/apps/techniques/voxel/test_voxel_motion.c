@@ -85,29 +85,29 @@ static void check_between(const char *name, int frame, const Bounds *bounds, con
 typedef struct Mover {
     VoxelCase c;
     VoxelMotions motions;
-    Worksheet sheet;
+    FlatTexture sheet;
 } Mover;
 
-static void add_mover(const char *shape, const VoxelSetting *setting, double most_twist, Work *work,
-                      Mover *mover)
+static void add_mover(const char *shape, const VoxelSetting *setting, double most_twist,
+                      Frame *frame, Mover *mover)
 {
     GpError error = { "" };
     mover->c = voxel_case_open(shape, 0, SIZE);
     mover->motions.count = 0;
     mover->c.model.motions = &mover->motions;
     mover->c.model.most_twist = (float)most_twist;
-    if (tech_voxel_build(&mover->c.model, setting, work, &mover->sheet, &error))
+    if (tech_voxel_build(&mover->c.model, setting, frame, &mover->sheet, &error))
         fail_msg("%s", error.text);
 }
 
-static void reserve(Work *work, int movers)
+static void reserve(Frame *frame, int movers)
 {
     const VoxelSetting setting = { .size = SIZE };
     uint32_t passes, draws;
-    *work = (Work){ .color = NULL };
+    *frame = (Frame){ .color = NULL };
     tech_voxel_room(&setting, &passes, &draws);
-    work_reserve(work, (uint32_t)movers * passes + VOXEL_COMBINE_PASSES,
-                 (uint32_t)movers * draws + 8);
+    frame_reserve(frame, (uint32_t)movers * passes + VOXEL_COMBINE_PASSES,
+                  (uint32_t)movers * draws + 8);
 }
 
 static GpDevice *open_device(const GpDeviceDesc *desc)
@@ -120,12 +120,13 @@ static GpDevice *open_device(const GpDeviceDesc *desc)
     return device;
 }
 
-static void draw_frame(GpDevice *device, const Work *work, const Worksheet *sheet, uint8_t *voxels)
+static void draw_frame(GpDevice *device, const Frame *frame, const FlatTexture *sheet,
+                       uint8_t *voxels)
 {
     GpError error = { "" };
-    if (gp_device_run(device, &work->list, &error))
+    if (gp_device_run(device, &frame->list, &error))
         fail_msg("%s", error.text);
-    worksheet_read(sheet, voxels);
+    flat_texture_read(sheet, voxels);
 }
 
 /* Smaller by a factor, about the volume's middle, so that it has room to turn. */
@@ -172,22 +173,22 @@ static void a_twisting_model_is_exact_in_every_frame(void **state)
     static Bounds bounds;
     static Mover mover;
     for (size_t i = 0; i < GP_COUNT(twists); i++) {
-        Work work;
-        reserve(&work, 1);
-        add_mover(twists[i].shape, &twists[i].setting, most_twist, &work, &mover);
+        Frame frame;
+        reserve(&frame, 1);
+        add_mover(twists[i].shape, &twists[i].setting, most_twist, &frame, &mover);
         GpDevice *device = open_device(&(GpDeviceDesc){ .threads = 2 });
         for (int frame = 0; frame < FRAMES; frame++) {
             const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, frame);
             voxel_move(&mover.motions, &motion);
             memcpy(before, voxels, sizeof voxels);
-            draw_frame(device, &work, &mover.sheet, voxels);
+            draw_frame(device, &frame, &mover.sheet, voxels);
             find_bounds(&mover.c, &motion, twists[i].setting.method, &bounds);
             check_between(twists[i].name, frame, &bounds, voxels);
             assert_true(voxel_count(voxels, SIZE) > 500);
             assert_true(voxel_count_without(voxels, before, SIZE) > 100); /* it does move */
         }
         gp_device_destroy(&device);
-        work_free(&work);
+        frame_free(&frame);
         voxel_case_free(&mover.c);
     }
 }
@@ -205,22 +206,22 @@ static void frames_have_the_same_bits_everywhere(void **state)
     static uint8_t voxels[BYTES], first[BYTES];
     static Mover mover;
     for (size_t i = 0; i < GP_COUNT(twists); i++) {
-        Work work;
-        reserve(&work, 1);
-        add_mover(twists[i].shape, &twists[i].setting, most_twist, &work, &mover);
+        Frame frame;
+        reserve(&frame, 1);
+        add_mover(twists[i].shape, &twists[i].setting, most_twist, &frame, &mover);
         const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, FRAMES - 1);
         voxel_move(&mover.motions, &motion);
         for (size_t d = 0; d < GP_COUNT(devices); d++) {
             GpDevice *device = open_device(&devices[d]);
             if (!device)
                 continue; /* a processor, or a build, without this width */
-            draw_frame(device, &work, &mover.sheet, voxels);
+            draw_frame(device, &frame, &mover.sheet, voxels);
             if (d == 0)
                 memcpy(first, voxels, sizeof first);
             assert_memory_equal(voxels, first, sizeof first);
             gp_device_destroy(&device);
         }
-        work_free(&work);
+        frame_free(&frame);
         voxel_case_free(&mover.c);
     }
 }
@@ -261,12 +262,12 @@ static void moving_objects_collide_where_they_do(void **state)
     static uint8_t voxels[BYTES];
     const VoxelSetting setting = { .size = SIZE, .bits = 1, .method = VOXEL_CONSERVATIVE };
     const VoxelRange whole = voxel_range_whole(SIZE);
-    Work work;
-    reserve(&work, 2);
-    add_mover("torus", &setting, 0, &work, &a);
-    add_mover("knot", &setting, 0, &work, &b);
-    const Worksheet hits = worksheet_make(&work, SIZE, 1);
-    voxel_collide(&work, &a.sheet, &b.sheet, &whole, &hits);
+    Frame frame;
+    reserve(&frame, 2);
+    add_mover("torus", &setting, 0, &frame, &a);
+    add_mover("knot", &setting, 0, &frame, &b);
+    const FlatTexture hits = flat_texture_make(&frame, SIZE, 1);
+    voxel_collide(&frame, &a.sheet, &b.sheet, &whole, &hits);
     GpDevice *device = open_device(&(GpDeviceDesc){ .threads = 2 });
     bool apart = false, touching = false;
     for (int step = 0; step < STEPS; step++) {
@@ -274,7 +275,7 @@ static void moving_objects_collide_where_they_do(void **state)
         const VoxelMotion second = rigid_motion(&b.c, -0.2 * step, 12 - 1.5 * step);
         voxel_move(&a.motions, &first);
         voxel_move(&b.motions, &second);
-        draw_frame(device, &work, &hits, voxels);
+        draw_frame(device, &frame, &hits, voxels);
         find_bounds(&a.c, &first, VOXEL_CONSERVATIVE, &bounds);
         find_bounds(&b.c, &second, VOXEL_CONSERVATIVE, &other);
         and_bits(bounds.certain, other.certain);
@@ -287,7 +288,7 @@ static void moving_objects_collide_where_they_do(void **state)
     }
     assert_true(apart && touching);
     gp_device_destroy(&device);
-    work_free(&work);
+    frame_free(&frame);
     voxel_case_free(&a.c);
     voxel_case_free(&b.c);
 }

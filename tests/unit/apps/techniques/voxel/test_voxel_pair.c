@@ -23,16 +23,16 @@ static void open_placed_cube(VoxelScene *scene)
         scene->offset[k] = SIZE / 2.0;
 }
 
-static void draw(const VoxelPair *pair, const VoxelSetting *setting, Work *work,
+static void draw(const VoxelPair *pair, const VoxelSetting *setting, Frame *frame,
                  VoxelPairMade *made)
 {
     GpError error = { "" };
     GpDevice *device = NULL;
-    *work = (Work){ .color = NULL };
-    if (voxel_pair_build(pair, setting, 0, 0, work, made, &error))
+    *frame = (Frame){ .color = NULL };
+    if (voxel_pair_build(pair, setting, 0, 0, frame, made, &error))
         fail_msg("%s", error.text);
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, &error), GP_OK);
-    if (gp_device_run(device, &work->list, &error))
+    if (gp_device_run(device, &frame->list, &error))
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
 }
@@ -66,12 +66,12 @@ static void the_second_lies_where_it_is_put(void **state)
                                  .names = { "a", "b" },
                                  .place = cases[i].place,
                                  .combine = cases[i].combine };
-        Work work;
+        Frame frame;
         VoxelPairMade made;
-        draw(&pair, &solid, &work, &made);
-        assert_int_equal(worksheet_count(&made.result), cases[i].voxels);
+        draw(&pair, &solid, &frame, &made);
+        assert_int_equal(flat_texture_count(&made.result), cases[i].voxels);
         assert_int_equal(voxel_count_range(&made.result, &made.range), cases[i].voxels);
-        work_free(&work);
+        frame_free(&frame);
     }
     voxel_scene_close(&a);
     voxel_scene_close(&b);
@@ -91,19 +91,19 @@ static void results_are_what_their_models_have(void **state)
                                      .names = { "a", "b" },
                                      .place = { 0, { 0.1, 0, 0.05 } },
                                      .combine = combine };
-            Work work;
+            Frame frame;
             VoxelPairMade made;
-            draw(&pair, &solid, &work, &made);
-            worksheet_read(&made.sheets[0], bits[0]);
-            worksheet_read(&made.sheets[1], bits[1]);
-            worksheet_read(&made.result, bits[2]);
+            draw(&pair, &solid, &frame, &made);
+            flat_texture_read(&made.sheets[0], bits[0]);
+            flat_texture_read(&made.sheets[1], bits[1]);
+            flat_texture_read(&made.result, bits[2]);
             for (int k = 0; k < BYTES; k++)
                 assert_int_equal(bits[2][k], combine == VOXEL_UNION ? bits[0][k] | bits[1][k]
                                              : combine == VOXEL_DIFFERENCE
                                                  ? bits[0][k] & (uint8_t)~bits[1][k]
                                                  : bits[0][k] & bits[1][k]);
-            assert_true(worksheet_count(&made.result) > 10);
-            work_free(&work);
+            assert_true(flat_texture_count(&made.result) > 10);
+            frame_free(&frame);
         }
         voxel_scene_close(&b);
     }
@@ -127,9 +127,9 @@ static void the_volume_holds_both(void **state)
             .scenes = { &a, &b }, .names = { "a", "b" }, .place = places[i], .combine = VOXEL_UNION
         };
         const VoxelSetting surface = { .size = SIZE, .bits = 1, .axes = 3 };
-        Work work;
+        Frame frame;
         VoxelPairMade made;
-        draw(&pair, &surface, &work, &made);
+        draw(&pair, &surface, &frame, &made);
         uint32_t longest = 0;
         for (int k = 0; k < 3; k++) {
             assert_true(made.around.low[k] >= 1 && made.around.end[k] <= SIZE - 1);
@@ -138,8 +138,8 @@ static void the_volume_holds_both(void **state)
         }
         assert_true(longest >= SIZE - 3);
         assert_int_equal(voxel_count_range(&made.result, &made.around),
-                         worksheet_count(&made.result));
-        work_free(&work);
+                         flat_texture_count(&made.result));
+        frame_free(&frame);
     }
     voxel_scene_close(&a);
     voxel_scene_close(&b);
@@ -152,11 +152,11 @@ static void one_model_may_be_smaller_than_its_volume(void **state)
     open_scene("builtin:cube", &a);
     /* a quarter of 29.5 voxels, from the middle: 12.3125 to 19.6875 */
     const VoxelPair pair = { .scenes = { &a }, .names = { "a" }, .place = { 0.25, { 0, 0, 0 } } };
-    Work work;
+    Frame frame;
     VoxelPairMade made;
-    draw(&pair, &solid, &work, &made);
-    assert_int_equal(worksheet_count(&made.result), 8 * 8 * 8);
-    work_free(&work);
+    draw(&pair, &solid, &frame, &made);
+    assert_int_equal(flat_texture_count(&made.result), 8 * 8 * 8);
+    frame_free(&frame);
     voxel_scene_close(&a);
 }
 
@@ -182,16 +182,16 @@ static void what_cannot_be_combined_is_refused(void **state)
                                  .names = { "first", "second" },
                                  .combine = cases[i].combine };
         VoxelSetting setting = cases[i].setting;
-        Work work = { .color = NULL };
+        Frame frame = { .color = NULL };
         VoxelPairMade made;
         GpError error = { "" };
         setting.size = SIZE;
         a.twist = cases[i].twist;
-        assert_int_equal(voxel_pair_build(&pair, &setting, 0, 0, &work, &made, &error),
+        assert_int_equal(voxel_pair_build(&pair, &setting, 0, 0, &frame, &made, &error),
                          GP_ERROR_INVALID);
         if (!strstr(error.text, cases[i].part))
             fail_msg("case %zu: %s", i, error.text);
-        work_free(&work);
+        frame_free(&frame);
     }
     voxel_scene_close(&a);
     voxel_scene_close(&b);

@@ -12,16 +12,16 @@ typedef struct Parametric {
     double step;
 } Parametric;
 
-static void append_parametric(const void *context, Work *work, const Worksheet *sheet)
+static void append_parametric(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const Parametric *p = context;
     VoxelBox box;
     GpError error = { "" };
     if (voxel_parametric_box(p->name, sheet->size, &box, &error) ||
-        voxel_parametric(p->name, p->step, &box, work, sheet, &error))
+        voxel_parametric(p->name, p->step, &box, frame, sheet, &error))
         fail_msg("%s", error.text);
-    assert_int_equal(work->list.pass_count, 1);
-    assert_in_range(work->draw_count, 1, voxel_input_draws(sheet));
+    assert_int_equal(frame->list.pass_count, 1);
+    assert_in_range(frame->draw_count, 1, voxel_input_draws(sheet));
 }
 
 /* Distance from the surface, negative inside. */
@@ -178,18 +178,18 @@ static void the_teapot_is_the_teapot(void **state)
 static void unknown_surfaces_and_too_many_points_are_refused(void **state)
 {
     (void)state;
-    const Worksheet sheet = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
+    const FlatTexture sheet = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
     VoxelBox box;
-    Work work = { .color = NULL };
+    Frame frame = { .color = NULL };
     GpError error = { "" };
     assert_int_equal(voxel_parametric_box("cup", 64, &box, &error), GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "'cup' is no parametric surface"));
     for (const char *const *name = voxel_parametric_names; *name; name++) {
         assert_int_equal(voxel_parametric_box(*name, sheet.size, &box, &error), GP_OK);
-        assert_int_equal(voxel_parametric(*name, 0.01, &box, &work, &sheet, &error),
+        assert_int_equal(voxel_parametric(*name, 0.01, &box, &frame, &sheet, &error),
                          GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, "points of 0.01 voxels apart"));
-        assert_int_equal(work.block_count, 0);
+        assert_int_equal(frame.block_count, 0);
     }
 }
 

@@ -9,30 +9,30 @@
 enum { SIZE = 24, MOST_PIXELS = 96 };
 
 /* An empty volume, in a work with room for a picture. */
-static void begin(Work *work, VoxelPairMade *made)
+static void begin(Frame *frame, VoxelPairMade *made)
 {
-    *work = (Work){ .color = NULL };
-    work_reserve(work, VOXEL_PICTURE_PASSES, VOXEL_PICTURE_DRAWS);
+    *frame = (Frame){ .color = NULL };
+    frame_reserve(frame, VOXEL_PICTURE_PASSES, VOXEL_PICTURE_DRAWS);
     *made = (VoxelPairMade){ .range = voxel_range_whole(SIZE), .around = voxel_range_whole(SIZE) };
     for (int i = 0; i < 2; i++)
-        made->sheets[i] = worksheet_make(work, SIZE, 1);
+        made->sheets[i] = flat_texture_make(frame, SIZE, 1);
     made->result = made->sheets[0];
 }
 
 static void draw(const VoxelPicture *picture, const VoxelPairMade *made, const GpVolume *scan,
-                 Work *work)
+                 Frame *frame)
 {
     GpError error = { "" };
     GpDevice *device = NULL;
-    if (voxel_picture_build(picture, made, scan, work, &error))
+    if (voxel_picture_build(picture, made, scan, frame, &error))
         fail_msg("%s", error.text);
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, &error), GP_OK);
-    if (gp_device_run(device, &work->list, &error))
+    if (gp_device_run(device, &frame->list, &error))
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
 }
 
-static void fill_range(const Worksheet *sheet, const VoxelRange *range)
+static void fill_range(const FlatTexture *sheet, const VoxelRange *range)
 {
     for (uint32_t z = range->low[2]; z < range->end[2]; z++)
         for (uint32_t y = range->low[1]; y < range->end[1]; y++)
@@ -40,9 +40,9 @@ static void fill_range(const Worksheet *sheet, const VoxelRange *range)
                 view_case_put(sheet, x, y, z);
 }
 
-static void get_pixel(const Work *work, uint32_t x, uint32_t y, float rgba[4])
+static void get_pixel(const Frame *frame, uint32_t x, uint32_t y, float rgba[4])
 {
-    gp_texel_load(GP_A8R8G8B8, gp_surface_texel(&work->color->level[0], 4, x, y), rgba);
+    gp_texel_load(GP_A8R8G8B8, gp_surface_texel(&frame->color->level[0], 4, x, y), rgba);
 }
 
 static bool is_background(const float rgba[4])
@@ -54,14 +54,14 @@ static bool is_background(const float rgba[4])
 }
 
 /* Pixels from the picture's left, right, top and bottom to what is seen. */
-static void find_borders(const Work *work, const VoxelPicture *picture, uint32_t borders[4])
+static void find_borders(const Frame *frame, const VoxelPicture *picture, uint32_t borders[4])
 {
     borders[0] = borders[1] = picture->width;
     borders[2] = borders[3] = picture->height;
     for (uint32_t y = 0; y < picture->height; y++)
         for (uint32_t x = 0; x < picture->width; x++) {
             float rgba[4];
-            get_pixel(work, x, y, rgba);
+            get_pixel(frame, x, y, rgba);
             const uint32_t from[4] = { x, picture->width - 1 - x, y, picture->height - 1 - y };
             for (int i = 0; i < 4 && !is_background(rgba); i++)
                 borders[i] = from[i] < borders[i] ? from[i] : borders[i];
@@ -84,21 +84,21 @@ static void every_view_shows_all_of_the_box(void **state)
         picture.azimuth = view[0];
         picture.elevation = view[1];
         picture.up = (int)(i % 5);
-        Work work;
+        Frame frame;
         VoxelPairMade made;
-        begin(&work, &made);
+        begin(&frame, &made);
         made.range = ranges[i / GP_COUNT(sizes) / GP_COUNT(views)];
         fill_range(&made.result, &made.range);
-        draw(&picture, &made, NULL, &work);
+        draw(&picture, &made, NULL, &frame);
         uint32_t borders[4];
-        find_borders(&work, &picture, borders);
+        find_borders(&frame, &picture, borders);
         for (int k = 0; k < 4; k++)
             assert_true(borders[k] >= 1);
         /* and none of it is wasted: the box is near some side */
         const uint32_t least_x = borders[0] < borders[1] ? borders[0] : borders[1];
         const uint32_t least_y = borders[2] < borders[3] ? borders[2] : borders[3];
         assert_true(least_x <= picture.width / 10 || least_y <= picture.height / 10);
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -115,15 +115,15 @@ static void the_axis_that_is_up_points_up(void **state)
         VoxelPicture picture = voxel_picture_defaults;
         picture.width = picture.height = 64;
         picture.up = (int)i;
-        Work work;
+        Frame frame;
         VoxelPairMade made;
-        begin(&work, &made);
+        begin(&frame, &made);
         fill_range(&made.result, &ends[i]);
-        draw(&picture, &made, NULL, &work);
+        draw(&picture, &made, NULL, &frame);
         uint32_t borders[4];
-        find_borders(&work, &picture, borders);
+        find_borders(&frame, &picture, borders);
         assert_true(borders[2] < 20 && borders[3] > 36); /* all of it in the upper half */
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -136,28 +136,28 @@ static void a_zoom_makes_it_larger(void **state)
         VoxelPicture picture = voxel_picture_defaults;
         picture.width = picture.height = 64;
         picture.zoom = zooms[i];
-        Work work;
+        Frame frame;
         VoxelPairMade made;
-        begin(&work, &made);
+        begin(&frame, &made);
         fill_range(&made.result, &made.range);
-        draw(&picture, &made, NULL, &work);
+        draw(&picture, &made, NULL, &frame);
         uint32_t borders[4];
-        find_borders(&work, &picture, borders);
+        find_borders(&frame, &picture, borders);
         const uint32_t wide = 64 - borders[0] - borders[1];
         assert_in_range(wide, i ? 2 * before - 4 : 1, i ? 2 * before + 4 : 20);
         before = wide;
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
 /* Pixels that are more red than all else. */
-static int count_red(const Work *work, const VoxelPicture *picture)
+static int count_red(const Frame *frame, const VoxelPicture *picture)
 {
     int count = 0;
     for (uint32_t y = 0; y < picture->height; y++)
         for (uint32_t x = 0; x < picture->width; x++) {
             float rgba[4];
-            get_pixel(work, x, y, rgba);
+            get_pixel(frame, x, y, rgba);
             count += rgba[2] < rgba[0] * 0.5f && rgba[1] < rgba[0] * 0.5f;
         }
     return count;
@@ -175,15 +175,15 @@ static void what_two_have_in_common_is_red(void **state)
             const uint32_t first = touching ? 10 : 12;
             const VoxelRange boxes[2] = { { { 4, 4, 4 }, { 12, 20, 20 } },
                                           { { first, 4, 4 }, { 20, 20, 20 } } };
-            Work work;
+            Frame frame;
             VoxelPairMade made;
-            begin(&work, &made);
+            begin(&frame, &made);
             for (int i = 0; i < 2; i++)
                 fill_range(&made.sheets[i], &boxes[i]);
-            draw(&picture, &made, NULL, &work);
-            const int red = count_red(&work, &picture);
+            draw(&picture, &made, NULL, &frame);
+            const int red = count_red(&frame, &picture);
             assert_true(touching ? red > 20 : red == 0);
-            work_free(&work);
+            frame_free(&frame);
         }
 }
 
@@ -208,14 +208,14 @@ static uint64_t hash_of_scan(GpVolumeType type, void *data, bool has_model, int 
     VoxelPicture picture = voxel_picture_defaults;
     picture.width = picture.height = 64;
     picture.look = look;
-    Work work;
+    Frame frame;
     VoxelPairMade made;
-    begin(&work, &made);
+    begin(&frame, &made);
     if (has_model)
         fill_range(&made.result, &(VoxelRange){ { 10, 10, 10 }, { 14, 14, 14 } });
-    draw(&picture, &made, &scan, &work);
-    const uint64_t hash = gp_surface_hash(work.color);
-    work_free(&work);
+    draw(&picture, &made, &scan, &frame);
+    const uint64_t hash = gp_surface_hash(frame.color);
+    frame_free(&frame);
     return hash;
 }
 

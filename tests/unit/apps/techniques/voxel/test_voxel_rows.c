@@ -20,15 +20,15 @@ static const VoxelSetting solid = { .kind = VOXEL_SOLID,
 
 /* Crossings, drawn; then a scan of them, between which a test may change them. */
 typedef struct Scan {
-    Work draws, rows;
+    Frame draws, rows;
     VoxelDirections crossings, solids;
-    Worksheet merged;
+    FlatTexture merged;
 } Scan;
 
 static void scan_begin(const VoxelCase *given, Scan *scan)
 {
     *scan = (Scan){ .merged = { .texels = NULL } };
-    work_reserve(&scan->draws, 16, 64);
+    frame_reserve(&scan->draws, 16, 64);
     scan->crossings = voxel_directions_make(&solid, &scan->draws, NULL);
     voxel_directions_draw(&given->model, &solid, VOXEL_ALONG_ALL, &scan->draws, &scan->crossings);
     run_list(&scan->draws.list);
@@ -36,16 +36,16 @@ static void scan_begin(const VoxelCase *given, Scan *scan)
 
 static void scan_end(Scan *scan)
 {
-    work_reserve(&scan->rows, 32, 64);
-    scan->merged = worksheet_make(&scan->rows, SIZE, 1);
+    frame_reserve(&scan->rows, 32, 64);
+    scan->merged = flat_texture_make(&scan->rows, SIZE, 1);
     scan->solids = voxel_row_scan(&solid, &scan->rows, &scan->crossings, &scan->merged);
     run_list(&scan->rows.list);
 }
 
 static void scan_free(Scan *scan)
 {
-    work_free(&scan->draws);
-    work_free(&scan->rows);
+    frame_free(&scan->draws);
+    frame_free(&scan->rows);
 }
 
 /* --- against the truth ------------------------------------------------------------------------ */
@@ -91,7 +91,7 @@ static Wrong measure(const VoxelCase *given, const Truth *truth)
     scan_end(&scan);
     for (int axis = 0; axis < 3; axis++) {
         uint8_t *voxels = voxel_read(&scan.solids.along[axis]);
-        assert_int_equal(worksheet_count(&scan.solids.along[axis]), voxel_count(voxels, SIZE));
+        assert_int_equal(flat_texture_count(&scan.solids.along[axis]), voxel_count(voxels, SIZE));
         wrong.along[axis] = count_wrong(voxels, truth);
         gp_free(voxels);
     }
@@ -170,10 +170,10 @@ static void the_solid_is_the_majority(void **state)
 /* --- streaks ---------------------------------------------------------------------------------- */
 
 /* Takes away the last crossing of the row along x through (y, z). */
-static uint32_t lose_crossing(const Worksheet *along_x, uint32_t y, uint32_t z)
+static uint32_t lose_crossing(const FlatTexture *along_x, uint32_t y, uint32_t z)
 {
     for (uint32_t x = SIZE; x-- > 0;) {
-        uint8_t *texel = worksheet_texel(along_x, x / 32, y, z);
+        uint8_t *texel = flat_texture_texel(along_x, x / 32, y, z);
         uint32_t word;
         memcpy(&word, texel, sizeof word);
         if (word >> x % 32 & 1) {

@@ -13,11 +13,11 @@ static void scans_are_linear_between_samples(void **state)
     static const uint8_t samples[2][2][2] = { { { 0, 40 }, { 80, 120 } },
                                               { { 100, 140 }, { 180, 220 } } };
     const uint32_t dims[3] = { 2, 2, 2 };
-    Work work;
-    view_case_begin(&work);
-    const Worksheet scan = voxel_scan(&work, &samples[0][0][0], dims, (double[3]){ 2, 2, 2 }, 8);
+    Frame frame;
+    view_case_begin(&frame);
+    const FlatTexture scan = voxel_scan(&frame, &samples[0][0][0], dims, (double[3]){ 2, 2, 2 }, 8);
     uint8_t voxels[512];
-    worksheet_read(&scan, voxels);
+    flat_texture_read(&scan, voxels);
     for (uint32_t i = 0; i < 512; i++) {
         const int at[3] = { (int)(i % 8), (int)(i / 8 % 8), (int)(i / 64) };
         static const int step[3] = { 40, 80, 100 };
@@ -33,20 +33,20 @@ static void scans_are_linear_between_samples(void **state)
     }
     const double spacing[3] = { 1, 1, 2.5 };
     assert_int_equal(voxel_scan_size((uint32_t[3]){ 30, 12, 13 }, spacing), 40);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 /* --- a block of one density ------------------------------------------------------------------- */
 
 enum { SIZE = 16, DENSITY = 200 };
 
-static Worksheet scan_of_block(Work *work)
+static FlatTexture scan_of_block(Frame *frame)
 {
     static uint8_t samples[SIZE * SIZE * SIZE];
     static const uint32_t dims[3] = { SIZE, SIZE, SIZE };
     memset(samples, DENSITY, sizeof samples);
-    const Worksheet scan = voxel_scan(work, samples, dims, NULL, SIZE);
-    return voxel_scan_slopes(work, &scan);
+    const FlatTexture scan = voxel_scan(frame, samples, dims, NULL, SIZE);
+    return voxel_scan_slopes(frame, &scan);
 }
 
 /* A block of one density absorbs as its ramp says. */
@@ -55,21 +55,21 @@ static void scans_fade_light_by_their_ramp(void **state)
     (void)state;
     static uint8_t ramp[256][4];
     ramp[DENSITY][3] = 51; /* a fifth */
-    Work work;
-    view_case_begin(&work);
-    const Worksheet slopes = scan_of_block(&work);
-    const Worksheet none = worksheet_make(&work, SIZE, 1);
+    Frame frame;
+    view_case_begin(&frame);
+    const FlatTexture slopes = scan_of_block(&frame);
+    const FlatTexture none = flat_texture_make(&frame, SIZE, 1);
     VoxelView view = voxel_view_defaults;
     view.mode = VOXEL_TRANSPARENT;
     view.scan = &slopes;
     view.transfer = &ramp[0][0];
     view.camera = view_case_camera(SIZE, 0, 0.3, 1, 2, 0);
-    view_case_draw(&work, &none, &view);
+    view_case_draw(&frame, &none, &view);
     float pixel[4];
-    view_case_pixel(&work, "haze", MIDDLE, MIDDLE, pixel);
+    view_case_pixel(&frame, "haze", MIDDLE, MIDDLE, pixel);
     const double way = SIZE * sqrt(1 + 0.3 * 0.3); /* in front, out behind */
     assert_true(fabs((double)pixel[3] - (1 - pow(0.8, way))) < 0.01);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 /* A wall of voxels in the middle of a block: from in front, half of the block is seen. */
@@ -79,22 +79,22 @@ static void opaque_voxels_hide_the_scan_behind_them(void **state)
     enum { WALL = 7 };
     static uint8_t ramp[256][4];
     ramp[DENSITY][3] = 26;
-    Work work;
-    view_case_begin(&work);
-    const Worksheet slopes = scan_of_block(&work);
-    const Worksheet wall = worksheet_make(&work, SIZE, 1);
+    Frame frame;
+    view_case_begin(&frame);
+    const FlatTexture slopes = scan_of_block(&frame);
+    const FlatTexture wall = flat_texture_make(&frame, SIZE, 1);
     for (uint32_t i = 0; i < SIZE * SIZE; i++)
         view_case_put(&wall, i % SIZE, i / SIZE, WALL);
     VoxelView view = voxel_view_defaults;
     view.scan = &slopes;
     view.transfer = &ramp[0][0];
     view.camera = view_case_camera(SIZE, 0, 0, 1, 2, 0);
-    view_case_draw(&work, &wall, &view);
+    view_case_draw(&frame, &wall, &view);
     float pixel[4];
-    view_case_pixel(&work, "haze", MIDDLE, MIDDLE, pixel);
+    view_case_pixel(&frame, "haze", MIDDLE, MIDDLE, pixel);
     const double in_front = SIZE - 1 - WALL, seen = 1 - 26 / 255.0;
     assert_true(fabs((double)pixel[3] - (1 - pow(seen, in_front))) < 0.005);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 int main(void)

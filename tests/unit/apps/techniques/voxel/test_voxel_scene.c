@@ -14,13 +14,13 @@ static void open_scene(const char *path, VoxelScene *scene)
         fail_msg("%s: %s", path, error.text);
 }
 
-static void append(const void *context, Work *work, const Worksheet *sheet)
+static void append(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const VoxelScene *scene = context;
     const VoxelSetting setting = { .size = SIZE, .bits = 1, .axes = 3 };
     const VoxelBox box = voxel_scene_box(scene, SIZE);
     GpError error = { "" };
-    if (voxel_scene_draw(scene, &setting, &box, work, sheet, &error))
+    if (voxel_scene_draw(scene, &setting, &box, frame, sheet, &error))
         fail_msg("%s", error.text);
 }
 
@@ -84,19 +84,19 @@ static void settings_that_do_not_go_with_an_input_are_refused(void **state)
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         VoxelScene scene;
-        Work work = { .color = NULL };
+        Frame frame = { .color = NULL };
         GpError error = { "" };
         open_scene(cases[i].path, &scene);
         scene.twist = cases[i].twist;
         VoxelSetting setting = cases[i].setting;
         setting.size = SIZE;
         const VoxelBox box = voxel_scene_box(&scene, SIZE);
-        const Worksheet sheet = worksheet_make(&work, SIZE, setting.bits);
-        assert_int_equal(voxel_scene_draw(&scene, &setting, &box, &work, &sheet, &error),
+        const FlatTexture sheet = flat_texture_make(&frame, SIZE, setting.bits);
+        assert_int_equal(voxel_scene_draw(&scene, &setting, &box, &frame, &sheet, &error),
                          GP_ERROR_INVALID);
         if (!strstr(error.text, cases[i].part))
             fail_msg("%s: %s", cases[i].path, error.text);
-        work_free(&work);
+        frame_free(&frame);
         voxel_scene_close(&scene);
     }
 }

@@ -88,9 +88,9 @@ static void open_stage(const char *scene, TechniqueStage *stage)
         fail_msg("%s", error.text);
 }
 
-static void flip_voxel(const Worksheet *sheet, uint32_t x, uint32_t y, uint32_t z)
+static void flip_voxel(const FlatTexture *sheet, uint32_t x, uint32_t y, uint32_t z)
 {
-    uint8_t *texel = worksheet_texel(sheet, z / 32, x, y);
+    uint8_t *texel = flat_texture_texel(sheet, z / 32, x, y);
     texel[z % 32 / 8] = (uint8_t)(texel[z % 32 / 8] ^ 1u << z % 8);
 }
 
@@ -98,28 +98,28 @@ static void a_lost_voxel_is_missing_and_a_strange_one_is_extra(void **state)
 {
     (void)state;
     TechniqueStage stage;
-    Work work;
+    Frame frame;
     GpError error = { "" };
     TechniqueError measured;
     open_stage("builtin:cube", &stage);
-    assert_int_equal(technique_stage_draw(&stage, "--size 40", &work, &error), GP_OK);
-    const VoxelMade *made = work.made;
+    assert_int_equal(technique_stage_draw(&stage, "--size 40", &frame, &error), GP_OK);
+    const VoxelMade *made = frame.made;
     assert_int_equal(made->setting.size, 40);
-    assert_ptr_equal(made->sheet.texels, work.color);
+    assert_ptr_equal(made->sheet.texels, frame.color);
 
-    voxel_technique.measure(stage.scene, &work, &measured);
+    voxel_technique.measure(stage.scene, &frame, &measured);
     const double whole = measured.error;
     flip_voxel(&made->sheet, 1, 20, 35); /* of the shell */
-    voxel_technique.measure(stage.scene, &work, &measured);
-    assert_true(measured.figures[1] == 1 && measured.figures[2] == 0);
+    voxel_technique.measure(stage.scene, &frame, &measured);
+    assert_true(measured.metrics[1] == 1 && measured.metrics[2] == 0);
     assert_true(measured.error > whole);
-    double voxels = measured.figures[0];
+    double voxels = measured.metrics[0];
     flip_voxel(&made->sheet, 20, 20, 20); /* inside */
     flip_voxel(&made->sheet, 0, 0, 39);   /* outside */
-    voxel_technique.measure(stage.scene, &work, &measured);
-    assert_true(measured.figures[1] == 1 && measured.figures[2] == 2);
-    assert_true(measured.figures[0] == voxels + 2);
-    work_free(&work);
+    voxel_technique.measure(stage.scene, &frame, &measured);
+    assert_true(measured.metrics[1] == 1 && measured.metrics[2] == 2);
+    assert_true(measured.metrics[0] == voxels + 2);
+    frame_free(&frame);
     technique_stage_close(&stage);
 }
 
@@ -173,10 +173,10 @@ static void a_placed_model_is_cut_at_the_sides(void **state)
                                                "--size 32 --method thin" };
         for (size_t k = 0; k < GP_COUNT(options); k++) {
             assert_int_equal(technique_stage_measure(&stage, options[k], &measured, &error), GP_OK);
-            assert_true(measured.figures[0] > 100);
-            if (measured.figures[1] + measured.figures[2] != 0)
+            assert_true(measured.metrics[0] > 100);
+            if (measured.metrics[1] + measured.metrics[2] != 0)
                 fail_msg("%s, placement %zu: %g missing, %g extra", options[k], i,
-                         measured.figures[1], measured.figures[2]);
+                         measured.metrics[1], measured.metrics[2]);
         }
         technique_stage_close(&stage);
     }
@@ -203,9 +203,9 @@ static void every_dirty_mesh_is_voxelized_exactly(void **state)
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
         open_stage(path, &stage);
         assert_int_equal(technique_stage_measure(&stage, "--size 32", &measured, &error), GP_OK);
-        if (measured.figures[1] + measured.figures[2] != 0 || measured.figures[0] < 100)
-            fail_msg("%s: %g voxels, %g missing, %g extra", path, measured.figures[0],
-                     measured.figures[1], measured.figures[2]);
+        if (measured.metrics[1] + measured.metrics[2] != 0 || measured.metrics[0] < 100)
+            fail_msg("%s: %g voxels, %g missing, %g extra", path, measured.metrics[0],
+                     measured.metrics[1], measured.metrics[2]);
         technique_stage_close(&stage);
         count++;
     }
@@ -278,12 +278,12 @@ static void what_contradicts_itself_is_refused(void **state)
     TechniqueStage stage;
     open_stage("builtin:cube", &stage);
     for (size_t i = 0; i < GP_COUNT(wrong); i++) {
-        Work work;
+        Frame frame;
         GpError error = { "" };
-        if (technique_stage_draw(&stage, wrong[i], &work, &error) != GP_ERROR_INVALID)
+        if (technique_stage_draw(&stage, wrong[i], &frame, &error) != GP_ERROR_INVALID)
             fail_msg("%s is not refused", wrong[i]);
         assert_true(error.text[0]);
-        assert_int_equal(work.block_count + work.surface_count, 0);
+        assert_int_equal(frame.block_count + frame.surface_count, 0);
     }
     technique_stage_close(&stage);
 }

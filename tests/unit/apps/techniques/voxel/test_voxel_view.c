@@ -29,7 +29,7 @@ static void ray_of(const Camera *camera, double x, double y, double origin[3], d
 }
 
 /* Number of the first voxel on the ray, from 1; 0: none. */
-static uint32_t first_on_ray(const Worksheet *sheet, const Camera *camera, double x, double y)
+static uint32_t first_on_ray(const FlatTexture *sheet, const Camera *camera, double x, double y)
 {
     static VoxelStep steps[3 * MOST + 1];
     double origin[3], direction[3];
@@ -46,7 +46,7 @@ static uint32_t first_on_ray(const Worksheet *sheet, const Camera *camera, doubl
  * are snapped to 1/256 pixel, and places are floats. */
 #define BESIDE 0.02
 
-static bool is_certain(const Worksheet *sheet, const Camera *camera, double x, double y,
+static bool is_certain(const FlatTexture *sheet, const Camera *camera, double x, double y,
                        uint32_t *first)
 {
     *first = first_on_ray(sheet, camera, x, y);
@@ -58,7 +58,7 @@ static bool is_certain(const Worksheet *sheet, const Camera *camera, double x, d
 }
 
 /* Compares all pixels; returns how many were certain. */
-static int compare_with_rays(const Work *work, const Worksheet *sheet, const Camera *camera)
+static int compare_with_rays(const Frame *frame, const FlatTexture *sheet, const Camera *camera)
 {
     int certain = 0;
     for (int y = 0; y < SIDE; y++)
@@ -68,7 +68,7 @@ static int compare_with_rays(const Work *work, const Worksheet *sheet, const Cam
             if (!is_certain(sheet, camera, x + 0.5, y + 0.5, &first))
                 continue;
             certain++;
-            view_case_pixel(work, "voxels", x, y, pixel);
+            view_case_pixel(frame, "voxels", x, y, pixel);
             const uint32_t drawn =
                 pixel[3] == 0
                     ? 0
@@ -97,9 +97,9 @@ static void every_pixel_shows_the_first_voxel_of_its_ray(void **state)
 {
     (void)state;
     for (size_t i = 0; i < GP_COUNT(views); i++) {
-        Work work;
-        view_case_begin(&work);
-        const Worksheet sheet = view_case_random(&work, views[i].size, 150, i);
+        Frame frame;
+        view_case_begin(&frame);
+        const FlatTexture sheet = view_case_random(&frame, views[i].size, 150, i);
         VoxelView view = voxel_view_defaults;
         view.shading = VOXEL_FACES_OF_CUBES;
         view.camera = view_case_camera(views[i].size, views[i].x, views[i].y, views[i].z,
@@ -110,10 +110,10 @@ static void every_pixel_shows_the_first_voxel_of_its_ray(void **state)
             view_case_put(&sheet, 2, 3, 15);
             view_case_put(&sheet, 1, 12, 20);
         }
-        view_case_draw(&work, &sheet, &view);
-        const int certain = compare_with_rays(&work, &sheet, &view.camera);
+        view_case_draw(&frame, &sheet, &view);
+        const int certain = compare_with_rays(&frame, &sheet, &view.camera);
         assert_true(certain > SIDE * SIDE * 8 / 10);
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -124,9 +124,9 @@ static void one_voxel_is_one_cube(void **state)
     static const uint32_t places[][3] = { { 0, 0, 0 }, { 8, 0, 8 }, { 8, 8, 8 }, { 4, 5, 3 } };
     for (size_t i = 0; i < GP_COUNT(views); i++)
         for (size_t p = 0; p < GP_COUNT(places); p++) {
-            Work work;
-            view_case_begin(&work);
-            const Worksheet sheet = worksheet_make(&work, 9, 1);
+            Frame frame;
+            view_case_begin(&frame);
+            const FlatTexture sheet = flat_texture_make(&frame, 9, 1);
             view_case_put(&sheet, places[p][0], places[p][1], places[p][2]);
             VoxelView view = voxel_view_defaults;
             const bool anywhere = i % 2;
@@ -135,27 +135,28 @@ static void one_voxel_is_one_cube(void **state)
                 view.range.end[k] = places[p][k] + 1;
             }
             view.camera = view_case_camera(9, views[i].x, views[i].y, views[i].z, 2, views[i].fovy);
-            view_case_draw(&work, &sheet, &view);
-            assert_true(compare_with_rays(&work, &sheet, &view.camera) > SIDE * SIDE * 8 / 10);
-            work_free(&work);
+            view_case_draw(&frame, &sheet, &view);
+            assert_true(compare_with_rays(&frame, &sheet, &view.camera) > SIDE * SIDE * 8 / 10);
+            frame_free(&frame);
         }
 }
 
 static void kinds_tell_which_volumes_have_a_voxel(void **state)
 {
     (void)state;
-    Work work;
-    view_case_begin(&work);
-    const Worksheet a = view_case_random(&work, 24, 3, 1), b = view_case_random(&work, 24, 3, 2);
+    Frame frame;
+    view_case_begin(&frame);
+    const FlatTexture a = view_case_random(&frame, 24, 3, 1),
+                      b = view_case_random(&frame, 24, 3, 2);
     VoxelView view = voxel_view_defaults;
     view.second = &b;
     view.camera = view_case_camera(24, 0.3, 0.4, 0.8, 2, 40);
-    view_case_draw(&work, &a, &view);
+    view_case_draw(&frame, &a, &view);
     int seen[4] = { 0 };
     for (int y = 0; y < SIDE; y++)
         for (int x = 0; x < SIDE; x++) {
             float pixel[4];
-            view_case_pixel(&work, "voxels", x, y, pixel);
+            view_case_pixel(&frame, "voxels", x, y, pixel);
             const uint32_t voxel[3] = { (uint32_t)pixel[0], (uint32_t)pixel[1],
                                         (uint32_t)pixel[2] };
             seen[(int)pixel[3]]++;
@@ -164,13 +165,13 @@ static void kinds_tell_which_volumes_have_a_voxel(void **state)
         }
     for (int kind = 0; kind < 4; kind++)
         assert_true(seen[kind] > 100);
-    work_free(&work);
+    frame_free(&frame);
 }
 
 /* --- what comes through ----------------------------------------------------------------------- */
 
 /* Voxels of the ray's way that are there. */
-static double way_in_voxels(const Worksheet *sheet, const Camera *camera, double x, double y)
+static double way_in_voxels(const FlatTexture *sheet, const Camera *camera, double x, double y)
 {
     static VoxelStep steps[3 * MOST + 1];
     double origin[3], direction[3], sum = 0;
@@ -187,9 +188,9 @@ static void layers_take_their_share_of_light(void **state)
     (void)state;
     enum { SIZE = 16 };
     for (uint32_t layers = 1; layers <= 8; layers++) {
-        Work work;
-        view_case_begin(&work);
-        const Worksheet sheet = worksheet_make(&work, SIZE, 1);
+        Frame frame;
+        view_case_begin(&frame);
+        const FlatTexture sheet = flat_texture_make(&frame, SIZE, 1);
         for (uint32_t i = 0; i < SIZE * SIZE * layers; i++)
             view_case_put(&sheet, i % SIZE, 3 + i / SIZE % layers, i / SIZE / layers);
         VoxelView view = voxel_view_defaults;
@@ -197,11 +198,11 @@ static void layers_take_their_share_of_light(void **state)
         view.paint.opacity = 0.25f;
         view.camera = view_case_camera(SIZE, 0, 1, 0, 2, 0); /* along the layers' normal */
         view.camera.up[0] = 1;
-        view_case_draw(&work, &sheet, &view);
+        view_case_draw(&frame, &sheet, &view);
         float pixel[4];
-        view_case_pixel(&work, "haze", SIDE / 2, SIDE / 2, pixel);
+        view_case_pixel(&frame, "haze", SIDE / 2, SIDE / 2, pixel);
         assert_true(fabs((double)pixel[3] - (1 - pow(0.75, layers))) < 2e-3);
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -210,7 +211,8 @@ static void layers_take_their_share_of_light(void **state)
 
 /* How far alpha is outside what the rays beside the pixel's middle give: along a voxel's side they
  * see it or not. */
-static double alpha_error(const Worksheet *sheet, const Camera *camera, int x, int y, double alpha)
+static double alpha_error(const FlatTexture *sheet, const Camera *camera, int x, int y,
+                          double alpha)
 {
     double least = 1, most = 0;
     for (int i = 0; i < 5; i++) {
@@ -228,27 +230,27 @@ static void light_fades_by_the_way_in_voxels(void **state)
 {
     (void)state;
     for (size_t i = 0; i + 1 < GP_COUNT(views); i++) {
-        Work work;
-        view_case_begin(&work);
-        const Worksheet sheet = view_case_random(&work, views[i].size, 4, 100 + i);
+        Frame frame;
+        view_case_begin(&frame);
+        const FlatTexture sheet = view_case_random(&frame, views[i].size, 4, 100 + i);
         VoxelView view = voxel_view_defaults;
         view.mode = VOXEL_TRANSPARENT;
         view.paint.opacity = 0.15f;
         view.camera = view_case_camera(views[i].size, views[i].x, views[i].y, views[i].z,
                                        views[i].distance, views[i].fovy);
-        view_case_draw(&work, &sheet, &view);
+        view_case_draw(&frame, &sheet, &view);
         int seen = 0;
         for (int y = 0; y < SIDE; y += 2)
             for (int x = 0; x < SIDE; x += 2) {
                 float pixel[4];
-                view_case_pixel(&work, "haze", x, y, pixel);
+                view_case_pixel(&frame, "haze", x, y, pixel);
                 const double error = alpha_error(&sheet, &view.camera, x, y, (double)pixel[3]);
                 if (error > HALF_ERROR)
                     fail_msg("view %zu, pixel %d %d: alpha is %g off", i, x, y, error);
                 seen += pixel[3] > 0.2f;
             }
         assert_true(seen > 100);
-        work_free(&work);
+        frame_free(&frame);
     }
 }
 
@@ -267,9 +269,9 @@ static double ball_error(int shading)
 {
     enum { SIZE = 48 };
     const double middle = SIZE / 2.0, radius = 20;
-    Work work;
-    view_case_begin(&work);
-    const Worksheet sheet = worksheet_make(&work, SIZE, 1);
+    Frame frame;
+    view_case_begin(&frame);
+    const FlatTexture sheet = flat_texture_make(&frame, SIZE, 1);
     for (uint32_t i = 0; i < SIZE * SIZE * SIZE; i++) {
         const double x = i % SIZE + 0.5 - middle, y = i / SIZE % SIZE + 0.5 - middle;
         const double z = i / SIZE / SIZE + 0.5 - middle;
@@ -282,7 +284,7 @@ static double ball_error(int shading)
     memcpy(view.light, (float[3]){ 1, 0, 0 }, sizeof view.light);
     view.camera = view_case_camera(SIZE, 0.4, 0.5, 1, 2, 0);
     view.camera.height = SIZE;
-    view_case_draw(&work, &sheet, &view);
+    view_case_draw(&frame, &sheet, &view);
     double sum = 0;
     int count = 0;
     for (int y = 0; y < SIDE; y++)
@@ -293,14 +295,14 @@ static double ball_error(int shading)
                 continue;
             float pixel[4];
             gp_texel_load(GP_A8R8G8B8,
-                          gp_surface_texel(&work.color->level[0], 4, (uint32_t)x, (uint32_t)y),
+                          gp_surface_texel(&frame.color->level[0], 4, (uint32_t)x, (uint32_t)y),
                           pixel);
             const double expected = light_of_ball(right, up);
             sum += fabs((double)pixel[0] - (expected < 1 ? expected : 1));
             count++;
         }
     assert_true(count > 400);
-    work_free(&work);
+    frame_free(&frame);
     return sum / count;
 }
 
@@ -317,13 +319,13 @@ static void smooth_normals_are_those_of_the_ball(void **state)
 static void what_cannot_be_drawn_is_refused(void **state)
 {
     (void)state;
-    Work work;
+    Frame frame;
     GpError error = { "" };
-    view_case_begin(&work);
-    const Worksheet a = worksheet_make(&work, 16, 1), b = worksheet_make(&work, 24, 1);
+    view_case_begin(&frame);
+    const FlatTexture a = flat_texture_make(&frame, 16, 1), b = flat_texture_make(&frame, 24, 1);
     VoxelView view = voxel_view_defaults;
     view.camera = view_case_camera(16, 1, 1, 1, 0.2, 100);
-    assert_int_equal(voxel_view_build(&a, &view, SIDE, SIDE, &work, &error), GP_ERROR_INVALID);
+    assert_int_equal(voxel_view_build(&a, &view, SIDE, SIDE, &frame, &error), GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "too wide"));
     const VoxelRange range = { { 3, 4, 5 }, { 13, 14, 15 } };
     assert_int_equal(voxel_view_slices(&range, &view.camera, 1), 0);
@@ -331,27 +333,27 @@ static void what_cannot_be_drawn_is_refused(void **state)
     const uint32_t slices = voxel_view_slices(&range, &view.camera, 1);
     assert_true(slices >= 10 && slices % 10 == 0);
     view.second = &b;
-    assert_int_equal(voxel_view_build(&a, &view, SIDE, SIDE, &work, &error), GP_ERROR_INVALID);
-    assert_int_equal(work.list.pass_count, 0);
-    work_free(&work);
+    assert_int_equal(voxel_view_build(&a, &view, SIDE, SIDE, &frame, &error), GP_ERROR_INVALID);
+    assert_int_equal(frame.list.pass_count, 0);
+    frame_free(&frame);
 }
 
 /* Pictures of all programs: opaque or not, smooth or faces, one volume, two, or a scan. */
-static bool build_picture(Work *work, int number)
+static bool build_picture(Frame *frame, int number)
 {
     enum { SIZE = 34, SECOND = 1, SCAN = 2, WIDTH = 35, HEIGHT = 40 };
     static uint8_t samples[SIZE * SIZE * SIZE], ramp[256][4];
     static const uint32_t dims[3] = { SIZE, SIZE, SIZE };
-    static Worksheet sheets[3];
+    static FlatTexture sheets[3];
     const int with = number / 4;
     Random random = { 3 };
     for (size_t i = 0; i < sizeof samples; i++)
         samples[i] = (uint8_t)random_bits(&random);
     for (int i = 0; i < 1024; i++)
         ramp[i / 4][i % 4] = (uint8_t)(i % 4 == 3 ? i / 64 : 255 - i / 8);
-    view_case_begin(work);
-    sheets[0] = view_case_random(work, SIZE, 40, 8);
-    sheets[1] = view_case_random(work, SIZE, 40, 9);
+    view_case_begin(frame);
+    sheets[0] = view_case_random(frame, SIZE, 40, 8);
+    sheets[1] = view_case_random(frame, SIZE, 40, 9);
     VoxelView view = voxel_view_defaults;
     view.mode = number & 1;
     view.shading = number >> 1 & 1;
@@ -359,23 +361,23 @@ static bool build_picture(Work *work, int number)
     if (with == SECOND)
         view.second = &sheets[1];
     if (with == SCAN) {
-        const Worksheet scan = voxel_scan(work, samples, dims, NULL, SIZE);
-        sheets[2] = voxel_scan_slopes(work, &scan);
+        const FlatTexture scan = voxel_scan(frame, samples, dims, NULL, SIZE);
+        sheets[2] = voxel_scan_slopes(frame, &scan);
         view.scan = &sheets[2];
         view.transfer = &ramp[0][0];
     }
     GpError error = { "" };
-    return !voxel_view_build(&sheets[0], &view, WIDTH, HEIGHT, work, &error);
+    return !voxel_view_build(&sheets[0], &view, WIDTH, HEIGHT, frame, &error);
 }
 
 static void pictures_are_the_same_on_every_device(void **state)
 {
     (void)state;
     for (int number = 0; number < 12; number++) {
-        Work work;
-        assert_true(build_picture(&work, number));
-        run_everywhere(&work);
-        work_free(&work);
+        Frame frame;
+        assert_true(build_picture(&frame, number));
+        run_everywhere(&frame);
+        frame_free(&frame);
     }
 }
 

@@ -1,9 +1,9 @@
-/* Places on worksheets, and their voxels. For shader files only. */
-#ifndef SHADERS_WORKSHEET_SHARED_H
-#define SHADERS_WORKSHEET_SHARED_H
+/* Places on flat textures, and their voxels. For shader files only. */
+#ifndef SHADERS_FLAT_TEXTURE_SHARED_H
+#define SHADERS_FLAT_TEXTURE_SHARED_H
 
 #include "pipeline/shader.h"
-#include "shaders_c/voxel/worksheet.h"
+#include "shaders_c/voxel/flat_texture.h"
 
 /* Whole part of a / b for whole numbers below 2^22. */
 GP_INLINE flt whole_part(flt a, float b)
@@ -12,14 +12,14 @@ GP_INLINE flt whole_part(flt a, float b)
 }
 
 /* Top left texel of a slab's patch. */
-GP_INLINE float2 patch_origin(const WorksheetLayout *sheet, flt slab)
+GP_INLINE float2 patch_origin(const FlatTextureLayout *sheet, flt slab)
 {
     flt row = whole_part(slab, sheet->columns);
     return vec2((slab - row * sheet->columns) * sheet->size, row * sheet->size);
 }
 
 /* Slab, and place in it, of a texel of the sheet. */
-GP_INLINE float3 texel_column(const WorksheetLayout *sheet, float2 texel)
+GP_INLINE float3 texel_column(const FlatTextureLayout *sheet, float2 texel)
 {
     flt column = whole_part(texel.x, sheet->size), row = whole_part(texel.y, sheet->size);
     return vec3(texel.x - column * sheet->size, texel.y - row * sheet->size,
@@ -27,7 +27,7 @@ GP_INLINE float3 texel_column(const WorksheetLayout *sheet, float2 texel)
 }
 
 /* A place in texels of the sheet, in clip space. */
-GP_INLINE float4 sheet_position(const WorksheetLayout *sheet, float2 texel)
+GP_INLINE float4 sheet_position(const FlatTextureLayout *sheet, float2 texel)
 {
     return vec4(texel.x * (2.0f / sheet->width) - 1.0f, 1.0f - texel.y * (2.0f / sheet->height),
                 0.5f, 1);

@@ -1,4 +1,4 @@
-/* A volume as a flat texture: the worksheet.
+/* A volume as a flat texture: the flat texture.
  *
  * A volume of size^3 voxels is cut into slabs of per_texel voxels along z. A slab is a patch of
  * size x size texels; patches lie in rows of `columns`, slab 0 at the top left. Texel (x, y) of a
@@ -7,21 +7,21 @@
  * bytes or pairs of them in that order.
  * source Dong, Chen, Bao, Zhang and Peng, "Real-time voxelization for complex polygonal models",
  *        Pacific Graphics 2004 */
-#ifndef SHADERS_WORKSHEET_H
-#define SHADERS_WORKSHEET_H
+#ifndef SHADERS_FLAT_TEXTURE_H
+#define SHADERS_FLAT_TEXTURE_H
 
 /* As shaders see it: numbers that are whole. */
-typedef struct WorksheetLayout {
+typedef struct FlatTextureLayout {
     float size;          /* voxels a side of the volume, texels a side of a patch */
     float per_texel;     /* voxels: 32, 4 or 2 */
     float columns;       /* patches in a row */
     float width, height; /* texels of the whole sheet */
-} WorksheetLayout;
+} FlatTextureLayout;
 
 /* One slab of it, for programs that cover a patch. */
-typedef struct WorksheetSlab {
+typedef struct FlatTextureSlab {
     float size; /* voxels a side of the volume */
     float base; /* the slab's first voxel along z */
-} WorksheetSlab;
+} FlatTextureSlab;
 
 #endif
