@@ -1,7 +1,7 @@
 /* Benchmark cases of voxelization: meshes in memory to volumes in memory, and two volumes combined.
  * All are 256 voxels a side. */
 #include "apps/bench/cases.h"
-#include "apps/techniques/voxel/combine.h"
+#include "apps/techniques/voxel/volume/combine.h"
 #include "apps/techniques/voxel/inputs/scene.h"
 
 #include <string.h>

@@ -3,9 +3,9 @@
 #define APPS_FRAME_VIEW_SLICES_H
 
 #include "apps/base/camera.h"
-#include "apps/techniques/voxel/range.h"
+#include "apps/base/voxel_range.h"
 #include "apps/frame/frame.h"
-#include "shaders_c/voxel/voxel_view.h"
+#include "shaders_c/voxel/pictures/view.h"
 
 /* Directions of a camera, unit length, with the picture's half sides: perspective, as tangents of
  * angles; parallel, in world units. */

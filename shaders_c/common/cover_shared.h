@@ -1,4 +1,4 @@
-/* Drawing all pixels of the viewport by one triangle, apps/techniques/voxel/flat_texture.h's flat_texture_cover. For
+/* Drawing all pixels of the viewport by one triangle, apps/techniques/voxel/volume/flat_texture.h's flat_texture_cover. For
  * shader files only. */
 #ifndef SHADERS_COVER_SHARED_H
 #define SHADERS_COVER_SHARED_H

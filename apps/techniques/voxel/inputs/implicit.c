@@ -1,12 +1,12 @@
 /* Voxels of functions: the sign at middles, or at the eight corners of each voxel, which the blend
  * unit puts together: a voxel is of the surface where some corner is inside, and not all of them
  * are. */
-#include "apps/techniques/voxel/inputs/inputs.h"
+#include "apps/techniques/voxel/inputs/implicit.h"
 
 #include "apps/scene/shapes.h"
 #include "shaders_c/common/texel_copy.h"
-#include "shaders_c/voxel/voxel_field.h"
-#include "shaders_c/voxel/voxel_implicit.h"
+#include "shaders_c/voxel/inputs/field.h"
+#include "shaders_c/voxel/inputs/implicit.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef APPS_TECHNIQUES_VOXEL_INPUTS_PAIR_H
 #define APPS_TECHNIQUES_VOXEL_INPUTS_PAIR_H
 
-#include "apps/techniques/voxel/combine.h"
+#include "apps/techniques/voxel/volume/combine.h"
 #include "apps/techniques/voxel/inputs/scene.h"
 
 /* Follows VoxelCombine. */

@@ -1,9 +1,9 @@
 /* Voxels of parametric surfaces and of points. */
-#include "apps/techniques/voxel/inputs/inputs.h"
+#include "apps/techniques/voxel/inputs/implicit.h"
 
 #include "apps/scene/shapes.h"
-#include "shaders_c/voxel/voxel_parametric.h"
-#include "shaders_c/voxel/voxel_points.h"
+#include "shaders_c/voxel/inputs/parametric.h"
+#include "shaders_c/voxel/inputs/points.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,9 +3,9 @@
 #ifndef APPS_TECHNIQUES_VOXEL_INPUTS_SCENE_H
 #define APPS_TECHNIQUES_VOXEL_INPUTS_SCENE_H
 
-#include "apps/techniques/voxel/voxel.h"
-#include "apps/techniques/voxel/inputs/inputs.h"
-#include "apps/techniques/voxel/range.h"
+#include "apps/techniques/voxel/methods/voxelize.h"
+#include "apps/techniques/voxel/inputs/implicit.h"
+#include "apps/base/voxel_range.h"
 #include "pipeline/io/mesh/mesh.h"
 
 typedef enum VoxelInput {

@@ -2,7 +2,7 @@
 #ifndef APPS_TECHNIQUES_VOXEL_METHODS_ALONG_H
 #define APPS_TECHNIQUES_VOXEL_METHODS_ALONG_H
 
-#include "apps/techniques/voxel/voxel.h"
+#include "apps/techniques/voxel/methods/voxelize.h"
 
 /* From the model to clip space, looking along an axis (0 x, 1 y, 2 z): the two axes that follow it,
  * in turn, run to the right and down over `size` voxels, and depth over the volume from 0 to 1, or

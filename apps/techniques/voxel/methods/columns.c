@@ -1,7 +1,7 @@
 /* Surfaces by columns: conservative and thin. A triangle is a point that carries its corners. */
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 #include "apps/techniques/voxel/methods/lists.h"
-#include "shaders_c/voxel/voxel_columns.h"
+#include "shaders_c/voxel/methods/columns.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,10 +2,10 @@
  * the inside of a bend, is filled.
  * source Karabassi, Papaioannou and Theoharis, "A fast depth-buffer-based voxelization algorithm",
  *        Journal of Graphics Tools 4(4), 1999 */
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 #include "apps/techniques/voxel/methods/along.h"
 #include "shaders_c/common/depth_only.h"
-#include "shaders_c/voxel/voxel_faces.h"
+#include "shaders_c/voxel/methods/faces.h"
 
 enum { FACES = 6 };
 

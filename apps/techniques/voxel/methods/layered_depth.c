@@ -4,9 +4,9 @@
  * empty ones cost their geometry, and nothing else.
  * source Heidelberger, Teschner and Gross, "Real-time volumetric intersections of deforming
  *        objects", Vision, Modeling and Visualization 2003 */
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 #include "apps/techniques/voxel/methods/along.h"
-#include "shaders_c/voxel/voxel_layers.h"
+#include "shaders_c/voxel/methods/layers.h"
 
 static void peel(const VoxelModel *model, uint32_t size, Frame *frame,
                  GpSurface *layers[VOXEL_LDI_LAYERS])

@@ -4,7 +4,7 @@
 #ifndef APPS_TECHNIQUES_VOXEL_METHODS_LISTS_H
 #define APPS_TECHNIQUES_VOXEL_METHODS_LISTS_H
 
-#include "apps/techniques/voxel/voxel.h"
+#include "apps/techniques/voxel/methods/voxelize.h"
 
 /* What a triangle may be drawn to, in voxels and with room for rounding. */
 typedef struct VoxelExtent {

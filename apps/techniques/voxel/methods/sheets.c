@@ -1,8 +1,8 @@
 #include "apps/techniques/voxel/methods/sheets.h"
 
-#include "apps/techniques/voxel/methods/parts.h"
-#include "shaders_c/voxel/sheet_copy.h"
-#include "shaders_c/voxel/voxel_sheets.h"
+#include "apps/techniques/voxel/methods/methods.h"
+#include "shaders_c/voxel/volume/sheet_copy.h"
+#include "shaders_c/voxel/methods/sheets.h"
 
 #include <string.h>
 

@@ -58,7 +58,7 @@ VoxelDirections voxel_sheets_solid(const VoxelModel *model, const VoxelSetting *
 
 /* What is looked up where sheets are turned. */
 typedef struct VoxelTables {
-    const GpSurface *places, *bits; /* slots 1 and 2 of shaders_c/voxel/voxel_turn.h */
+    const GpSurface *places, *bits; /* slots 1 and 2 of shaders_c/voxel/methods/turn.h */
     GpSurface *found;               /* slot 3 */
 } VoxelTables;
 

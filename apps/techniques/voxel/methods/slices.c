@@ -1,6 +1,6 @@
 /* The oldest baseline: all geometry once for each slice of z, cut by clip planes.
  * source Fang and Chen, "Hardware accelerated voxelization", Computers & Graphics 24(3), 2000 */
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 #include "apps/techniques/voxel/methods/along.h"
 #include "shaders_c/materials/unlit.h"
 

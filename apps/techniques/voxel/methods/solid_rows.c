@@ -1,9 +1,9 @@
 /* The printed solid: rows scanned along three axes, and the majority of what they say. */
 #include "apps/techniques/voxel/methods/sheets.h"
-#include "shaders_c/voxel/sheet_copy.h"
-#include "shaders_c/voxel/voxel_rows.h"
+#include "shaders_c/voxel/volume/sheet_copy.h"
+#include "shaders_c/voxel/methods/rows.h"
 
-/* Eight voxels of a row at once (shaders_c/voxel/voxel_rows.h). */
+/* Eight voxels of a row at once (shaders_c/voxel/methods/rows.h). */
 static const GpSurface *make_table(Frame *frame)
 {
     uint8_t codes[2][256][2];

@@ -1,6 +1,6 @@
 #include "apps/techniques/voxel/methods/sort.h"
 
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 
 #include <math.h>
 #include <string.h>

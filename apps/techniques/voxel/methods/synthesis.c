@@ -1,6 +1,6 @@
 /* The synthesis: directional flat textures into the one of the volume. */
 #include "apps/techniques/voxel/methods/sheets.h"
-#include "shaders_c/voxel/voxel_turn.h"
+#include "shaders_c/voxel/methods/turn.h"
 
 #include <string.h>
 
@@ -9,7 +9,7 @@ static uint32_t count_octets(const FlatTexture *sheet)
     return (sheet->size + 7) / 8;
 }
 
-/* For each depth its patch's origin, and where in a texel it is (shaders_c/voxel/voxel_turn.h). */
+/* For each depth its patch's origin, and where in a texel it is (shaders_c/voxel/methods/turn.h). */
 static const GpSurface *make_places(Frame *frame, const FlatTexture *sheet)
 {
     GpSurface *table = frame_surface(frame, GP_A32B32G32R32F, sheet->size, 1, 1);

@@ -1,7 +1,7 @@
 /* Solids by parity: each fragment turns over what is below it. */
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 #include "apps/techniques/voxel/methods/lists.h"
-#include "shaders_c/voxel/voxel_parity.h"
+#include "shaders_c/voxel/methods/parity.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 #include "apps/techniques/voxel/pictures/picture.h"
 
-#include "apps/techniques/voxel/inputs/scan.h"
+#include "apps/techniques/voxel/pictures/scan.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,9 +2,9 @@
 
 #include "apps/frame/view_slices.h"
 #include "shaders_c/common/texel_copy.h"
-#include "shaders_c/voxel/voxel_blocks.h"
-#include "shaders_c/voxel/voxel_light.h"
-#include "shaders_c/voxel/voxel_scan.h"
+#include "shaders_c/voxel/pictures/blocks.h"
+#include "shaders_c/voxel/pictures/light.h"
+#include "shaders_c/voxel/pictures/scan.h"
 
 #include <string.h>
 

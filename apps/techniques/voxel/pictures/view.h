@@ -3,9 +3,9 @@
 #define APPS_TECHNIQUES_VOXEL_PICTURES_VIEW_H
 
 #include "apps/base/camera.h"
-#include "apps/techniques/voxel/box.h"
-#include "apps/techniques/voxel/range.h"
-#include "apps/techniques/voxel/flat_texture.h"
+#include "apps/techniques/voxel/volume/box.h"
+#include "apps/base/voxel_range.h"
+#include "apps/techniques/voxel/volume/flat_texture.h"
 
 typedef enum VoxelViewMode { VOXEL_OPAQUE, VOXEL_TRANSPARENT } VoxelViewMode;
 typedef enum VoxelShading { VOXEL_SMOOTH, VOXEL_FACES_OF_CUBES } VoxelShading;

@@ -1,6 +1,6 @@
 /* Words that a draw brings from one surface into another: as the reference executor does it through
  * floats. */
-#include "apps/techniques/voxel/flat_texture.h"
+#include "apps/techniques/voxel/volume/flat_texture.h"
 #include "shaders_c/common/texel_copy.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

@@ -1,6 +1,6 @@
 /* The baselines of voxelization against exact voxels: what each is right about, and how each
  * fails. */
-#include "apps/techniques/voxel/methods/parts.h"
+#include "apps/techniques/voxel/methods/methods.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 

@@ -1,5 +1,5 @@
 /* Volumes put together: flat textures against the same operations on plain arrays of voxels. */
-#include "apps/techniques/voxel/combine.h"
+#include "apps/techniques/voxel/volume/combine.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

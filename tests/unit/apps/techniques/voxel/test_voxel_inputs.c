@@ -1,5 +1,5 @@
 /* Volumes of functions and points against what double precision says. */
-#include "apps/techniques/voxel/inputs/inputs.h"
+#include "apps/techniques/voxel/inputs/implicit.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh.h"
 #include "tests/support/random.h"

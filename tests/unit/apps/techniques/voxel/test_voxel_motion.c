@@ -1,6 +1,6 @@
 /* Models that move: built once, moved between frames, and each frame held against the model that the
  * processor has moved, in double. */
-#include "apps/techniques/voxel/combine.h"
+#include "apps/techniques/voxel/volume/combine.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 

@@ -1,5 +1,5 @@
 /* Parametric surfaces as points: close enough that none of their voxels is missed, or not. */
-#include "apps/techniques/voxel/inputs/inputs.h"
+#include "apps/techniques/voxel/inputs/implicit.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 

@@ -1,5 +1,5 @@
 /* Scanned volumes: their samples as voxels, and how much light they let through. */
-#include "apps/techniques/voxel/inputs/scan.h"
+#include "apps/techniques/voxel/pictures/scan.h"
 #include "tests/support/unit.h"
 #include "tests/support/view_case.h"
 

@@ -3,10 +3,10 @@
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 
-#include "shaders_c/voxel/sheet_copy.h"
-#include "shaders_c/voxel/voxel_rows.h"
-#include "shaders_c/voxel/voxel_sheets.h"
-#include "shaders_c/voxel/voxel_turn.h"
+#include "shaders_c/voxel/volume/sheet_copy.h"
+#include "shaders_c/voxel/methods/rows.h"
+#include "shaders_c/voxel/methods/sheets.h"
+#include "shaders_c/voxel/methods/turn.h"
 
 #include <math.h>
 
@@ -89,7 +89,7 @@ static void densities_count_fragments(void **state)
     voxel_case_free(&given);
 }
 
-/* The other way round from shaders_c/voxel/voxel_values.c. */
+/* The other way round from shaders_c/voxel/methods/values.c. */
 static void decode_normal(uint32_t code, uint32_t bits, double normal[3])
 {
     const uint32_t level = bits == 8 ? 14 : 254, next = bits == 8 ? 16 : 256;

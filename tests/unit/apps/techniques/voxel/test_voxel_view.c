@@ -1,5 +1,5 @@
 /* Pictures of volumes: each pixel's voxel, and how much light comes through, against rays. */
-#include "apps/techniques/voxel/inputs/scan.h"
+#include "apps/techniques/voxel/pictures/scan.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

@@ -1,0 +1,36 @@
+/* Where a volume lies in its model's space. */
+#ifndef APPS_TECHNIQUES_VOXEL_VOLUME_BOX_H
+#define APPS_TECHNIQUES_VOXEL_VOLUME_BOX_H
+
+#include "pipeline/base/base.h"
+
+/* From the model's space to voxels: q = scale * p + offset; voxel (x, y, z) is the cube from
+ * (x, y, z) to (x+1, y+1, z+1). */
+typedef struct VoxelBox {
+    uint32_t size; /* voxels a side */
+    double scale, offset[3];
+} VoxelBox;
+
+/* The box of a model, in its own unit. */
+typedef struct VoxelBounds {
+    double low[3], high[3];
+} VoxelBounds;
+
+/* That of the vertices that are referred to.
+ * in   indices: [count], NULL: all of the first `count` vertices; count at least 1 */
+VoxelBounds voxel_bounds(const float *positions, const uint32_t *indices, uint32_t count);
+
+/* Empty around a model, in voxels: along its longest side. */
+#define VOXEL_BOX_MARGIN 1.25
+
+/* The bounds fill size - 2.5 voxels along their longest side, and lie in the middle; without extent
+ * the scale is 1. */
+VoxelBox voxel_box_of(const VoxelBounds *bounds, uint32_t size);
+
+/* Both at once. */
+VoxelBox voxel_box(const float *positions, const uint32_t *indices, uint32_t count, uint32_t size);
+
+/* The same map as a matrix of rows, for shaders. */
+void voxel_box_matrix(const VoxelBox *box, float matrix[4][4]);
+
+#endif

@@ -1,0 +1,114 @@
+#include "apps/techniques/voxel/volume/combine.h"
+
+#include "shaders_c/common/texel_copy.h"
+
+#include <string.h>
+
+static void begin_pass(Frame *frame, const char *name, const FlatTexture *sheet)
+{
+    flat_texture_pass(frame, name, sheet)->color[0].clear = false;
+}
+
+/* Begins the pass that draws the result. Passes without draws come before, to make the operands
+ * targets of its neighbours: tiles hold those, and read in place what they hold; all else would be
+ * read texel by texel. */
+static void begin_result(Frame *frame, const char *name, const FlatTexture *a, const FlatTexture *b,
+                         const FlatTexture *result)
+{
+    begin_pass(frame, "operand", b);
+    if (a->texels != result->texels)
+        begin_pass(frame, "operand", a);
+    begin_pass(frame, name, result);
+}
+
+static GpDraw *draw_sheet(Frame *frame, const GpProgram *program, const FlatTexture *sheet,
+                          GpBlendOp blend)
+{
+    GpDraw *draw = frame_draw(frame, program, NULL, &flat_texture_cover);
+    draw->textures[0].surface = sheet->texels;
+    draw->state.blend[0].op = blend;
+    return draw;
+}
+
+static bool are_alike(const FlatTexture *a, const FlatTexture *b)
+{
+    return a->size == b->size && a->bits == b->bits && a->texels->width == b->texels->width &&
+           a->texels->height == b->texels->height;
+}
+
+void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, VoxelCombine operation,
+                   const FlatTexture *result)
+{
+    static const struct {
+        const GpProgram *program;
+        GpBlendOp bits, bytes;
+    } ways[] = {
+        [VOXEL_UNION] = { &texel_copy_program, GP_BLEND_LOGIC_OR, GP_BLEND_MAX },
+        [VOXEL_INTERSECTION] = { &texel_copy_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
+        [VOXEL_DIFFERENCE] = { &texel_complement_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
+    };
+    const bool in_place = a->texels == result->texels;
+    GP_ASSERT(a->bits != 16 && are_alike(a, b) && are_alike(a, result));
+    GP_ASSERT(b->texels != result->texels);
+    begin_result(frame, "combine", a, b, result);
+    if (!in_place)
+        draw_sheet(frame, &texel_copy_program, a, GP_BLEND_OFF);
+    draw_sheet(frame, ways[operation].program, b,
+               a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
+}
+
+uint32_t voxel_combine_draws(const FlatTexture *sheet)
+{
+    return 2 * sheet->slabs;
+}
+
+/* --- collision -------------------------------------------------------------------------------- */
+
+/* The range's rectangle on the patch of a slab. */
+static void cut_to_slab(GpRasterState *raster, const FlatTexture *sheet, const VoxelRange *range,
+                        uint32_t slab)
+{
+    const GpViewport patch = flat_texture_patch(sheet, slab);
+    const int32_t left = (int32_t)patch.x, top = (int32_t)patch.y;
+    raster->scissor = true;
+    raster->scissor_x0 = left + (int32_t)range->low[0];
+    raster->scissor_x1 = left + (int32_t)range->end[0];
+    raster->scissor_y0 = top + (int32_t)range->low[1];
+    raster->scissor_y1 = top + (int32_t)range->end[1];
+}
+
+void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
+                   const VoxelRange *common, const FlatTexture *result)
+{
+    GP_ASSERT(a->bits == 1 && are_alike(a, b) && are_alike(a, result));
+    GP_ASSERT(b->texels != result->texels);
+    if (voxel_range_is_empty(common))
+        return;
+    begin_result(frame, "collide", a, b, result);
+    for (uint32_t slab = common->low[2] / 32; slab * 32 < common->end[2]; slab++) {
+        GpDraw *draw;
+        if (a->texels != result->texels) {
+            draw = draw_sheet(frame, &texel_copy_program, a, GP_BLEND_OFF);
+            cut_to_slab(&draw->state.raster, result, common, slab);
+        }
+        draw = draw_sheet(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
+        cut_to_slab(&draw->state.raster, result, common, slab);
+    }
+}
+
+uint64_t voxel_count_range(const FlatTexture *sheet, const VoxelRange *range)
+{
+    uint64_t count = 0;
+    GP_ASSERT(sheet->bits == 1);
+    if (voxel_range_is_empty(range))
+        return 0;
+    for (uint32_t slab = range->low[2] / 32; slab * 32 < range->end[2]; slab++) {
+        const uint32_t first = slab * 32 < range->low[2] ? range->low[2] - slab * 32 : 0;
+        const uint32_t end = range->end[2] - slab * 32;
+        const uint32_t mask = (end < 32 ? (1u << end) - 1 : ~0u) & ~0u << first;
+        for (uint32_t y = range->low[1]; y < range->end[1]; y++)
+            count += flat_texture_count_words(flat_texture_texel(sheet, slab, range->low[0], y),
+                                              range->end[0] - range->low[0], mask);
+    }
+    return count;
+}

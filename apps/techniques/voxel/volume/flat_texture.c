@@ -1,0 +1,171 @@
+#include "apps/techniques/voxel/volume/flat_texture.h"
+
+#include <string.h>
+
+/* Patches in a row: as near to a square as makes a sheet of up to 2048 texels wide where one is
+ * enough, as the printed ones are, and wider where it is not. */
+static uint32_t choose_columns(uint32_t size, uint32_t slabs)
+{
+    uint32_t width = 2048;
+    while ((width / size) * (width / size) < slabs && width < GP_MAX_SIZE)
+        width *= 2;
+    uint32_t columns = width / size;
+    return columns < slabs ? columns : slabs;
+}
+
+GpResult flat_texture_check(uint32_t size, uint32_t bits, GpError *error)
+{
+    if (size < 8 || size > 1024)
+        return gp_fail(error, GP_ERROR_INVALID, "a volume of %u voxels a side: expected 8 to 1024",
+                       size);
+    if (bits != 1 && bits != 8 && bits != 16)
+        return gp_fail(error, GP_ERROR_INVALID, "%u bits a voxel: expected 1, 8 or 16", bits);
+    uint32_t per_texel = 32 / bits, slabs = (size + per_texel - 1) / per_texel;
+    uint32_t columns = GP_MAX_SIZE / size;
+    if ((slabs + columns - 1) / columns * size > GP_MAX_SIZE)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "%u voxels a side of %u bits: more than a surface of %d x %d texels holds",
+                       size, bits, GP_MAX_SIZE, GP_MAX_SIZE);
+    return GP_OK;
+}
+
+FlatTexture flat_texture_make_slabs(Frame *frame, uint32_t size, uint32_t bits, uint32_t slabs)
+{
+    FlatTexture sheet = { .size = size, .bits = bits, .per_texel = 32 / bits, .slabs = slabs };
+    sheet.columns = choose_columns(size, slabs);
+    uint32_t rows = (slabs + sheet.columns - 1) / sheet.columns;
+    sheet.texels = frame_surface(frame, GP_A8R8G8B8, sheet.columns * size, rows * size, 1);
+    return sheet;
+}
+
+FlatTexture flat_texture_make(Frame *frame, uint32_t size, uint32_t bits)
+{
+    uint32_t per_texel = 32 / bits;
+    return flat_texture_make_slabs(frame, size, bits, (size + per_texel - 1) / per_texel);
+}
+
+static const float corners[3][2] = { { -1, 1 }, { 3, 1 }, { -1, -3 } };
+
+const GpGeometry flat_texture_cover = {
+    .vertex_count = GP_COUNT(corners),
+    .streams = { [GP_POSITION] = { .data = corners, .components = 2 } },
+};
+
+GpViewport flat_texture_patch(const FlatTexture *sheet, uint32_t slab)
+{
+    return (GpViewport){ .x = (float)(slab % sheet->columns * sheet->size),
+                         .y = (float)(slab / sheet->columns * sheet->size),
+                         .width = (float)sheet->size,
+                         .height = (float)sheet->size };
+}
+
+GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
+                          const FlatTexture *sheet, uint32_t slab)
+{
+    GpDraw *draw = frame_draw(frame, program, uniforms, &flat_texture_cover);
+    draw->viewport = flat_texture_patch(sheet, slab);
+    return draw;
+}
+
+FlatTextureLayout flat_texture_layout(const FlatTexture *sheet)
+{
+    return (FlatTextureLayout){ .size = (float)sheet->size,
+                                .per_texel = (float)sheet->per_texel,
+                                .columns = (float)sheet->columns,
+                                .width = (float)sheet->texels->width,
+                                .height = (float)sheet->texels->height };
+}
+
+FlatTextureSlab flat_texture_slab(const FlatTexture *sheet, uint32_t slab)
+{
+    return (FlatTextureSlab){ .size = (float)sheet->size,
+                              .base = (float)(slab * sheet->per_texel) };
+}
+
+GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *sheet)
+{
+    return frame_pass(frame, name, sheet->texels, NULL, (const float[4]){ 0, 0, 0, 0 });
+}
+
+/* --- voxels ----------------------------------------------------------------------------------- */
+
+const int flat_texture_channel[4] = { 2, 1, 0, 3 };
+
+uint8_t *flat_texture_texel(const FlatTexture *sheet, uint32_t slab, uint32_t x, uint32_t y)
+{
+    return gp_surface_texel(&sheet->texels->level[0], sizeof(uint32_t),
+                            slab % sheet->columns * sheet->size + x,
+                            slab / sheet->columns * sheet->size + y);
+}
+
+size_t flat_texture_bytes(const FlatTexture *sheet)
+{
+    return ((size_t)sheet->size * sheet->size * sheet->size * sheet->bits + 7) / 8;
+}
+
+static void put_voxel(uint8_t *voxels, size_t index, uint32_t bits, uint32_t value)
+{
+    if (bits == 1) {
+        voxels[index / 8] |= (uint8_t)(value << index % 8);
+    } else {
+        voxels[index * (bits / 8)] = (uint8_t)value;
+        if (bits == 16)
+            voxels[index * 2 + 1] = (uint8_t)(value >> 8);
+    }
+}
+
+void flat_texture_read(const FlatTexture *sheet, uint8_t *voxels)
+{
+    const uint32_t size = sheet->size, bits = sheet->bits;
+    const uint32_t mask = bits == 16 ? 0xffff : (1u << bits) - 1;
+    memset(voxels, 0, flat_texture_bytes(sheet));
+    for (uint32_t slab = 0; slab < sheet->slabs; slab++)
+        for (uint32_t y = 0; y < size; y++)
+            for (uint32_t x = 0; x < size; x++) {
+                uint32_t word, z = slab * sheet->per_texel;
+                memcpy(&word, flat_texture_texel(sheet, slab, x, y), sizeof word);
+                for (; word && z < size; z++, word >>= bits)
+                    if (word & mask)
+                        put_voxel(voxels, x + size * (y + (size_t)size * z), bits, word & mask);
+            }
+}
+
+/* Bits that are set, added up in pairs, fours and bytes: plain C has no instruction for it. */
+static uint32_t count_bits(uint64_t word)
+{
+    word -= word >> 1 & 0x5555555555555555u;
+    word = (word & 0x3333333333333333u) + (word >> 2 & 0x3333333333333333u);
+    word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+    return (uint32_t)(word * 0x0101010101010101u >> 56);
+}
+
+/* Of a row of words, those bits that the mask has. Most words are empty where surfaces meet. */
+uint64_t flat_texture_count_words(const uint8_t *texels, uint32_t words, uint32_t mask)
+{
+    uint64_t count = 0, two;
+    for (; words >= 2; words -= 2, texels += sizeof two) {
+        memcpy(&two, texels, sizeof two);
+        if (two)
+            count += count_bits(two & (mask | (uint64_t)mask << 32));
+    }
+    uint32_t one = 0;
+    if (words)
+        memcpy(&one, texels, sizeof one);
+    return count + count_bits(one & mask);
+}
+
+uint64_t flat_texture_count(const FlatTexture *sheet)
+{
+    const uint32_t bits = sheet->bits, mask = bits == 16 ? 0xffff : (1u << bits) - 1;
+    uint64_t count = 0;
+    const GpLevel *level = &sheet->texels->level[0];
+    for (uint32_t y = 0; y < level->height; y++) {
+        const uint8_t *row = gp_surface_texel(level, sizeof(uint32_t), 0, y);
+        if (bits == 1)
+            count += flat_texture_count_words(row, level->width, ~0u);
+        for (uint32_t x = 0, word; bits != 1 && x < level->width; x++)
+            for (memcpy(&word, row + 4 * (size_t)x, sizeof word); word; word >>= bits)
+                count += (word & mask) != 0;
+    }
+    return count;
+}

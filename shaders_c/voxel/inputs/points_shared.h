@@ -1,0 +1,33 @@
+/* A point that sets its voxel. For shader files only. */
+#ifndef SHADERS_VOXEL_INPUTS_POINTS_SHARED_H
+#define SHADERS_VOXEL_INPUTS_POINTS_SHARED_H
+
+#include "shaders_c/voxel/inputs/points.h"
+#include "shaders_c/voxel/volume/flat_texture_shared.h"
+
+typedef struct PointVarying {
+    float4 bit; /* the voxel's, as a colour */
+} PointVarying;
+
+/* The texel of a position's voxel, in clip space; no size where the volume ends before. */
+GP_INLINE float4 set_voxel(const VoxelPointsUniforms *c, float3 position, PointVarying *out,
+                           flt *point_size)
+{
+    const FlatTextureLayout *sheet = &c->sheet;
+    float3 voxel = floor_(mad(position, c->scale, u3(c->offset)));
+    flt slab = floor_(voxel.z * (1.0f / 32)), bit = voxel.z - slab * 32.0f;
+    flt low = min(min(voxel.x, voxel.y), voxel.z), high = max(max(voxel.x, voxel.y), voxel.z);
+    *point_size = sge(low, 0) * slt(high, sheet->size);
+    out->bit = bits_between(bit, bit + 1.0f);
+    float2 origin = patch_origin(sheet, slab);
+    return sheet_position(sheet, vec2(origin.x + voxel.x + 0.5f, origin.y + voxel.y + 0.5f));
+}
+
+/* clang-format off */
+#define POINT_DECLARATIONS                                                                         \
+    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0
+#define POINT_VARYINGS                                                                             \
+    .varyings = { { "bit", 4, GP_FLAT } }, .writes_point_size = true
+/* clang-format on */
+
+#endif

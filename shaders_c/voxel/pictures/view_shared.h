@@ -1,0 +1,142 @@
+/* Voxels of flat textures as slices find them. For shader files only. */
+#ifndef SHADERS_VOXEL_PICTURES_VIEW_SHARED_H
+#define SHADERS_VOXEL_PICTURES_VIEW_SHARED_H
+
+#include "shaders_c/voxel/pictures/blocks.h"
+#include "shaders_c/voxel/pictures/view.h"
+#include "shaders_c/voxel/volume/flat_texture_shared.h"
+
+/* Where a voxel's word is, and which bit is the voxel's. */
+typedef struct VoxelPlace {
+    float2 coord;
+    flt bit;
+} VoxelPlace;
+
+/* Of whole numbers. */
+GP_INLINE VoxelPlace place_of_voxel(const FlatTextureLayout *sheet, float3 voxel)
+{
+    flt slab = whole_part(voxel.z, sheet->per_texel);
+    float2 origin = patch_origin(sheet, slab);
+    return (VoxelPlace){
+        .coord = vec2((origin.x + voxel.x + 0.5f) * (1.0f / sheet->width),
+                      (origin.y + voxel.y + 0.5f) * (1.0f / sheet->height)),
+        .bit = voxel.z - slab * sheet->per_texel,
+    };
+}
+
+/* Bit 0..31 of a word read as four bytes / 255: half, or more, of what is left of the bits up to
+ * it. The half that is added to the byte lies below all bits, and hides what division by 255
+ * rounds. */
+GP_INLINE msk has_bit(float4 word, flt bit)
+{
+    flt byte = sel(bit < 16.0f, sel(bit < 8.0f, word.z, word.y), sel(bit < 24.0f, word.x, word.w));
+    flt in_byte = bit - 8.0f * floor_(bit * (1.0f / 8));
+    return frc((byte * 255.0f + 0.5f) * exp_(-1.0f - in_byte)) >= 0.5f;
+}
+
+/* --- the ray in a slab ------------------------------------------------------------------------ */
+
+/* Of the slab's near side. */
+typedef struct SlabVertex {
+    float3 position; /* (u, v, w) */
+    flt layer;       /* of voxels */
+} SlabVertex;
+
+typedef struct SlabRay {
+    float2 start, end; /* u, v where the ray enters and leaves the slab */
+    flt layer;         /* of voxels */
+} SlabRay;
+
+/* At a vertex of the slab's near side. */
+GP_INLINE SlabRay slab_ray(const VoxelViewUniforms *c, float3 position, flt layer)
+{
+    float3 way = sub(mul(position, c->eye[3]), u3(c->eye));
+    flt share = c->thickness * rcp(way.z);
+    return (SlabRay){ .start = vec2(position.x, position.y),
+                      .end = vec2(position.x + way.x * share, position.y + way.y * share),
+                      .layer = layer };
+}
+
+enum { STEPS = 3 };
+
+/* The voxels that it goes through, and for which share of its way. */
+typedef struct Walk {
+    float2 voxel[STEPS];
+    flt share[STEPS];
+} Walk;
+
+/* Share of the way to the boundary between two voxels that are the same or neighbours; 1: none. */
+GP_INLINE flt crossing(flt from, flt to, flt first, flt last)
+{
+    flt share = (max(first, last) - from) * rcp(to - from);
+    return sel(first == last, bcast(1), sat(share));
+}
+
+GP_INLINE Walk walk_slab(const SlabRay *ray)
+{
+    float2 first = floor_(ray->start), last = floor_(ray->end);
+    flt u = crossing(ray->start.x, ray->end.x, first.x, last.x);
+    flt v = crossing(ray->start.y, ray->end.y, first.y, last.y);
+    msk u_first = u < v;
+    flt one = min(u, v), two = max(u, v);
+    return (Walk){ .voxel = { first,
+                              vec2(sel(u_first, last.x, first.x), sel(u_first, first.y, last.y)),
+                              last },
+                   .share = { one, two - one, 1.0f - two } };
+}
+
+GP_INLINE float3 voxel_at(const VoxelViewUniforms *c, float2 across, flt layer)
+{
+    float3 at = vec3(across.x, across.y, layer);
+    return vec3(dp3(at, u3(c->axes[0])), dp3(at, u3(c->axes[1])), dp3(at, u3(c->axes[2])));
+}
+
+/* The voxel's kind; 0: empty, or beside the volume along u or v. */
+GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 across, flt layer,
+                      bool two)
+{
+    float2 from_middle = abs_(sub(across, (c->sheet.size - 1) * 0.5f));
+    msk inside = max(from_middle.x, from_middle.y) < c->sheet.size * 0.5f;
+    VoxelPlace place = place_of_voxel(&c->sheet, voxel_at(c, across, layer));
+    flt kind = sel(has_bit(texld(0, place.coord), place.bit), bcast(VOXEL_KIND_FIRST), 0);
+    if (two)
+        kind = kind + sel(has_bit(texld(1, place.coord), place.bit), bcast(VOXEL_KIND_SECOND), 0);
+    return sel(inside, kind, 0);
+}
+
+/* Whether the way through a slab may meet a voxel: its block has any, or a neighbour. */
+GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
+{
+    float2 inside = min(max(floor_(ray->start), 0.0f), c->sheet.size - 1);
+    float3 block = floor_(mul(voxel_at(c, inside, ray->layer), 1.0f / (float)VOXEL_BLOCK));
+    flt slab = floor_(block.z * 0.25f), byte = block.z - slab * 4.0f;
+    float4 blocks =
+        texld(3, vec2((slab * c->block_columns + block.x + 0.5f) * (1.0f / c->blocks_width),
+                      (block.y + 0.5f) * (1.0f / c->blocks_height)));
+    flt own = sel(byte < 2.0f, sel(byte < 1.0f, blocks.z, blocks.y),
+                  sel(byte < 3.0f, blocks.x, blocks.w));
+    return own > 0.0f;
+}
+
+/* Length of the ray in the slab, in voxels. */
+GP_INLINE flt way_through(const VoxelViewUniforms *c, const SlabRay *ray)
+{
+    float2 across = sub(ray->end, ray->start);
+    return sqrt_(dp2add(across, across, bcast(c->thickness * c->thickness)));
+}
+
+/* Length of it in voxels of the volume in slot 0. What absorbs does so by the length of the way in
+ * it: light loses the same share in each unit. */
+GP_INLINE flt way_in_first(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
+{
+    Walk walk = walk_slab(ray);
+    msk near = is_near_voxels(gp, c, ray);
+    flt share = bcast(0);
+    for (int i = 0; i < STEPS && any(near); i++) {
+        flt kind = kind_at(gp, c, walk.voxel[i], ray->layer, false);
+        share = mad(kind, walk.share[i], share);
+    }
+    return sel(near, share * way_through(c, ray), 0);
+}
+
+#endif
