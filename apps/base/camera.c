@@ -165,3 +165,19 @@ void camera_matrix(const Camera *camera, double aspect, float world_to_clip[4][4
         for (int j = 0; j < 4; j++)
             world_to_clip[i][j] = (float)product[i][j];
 }
+
+CameraAxes camera_axes(const Camera *camera, double aspect)
+{
+    double view[4][4], sine, cosine;
+    CameraAxes axes;
+    camera_view(camera, view);
+    for (int k = 0; k < 3; k++) {
+        axes.right[k] = view[0][k];
+        axes.up[k] = view[1][k];
+        axes.forward[k] = -view[2][k];
+    }
+    angle_sincos(camera->fovy / 2, &sine, &cosine);
+    axes.half_height = camera->fovy > 0 ? sine / cosine : camera->height / 2;
+    axes.half_width = axes.half_height * aspect;
+    return axes;
+}

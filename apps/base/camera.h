@@ -26,6 +26,15 @@ void camera_projection(const Camera *camera, double aspect, double projection[4]
 /* World to clip space, rounded to float once, at the end. */
 void camera_matrix(const Camera *camera, double aspect, float world_to_clip[4][4]);
 
+/* Directions of a camera, unit length, with the picture's half sides: perspective, as tangents of
+ * angles; parallel, in world units. */
+typedef struct CameraAxes {
+    double right[3], up[3], forward[3];
+    double half_width, half_height;
+} CameraAxes;
+
+CameraAxes camera_axes(const Camera *camera, double aspect);
+
 void matrix_identity(double m[4][4]);
 
 /* out = a * b; out is neither of them. */

@@ -2,6 +2,7 @@
 #include "apps/commands/commands.h"
 #include "apps/base/json.h"
 #include "apps/frame/picture.h"
+#include "apps/scene/volume.h"
 #include "apps/techniques/voxel/technique.h"
 #include "apps/commands/technique_command.h"
 #include "apps/techniques/voxel/options.h"
@@ -210,17 +211,11 @@ static void place_first(const VoxelOptions *options, VoxelScene *scene)
 static GpResult open_others(const VoxelOptions *options, VoxelScene *second, GpVolume *scan,
                             GpError *error)
 {
-    char found[4096];
     GpResult result = GP_OK;
     if (options->with)
         result = voxel_scene_open(options->with, second, error);
     take_points(options, second);
-    if (!result && options->scan) {
-        result = gp_data_find(options->scan, found, sizeof found, error);
-        if (!result)
-            result = gp_volume_read(found, scan, error);
-    }
-    return result;
+    return result || !options->scan ? result : volume_open(options->scan, scan, error);
 }
 
 /* Of a scan's longest side, where nothing else is said of the model inside. */

@@ -8,22 +8,6 @@ enum { MOST_PARTS = 16 };
  * interpolation rounds by. */
 #define STEEPER 1.001
 
-CameraFrame camera_frame(const Camera *camera, double aspect)
-{
-    double view[4][4], sine, cosine;
-    CameraFrame frame;
-    camera_view(camera, view);
-    for (int k = 0; k < 3; k++) {
-        frame.right[k] = view[0][k];
-        frame.up[k] = view[1][k];
-        frame.forward[k] = -view[2][k];
-    }
-    angle_sincos(camera->fovy / 2, &sine, &cosine);
-    frame.half_height = camera->fovy > 0 ? sine / cosine : camera->height / 2;
-    frame.half_width = frame.half_height * aspect;
-    return frame;
-}
-
 /* --- how many --------------------------------------------------------------------------------- */
 
 /* Voxels that a ray moves along u or v while it moves by one along w; infinite where it does
@@ -36,16 +20,16 @@ static double steepness(const ViewSlices *slices, const double ray[3])
 }
 
 /* The steepest ray of the picture is one of its corners'. */
-static double steepest_of_picture(const ViewSlices *slices, const CameraFrame *frame)
+static double steepest_of_picture(const ViewSlices *slices, const CameraAxes *axes)
 {
     const bool perspective = slices->camera->fovy > 0;
     double most = 0;
     for (int corner = 0; corner < 4; corner++) {
-        const double x = perspective ? (corner & 1 ? 1 : -1) * frame->half_width : 0;
-        const double y = perspective ? (corner & 2 ? 1 : -1) * frame->half_height : 0;
+        const double x = perspective ? (corner & 1 ? 1 : -1) * axes->half_width : 0;
+        const double y = perspective ? (corner & 2 ? 1 : -1) * axes->half_height : 0;
         double ray[3];
         for (int k = 0; k < 3; k++)
-            ray[k] = frame->forward[k] + x * frame->right[k] + y * frame->up[k];
+            ray[k] = axes->forward[k] + x * axes->right[k] + y * axes->up[k];
         const double one = steepness(slices, ray);
         most = one > most ? one : most;
     }
@@ -70,16 +54,16 @@ static double steepest_of_box(const ViewSlices *slices)
 GpResult view_slices_find(const VoxelRange *range, const Camera *camera, double aspect,
                           ViewSlices *slices, GpError *error)
 {
-    const CameraFrame frame = camera_frame(camera, aspect);
+    const CameraAxes axes = camera_axes(camera, aspect);
     ViewSlices found = { .range = *range, .camera = camera };
     int axis = 0;
     for (int k = 1; k < 3; k++)
-        axis = fabs(frame.forward[k]) > fabs(frame.forward[axis]) ? k : axis;
+        axis = fabs(axes.forward[k]) > fabs(axes.forward[axis]) ? k : axis;
     for (int k = 0; k < 3; k++)
         found.axes[k] = (axis + 1 + k) % 3;
-    found.toward = frame.forward[axis] < 0 ? -1 : 1;
+    found.toward = axes.forward[axis] < 0 ? -1 : 1;
 
-    double steepest = steepest_of_picture(&found, &frame);
+    double steepest = steepest_of_picture(&found, &axes);
     if (camera->fovy > 0 && steepest_of_box(&found) < steepest)
         steepest = steepest_of_box(&found);
     if (steepest * STEEPER > MOST_PARTS)
@@ -161,14 +145,14 @@ GpGeometry view_slices_quads(Frame *frame, const ViewSlices *slices, bool neares
 VoxelViewUniforms view_slices_uniforms(const ViewSlices *slices, double aspect)
 {
     const Camera *camera = slices->camera;
-    const CameraFrame frame = camera_frame(camera, aspect);
+    const CameraAxes axes = camera_axes(camera, aspect);
     VoxelViewUniforms uniforms = { .thickness = (float)(slices->toward / slices->parts) };
     float to_clip[4][4];
     camera_matrix(camera, aspect, to_clip);
     for (int k = 0; k < 3; k++) {
         const int axis = slices->axes[k];
         uniforms.axes[axis][k] = 1;
-        uniforms.eye[k] = (float)(camera->fovy > 0 ? camera->eye[axis] : -frame.forward[axis]);
+        uniforms.eye[k] = (float)(camera->fovy > 0 ? camera->eye[axis] : -axes.forward[axis]);
         for (int row = 0; row < 4; row++)
             uniforms.to_clip[row][k] = to_clip[row][axis];
     }

@@ -7,16 +7,6 @@
 #include "apps/frame/frame.h"
 #include "shaders_c/voxel/pictures/view.h"
 
-/* Directions of a camera, unit length, with the picture's half sides: perspective, as tangents of
- * angles; parallel, in world units. */
-typedef struct CameraFrame {
-    double right[3], up[3], forward[3];
-    double half_width, half_height;
-} CameraFrame;
-
-/* in   aspect: the picture's width through its height */
-CameraFrame camera_frame(const Camera *camera, double aspect);
-
 /* Slices in their order from the eye. */
 typedef struct ViewSlices {
     VoxelRange range; /* where voxels may be; not empty */

@@ -1,10 +1,6 @@
 #include "apps/scene/bounds.h"
 
-#include <math.h>
 #include <string.h>
-
-static const Box empty_box = { { HUGE_VAL, HUGE_VAL, HUGE_VAL },
-                               { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
 void draw_position(const GpDraw *draw, uint32_t vertex, double position[3])
 {
@@ -15,43 +11,29 @@ void draw_position(const GpDraw *draw, uint32_t vertex, double position[3])
         position[k] = (double)p[k];
 }
 
-static void add_point(Box *box, const double point[3])
+Bounds draw_bounds(const GpDraw *draw)
 {
-    for (int k = 0; k < 3; k++) {
-        box->low[k] = fmin(box->low[k], point[k]);
-        box->high[k] = fmax(box->high[k], point[k]);
-    }
+    const GpStream *stream = &draw->geometry.streams[GP_POSITION];
+    return bounds_of(stream->data, stream->stride, NULL, draw->geometry.vertex_count);
 }
 
-Box draw_box(const GpDraw *draw)
-{
-    Box box = empty_box;
-    double position[3];
-    for (uint32_t i = 0; i < draw->geometry.vertex_count; i++) {
-        draw_position(draw, i, position);
-        add_point(&box, position);
-    }
-    return box;
-}
-
-Box scene_box(const Scene *scene)
+Bounds scene_bounds(const Scene *scene)
 {
     const GpPass *pass = &scene->list.passes[0];
-    Box all = empty_box;
+    Bounds all = bounds_of_nothing;
     for (uint32_t i = 0; i < pass->draw_count; i++) {
-        Box box = draw_box(&pass->draws[i]);
-        add_point(&all, box.low);
-        add_point(&all, box.high);
+        const Bounds one = draw_bounds(&pass->draws[i]);
+        bounds_join(&all, &one);
     }
     return all;
 }
 
 bool only_receives(const Scene *scene, const SceneLight *light, const GpDraw *draw)
 {
-    Box own = draw_box(draw);
+    Bounds own = draw_bounds(draw);
     if (own.high[0] > own.low[0] && own.high[1] > own.low[1] && own.high[2] > own.low[2])
         return false;
-    Box all = scene_box(scene);
+    Bounds all = scene_bounds(scene);
     for (int k = 0; k < 3; k++) {
         double plane = own.low[k];
         double from_light = light->position[k] - (light->directional ? 0 : plane);

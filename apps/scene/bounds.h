@@ -2,16 +2,13 @@
 #ifndef APPS_SCENE_BOUNDS_H
 #define APPS_SCENE_BOUNDS_H
 
+#include "apps/base/bounds.h"
 #include "apps/scene/scene.h"
-
-typedef struct Box {
-    double low[3], high[3]; /* of nothing: infinite, and low above high */
-} Box;
 
 void draw_position(const GpDraw *draw, uint32_t vertex, double position[3]);
 
-Box draw_box(const GpDraw *draw);
-Box scene_box(const Scene *scene); /* of all objects of the first pass */
+Bounds draw_bounds(const GpDraw *draw);
+Bounds scene_bounds(const Scene *scene); /* of all objects of the first pass */
 
 /* Whether an object cannot cast: a level floor under everything but the light shades nothing, since
  * the light is above it as is all that it could shade. The same for walls along the axes. */

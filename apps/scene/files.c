@@ -1,55 +1,7 @@
-/* Meshes, points and pictures from files, as scenes hold them. */
+/* Pictures from files, as scenes hold them. */
 #include "apps/scene/loader.h"
 
 #include "pipeline/io/image/image.h"
-#include "pipeline/io/mesh/mesh.h"
-
-#include <string.h>
-
-/* Files have v = 0 at the bottom of a picture, scenes at the top. */
-static void copy_vertex(const GpMesh *mesh, uint32_t i, ShapeVertex *vertex)
-{
-    memcpy(vertex->position, mesh->positions + 3 * (size_t)i, sizeof vertex->position);
-    memcpy(vertex->normal, mesh->normals + 3 * (size_t)i, sizeof vertex->normal);
-    if (mesh->colors)
-        memcpy(vertex->color, mesh->colors + 4 * (size_t)i, sizeof vertex->color);
-    if (mesh->texcoords) {
-        vertex->texcoord[0] = mesh->texcoords[2 * (size_t)i];
-        vertex->texcoord[1] = 1 - mesh->texcoords[2 * (size_t)i + 1];
-    }
-}
-
-static GpResult load(const char *path, bool points, Shape *shape, GpError *error)
-{
-    GpMesh mesh = { 0 };
-    GpResult result = gp_mesh_read(path, points ? GP_MESH_ALLOW_POINTS : 0, &mesh, error);
-    if (result)
-        return result;
-    uint32_t indices = points ? 0 : 3 * mesh.triangle_count;
-    result = shape_alloc(shape, mesh.vertex_count, indices);
-    if (result) {
-        gp_mesh_free(&mesh);
-        return gp_fail(error, result, "%.200s: no memory", path);
-    }
-    for (uint32_t i = 0; i < mesh.vertex_count; i++)
-        copy_vertex(&mesh, i, &shape->vertices[i]);
-    if (indices)
-        memcpy(shape->indices, mesh.indices, indices * sizeof *mesh.indices);
-    gp_mesh_free(&mesh);
-    return GP_OK;
-}
-
-GpResult scene_load_mesh(const char *path, Shape *shape, GpError *error)
-{
-    return load(path, false, shape, error);
-}
-
-GpResult scene_load_points(const char *path, Shape *shape, GpError *error)
-{
-    return load(path, true, shape, error);
-}
-
-/* --- pictures -------------------------------------------------------------------------------- */
 
 /* The format that loses nothing; grey and missing alpha are filled in. */
 static GpFormat surface_format(const GpImage *image, bool srgb)

@@ -93,11 +93,9 @@ void scene_read_viewport(Node node, GpViewport *viewport);
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,
                          GpDraw *draw);
 
-/* Files as surfaces and shapes. errors GP_ERROR_IO, GP_ERROR_FORMAT, GP_ERROR_MEMORY */
+/* A file as a surface. errors GP_ERROR_IO, GP_ERROR_FORMAT, GP_ERROR_MEMORY */
 GpResult scene_load_image(const char *path, bool srgb, bool mips, GpSurface **surface,
                           GpError *error);
-GpResult scene_load_mesh(const char *path, Shape *shape, GpError *error);
-GpResult scene_load_points(const char *path, Shape *shape, GpError *error);
 
 /* One element of "textures". */
 void scene_read_texture(Loader *loader, Node node, GpTexture *texture);

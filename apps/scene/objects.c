@@ -1,7 +1,7 @@
 /* Objects from JSON: geometry, brought to the world, with material and state. */
+#include "apps/base/bounds.h"
 #include "apps/scene/loader.h"
-
-#include "pipeline/io/file.h"
+#include "apps/scene/model.h"
 
 #include <math.h>
 #include <string.h>
@@ -76,15 +76,6 @@ static void read_inline(Node node, Shape *shape)
         shape_compute_normals(shape);
 }
 
-static GpResult load_file(const char *name, bool points, Shape *shape, GpError *error)
-{
-    char path[1024];
-    GpResult result = gp_data_find(name, path, sizeof path, error);
-    if (result)
-        return result;
-    return points ? scene_load_points(path, shape, error) : scene_load_mesh(path, shape, error);
-}
-
 /* "mesh": a name, or the mesh itself; "points": a name. */
 static void read_shape(const Node *node, bool points, Shape *shape)
 {
@@ -96,43 +87,28 @@ static void read_shape(const Node *node, bool points, Shape *shape)
     if (!name)
         return;
     GpError reason = { "" };
-    GpResult result;
-    if (strncmp(name, "builtin:", 8) != 0) {
-        result = load_file(name, points, shape, &reason);
-    } else {
-        result = points ? shape_create_points(name + 8, shape) : shape_create(name + 8, shape);
-        gp_fail(&reason, result, "no builtin %s '%.40s'", points ? "points" : "mesh", name + 8);
-    }
+    GpResult result = model_shape(name, points, shape, &reason);
     if (result)
         scene_fail(node, result, &reason);
 }
 
 /* --- to the world ---------------------------------------------------------------------------- */
 
-static void bounds(const Shape *shape, double low[3], double high[3])
+static Bounds bounds(const Shape *shape)
 {
-    for (int k = 0; k < 3; k++) {
-        low[k] = (double)INFINITY;
-        high[k] = -(double)INFINITY;
-        for (uint32_t i = 0; i < shape->vertex_count; i++) {
-            double x = (double)shape->vertices[i].position[k];
-            low[k] = x < low[k] ? x : low[k];
-            high[k] = x > high[k] ? x : high[k];
-        }
-    }
+    return bounds_of(shape->vertices->position, sizeof *shape->vertices, NULL, shape->vertex_count);
 }
 
 /* "fit" [x, y, z, size]: the centre of the box goes to x and z, its floor to y, its longest side to
  * size. */
 static void read_fit(const Node *node, const Shape *shape, double m[4][4])
 {
-    double fit[4] = { 0 }, low[3], high[3], longest = 0;
+    double fit[4] = { 0 };
     node_doubles(node, fit, 4, -FAR, FAR);
     if (!(fit[3] > 0))
         node_fail(node, GP_ERROR_FORMAT, "expected x, y, z and a size above 0");
-    bounds(shape, low, high);
-    for (int i = 0; i < 3; i++)
-        longest = high[i] - low[i] > longest ? high[i] - low[i] : longest;
+    const Bounds box = bounds(shape);
+    const double longest = bounds_longest(&box), *low = box.low, *high = box.high;
     double s = longest > 0 ? fit[3] / longest : 1;
     matrix_identity(m);
     for (int i = 0; i < 3; i++) {
@@ -205,19 +181,18 @@ static void read_color(const Node *node, Shape *shape)
 {
     static const char *const sources[] = { "position", "normal" };
     float color[4] = { 1, 1, 1, 1 };
-    double low[3], high[3];
     if (!node_exists(node))
         return;
     int source = json_is_string(node->value) ? node_name(node, 0, sources, 2) : -1;
     if (source < 0)
         node_numbers(node, color, 4, 0, 1);
-    bounds(shape, low, high);
+    const Bounds box = bounds(shape);
     for (uint32_t i = 0; i < shape->vertex_count; i++) {
         ShapeVertex *vertex = &shape->vertices[i];
         for (int k = 0; k < 3; k++) {
-            double size = high[k] > low[k] ? high[k] - low[k] : 1;
+            double size = box.high[k] > box.low[k] ? box.high[k] - box.low[k] : 1;
             if (source == 0)
-                color[k] = (float)(((double)vertex->position[k] - low[k]) / size);
+                color[k] = (float)(((double)vertex->position[k] - box.low[k]) / size);
             else if (source == 1)
                 color[k] = 0.5f + 0.5f * vertex->normal[k];
         }
@@ -290,6 +265,8 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
         return;
     }
     keep_shape(loader, node, &shape);
+    if (loader->reader.result)
+        return;
     if (node_exists(&transform)) {
         read_transform(transform, m);
         transform_shape(&shape, m);

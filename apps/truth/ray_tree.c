@@ -1,17 +1,15 @@
 #include "apps/truth/ray_tree.h"
 
+#include "apps/base/bounds.h"
+
 enum {
     BINS = 16,
     /* Below this depth lists are halved, which takes 32 more levels at most. */
     CUT_DEPTH = TRUTH_TREE_DEPTH - 32
 };
 
-typedef struct Box {
-    double low[3], high[3];
-} Box;
-
 typedef struct Item {
-    Box box;
+    Bounds box;
     double centre[3];
     uint32_t triangle;
 } Item;
@@ -28,27 +26,8 @@ typedef struct Cut {
     double low, high, cost;
 } Cut;
 
-static const Box empty_box = { { HUGE_VAL, HUGE_VAL, HUGE_VAL },
-                               { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
-
-static void box_add_point(Box *box, const double point[3])
-{
-    for (int i = 0; i < 3; i++) {
-        box->low[i] = point[i] < box->low[i] ? point[i] : box->low[i];
-        box->high[i] = point[i] > box->high[i] ? point[i] : box->high[i];
-    }
-}
-
-static void box_add(Box *box, const Box *other)
-{
-    for (int i = 0; i < 3; i++) {
-        box->low[i] = other->low[i] < box->low[i] ? other->low[i] : box->low[i];
-        box->high[i] = other->high[i] > box->high[i] ? other->high[i] : box->high[i];
-    }
-}
-
 /* Half the surface; of an empty box 0. */
-static double box_area(const Box *box)
+static double box_area(const Bounds *box)
 {
     double size[3];
     truth_subtract(box->high, box->low, size);
@@ -57,9 +36,9 @@ static double box_area(const Box *box)
 
 static Item make_item(const TruthTriangle *triangle, uint32_t number)
 {
-    Item item = { .box = empty_box, .triangle = number };
+    Item item = { .box = bounds_of_nothing, .triangle = number };
     for (int i = 0; i < 3; i++)
-        box_add_point(&item.box, triangle->corner[i]);
+        bounds_add(&item.box, triangle->corner[i]);
     for (int i = 0; i < 3; i++)
         item.centre[i] = 0.5 * item.box.low[i] + 0.5 * item.box.high[i];
     return item;
@@ -74,25 +53,25 @@ static int bin_of(const Cut *cut, const Item *item)
 /* Takes the best bin on the cut's axis, if any is better than the best so far. */
 static void try_axis(const Item *items, uint32_t count, Cut cut, Cut *best)
 {
-    Box box[BINS];
+    Bounds box[BINS];
     uint32_t size[BINS] = { 0 };
     for (int i = 0; i < BINS; i++)
-        box[i] = empty_box;
+        box[i] = bounds_of_nothing;
     for (uint32_t i = 0; i < count; i++) {
         int bin = bin_of(&cut, &items[i]);
-        box_add(&box[bin], &items[i].box);
+        bounds_join(&box[bin], &items[i].box);
         size[bin]++;
     }
     double high_cost[BINS];
-    Box high = empty_box, low = empty_box;
+    Bounds high = bounds_of_nothing, low = bounds_of_nothing;
     uint32_t high_size = 0, low_size = 0;
     for (int i = BINS - 1; i > 0; i--) {
-        box_add(&high, &box[i]);
+        bounds_join(&high, &box[i]);
         high_size += size[i];
         high_cost[i] = box_area(&high) * high_size;
     }
     for (cut.bin = 1; cut.bin < BINS; cut.bin++) {
-        box_add(&low, &box[cut.bin - 1]);
+        bounds_join(&low, &box[cut.bin - 1]);
         low_size += size[cut.bin - 1];
         cut.cost = box_area(&low) * low_size + high_cost[cut.bin];
         if (low_size > 0 && low_size < count && cut.cost < best->cost)
@@ -115,9 +94,9 @@ static uint32_t partition(Item *items, uint32_t count, const Cut *cut)
 /* Puts the items of the low side first and returns their number, between 1 and count - 1. */
 static uint32_t divide(Item *items, uint32_t count, int depth, uint32_t *axis)
 {
-    Box centres = empty_box;
+    Bounds centres = bounds_of_nothing;
     for (uint32_t i = 0; i < count; i++)
-        box_add_point(&centres, items[i].centre);
+        bounds_add(&centres, items[i].centre);
     Cut best = { .cost = HUGE_VAL };
     for (int i = 0; i < 3 && depth < CUT_DEPTH; i++)
         if (centres.high[i] > centres.low[i])
@@ -131,9 +110,9 @@ static void build(Builder *builder, uint32_t node, uint32_t first, uint32_t coun
 {
     TruthNode *made = &builder->nodes[node];
     Item *items = builder->items + first;
-    Box box = empty_box;
+    Bounds box = bounds_of_nothing;
     for (uint32_t i = 0; i < count; i++)
-        box_add(&box, &items[i].box);
+        bounds_join(&box, &items[i].box);
     *made = (TruthNode){ .first = first, .count = count };
     for (int i = 0; i < 3; i++) {
         made->low[i] = box.low[i];

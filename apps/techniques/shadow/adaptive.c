@@ -131,7 +131,7 @@ static void crop(double from[4][4], uint32_t tile, uint32_t length, float to[4][
 }
 
 /* False where all of a box is on the outer side of one of a view's four sides. */
-static bool may_see(float clip[4][4], const Box *box)
+static bool may_see(float clip[4][4], const Bounds *box)
 {
     int outside[4] = { 0 };
     for (int corner = 0; corner < 8; corner++) {
@@ -156,11 +156,11 @@ static void draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, const uint32_
                        uint32_t count)
 {
     const GpPass *scene = &build->scene->list.passes[0];
-    Box *boxes = frame_alloc(build->frame, scene->draw_count, sizeof *boxes);
+    Bounds *boxes = frame_alloc(build->frame, scene->draw_count, sizeof *boxes);
     float(*clip)[4][4] = frame_alloc(build->frame, count, sizeof *clip);
     float size = (float)lamp->tile;
     for (uint32_t i = 0; i < scene->draw_count; i++)
-        boxes[i] = draw_box(&scene->draws[i]);
+        boxes[i] = draw_bounds(&scene->draws[i]);
     for (uint32_t slot = 0, length; slot < count; slot += length) {
         length = run_length(lamp, tiles, slot, count);
         crop(lamp->view[0].clip, tiles[slot], length, clip[slot]);

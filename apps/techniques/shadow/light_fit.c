@@ -120,7 +120,7 @@ static void frustum_planes(double clip[4][4], Plane planes[6])
     }
 }
 
-static void box_planes(const Box *box, Plane planes[6])
+static void box_planes(const Bounds *box, Plane planes[6])
 {
     for (int k = 0; k < 3; k++) {
         double row[4] = { 0 };
@@ -183,7 +183,7 @@ static Seen look(const Scene *scene, const SceneLight *light, double eye[4][4], 
     frustum_planes(eye, planes);
     frustum_planes(map, planes + 6);
     for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
-        Box box = draw_box(&scene->list.passes[0].draws[i]);
+        Bounds box = draw_bounds(&scene->list.passes[0].draws[i]);
         double size = 0;
         for (int k = 0; k < 3; k++)
             size = fmax(size, fmax(fabs(box.low[k]), fabs(box.high[k])));

@@ -32,7 +32,7 @@ static Camera aim(const Scene *scene, const SceneLight *light, int side)
         return camera;
     }
     /* A wall of rays over the ball around the scene's box. */
-    Box box = scene_box(scene);
+    Bounds box = scene_bounds(scene);
     double middle[3], size[3];
     for (int k = 0; k < 3; k++) {
         middle[k] = 0.5 * (box.low[k] + box.high[k]);

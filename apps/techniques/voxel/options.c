@@ -111,8 +111,8 @@ static void parse_from(struct argp_state *state, const char *text, VoxelPicture 
     if (fabs(angles[0]) > 360 || fabs(angles[1]) > 89)
         argp_error(state, "--from: expected -360 to 360 and -89 to 89 degrees, not %g %g",
                    angles[0], angles[1]);
-    picture->azimuth = angles[0];
-    picture->elevation = angles[1];
+    picture->orbit.azimuth = angles[0];
+    picture->orbit.elevation = angles[1];
 }
 
 /* Of pictures; false: another key. */
@@ -136,10 +136,10 @@ static bool parse_picture(int key, const char *text, struct argp_state *state,
         parse_from(state, text, picture);
         return true;
     case KEY_UP:
-        picture->up = parse_name(state, "--up", ups, "y, z, x, -y or -z", text);
+        picture->orbit.up = parse_name(state, "--up", ups, "y, z, x, -y or -z", text);
         return true;
     case KEY_ZOOM:
-        picture->zoom = parse_number(state, "--zoom", text, 0.1, 10);
+        picture->orbit.zoom = parse_number(state, "--zoom", text, 0.1, 10);
         return true;
     default:
         return false;

@@ -7,20 +7,9 @@ typedef struct Similarity {
     double scale, offset[3];
 } Similarity;
 
-static double longest_side(const VoxelBounds *bounds)
+static Similarity place_beside(const VoxelPlace *place, const Bounds *bounds, const Bounds *other)
 {
-    double longest = 0;
-    for (int k = 0; k < 3; k++) {
-        const double side = bounds->high[k] - bounds->low[k];
-        longest = side > longest ? side : longest;
-    }
-    return longest;
-}
-
-static Similarity place_beside(const VoxelPlace *place, const VoxelBounds *bounds,
-                               const VoxelBounds *other)
-{
-    const double side = longest_side(other), own = longest_side(bounds);
+    const double side = bounds_longest(other), own = bounds_longest(bounds);
     Similarity to = { .scale = place->fit > 0 && own > 0 ? place->fit * side / own : 1 };
     for (int k = 0; k < 3; k++) {
         const double middle = (bounds->low[k] + bounds->high[k]) / 2;
@@ -43,8 +32,8 @@ static VoxelBox box_beside(const Similarity *to, const VoxelBox *other)
 static void place_two(const VoxelPair *pair, uint32_t size, VoxelBox boxes[2])
 {
     const VoxelScene *first = pair->scenes[0];
-    VoxelBounds both = voxel_scene_bounds(first);
-    const VoxelBounds second = voxel_scene_bounds(pair->scenes[1]);
+    Bounds both = voxel_scene_bounds(first);
+    const Bounds second = voxel_scene_bounds(pair->scenes[1]);
     const Similarity to = place_beside(&pair->place, &second, &both);
     for (int k = 0; k < 3; k++) {
         const double low = to.scale * second.low[k] + to.offset[k];
@@ -61,8 +50,8 @@ static VoxelBox place_one(const VoxelPair *pair, uint32_t size)
 {
     const VoxelScene *scene = pair->scenes[0];
     const double least = VOXEL_BOX_MARGIN, most = size - VOXEL_BOX_MARGIN;
-    const VoxelBounds cube = { { least, least, least }, { most, most, most } };
-    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    const Bounds cube = { { least, least, least }, { most, most, most } };
+    const Bounds bounds = voxel_scene_bounds(scene);
     if (scene->is_placed || !(pair->place.fit > 0))
         return voxel_scene_box(scene, size);
     const Similarity to = place_beside(&pair->place, &bounds, &cube);

@@ -1,7 +1,6 @@
 #include "apps/techniques/voxel/inputs/scene.h"
 
-#include "apps/scene/shapes.h"
-#include "pipeline/io/file.h"
+#include "apps/scene/model.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,50 +12,6 @@
 enum { ANY_SIZE = 64 }; /* of a volume, where only its place counts */
 
 /* --- files and names -------------------------------------------------------------------------- */
-
-/* The arrays of a mesh from the vertices of a shape. errors GP_ERROR_MEMORY */
-static GpResult mesh_of_shape(const Shape *shape, GpMesh *mesh)
-{
-    const uint32_t count = shape->vertex_count;
-    *mesh = (GpMesh){ .positions = gp_alloc(count, 3 * sizeof(float)),
-                      .normals = gp_alloc(count, 3 * sizeof(float)),
-                      .colors = gp_alloc(count, 4 * sizeof(float)),
-                      .indices = gp_alloc(shape->index_count, sizeof(uint32_t)),
-                      .vertex_count = count,
-                      .triangle_count = shape->index_count / 3 };
-    if (!mesh->positions || !mesh->normals || !mesh->colors || !mesh->indices) {
-        gp_mesh_free(mesh);
-        return GP_ERROR_MEMORY;
-    }
-    for (uint32_t i = 0; i < count; i++) {
-        const ShapeVertex *vertex = &shape->vertices[i];
-        memcpy(mesh->positions + 3 * (size_t)i, vertex->position, sizeof vertex->position);
-        memcpy(mesh->normals + 3 * (size_t)i, vertex->normal, sizeof vertex->normal);
-        memcpy(mesh->colors + 4 * (size_t)i, vertex->color, sizeof vertex->color);
-    }
-    memcpy(mesh->indices, shape->indices, shape->index_count * sizeof *mesh->indices);
-    return GP_OK;
-}
-
-static GpResult make_builtin(const char *name, GpMesh *mesh, GpError *error)
-{
-    Shape shape;
-    GpResult result = shape_create(name, &shape);
-    if (result == GP_ERROR_INVALID)
-        return gp_fail(error, result, "no builtin mesh '%.40s'", name);
-    if (!result) {
-        result = mesh_of_shape(&shape, mesh);
-        shape_free(&shape);
-    }
-    return result ? gp_fail(error, result, "out of memory") : GP_OK;
-}
-
-/* What follows a prefix of a name, or NULL. */
-static const char *after(const char *path, const char *prefix)
-{
-    const size_t length = strlen(prefix);
-    return strncmp(path, prefix, length) == 0 ? path + length : NULL;
-}
 
 static GpResult open_function(const char *text, VoxelScene *scene, GpError *error)
 {
@@ -74,12 +29,9 @@ static GpResult open_surface(const char *name, VoxelScene *scene, GpError *error
     return voxel_parametric_box(name, ANY_SIZE, &box, error);
 }
 
-static GpResult open_file(const char *path, VoxelScene *scene, GpError *error)
+static GpResult open_mesh(const char *name, VoxelScene *scene, GpError *error)
 {
-    char found[4096];
-    GpResult result = gp_data_find(path, found, sizeof found, error);
-    if (!result)
-        result = gp_mesh_read(found, GP_MESH_ALLOW_POINTS, &scene->mesh, error);
+    GpResult result = model_mesh(name, &scene->mesh, error);
     if (!result && scene->mesh.triangle_count == 0)
         scene->input = VOXEL_POINTS;
     return result;
@@ -87,13 +39,12 @@ static GpResult open_file(const char *path, VoxelScene *scene, GpError *error)
 
 GpResult voxel_scene_open(const char *path, VoxelScene *scene, GpError *error)
 {
-    const char *builtin = after(path, "builtin:"), *function = after(path, "implicit:"),
-               *surface = after(path, "parametric:");
+    const char *function = model_after(path, "implicit:");
+    const char *surface = model_after(path, "parametric:");
     VoxelScene opened = { .input = VOXEL_MESH };
-    GpResult result = builtin    ? make_builtin(builtin, &opened.mesh, error)
-                      : function ? open_function(function, &opened, error)
-                      : surface  ? open_surface(surface, &opened, error)
-                                 : open_file(path, &opened, error);
+    GpResult result = function  ? open_function(function, &opened, error)
+                      : surface ? open_surface(surface, &opened, error)
+                                : open_mesh(path, &opened, error);
     if (!result)
         *scene = opened;
     return result;
@@ -108,7 +59,7 @@ void voxel_scene_close(VoxelScene *scene)
 /* --- boxes ------------------------------------------------------------------------------------ */
 
 /* Room for every vertex wherever it turns about the middle of a box, along y. */
-static void widen_to_turn(const GpMesh *mesh, VoxelBounds *bounds)
+static void widen_to_turn(const GpMesh *mesh, Bounds *bounds)
 {
     const double x = (bounds->low[0] + bounds->high[0]) / 2;
     const double z = (bounds->low[2] + bounds->high[2]) / 2;
@@ -126,9 +77,9 @@ static void widen_to_turn(const GpMesh *mesh, VoxelBounds *bounds)
 }
 
 /* The cube whose volume a box is, less the margin. */
-static VoxelBounds bounds_of_box(const VoxelBox *box)
+static Bounds bounds_of_box(const VoxelBox *box)
 {
-    VoxelBounds bounds;
+    Bounds bounds;
     for (int k = 0; k < 3; k++) {
         bounds.low[k] = (VOXEL_BOX_MARGIN - box->offset[k]) / box->scale;
         bounds.high[k] = (box->size - VOXEL_BOX_MARGIN - box->offset[k]) / box->scale;
@@ -136,11 +87,11 @@ static VoxelBounds bounds_of_box(const VoxelBox *box)
     return bounds;
 }
 
-VoxelBounds voxel_scene_bounds(const VoxelScene *scene)
+Bounds voxel_scene_bounds(const VoxelScene *scene)
 {
     const double reach = scene->reach;
     if (scene->input == VOXEL_FUNCTION)
-        return (VoxelBounds){ { -reach, -reach, -reach }, { reach, reach, reach } };
+        return (Bounds){ { -reach, -reach, -reach }, { reach, reach, reach } };
     if (scene->input == VOXEL_PARAMETRIC) {
         VoxelBox box;
         GpError error;
@@ -149,8 +100,9 @@ VoxelBounds voxel_scene_bounds(const VoxelScene *scene)
     }
     const GpMesh *mesh = &scene->mesh;
     if (scene->input == VOXEL_POINTS)
-        return voxel_bounds(mesh->positions, NULL, mesh->vertex_count);
-    VoxelBounds bounds = voxel_bounds(mesh->positions, mesh->indices, 3 * mesh->triangle_count);
+        return bounds_of(mesh->positions, 3 * sizeof(float), NULL, mesh->vertex_count);
+    Bounds bounds =
+        bounds_of(mesh->positions, 3 * sizeof(float), mesh->indices, 3 * mesh->triangle_count);
     if (scene->twist != 0)
         widen_to_turn(&scene->mesh, &bounds);
     return bounds;
@@ -160,7 +112,7 @@ VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size)
 {
     if (!scene->is_placed && scene->input == VOXEL_FUNCTION)
         return voxel_box_of_cube(scene->reach, size);
-    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    const Bounds bounds = voxel_scene_bounds(scene);
     VoxelBox box = voxel_box_of(&bounds, size);
     if (scene->is_placed) {
         box.scale = scene->scale;
@@ -171,7 +123,7 @@ VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size)
 
 VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box)
 {
-    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    const Bounds bounds = voxel_scene_bounds(scene);
     float to_voxels[4][4];
     voxel_box_matrix(box, to_voxels);
     return voxel_range(bounds.low, bounds.high, to_voxels, box->size);
@@ -230,7 +182,7 @@ static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Frame 
     if (!can_twist(method))
         return gp_fail(error, GP_ERROR_INVALID,
                        "--twist: expected --method conservative, thin or xor");
-    const VoxelBounds bounds = voxel_scene_bounds(scene);
+    const Bounds bounds = voxel_scene_bounds(scene);
     const double height = (bounds.high[1] - bounds.low[1]) * box->scale;
     if (height > 0)
         model->motion.twist = (float)(scene->twist * RADIANS / height);

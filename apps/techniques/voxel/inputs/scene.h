@@ -40,7 +40,7 @@ void voxel_scene_close(VoxelScene *scene); /* a zeroed one is fine */
 
 /* The box of all that may be set. Of a function it is the cube that is looked at; of a twisted mesh it
  * has room for every angle. */
-VoxelBounds voxel_scene_bounds(const VoxelScene *scene);
+Bounds voxel_scene_bounds(const VoxelScene *scene);
 
 /* Where a volume of `size` voxels a side lies in the model's space. */
 VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size);

@@ -2,19 +2,16 @@
 #ifndef APPS_TECHNIQUES_VOXEL_PICTURES_PICTURE_H
 #define APPS_TECHNIQUES_VOXEL_PICTURES_PICTURE_H
 
+#include "apps/base/orbit.h"
 #include "apps/techniques/voxel/inputs/pair.h"
 #include "apps/techniques/voxel/pictures/view.h"
 #include "pipeline/io/volume/volume.h"
 
-typedef enum VoxelUp { VOXEL_UP_Y, VOXEL_UP_Z, VOXEL_UP_X, VOXEL_DOWN_Y, VOXEL_DOWN_Z } VoxelUp;
-
 typedef struct VoxelPicture {
     uint32_t width, height;
-    int look, shading;         /* VoxelViewMode, VoxelShading */
-    double azimuth, elevation; /* of the eye, in degrees: to the right, upwards */
-    int up;                    /* the axis that points up in the picture */
-    double zoom;               /* larger by so much than what fills the picture */
-    bool shows_both;           /* both models, and where they touch; else their result */
+    int look, shading; /* VoxelViewMode, VoxelShading */
+    Orbit orbit;
+    bool shows_both; /* both models, and where they touch; else their result */
     bool is_solid;
 } VoxelPicture;
 

@@ -28,43 +28,11 @@ typedef struct ViewBuild {
     GpSurface *found, *depth; /* the voxel that each pixel shows; NULL until drawn */
 } ViewBuild;
 
-/* Distance of a camera from a volume's middle, in its sides, at which a cube fills the picture. */
-#define AROUND 2.4
-
 enum { RAMP = 256 }; /* texels of a transfer ramp */
 
 static const float nothing[4] = { 0 };
 /* Colours come multiplied by alpha. */
 static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
-
-Camera voxel_camera(const VoxelBox *box, const Camera *model)
-{
-    Camera camera = *model;
-    for (int k = 0; k < 3; k++) {
-        camera.eye[k] = box->scale * model->eye[k] + box->offset[k];
-        camera.at[k] = box->scale * model->at[k] + box->offset[k];
-    }
-    camera.height *= box->scale;
-    camera.near *= box->scale;
-    camera.far *= box->scale;
-    return camera;
-}
-
-Camera voxel_camera_around(uint32_t size, double azimuth, double elevation)
-{
-    double sine[2], cosine[2];
-    angle_sincos(azimuth, &sine[0], &cosine[0]);
-    angle_sincos(elevation, &sine[1], &cosine[1]);
-    const double way[3] = { sine[0] * cosine[1], sine[1], cosine[0] * cosine[1] };
-    Camera camera = { .up = { 0, 1, 0 }, .fovy = 30 };
-    for (int k = 0; k < 3; k++) {
-        camera.at[k] = size / 2.0;
-        camera.eye[k] = size * (0.5 + AROUND * way[k]);
-    }
-    camera.near = size * (AROUND - 1);
-    camera.far = size * (AROUND + 1);
-    return camera;
-}
 
 uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double aspect)
 {
@@ -164,18 +132,18 @@ static GpSurface *make_run_table(Frame *frame)
 static void set_ray(const ViewBuild *build, VoxelLightUniforms *uniforms)
 {
     const Camera *camera = &build->view->camera;
-    const CameraFrame frame = camera_frame(camera, build->aspect);
+    const CameraAxes axes = camera_axes(camera, build->aspect);
     double light[3];
     for (int k = 0; k < 3; k++)
-        light[k] = (double)build->view->light[0] * frame.right[k] +
-                   (double)build->view->light[1] * frame.up[k] -
-                   (double)build->view->light[2] * frame.forward[k];
+        light[k] = (double)build->view->light[0] * axes.right[k] +
+                   (double)build->view->light[1] * axes.up[k] -
+                   (double)build->view->light[2] * axes.forward[k];
     vector_normalize(light);
     for (int k = 0; k < 3; k++) {
         uniforms->eye[k] = (float)camera->eye[k];
-        uniforms->at[k] = (float)frame.forward[k];
-        uniforms->right[k] = (float)(frame.right[k] * frame.half_width);
-        uniforms->up[k] = (float)(frame.up[k] * frame.half_height);
+        uniforms->at[k] = (float)axes.forward[k];
+        uniforms->right[k] = (float)(axes.right[k] * axes.half_width);
+        uniforms->up[k] = (float)(axes.up[k] * axes.half_height);
         uniforms->light[k] = (float)light[k];
     }
     uniforms->perspective = camera->fovy > 0 ? 1 : 0;

@@ -16,7 +16,7 @@ typedef struct VoxelPaint {
 } VoxelPaint;
 
 typedef struct VoxelView {
-    Camera camera; /* in voxels: voxel_camera */
+    Camera camera; /* in voxels */
     int mode, shading;
     VoxelRange range;          /* where voxels may be, which is faster; empty: anywhere */
     VoxelPaint paint;          /* of the volume */
@@ -30,13 +30,6 @@ typedef struct VoxelView {
 } VoxelView;
 
 extern const VoxelView voxel_view_defaults;
-
-/* A camera of the model's space, in its volume's. */
-Camera voxel_camera(const VoxelBox *box, const Camera *model);
-
-/* A camera that looks at the middle of a volume, all of which is in the picture: from in front,
- * along -z, at 0 degrees; azimuth turns it to the right, elevation upwards, less than 90. */
-Camera voxel_camera_around(uint32_t size, double azimuth, double elevation);
 
 /* Slices that the view of a range takes: those of each layer of voxels are so close that between
  * two of them no ray of the picture moves by more than one voxel along any axis. 0: the view is too

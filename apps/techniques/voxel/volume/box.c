@@ -1,30 +1,11 @@
 #include "apps/techniques/voxel/volume/box.h"
 
-#include <math.h>
 #include <string.h>
 
-VoxelBounds voxel_bounds(const float *positions, const uint32_t *indices, uint32_t count)
-{
-    const double most = (double)INFINITY;
-    VoxelBounds bounds = { { most, most, most }, { -most, -most, -most } };
-    for (uint32_t i = 0; i < count; i++) {
-        const float *p = positions + 3 * (size_t)(indices ? indices[i] : i);
-        for (int k = 0; k < 3; k++) {
-            const double at = (double)p[k];
-            bounds.low[k] = at < bounds.low[k] ? at : bounds.low[k];
-            bounds.high[k] = at > bounds.high[k] ? at : bounds.high[k];
-        }
-    }
-    return bounds;
-}
-
-VoxelBox voxel_box_of(const VoxelBounds *bounds, uint32_t size)
+VoxelBox voxel_box_of(const Bounds *bounds, uint32_t size)
 {
     const double *low = bounds->low, *high = bounds->high, side = size - 2 * VOXEL_BOX_MARGIN;
-    double longest = 0;
-    for (int k = 0; k < 3; k++)
-        longest = high[k] - low[k] > longest ? high[k] - low[k] : longest;
-
+    const double longest = bounds_longest(bounds);
     VoxelBox box = { .size = size, .scale = longest > 0 ? side / longest : 1 };
     for (int k = 0; k < 3; k++)
         box.offset[k] = size / 2.0 - box.scale * ((low[k] + high[k]) / 2);
@@ -33,7 +14,7 @@ VoxelBox voxel_box_of(const VoxelBounds *bounds, uint32_t size)
 
 VoxelBox voxel_box(const float *positions, const uint32_t *indices, uint32_t count, uint32_t size)
 {
-    const VoxelBounds bounds = voxel_bounds(positions, indices, count);
+    const Bounds bounds = bounds_of(positions, 3 * sizeof(float), indices, count);
     return voxel_box_of(&bounds, size);
 }
 

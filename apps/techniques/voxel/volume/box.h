@@ -2,7 +2,7 @@
 #ifndef APPS_TECHNIQUES_VOXEL_VOLUME_BOX_H
 #define APPS_TECHNIQUES_VOXEL_VOLUME_BOX_H
 
-#include "pipeline/base/base.h"
+#include "apps/base/bounds.h"
 
 /* From the model's space to voxels: q = scale * p + offset; voxel (x, y, z) is the cube from
  * (x, y, z) to (x+1, y+1, z+1). */
@@ -11,23 +11,14 @@ typedef struct VoxelBox {
     double scale, offset[3];
 } VoxelBox;
 
-/* The box of a model, in its own unit. */
-typedef struct VoxelBounds {
-    double low[3], high[3];
-} VoxelBounds;
-
-/* That of the vertices that are referred to.
- * in   indices: [count], NULL: all of the first `count` vertices; count at least 1 */
-VoxelBounds voxel_bounds(const float *positions, const uint32_t *indices, uint32_t count);
-
 /* Empty around a model, in voxels: along its longest side. */
 #define VOXEL_BOX_MARGIN 1.25
 
 /* The bounds fill size - 2.5 voxels along their longest side, and lie in the middle; without extent
  * the scale is 1. */
-VoxelBox voxel_box_of(const VoxelBounds *bounds, uint32_t size);
+VoxelBox voxel_box_of(const Bounds *bounds, uint32_t size);
 
-/* Both at once. */
+/* That of vertices; see bounds_of. */
 VoxelBox voxel_box(const float *positions, const uint32_t *indices, uint32_t count, uint32_t size);
 
 /* The same map as a matrix of rows, for shaders. */

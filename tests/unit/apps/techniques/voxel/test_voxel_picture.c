@@ -81,9 +81,9 @@ static void every_view_shows_all_of_the_box(void **state)
         VoxelPicture picture = voxel_picture_defaults;
         picture.width = sizes[i % GP_COUNT(sizes)][0];
         picture.height = sizes[i % GP_COUNT(sizes)][1];
-        picture.azimuth = view[0];
-        picture.elevation = view[1];
-        picture.up = (int)(i % 5);
+        picture.orbit.azimuth = view[0];
+        picture.orbit.elevation = view[1];
+        picture.orbit.up = (int)(i % 5);
         Frame frame;
         VoxelPairMade made;
         begin(&frame, &made);
@@ -114,7 +114,7 @@ static void the_axis_that_is_up_points_up(void **state)
     for (size_t i = 0; i < GP_COUNT(ends); i++) {
         VoxelPicture picture = voxel_picture_defaults;
         picture.width = picture.height = 64;
-        picture.up = (int)i;
+        picture.orbit.up = (int)i;
         Frame frame;
         VoxelPairMade made;
         begin(&frame, &made);
@@ -135,7 +135,7 @@ static void a_zoom_makes_it_larger(void **state)
     for (size_t i = 0; i < GP_COUNT(zooms); i++) {
         VoxelPicture picture = voxel_picture_defaults;
         picture.width = picture.height = 64;
-        picture.zoom = zooms[i];
+        picture.orbit.zoom = zooms[i];
         Frame frame;
         VoxelPairMade made;
         begin(&frame, &made);

@@ -1,0 +1,99 @@
+#include "apps/scene/model.h"
+
+#include "pipeline/io/file.h"
+
+#include <string.h>
+
+const char *model_after(const char *name, const char *prefix)
+{
+    const size_t length = strlen(prefix);
+    return strncmp(name, prefix, length) == 0 ? name + length : NULL;
+}
+
+static GpResult read_file(const char *name, unsigned flags, GpMesh *mesh, GpError *error)
+{
+    char path[4096];
+    GpResult result = gp_data_find(name, path, sizeof path, error);
+    return result ? result : gp_mesh_read(path, flags, mesh, error);
+}
+
+static GpResult make_builtin(const char *name, bool points, Shape *shape, GpError *error)
+{
+    GpResult result = points ? shape_create_points(name, shape) : shape_create(name, shape);
+    if (result == GP_ERROR_INVALID)
+        return gp_fail(error, result, "no builtin %s '%.40s'", points ? "points" : "mesh", name);
+    return result ? gp_fail(error, result, "no memory") : GP_OK;
+}
+
+/* --- as a mesh -------------------------------------------------------------------------------- */
+
+static GpResult mesh_of_shape(const Shape *shape, GpMesh *mesh)
+{
+    const uint32_t count = shape->vertex_count;
+    *mesh = (GpMesh){ .positions = gp_alloc(count, 3 * sizeof(float)),
+                      .normals = gp_alloc(count, 3 * sizeof(float)),
+                      .colors = gp_alloc(count, 4 * sizeof(float)),
+                      .indices = gp_alloc(shape->index_count, sizeof(uint32_t)),
+                      .vertex_count = count,
+                      .triangle_count = shape->index_count / 3 };
+    if (!mesh->positions || !mesh->normals || !mesh->colors || !mesh->indices) {
+        gp_mesh_free(mesh);
+        return GP_ERROR_MEMORY;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const ShapeVertex *vertex = &shape->vertices[i];
+        memcpy(mesh->positions + 3 * (size_t)i, vertex->position, sizeof vertex->position);
+        memcpy(mesh->normals + 3 * (size_t)i, vertex->normal, sizeof vertex->normal);
+        memcpy(mesh->colors + 4 * (size_t)i, vertex->color, sizeof vertex->color);
+    }
+    memcpy(mesh->indices, shape->indices, shape->index_count * sizeof *mesh->indices);
+    return GP_OK;
+}
+
+GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error)
+{
+    const char *builtin = model_after(name, "builtin:");
+    if (!builtin)
+        return read_file(name, GP_MESH_ALLOW_POINTS, mesh, error);
+    Shape shape;
+    GpResult result = make_builtin(builtin, false, &shape, error);
+    if (result)
+        return result;
+    result = mesh_of_shape(&shape, mesh);
+    shape_free(&shape);
+    return result ? gp_fail(error, result, "%.200s: no memory", name) : GP_OK;
+}
+
+/* --- as a shape ------------------------------------------------------------------------------- */
+
+/* Files have v = 0 at the bottom of a picture. */
+static void copy_vertex(const GpMesh *mesh, uint32_t i, ShapeVertex *vertex)
+{
+    memcpy(vertex->position, mesh->positions + 3 * (size_t)i, sizeof vertex->position);
+    memcpy(vertex->normal, mesh->normals + 3 * (size_t)i, sizeof vertex->normal);
+    if (mesh->colors)
+        memcpy(vertex->color, mesh->colors + 4 * (size_t)i, sizeof vertex->color);
+    if (mesh->texcoords) {
+        vertex->texcoord[0] = mesh->texcoords[2 * (size_t)i];
+        vertex->texcoord[1] = 1 - mesh->texcoords[2 * (size_t)i + 1];
+    }
+}
+
+GpResult model_shape(const char *name, bool points, Shape *shape, GpError *error)
+{
+    const char *builtin = model_after(name, "builtin:");
+    if (builtin)
+        return make_builtin(builtin, points, shape, error);
+    GpMesh mesh = { 0 };
+    GpResult result = read_file(name, points ? GP_MESH_ALLOW_POINTS : 0, &mesh, error);
+    if (result)
+        return result;
+    const uint32_t indices = points ? 0 : 3 * mesh.triangle_count;
+    result = shape_alloc(shape, mesh.vertex_count, indices);
+    for (uint32_t i = 0; i < mesh.vertex_count && !result; i++)
+        copy_vertex(&mesh, i, &shape->vertices[i]);
+    if (indices && !result)
+        memcpy(shape->indices, mesh.indices, indices * sizeof *mesh.indices);
+    gp_mesh_free(&mesh);
+    return result ? gp_fail(error, result, "%.200s: no memory", name) : GP_OK;
+}

@@ -1,0 +1,22 @@
+/* Models by name: builtin:NAME (shapes.h), or a file that gp_data_find finds.
+ *
+ * errors of all: GP_ERROR_INVALID: no such builtin; those of gp_data_find and gp_mesh_read */
+#ifndef APPS_SCENE_MODEL_H
+#define APPS_SCENE_MODEL_H
+
+#include "apps/scene/shapes.h"
+#include "pipeline/io/mesh/mesh.h"
+
+/* What follows a prefix of a name, such as "builtin:"; NULL where it does not begin so. */
+const char *model_after(const char *name, const char *prefix);
+
+/* A mesh, or points where a file has no faces.
+ * owns   the caller, until gp_mesh_free */
+GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error);
+
+/* A mesh, which has faces; or (points) the vertices of one. Texture coordinates have v = 0 at the
+ * top, as pictures have.
+ * owns   the caller, until shape_free */
+GpResult model_shape(const char *name, bool points, Shape *shape, GpError *error);
+
+#endif
