@@ -246,19 +246,27 @@ $(KERNELS): $(BUILD)/test/%: $(BUILD)/obj/tests/kernel/%.o $(CORE_A)
 	$(call say,LINK,$@)$(LINK) $^ -lm -o $@
 
 RUN_TEST = BUILD=$(BUILD) GLASSPIPE_BIN=$(PROGRAM) EMULATOR='$(EMULATOR)' sh tests/tools/run_test.sh
-# The lane widths that this processor, or the emulated one, can run.
-CPU    := $(if $(filter x86_64,$(ARCH)),\
-              $(shell grep -m 1 '^flags' /proc/cpuinfo 2>/dev/null),avx2 avx512dq)
-WIDTHS := lanes4 $(if $(filter avx2,$(CPU)),lanes8) $(if $(filter avx512dq,$(CPU)),lanes16)
-WIDTHS := $(filter $(VARIANTS),$(WIDTHS))
+# Every lane width that was built; a processor that lacks one says "skipped" when it is run.
+WIDTHS := $(filter lanes%,$(VARIANTS))
 GOLDEN_RESULTS = $(foreach width,$(WIDTHS),$(GOLDEN_TEST:%=%.$(width).tap))
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
+# Models of x86 processors, with the widths that they have: a short form of the tests runs as these,
+# which are not here, and `make check` runs all of them so.
+OTHER_PROCESSORS := Nehalem:4 Haswell-noTSX:4,8
+OTHER_RESULTS := $(if $(filter x86_64,$(ARCH)),$(if $(EMULATOR)$(SANITIZE),,$(patsubst %, \
+    $(BUILD)/test/as.%.tap,$(foreach p,$(OTHER_PROCESSORS),$(firstword $(subst :, ,$(p)))))))
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(OTHER_RESULTS) $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
 	$(call say,TEST,$(*F))$(RUN_TEST) $@ $*
 $(GOLDEN_RESULTS): $(GOLDEN_TEST) always
 	$(call say,TEST,$(@F:.tap=))GP_ISA=$(patsubst golden.%.tap,%,$(@F)) $(RUN_TEST) $@ $<
+
+# Run here, and emulated inside.
+$(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTIAL_TEST) \
+                                          $(BUILD)/test/test_widths always
+	$(call say,TEST,"as $*")$(RUN_TEST) $@ sh tests/tools/other_processor.sh $* $(BUILD) \
+	    $(filter $(WIDTHS:lanes%=%),$(subst $(comma), ,$(patsubst $*:%,%,$(filter $*:%,$(OTHER_PROCESSORS)))))
 
 test: all $(RESULTS)
 	@awk -f tests/tools/summary.awk $(RESULTS)

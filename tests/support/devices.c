@@ -2,32 +2,106 @@
 
 #include "tests/support/unit.h"
 
-/* The first is compared with. */
-static const GpDeviceDesc devices[] = {
-    { .executor = GP_EXECUTOR_REFERENCE },
-    { .executor = GP_EXECUTOR_REFERENCE, .isa = "lanes4" },
-    { .threads = 1 },
-    { .threads = 1, .isa = "lanes4" },
-    { .threads = 3, .isa = "lanes8" },
-    { .threads = 3, .isa = "lanes16" },
-};
+#include <stdio.h>
 
-/* False where the processor, or the build, has no such lanes. */
-static bool run_on(const GpDeviceDesc *desc, const GpList *list)
+/* --- the list --------------------------------------------------------------------------------- */
+
+enum { MOST_DEVICES = 16 };
+
+static GpDeviceDesc devices[MOST_DEVICES];
+static size_t device_count;
+
+/* Adds a device where there is one; false where the processor, or the build, has no such lanes. */
+static bool add_device(const GpDeviceDesc *desc)
 {
     GpDevice *device = NULL;
     GpError error = { "" };
-    if (gp_device_create(desc, &device, &error) == GP_ERROR_UNSUPPORTED)
-        return false;
-    if (!device || gp_device_run(device, list, &error))
-        fail_msg("%s", error.text);
+    const GpResult result = gp_device_create(desc, &device, &error);
     gp_device_destroy(&device);
-    return true;
+    if (result && result != GP_ERROR_UNSUPPORTED)
+        fail_msg("%s: %s", device_name(desc), error.text);
+    assert_true(device_count < MOST_DEVICES);
+    if (!result)
+        devices[device_count++] = *desc;
+    return !result;
+}
+
+static void find_devices(void)
+{
+    static const char *const widths[] = { "lanes4", "lanes8", "lanes16" };
+    const char *widest = NULL;
+    char missing[64] = "";
+    add_device(&(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE });
+    add_device(&(GpDeviceDesc){ .threads = 2 });
+    for (size_t w = 0; w < GP_COUNT(widths); w++) {
+        if (add_device(&(GpDeviceDesc){ .threads = 1, .isa = widths[w] }) &&
+            add_device(&(GpDeviceDesc){ .threads = 3, .isa = widths[w] }))
+            widest = widths[w];
+        else
+            strcat(strcat(missing, " "), widths[w]);
+    }
+    add_device(&(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE, .isa = widest });
+    char text[40 * MOST_DEVICES] = "# devices: ";
+    for (size_t d = 0; d < device_count; d++)
+        strcat(strcat(text, d ? "; " : ""), device_name(&devices[d]));
+    print_message("%s\n# not on this processor, or not built:%s\n", text,
+                  missing[0] ? missing : " none");
+}
+
+const GpDeviceDesc *device_here(size_t number)
+{
+    if (!device_count)
+        find_devices();
+    return number < device_count ? &devices[number] : NULL;
+}
+
+const char *device_name(const GpDeviceDesc *desc)
+{
+    static char name[40];
+    const char *isa = desc->isa ? desc->isa : "auto";
+    if (desc->executor == GP_EXECUTOR_REFERENCE)
+        snprintf(name, sizeof name, "reference %s", isa);
+    else
+        snprintf(name, sizeof name, "fast %s x%d", isa, desc->threads);
+    return name;
+}
+
+/* --- runs ------------------------------------------------------------------------------------- */
+
+GpDevice *device_open(const GpDeviceDesc *desc)
+{
+    GpDevice *device = NULL;
+    GpError error = { "" };
+    if (gp_device_create(desc, &device, &error))
+        fail_msg("%s: %s", device_name(desc), error.text);
+    return device;
+}
+
+void run_list_on(const GpDeviceDesc *desc, const GpList *list)
+{
+    GpDevice *device = device_open(desc);
+    GpError error = { "" };
+    if (gp_device_run(device, list, &error))
+        fail_msg("%s: %s", device_name(desc), error.text);
+    gp_device_destroy(&device);
 }
 
 void run_list(const GpList *list)
 {
-    run_on(&(GpDeviceDesc){ .threads = 2 }, list);
+    run_list_on(&(GpDeviceDesc){ .threads = 2 }, list);
+}
+
+uint64_t hash_targets(const GpList *list)
+{
+    uint64_t hash = 0;
+    for (uint32_t p = 0; p < list->pass_count; p++) {
+        const GpPass *pass = &list->passes[p];
+        for (int t = 0; t < GP_MAX_TARGETS && pass->color[t].surface; t++)
+            hash = hash * 31 + gp_surface_hash(pass->color[t].surface);
+        if (pass->depth.surface)
+            hash = hash * 31 + gp_surface_hash(pass->depth.surface);
+    }
+    return hash;
 }
 
 static size_t level_bytes(const GpLevel *level)
@@ -54,17 +128,16 @@ void run_everywhere(const Frame *frame)
         assert_non_null(before[i]);
         memcpy(before[i], level->texels, level_bytes(level));
     }
-    for (size_t d = 0; d < GP_COUNT(devices); d++) {
+    for (size_t d = 0; device_here(d); d++) {
         for (int i = 0; i < frame->surface_count; i++) {
             const GpLevel *level = &frame->surfaces[i]->level[0];
             memcpy(level->texels, before[i], level_bytes(level));
         }
-        if (!run_on(&devices[d], &frame->list))
-            continue;
+        run_list_on(device_here(d), &frame->list);
         const uint64_t hash = hash_surfaces(frame);
         first = d == 0 ? hash : first;
         if (hash != first)
-            fail_msg("device %zu draws other bits", d);
+            fail_msg("%s draws other bits", device_name(device_here(d)));
     }
     for (int i = 0; i < frame->surface_count; i++)
         gp_free(before[i]);

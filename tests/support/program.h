@@ -2,7 +2,7 @@
  * outputs and the files that it leaves.
  *
  * GLASSPIPE_BIN names the binary (default out/bin/glasspipe), GLASSPIPE_MAN the directory of the
- * man pages (default apps/man). */
+ * man pages (default apps/man), EMULATOR the command that runs it. */
 #ifndef TESTS_PROGRAM_H
 #define TESTS_PROGRAM_H
 
@@ -54,7 +54,8 @@ static inline int shell(const char *format, ...)
     char line[4096];
     va_list args;
     va_start(args, format);
-    int used = snprintf(line, sizeof line, "glasspipe() { '%s' \"$@\"; }\n{ ", binary);
+    int used =
+        snprintf(line, sizeof line, "glasspipe() { ${EMULATOR:-} '%s' \"$@\"; }\n{ ", binary);
     used += vsnprintf(line + used, sizeof line - (size_t)used, format, args);
     snprintf(line + used, sizeof line - (size_t)used, "\n} >.out 2>.err");
     va_end(args);

@@ -25,12 +25,13 @@ build zlib1g-dev header zlib.h
 build libopenimageio-dev header OpenImageIO/imageio.h
 build libopenmesh-dev header OpenMesh/Core/IO/MeshIO.hh
 test libcmocka-dev header cmocka.h
+test qemu-user command qemu-x86_64
 lint clang-format command clang-format
 check clang command clang++
 check gcc-aarch64-linux-gnu command aarch64-linux-gnu-gcc
 check g++-aarch64-linux-gnu command aarch64-linux-gnu-g++
 check libc6-dev-arm64-cross file /usr/aarch64-linux-gnu/include/stdio.h
-check qemu-user-static command qemu-aarch64-static
+check qemu-user command qemu-aarch64
 check pkg-config command pkg-config
 EOF
 }

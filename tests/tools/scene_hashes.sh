@@ -3,12 +3,18 @@
 #
 # One line a scene, its name and what `render` printed, at a small size; then the shadow scenes as
 # `shadow` draws them, by each method that goes with their lights; then volumes as `voxelize` makes
-# them, by each method. $GP_ISA chooses the shader code.
+# them, by each method. $GP_ISA chooses the shader code; nothing is printed where the processor has not.
 # Leaves out scenes whose data is not there. Exit status 1 if a scene fails.
 program=$1
 data=${GLASSPIPE_DATA:-../shared/data}
 picture=$(mktemp -d)
 trap 'rm -rf "$picture"' EXIT
+
+echo '{ "objects": [] }' >"$picture/empty.json"
+if ${EMULATOR:-} "$program" render "$picture/empty.json" -o "$picture/empty.ppm" 2>&1 |
+    grep "isa .* does not have it" >&2; then
+    exit 0
+fi
 
 # draw SCENE COMMAND [OPTION...]: one line
 draw() {

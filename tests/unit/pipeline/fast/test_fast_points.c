@@ -2,6 +2,7 @@
  * many sides, overlapping, across tiles, in draws of any length and state, at every width of lanes. */
 #include "pipeline/glasspipe.h"
 #include "tests/shaders/flat_points.h"
+#include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
@@ -13,13 +14,13 @@ typedef struct Point {
     float position[3], color[4], size;
 } Point;
 
-typedef struct RunStatistics {
+typedef struct Drawing {
     Point points[MOST_DRAWS][POINTS];
     uint32_t indices[MOST_DRAWS][POINTS];
     GpDraw draws[MOST_DRAWS];
     GpSurface *surfaces[GP_MAX_TARGETS + 1];
     GpPass pass;
-} RunStatistics;
+} Drawing;
 
 /* --- frames --------------------------------------------------------------------------------------- */
 
@@ -76,10 +77,10 @@ static GpBlend random_blend(Random *r)
     return blend;
 }
 
-static void set_draw(Random *r, RunStatistics *statistics, int number, bool four, bool has_depth)
+static void set_draw(Random *r, Drawing *drawing, int number, bool four, bool has_depth)
 {
-    GpDraw *draw = &statistics->draws[number];
-    const Point *points = statistics->points[number];
+    GpDraw *draw = &drawing->draws[number];
+    const Point *points = drawing->points[number];
     const bool discards = random_int(r, 0, 1);
     *draw = (GpDraw){
         .program = four       ? &flat_points_targets4
@@ -95,10 +96,10 @@ static void set_draw(Random *r, RunStatistics *statistics, int number, bool four
     if (random_int(r, 0, 4) == 0)
         streams[GP_COLOR].type = GP_UNORM8;
     if (random_int(r, 0, 5) == 0) {
-        draw->geometry.indices = statistics->indices[number];
+        draw->geometry.indices = drawing->indices[number];
         draw->geometry.index_count = draw->geometry.vertex_count;
         for (uint32_t i = 0; i < draw->geometry.vertex_count; i++)
-            statistics->indices[number][i] = i * 37 % draw->geometry.vertex_count;
+            drawing->indices[number][i] = i * 37 % draw->geometry.vertex_count;
     }
     for (int t = 0; t < (four ? 4 : 1); t++)
         draw->state.blend[t] = random_blend(r);
@@ -115,75 +116,60 @@ static void set_draw(Random *r, RunStatistics *statistics, int number, bool four
     }
 }
 
-static void create_frame(Random *r, RunStatistics *statistics)
+static void create_drawing(Random *r, Drawing *drawing)
 {
     const bool four = random_int(r, 0, 1), has_depth = random_int(r, 0, 3) == 0;
     const int targets = four ? 4 : 1;
-    memset(statistics, 0, sizeof *statistics);
-    statistics->pass.name = "points";
+    memset(drawing, 0, sizeof *drawing);
+    drawing->pass.name = "points";
     for (int i = 0; i <= targets; i++) {
         const GpSurfaceDesc desc = { .format = i < targets ? GP_A8R8G8B8 : GP_D24S8,
                                      .width = WIDTH,
                                      .height = HEIGHT };
-        assert_int_equal(gp_surface_create(&desc, &statistics->surfaces[i], NULL), GP_OK);
+        assert_int_equal(gp_surface_create(&desc, &drawing->surfaces[i], NULL), GP_OK);
         if (i < targets)
-            statistics->pass.color[i] =
-                (GpColorTarget){ statistics->surfaces[i], true, { 0.2f, 0.6f, 0.1f, 0.9f } };
+            drawing->pass.color[i] =
+                (GpColorTarget){ drawing->surfaces[i], true, { 0.2f, 0.6f, 0.1f, 0.9f } };
         else if (has_depth)
-            statistics->pass.depth = (GpDepthTarget){ .surface = statistics->surfaces[i],
-                                                      .clear_depth = true,
-                                                      .depth_value = 1 };
+            drawing->pass.depth = (GpDepthTarget){ .surface = drawing->surfaces[i],
+                                                   .clear_depth = true,
+                                                   .depth_value = 1 };
     }
-    statistics->pass.draws = statistics->draws;
-    statistics->pass.draw_count = (uint32_t)random_int(r, 1, MOST_DRAWS);
-    for (uint32_t i = 0; i < statistics->pass.draw_count; i++) {
-        set_points(r, statistics->points[i]);
-        set_draw(r, statistics, (int)i, four, has_depth);
+    drawing->pass.draws = drawing->draws;
+    drawing->pass.draw_count = (uint32_t)random_int(r, 1, MOST_DRAWS);
+    for (uint32_t i = 0; i < drawing->pass.draw_count; i++) {
+        set_points(r, drawing->points[i]);
+        set_draw(r, drawing, (int)i, four, has_depth);
     }
 }
 
-static void destroy_frame(RunStatistics *statistics)
+static void destroy_drawing(Drawing *drawing)
 {
-    for (size_t i = 0; i < GP_COUNT(statistics->surfaces); i++)
-        gp_surface_destroy(&statistics->surfaces[i]);
+    for (size_t i = 0; i < GP_COUNT(drawing->surfaces); i++)
+        gp_surface_destroy(&drawing->surfaces[i]);
 }
 
 /* --- runs ----------------------------------------------------------------------------------------- */
 
-/* Hash of all targets; false where this machine has no such lanes. */
-static bool run(const RunStatistics *statistics, const GpDeviceDesc *desc, uint64_t *hash)
+static uint64_t run(const Drawing *drawing, const GpDeviceDesc *desc)
 {
-    const GpList list = { &statistics->pass, 1 };
-    GpDevice *device = NULL;
-    GpError error = { "" };
-    if (gp_device_create(desc, &device, &error) == GP_ERROR_UNSUPPORTED)
-        return false;
-    if (gp_device_run(device, &list, &error))
-        fail_msg("%s", error.text);
-    gp_device_destroy(&device);
-    *hash = 0;
-    for (int t = 0; t < GP_MAX_TARGETS && statistics->pass.color[t].surface; t++)
-        *hash = *hash * 31 + gp_surface_hash(statistics->pass.color[t].surface);
-    return true;
+    const GpList list = { &drawing->pass, 1 };
+    run_list_on(desc, &list);
+    return hash_targets(&list);
 }
 
 static void flat_points_are_the_references(void **state)
 {
     (void)state;
-    static const char *const isas[] = { NULL, "sse2", "avx2", "avx512", "neon" };
-    static RunStatistics statistics;
+    static Drawing drawing;
     for (int seed = 0; seed < SEEDS; seed++) {
         Random random = { (uint64_t)seed };
-        create_frame(&random, &statistics);
-        uint64_t expected = 0, hash = 0;
-        assert_true(
-            run(&statistics, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE }, &expected));
-        for (size_t i = 0; i < GP_COUNT(isas); i++) {
-            const GpDeviceDesc desc = { .threads = 1 + seed % 3, .isa = isas[i] };
-            if (run(&statistics, &desc, &hash) && hash != expected)
-                fail_msg("seed %d, %s: the executors differ", seed, isas[i] ? isas[i] : "auto");
-        }
-        destroy_frame(&statistics);
+        create_drawing(&random, &drawing);
+        const uint64_t expected = run(&drawing, device_here(0));
+        for (size_t d = 1; device_here(d); d++)
+            if (run(&drawing, device_here(d)) != expected)
+                fail_msg("seed %d, %s: other bits", seed, device_name(device_here(d)));
+        destroy_drawing(&drawing);
     }
 }
 

@@ -1,6 +1,7 @@
 /* R48: Direct3D 9's own examples of textured quads, through the whole machine. */
 #include "pipeline/glasspipe.h"
 #include "shaders_c/common/blit.h"
+#include "tests/support/devices.h"
 #include "tests/support/unit.h"
 
 enum { SIZE = 4 };
@@ -20,7 +21,7 @@ static GpSurface *square(void)
 /* Draws the texture on the quad from (low, low) to (high, high), in Direct3D 9's screen coordinates:
  * the centre of pixel (i, j) is (i, j). */
 static void draw_quad(float low, float high, const GpSurface *texture, GpSurface *picture,
-                      GpExecutor executor)
+                      const GpDeviceDesc *desc)
 {
     static const uint32_t order[6] = { 0, 1, 2, 0, 2, 3 };
     Corner corners[4];
@@ -45,13 +46,7 @@ static void draw_quad(float low, float high, const GpSurface *texture, GpSurface
     GpPass pass = { .color[0] = { .surface = picture, .clear = true },
                     .draws = &draw,
                     .draw_count = 1 };
-    GpDevice *device = NULL;
-    GpError error = { "" };
-    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .executor = executor }, &device, &error),
-                     GP_OK);
-    if (gp_device_run(device, &(GpList){ &pass, 1 }, &error))
-        fail_msg("%s", error.text);
-    gp_device_destroy(&device);
+    run_list_on(desc, &(GpList){ &pass, 1 });
 }
 
 static GpSurface *checkered(void)
@@ -65,9 +60,9 @@ static GpSurface *checkered(void)
 static void r48_quad_shifted_by_half_a_pixel_reproduces_the_texture(void **state)
 {
     (void)state;
-    for (GpExecutor executor = GP_EXECUTOR_FAST; executor < GP_EXECUTORS; executor++) {
+    for (size_t d = 0; device_here(d); d++) {
         GpSurface *texture = checkered(), *picture = square();
-        draw_quad(-0.5f, 3.5f, texture, picture, executor);
+        draw_quad(-0.5f, 3.5f, texture, picture, device_here(d));
         assert_memory_equal(picture->level[0].texels, texture->level[0].texels, SIZE * SIZE * 4);
         gp_surface_destroy(&texture);
         gp_surface_destroy(&picture);
@@ -77,10 +72,10 @@ static void r48_quad_shifted_by_half_a_pixel_reproduces_the_texture(void **state
 static void r48_quad_on_pixel_centres_mixes_four_texels(void **state)
 {
     (void)state;
-    for (GpExecutor executor = GP_EXECUTOR_FAST; executor < GP_EXECUTORS; executor++) {
+    for (size_t d = 0; device_here(d); d++) {
         GpSurface *texture = checkered(), *picture = square();
         const uint8_t *texels = texture->level[0].texels;
-        draw_quad(0, 4, texture, picture, executor);
+        draw_quad(0, 4, texture, picture, device_here(d));
         for (int y = 0; y < SIZE; y++)
             for (int x = 0; x < SIZE; x++)
                 for (int c = 0; c < 4; c++) {

@@ -2,6 +2,7 @@
  * the plain method's four compares and the hardware's filter are not the same, to the last bit. */
 #include "apps/techniques/shadow/technique.h"
 #include "apps/techniques/shadow/shadow.h"
+#include "tests/support/devices.h"
 #include "tests/support/technique_case.h"
 #include "tests/support/unit.h"
 
@@ -12,42 +13,17 @@ enum { MAP = 64, SIDE = 96 };
 
 /* --- one picture ------------------------------------------------------------------------------ */
 
-/* Frames of one scene on a device. */
-typedef struct Frames {
-    void *scene;
-    GpDevice *device;
-} Frames;
-
 /* A hash of all that a frame draws, its maps too. */
-static uint64_t hash_frame(const Frames *frames, const char *options)
+static uint64_t hash_frame(const TechniqueStage *stage, const char *options)
 {
-    const TechniqueStage stage = { &shadow_technique, frames->scene, frames->device };
     GpError error = { "" };
     Frame frame;
-    if (technique_stage_draw(&stage, options, &frame, &error))
+    if (technique_stage_draw(stage, options, &frame, &error))
         fail_msg("%s: %s", options, error.text);
-    uint64_t hash = 0;
-    for (uint32_t i = 0; i < frame.list.pass_count; i++) {
-        const GpPass *pass = &frame.list.passes[i];
-        if (pass->color[0].surface)
-            hash = hash * 3 + gp_surface_hash(pass->color[0].surface);
-        if (pass->depth.surface)
-            hash = hash * 3 + gp_surface_hash(pass->depth.surface);
-    }
+    const uint64_t hash = hash_targets(&frame.list);
     frame_free(&frame);
     return hash;
 }
-
-/* Devices that must agree; the first is compared with. */
-static const GpDeviceDesc devices[] = {
-    { .executor = GP_EXECUTOR_REFERENCE },
-    { .threads = 1 },
-    { .threads = 3 },
-    { .threads = 1, .isa = "lanes4" },
-    { .threads = 3, .isa = "lanes8" },
-    { .threads = 3, .isa = "lanes16" },
-    { .executor = GP_EXECUTOR_REFERENCE, .isa = "lanes4" },
-};
 
 enum { MAX_TEXTS = 32 };
 
@@ -56,26 +32,23 @@ static void check_devices(const char *path, char (*texts)[SETTING_MAX_TEXT], int
 {
     uint64_t first[MAX_TEXTS];
     GpError error = { "" };
-    Frames frames = { .scene = NULL };
+    TechniqueStage stage = { .technique = &shadow_technique };
     assert_true(count > 0 && count <= MAX_TEXTS);
-    if (shadow_technique.open(path, SIDE, SIDE, &frames.scene, &error))
+    if (shadow_technique.open(path, SIDE, SIDE, &stage.scene, &error))
         fail_msg("%s", error.text);
-    for (size_t d = 0; d < GP_COUNT(devices); d++) {
-        if (gp_device_create(&devices[d], &frames.device, &error) == GP_ERROR_UNSUPPORTED)
-            continue; /* a processor, or a build, without this width */
-        assert_non_null(frames.device);
+    for (size_t d = 0; device_here(d); d++) {
+        stage.device = device_open(device_here(d));
         for (int i = 0; i < count; i++) {
-            uint64_t hash = hash_frame(&frames, texts[i]);
-            if (d == 0)
-                first[i] = hash;
-            else if (hash != first[i])
-                fail_msg("%s: device %zu draws other bits", texts[i], d);
+            const uint64_t hash = hash_frame(&stage, texts[i]);
+            first[i] = d == 0 ? hash : first[i];
+            if (hash != first[i])
+                fail_msg("%s: %s draws other bits", texts[i], device_name(device_here(d)));
         }
-        gp_device_destroy(&frames.device);
+        gp_device_destroy(&stage.device);
     }
     for (int i = 1; i < count; i++) /* or nothing was compared */
         assert_true(first[i] != first[0]);
-    shadow_technique.close(frames.scene);
+    shadow_technique.close(stage.scene);
 }
 
 static void every_method_of_the_sweep_is_one_picture(void **state)
@@ -175,7 +148,7 @@ static Record *record_frame(void *opened, const char *options, Frame *frame)
         .trace = { .event = record_event, .user = record, .one_pass = true, .pass = 1 },
     };
     TechniqueStage stage = { .technique = &shadow_technique, .scene = opened };
-    assert_int_equal(gp_device_create(&desc, &stage.device, &error), GP_OK);
+    stage.device = device_open(&desc);
     if (technique_stage_draw(&stage, options, frame, &error))
         fail_msg("%s: %s", options, error.text);
     gp_device_destroy(&stage.device);

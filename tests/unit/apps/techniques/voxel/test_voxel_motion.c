@@ -2,6 +2,7 @@
  * processor has moved, in double. */
 #include "apps/techniques/voxel/volume/combine.h"
 #include "tests/support/unit.h"
+#include "tests/support/devices.h"
 #include "tests/support/voxel_case.h"
 
 #include <math.h>
@@ -39,11 +40,12 @@ static void move_triangles(const VoxelCase *c, const VoxelMotion *motion)
 }
 
 /* What a frame may hold at least and at most. */
-typedef struct Bounds {
+typedef struct Certainty {
     uint8_t certain[BYTES], possible[BYTES];
-} Bounds;
+} Certainty;
 
-static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int method, Bounds *bounds)
+static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int method,
+                        Certainty *bounds)
 {
     static uint8_t near[BYTES];
     memset(bounds, 0, sizeof *bounds);
@@ -69,7 +71,8 @@ static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int metho
     }
 }
 
-static void check_between(const char *name, int frame, const Bounds *bounds, const uint8_t *voxels)
+static void check_between(const char *name, int frame, const Certainty *bounds,
+                          const uint8_t *voxels)
 {
     const uint64_t missing = voxel_count_without(bounds->certain, voxels, SIZE),
                    extra = voxel_count_without(voxels, bounds->possible, SIZE);
@@ -108,16 +111,6 @@ static void reserve(Frame *frame, int movers)
     tech_voxel_room(&setting, &passes, &draws);
     frame_reserve(frame, (uint32_t)movers * passes + VOXEL_COMBINE_PASSES,
                   (uint32_t)movers * draws + 8);
-}
-
-static GpDevice *open_device(const GpDeviceDesc *desc)
-{
-    GpDevice *device = NULL;
-    GpError error = { "" };
-    const GpResult result = gp_device_create(desc, &device, &error);
-    if (result && result != GP_ERROR_UNSUPPORTED)
-        fail_msg("%s", error.text);
-    return device;
 }
 
 static void draw_frame(GpDevice *device, const Frame *frame, const FlatTexture *sheet,
@@ -170,20 +163,20 @@ static void a_twisting_model_is_exact_in_every_frame(void **state)
 {
     (void)state;
     static uint8_t voxels[BYTES], before[BYTES];
-    static Bounds bounds;
+    static Certainty bounds;
     static Mover mover;
     for (size_t i = 0; i < GP_COUNT(twists); i++) {
         Frame frame;
         reserve(&frame, 1);
         add_mover(twists[i].shape, &twists[i].setting, most_twist, &frame, &mover);
-        GpDevice *device = open_device(&(GpDeviceDesc){ .threads = 2 });
-        for (int frame = 0; frame < FRAMES; frame++) {
-            const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, frame);
+        GpDevice *device = device_open(&(GpDeviceDesc){ .threads = 2 });
+        for (int step = 0; step < FRAMES; step++) {
+            const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, step);
             voxel_move(&mover.motions, &motion);
             memcpy(before, voxels, sizeof voxels);
             draw_frame(device, &frame, &mover.sheet, voxels);
             find_bounds(&mover.c, &motion, twists[i].setting.method, &bounds);
-            check_between(twists[i].name, frame, &bounds, voxels);
+            check_between(twists[i].name, step, &bounds, voxels);
             assert_true(voxel_count(voxels, SIZE) > 500);
             assert_true(voxel_count_without(voxels, before, SIZE) > 100); /* it does move */
         }
@@ -196,13 +189,6 @@ static void a_twisting_model_is_exact_in_every_frame(void **state)
 static void frames_have_the_same_bits_everywhere(void **state)
 {
     (void)state;
-    static const GpDeviceDesc devices[] = {
-        { .executor = GP_EXECUTOR_REFERENCE },
-        { .threads = 1, .isa = "lanes4" },
-        { .threads = 3, .isa = "lanes8" },
-        { .threads = 3, .isa = "lanes16" },
-        { .threads = 2 },
-    };
     static uint8_t voxels[BYTES], first[BYTES];
     static Mover mover;
     for (size_t i = 0; i < GP_COUNT(twists); i++) {
@@ -211,10 +197,8 @@ static void frames_have_the_same_bits_everywhere(void **state)
         add_mover(twists[i].shape, &twists[i].setting, most_twist, &frame, &mover);
         const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, FRAMES - 1);
         voxel_move(&mover.motions, &motion);
-        for (size_t d = 0; d < GP_COUNT(devices); d++) {
-            GpDevice *device = open_device(&devices[d]);
-            if (!device)
-                continue; /* a processor, or a build, without this width */
+        for (size_t d = 0; device_here(d); d++) {
+            GpDevice *device = device_open(device_here(d));
             draw_frame(device, &frame, &mover.sheet, voxels);
             if (d == 0)
                 memcpy(first, voxels, sizeof first);
@@ -258,7 +242,7 @@ static void moving_objects_collide_where_they_do(void **state)
     (void)state;
     enum { STEPS = 8 };
     static Mover a, b;
-    static Bounds bounds, other;
+    static Certainty bounds, other;
     static uint8_t voxels[BYTES];
     const VoxelSetting setting = { .size = SIZE, .bits = 1, .method = VOXEL_CONSERVATIVE };
     const VoxelRange whole = voxel_range_whole(SIZE);
@@ -268,7 +252,7 @@ static void moving_objects_collide_where_they_do(void **state)
     add_mover("knot", &setting, 0, &frame, &b);
     const FlatTexture hits = flat_texture_make(&frame, SIZE, 1);
     voxel_collide(&frame, &a.sheet, &b.sheet, &whole, &hits);
-    GpDevice *device = open_device(&(GpDeviceDesc){ .threads = 2 });
+    GpDevice *device = device_open(&(GpDeviceDesc){ .threads = 2 });
     bool apart = false, touching = false;
     for (int step = 0; step < STEPS; step++) {
         const VoxelMotion first = rigid_motion(&a.c, 0.3 * step, 1.5 * step - 12);
