@@ -33,6 +33,7 @@ endif
 # --- flags
 
 # The bits depend on these: no contraction into fused multiply-adds, and sqrt as one instruction.
+comma    := ,
 MODEL    := -ffp-contract=off -fno-math-errno
 WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi \
             $(if $(WERROR),-Werror)
@@ -48,8 +49,11 @@ IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-s
 COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
 LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
 WITH_OIIO ?= 1
-IO_LIBS  ?= $(if $(WITH_OIIO),-lOpenImageIO -lOpenImageIO_Util) -lOpenMeshCore -lOpenMeshTools -ljansson -lz
-LIBS     := $(if $(CXX),$(IO_LIBS)) -lm
+IO_LIBS  ?= -lOpenMeshCore -lOpenMeshTools -ljansson -lpng -lz
+# Programs find the library of OpenImageIO beside them. By RPATH where sanitizers stand between dlopen
+# and its caller, whose RUNPATH then does not count.
+BESIDE   := $(if $(SANITIZE),-Wl$(comma)--disable-new-dtags) '-Wl,-rpath,$$ORIGIN/../lib'
+LIBS     := $(if $(CXX),$(IO_LIBS) $(BESIDE)) -lm
 
 IS_CLANG := $(shell $(CC) --version | grep -i clang)
 
@@ -82,8 +86,9 @@ LANES   := $(call below,pipeline/fast/lanes,*.c)
 CORE    := $(call object,$(filter-out $(LANES) pipeline/io/%,$(call below,pipeline,*.c))) \
            $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/obj/%.lanes$(firstword $(subst :, ,$(isa))).o, \
                                             $(LANES)))
-IO      := $(call object,$(filter-out \
-                $(if $(WITH_OIIO),%/image_without_oiio.c,%/image_oiio.cpp), \
+# OpenImageIO is loaded when a picture needs it: a library of its own.
+OIIO    := pipeline/io/image/oiio_library.cpp
+IO      := $(call object,$(filter-out $(OIIO), \
                 $(call below,pipeline/io,*.c) $(call below,pipeline/io,*.cpp)))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)))
@@ -96,6 +101,7 @@ PROGRAM := $(BUILD)/bin/glasspipe
 CORE_A  := $(BUILD)/lib/libglasspipe.a
 CORE_SO := $(BUILD)/lib/libglasspipe.so
 IO_A    := $(BUILD)/lib/libglasspipe_io.a
+OIIO_SO := $(if $(WITH_OIIO),$(BUILD)/lib/libglasspipe_oiio.so)
 APPS_A  := $(BUILD)/obj/apps.a
 SHADERS_A := $(BUILD)/obj/shaders.a
 SUPPORT_A := $(BUILD)/obj/support.a
@@ -111,7 +117,7 @@ KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/
 
 .PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
 all: program $(CORE_SO) $(CORE_A)
-program: $(PROGRAM)
+program: $(PROGRAM) $(OIIO_SO)
 
 # --- packages -------------------------------------------------------------------------------------
 
@@ -155,7 +161,6 @@ $(BUILD)/obj/%.o: %.cpp $(FLAGS_FILE) | packages
 
 # One object a shader: a variant for each width, the counting one, joined. The variants refer to
 # each other weakly, so any subset works.
-comma := ,
 isa_lanes = $(word 1,$(subst :, ,$(1)))
 isa_name  = $(word 2,$(subst :, ,$(1)))
 isa_flags = $(subst $(comma), ,$(word 3,$(subst :, ,$(1))))
@@ -203,6 +208,10 @@ $(CORE_SO): $(CORE)
 	@ln -sf $(notdir $@).$(VERSION) $(@D)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
+$(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/base/base.c)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
+
 $(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
@@ -219,7 +228,7 @@ run: all
 
 # All that tests look at, in one shared library: a change relinks in a moment.
 TESTED_SO := $(BUILD)/test/libtested.so
-$(TESTED_SO): $(SUPPORT) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE)
+$(TESTED_SO): $(SUPPORT) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE) | $(OIIO_SO)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ $(LIBS) -o $@
 
@@ -339,7 +348,7 @@ install: all
 	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
 	install -m 644 $(CORE_A) $(INSTALLED)/lib/
-	install -m 755 $(CORE_SO).$(VERSION) $(INSTALLED)/lib/
+	install -m 755 $(CORE_SO).$(VERSION) $(OIIO_SO) $(INSTALLED)/lib/
 	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
 	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
 	for header in $(public_headers); do \
@@ -354,6 +363,7 @@ install: all
 uninstall:
 	rm -rf $(INSTALLED)/include/glasspipe
 	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
+	    $(INSTALLED)/lib/libglasspipe_oiio.so \
 	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \
 	    $(patsubst apps/man/%,$(INSTALLED)/share/man/man1/%,$(MAN_PAGES)) \
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe
@@ -382,7 +392,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+OBJECTS := $(call object,$(OIIO)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d)

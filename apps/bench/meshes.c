@@ -2,7 +2,7 @@
 #include "apps/bench/data.h"
 
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 
 #include <math.h>
 #include <string.h>

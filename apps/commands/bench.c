@@ -7,7 +7,7 @@
 #include "apps/base/machine.h"
 #include "apps/commands/options.h"
 #include "apps/frame/timing.h"
-#include "pipeline/io/image/image.h"
+#include "pipeline/io/image/image_file.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #include "apps/frame/picture.h"
 
 #include "pipeline/io/file.h"
-#include "pipeline/io/image/image.h"
+#include "pipeline/io/image/image_file.h"
 
 #include <inttypes.h>
 #include <stdio.h>

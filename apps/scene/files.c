@@ -1,7 +1,7 @@
 /* Pictures from files, as scenes hold them. */
 #include "apps/scene/loader.h"
 
-#include "pipeline/io/image/image.h"
+#include "pipeline/io/image/image_file.h"
 
 /* The format that loses nothing; grey and missing alpha are filled in. */
 static GpFormat surface_format(const GpImage *image, bool srgb)

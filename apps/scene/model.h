@@ -5,7 +5,7 @@
 #define APPS_SCENE_MODEL_H
 
 #include "apps/scene/shapes.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 
 /* What follows a prefix of a name, such as "builtin:"; NULL where it does not begin so. */
 const char *model_after(const char *name, const char *prefix);

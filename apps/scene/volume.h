@@ -2,7 +2,7 @@
 #ifndef APPS_SCENE_VOLUME_H
 #define APPS_SCENE_VOLUME_H
 
-#include "pipeline/io/volume/volume.h"
+#include "pipeline/io/volume/volume_file.h"
 
 enum { VOLUME_VALUES = 256 };
 

@@ -21,6 +21,7 @@ build $(compiler_package "$CXX" g++) command $CXX
 build libc6-dev header stdio.h
 build libjansson-dev header jansson.h
 build libxxhash-dev header xxhash.h
+build libpng-dev header png.h
 build zlib1g-dev header zlib.h
 build libopenimageio-dev header OpenImageIO/imageio.h
 build libopenmesh-dev header OpenMesh/Core/IO/MeshIO.hh

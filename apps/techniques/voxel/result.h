@@ -5,7 +5,7 @@
 #include "apps/frame/run_statistics.h"
 #include "apps/techniques/voxel/facts.h"
 #include "apps/techniques/voxel/inputs/pair.h"
-#include "pipeline/io/volume/volume.h"
+#include "pipeline/io/volume/volume_file.h"
 
 #include <jansson.h>
 

@@ -1,4 +1,4 @@
-/* What the parts of the picture reader and writer say to each other (internal). */
+/* What the readers and writers of picture files share (internal). */
 #ifndef GP_IO_IMAGE_CODEC_H
 #define GP_IO_IMAGE_CODEC_H
 
@@ -16,7 +16,8 @@ typedef enum GpImageFormat {
 
 /* A picture file in memory, and what its header says. */
 typedef struct GpImageSource {
-    const char *path; /* for messages */
+    const char *path; /* for messages, which go to error */
+    GpError *error;
     GpImageFormat format;
     GpFile file;
     uint32_t width, height;
@@ -28,24 +29,54 @@ typedef struct GpImageSource {
     bool is_big_endian;
 } GpImageSource;
 
-/* Checks magic, header and size before anything is decoded or allocated.
- * in/out source: format, path and file are set; the header's fields are filled in
+/* --- for checks ----------------------------------------------------------------------------------- */
+
+/* The file's bytes. */
+const unsigned char *gp_image_bytes(const GpImageSource *source);
+
+/* "byte 12: expected ..". returns GP_ERROR_FORMAT */
+GpResult gp_image_refuse(const GpImageSource *source, size_t at, const char *expected);
+
+/* "byte 12: only ..". returns GP_ERROR_UNSUPPORTED */
+GpResult gp_image_unsupported(const GpImageSource *source, size_t at, const char *what);
+
+/* Sets a size: both sides in 1..GP_IMAGE_SIDE_MAX, and at most 4 GiB at so many bytes a pixel.
  * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED */
-GpResult gp_image_check(GpImageSource *source, GpError *error);
+GpResult gp_image_take_size(GpImageSource *source, uint64_t width, uint64_t height,
+                            uint64_t pixel_size);
 
-/* Checks a size for all formats: both sides in 1..GP_IMAGE_SIDE_MAX and at most 4 GiB for 16 bytes
- * a pixel or what else is given. */
-GpResult gp_image_check_size(const char *path, uint64_t width, uint64_t height, uint64_t pixel_size,
-                             GpError *error);
+/* At least this many bytes must follow byte `at`. errors GP_ERROR_FORMAT */
+GpResult gp_image_need_bytes(const GpImageSource *source, size_t at, uint64_t least);
 
-/* PPM, PGM and PFM in C; the others by OpenImageIO, after which the floating-point environment is as
- * before. Decoding needs a checked source; encoding gives bytes for gp_file_free.
- * errors GP_ERROR_FORMAT (OpenImageIO), GP_ERROR_UNSUPPORTED (OpenImageIO), GP_ERROR_MEMORY */
-GpResult gp_image_decode_pnm(const GpImageSource *source, GpImage *image, GpError *error);
+/* --- formats -------------------------------------------------------------------------------------- */
+
+/* Check magic, header and size before anything is decoded or allocated: decoders allocate what a
+ * header asks for.
+ * in/out source: path, error, format and file are set; the header's members are filled in
+ * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED */
+GpResult gp_image_check_png(GpImageSource *source);
+GpResult gp_image_check_exr(GpImageSource *source);
+GpResult gp_image_check_pnm(GpImageSource *source);
+GpResult gp_image_check_pfm(GpImageSource *source);
+GpResult gp_image_check_tga(GpImageSource *source);
+
+/* Decoding needs a checked source; encoding gives bytes for gp_file_free. The floating-point
+ * environment is afterwards as before.
+ * errors GP_ERROR_FORMAT (libraries), GP_ERROR_UNSUPPORTED (OpenImageIO), GP_ERROR_MEMORY */
+GpResult gp_image_decode_pnm(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_pnm(const char *path, GpImageFormat format, const GpImage *image,
                              GpFile *file, GpError *error);
-GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image, GpError *error);
+GpResult gp_image_decode_png(const GpImageSource *source, GpImage *image);
+GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpImage *image,
+                             GpFile *file, GpError *error);
+GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_oiio(const char *path, GpImageFormat format, const GpImage *image,
                               GpFile *file, GpError *error);
+
+/* What libglasspipe_oiio.so exports under the name "gp_image_oiio". */
+typedef struct GpImageLibrary {
+    GpResult (*decode)(const GpImageSource *, GpImage *);
+    GpResult (*encode)(const char *, GpImageFormat, const GpImage *, GpFile *, GpError *);
+} GpImageLibrary;
 
 #endif

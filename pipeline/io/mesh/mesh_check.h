@@ -47,8 +47,4 @@ GpResult gp_mesh_check_om(GpMeshSource *source, GpError *error);
 /* Largest count of vertices, faces or corners: OpenMesh numbers them with a positive int. */
 #define GP_MESH_COUNT_MAX ((int64_t)0x7fffffff)
 
-/* Unsigned integers of size 1, 2, 4 or 8 bytes at any alignment. */
-uint64_t gp_load_little(const void *bytes, size_t size);
-uint64_t gp_load_big(const void *bytes, size_t size);
-
 #endif

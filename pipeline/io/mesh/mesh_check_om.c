@@ -1,6 +1,7 @@
 /* OpenMesh's own format: a header, then chunks of one attribute for all vertices, faces, edges or
  * half-edges. Versions before 2 store faces as vertex numbers, later ones the half-edges.
  * source OpenMesh 9, OMFormat.hh */
+#include "pipeline/io/bytes.h"
 #include "pipeline/io/mesh/mesh_check.h"
 
 #include <math.h>

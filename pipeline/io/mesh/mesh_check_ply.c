@@ -2,6 +2,7 @@
  * misread the file. It knows no lists beside the corners of faces (which it then takes for single
  * values), no binary coordinates but float, no colours but bytes, no short indices; floating-point
  * colours out of range are undefined behaviour. What gp_ply_header calls plain is none of these. */
+#include "pipeline/io/bytes.h"
 #include "pipeline/io/mesh/mesh_ply.h"
 #include "pipeline/io/mesh/mesh_text.h"
 
@@ -10,49 +11,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bytes that grow; after a failed allocation everything is dropped. */
-typedef struct Output {
-    char *data;
-    size_t size, room;
-    bool failed;
-} Output;
-
 typedef struct Walk {
     GpMeshSource *source;
     const PlyHeader *header;
     GpText text;       /* next and number, in binary files next only */
     const char *place; /* of the value read last, for messages */
-    Output *out;       /* NULL for plain files */
+    GpBytes *out;      /* NULL for plain files */
     GpError *error;
     const PlyElement *element; /* the present one, for messages */
     size_t item;
 } Walk;
 
-static void put(Output *out, const void *bytes, size_t size)
-{
-    if (out->failed)
-        return;
-    if (size > out->room - out->size) {
-        size_t room = 2 * out->room + size + 4096;
-        char *grown = gp_alloc(room, 1);
-        if (grown && out->size > 0)
-            memcpy(grown, out->data, out->size);
-        gp_free(out->data);
-        *out = (Output){
-            .data = grown, .size = grown ? out->size : 0, .room = grown ? room : 0, .failed = !grown
-        };
-        if (!grown)
-            return;
-    }
-    memcpy(out->data + out->size, bytes, size);
-    out->size += size;
-}
-
-static void put_little(Output *out, uint32_t value)
+static void put_little(GpBytes *out, uint32_t value)
 {
     unsigned char bytes[4] = { (unsigned char)value, (unsigned char)(value >> 8),
                                (unsigned char)(value >> 16), (unsigned char)(value >> 24) };
-    put(out, bytes, 4);
+    gp_bytes_append(out, bytes, 4);
 }
 
 /* "path: line 5: vertex 2: expected ..." */
@@ -220,7 +194,7 @@ static GpResult check_vertex(Walk *walk)
             put_little(walk->out, gp_float_bits(value[role]));
     }
     if (walk->out && walk->header->has[PLY_RED])
-        put(walk->out, color, 4);
+        gp_bytes_append(walk->out, color, 4);
     return GP_OK;
 }
 
@@ -238,7 +212,7 @@ static GpResult check_item(Walk *walk)
 }
 
 /* The header of the plain file; its vertex properties are in the order of PlyRole. */
-static void put_header(Output *out, const GpMeshSource *source)
+static void put_header(GpBytes *out, const GpMeshSource *source)
 {
     char text[512];
     int size = snprintf(
@@ -253,7 +227,7 @@ static void put_header(Output *out, const GpMeshSource *source)
                              "property uchar alpha\n"
                            : "",
         source->face_count);
-    put(out, text, (size_t)size);
+    gp_bytes_append(out, text, (size_t)size);
 }
 
 static GpResult walk_body(Walk *walk)
@@ -291,7 +265,7 @@ GpResult gp_mesh_check_ply(GpMeshSource *source, GpError *error)
     source->has_texcoords = header.has[PLY_U];
     source->has_colors = header.has[PLY_RED];
 
-    Output out = { .data = NULL };
+    GpBytes out = { .data = NULL };
     Walk walk = { .source = source, .header = &header, .error = error };
     walk.text = (GpText){ .next = header.body,
                           .end = source->file.data + source->file.size,

@@ -1,5 +1,6 @@
 /* Stereolithography, text and binary.
  * source 3D Systems, "StereoLithography Interface Specification", 1989 */
+#include "pipeline/io/bytes.h"
 #include "pipeline/io/mesh/mesh_check.h"
 #include "pipeline/io/mesh/mesh_text.h"
 

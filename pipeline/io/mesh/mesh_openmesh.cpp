@@ -18,7 +18,7 @@
 #include <vector>
 
 extern "C" {
-#include "pipeline/io/mesh/mesh_import.h"
+#include "pipeline/io/mesh/mesh_openmesh.h"
 }
 
 namespace

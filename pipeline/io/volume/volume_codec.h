@@ -2,6 +2,7 @@
 #ifndef GP_IO_VOLUME_CODEC_H
 #define GP_IO_VOLUME_CODEC_H
 
+#include "pipeline/io/bytes.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/volume/volume.h"
 
@@ -31,11 +32,6 @@ bool gp_volume_type_of(const char *name, GpVolumeType *type);
 GpResult gp_volume_encode_nrrd(const char *path, const GpVolume *volume, GpFile *file,
                                GpError *error);
 
-/* Copies samples between little-endian or big-endian bytes and the machine's. in and out do not
- * overlap. */
-void gp_volume_copy(void *out, const void *in, size_t samples, size_t sample_bytes,
-                    bool is_big_endian);
-
 /* --- gzip ------------------------------------------------------------------------------------- */
 
 /* Unpacks the source from its body on: exactly `size` bytes.
@@ -44,9 +40,8 @@ GpResult gp_gzip_unpack(const GpVolumeSource *source, void *data, size_t size, G
 
 /* Bytes that are packed piece by piece, behind a header that is not. */
 typedef struct GpGzip {
-    void *stream; /* zlib's */
-    GpFile file;  /* so far */
-    size_t room;
+    void *stream;  /* zlib's */
+    GpBytes bytes; /* so far; the caller's to free */
 } GpGzip;
 
 /* in     header: copied. errors GP_ERROR_MEMORY */
@@ -56,7 +51,7 @@ GpResult gp_gzip_begin(GpGzip *gzip, const void *header, size_t size);
  * errors GP_ERROR_MEMORY */
 GpResult gp_gzip_add(GpGzip *gzip, const void *data, size_t size, bool is_last);
 
-/* Frees what packing needed, not the file. */
+/* Frees what packing needed, not the bytes. */
 void gp_gzip_end(GpGzip *gzip);
 
 #endif

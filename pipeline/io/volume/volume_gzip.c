@@ -2,15 +2,13 @@
  * source RFC 1952 */
 #include "pipeline/io/volume/volume_codec.h"
 
-#include <string.h>
 #include <zlib.h>
 
 enum {
     WINDOW_BITS = 15 + 16, /* 16: gzip's header and checksum, not zlib's */
     MEMORY_LEVEL = 8,      /* zlib's default */
     LEVEL = 4,             /* volumes of voxels are long runs: more effort finds little */
-    FIRST_ROOM = 1 << 16,
-    MAX_PIECE = 1 << 30, /* zlib counts in unsigned int */
+    MAX_PIECE = 1 << 30,   /* zlib counts in unsigned int */
 };
 
 /* --- unpacking -------------------------------------------------------------------------------- */
@@ -77,30 +75,12 @@ GpResult gp_gzip_unpack(const GpVolumeSource *source, void *data, size_t size, G
 
 /* --- packing ---------------------------------------------------------------------------------- */
 
-static GpResult grow(GpGzip *gzip)
-{
-    size_t room = gzip->room ? 2 * gzip->room : FIRST_ROOM;
-    char *data = gp_alloc(room, 1);
-    if (!data)
-        return GP_ERROR_MEMORY;
-    if (gzip->file.size > 0)
-        memcpy(data, gzip->file.data, gzip->file.size);
-    gp_free(gzip->file.data);
-    gzip->file.data = data;
-    gzip->room = room;
-    return GP_OK;
-}
-
 GpResult gp_gzip_begin(GpGzip *gzip, const void *header, size_t size)
 {
-    GP_ASSERT(size <= FIRST_ROOM);
     *gzip = (GpGzip){ .stream = gp_alloc(1, sizeof(z_stream)) };
-    if (!gzip->stream || grow(gzip))
-        return GP_ERROR_MEMORY;
-    memcpy(gzip->file.data, header, size);
-    gzip->file.size = size;
-    return deflateInit2(gzip->stream, LEVEL, Z_DEFLATED, WINDOW_BITS, MEMORY_LEVEL,
-                        Z_DEFAULT_STRATEGY) == Z_OK
+    gp_bytes_append(&gzip->bytes, header, size);
+    return gzip->stream && deflateInit2(gzip->stream, LEVEL, Z_DEFLATED, WINDOW_BITS, MEMORY_LEVEL,
+                                        Z_DEFAULT_STRATEGY) == Z_OK
                ? GP_OK
                : GP_ERROR_MEMORY;
 }
@@ -113,15 +93,13 @@ GpResult gp_gzip_add(GpGzip *gzip, const void *data, size_t size, bool is_last)
     stream->next_in = (Bytef *)(uintptr_t)data;
     stream->avail_in = (uInt)size;
     do {
-        if (gzip->file.size == gzip->room && grow(gzip))
-            return GP_ERROR_MEMORY;
-        uInt room = piece(gzip->room - gzip->file.size);
-        stream->next_out = (Bytef *)gzip->file.data + gzip->file.size;
-        stream->avail_out = room;
+        char packed[1 << 14];
+        stream->next_out = (Bytef *)packed;
+        stream->avail_out = sizeof packed;
         status = deflate(stream, is_last ? Z_FINISH : Z_NO_FLUSH);
-        gzip->file.size += room - stream->avail_out;
+        gp_bytes_append(&gzip->bytes, packed, sizeof packed - stream->avail_out);
     } while (stream->avail_in > 0 || (is_last && status != Z_STREAM_END));
-    return GP_OK;
+    return gzip->bytes.failed ? GP_ERROR_MEMORY : GP_OK;
 }
 
 void gp_gzip_end(GpGzip *gzip)

@@ -253,7 +253,7 @@ static void row_bytes(const GpVolume *volume, size_t row, char *bytes)
     const size_t width = volume->dims[0], each = gp_volume_sample_bytes(volume->type);
     const unsigned char *data = volume->data;
     if (volume->type != GP_VOLUME_BITS) {
-        gp_volume_copy(bytes, data + row * width * each, width, each, false);
+        gp_copy_samples(bytes, data + row * width * each, width, each, false);
         return;
     }
     for (size_t x = 0; x < width; x++) {
@@ -282,9 +282,9 @@ GpResult gp_volume_encode_nrrd(const char *path, const GpVolume *volume, GpFile 
     gp_gzip_end(&gzip);
     gp_free(bytes);
     if (result) {
-        gp_file_free(&gzip.file);
+        gp_free(gzip.bytes.data);
         return gp_fail(error, result, "%s: out of memory", path);
     }
-    *file = gzip.file;
+    *file = (GpFile){ .data = gzip.bytes.data, .size = gzip.bytes.size };
     return GP_OK;
 }

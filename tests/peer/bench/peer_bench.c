@@ -8,7 +8,7 @@
 #include "tests/peer/bench/measure.h"
 
 #include "apps/bench/cases.h"
-#include "pipeline/io/image/image.h"
+#include "pipeline/io/image/image_file.h"
 
 #include <getopt.h>
 #include <stdio.h>

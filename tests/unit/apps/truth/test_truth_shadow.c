@@ -1,7 +1,7 @@
 /* The truth of shadows, where geometry says what it is; and the comparison with it. */
 #include "apps/truth/shadow_error.h"
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/ball.h"
 #include "tests/support/unit.h"
 

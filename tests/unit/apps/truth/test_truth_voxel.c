@@ -4,7 +4,7 @@
 #include "apps/truth/voxel_truth.h"
 
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 
 enum { SIZE = 16 };
 

@@ -3,7 +3,7 @@
  * behind. */
 #define _GNU_SOURCE /* memmem */
 #include "pipeline/io/file.h"
-#include "pipeline/io/image/image.h"
+#include "pipeline/io/image/image_file.h"
 #include "tests/support/folder.h"
 
 #include <errno.h>

@@ -1,7 +1,7 @@
 /* Meshes from files: every format tells the same pyramid, no face is lost, and normals are the
  * weighted sum. */
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/folder.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/random.h"

@@ -1,6 +1,6 @@
 /* Bad mesh files: no damaged file gets past the checks with anything but an error that says where, in
  * silence. */
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/folder.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/random.h"

@@ -1,7 +1,7 @@
 /* Volumes in files: what is written is read again, what is wrong is refused with its place, and a
  * file cannot ask for more than it holds. */
 #include "pipeline/io/file.h"
-#include "pipeline/io/volume/volume.h"
+#include "pipeline/io/volume/volume_file.h"
 #include "tests/support/folder.h"
 #include "tests/support/random.h"
 

@@ -3,7 +3,7 @@
 #include "apps/scene/shapes.h"
 #include "apps/techniques/voxel/facts.h"
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/unit.h"
 #include "apps/truth/voxel_truth.h"
 

@@ -1,7 +1,7 @@
 /* Volumes of functions and points against what double precision says. */
 #include "apps/techniques/voxel/inputs/implicit.h"
 #include "pipeline/io/file.h"
-#include "pipeline/io/mesh/mesh.h"
+#include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"

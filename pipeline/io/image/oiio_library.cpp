@@ -1,9 +1,9 @@
 /* OpenImageIO's codecs on bytes in memory: it opens no file, so what was checked is what is read,
- * and gp_file_write alone decides what appears on the disk. */
+ * and gp_file_write alone decides what appears on the disk. This file is a library of its own, which
+ * oiio_loader.c loads. */
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <cfenv>
 #include <cstring>
 #include <memory>
 #include <mutex>
@@ -18,27 +18,6 @@ namespace
 {
 using namespace OIIO;
 
-/* Codecs may switch the rounding mode or denormals; pixels must not depend on what was read. */
-class KeepFloatEnvironment
-{
-  public:
-    KeepFloatEnvironment()
-    {
-        std::fegetenv(&environment_);
-    }
-
-    ~KeepFloatEnvironment()
-    {
-        std::fesetenv(&environment_);
-    }
-
-    KeepFloatEnvironment(const KeepFloatEnvironment &) = delete;
-    KeepFloatEnvironment &operator=(const KeepFloatEnvironment &) = delete;
-
-  private:
-    std::fenv_t environment_;
-};
-
 /* Once: no threads of its own. */
 void configure()
 {
@@ -47,11 +26,6 @@ void configure()
         attribute("threads", 1);
         attribute("exr_threads", -1);
     });
-}
-
-const char *codec_name(GpImageFormat format)
-{
-    return format == GP_IMAGE_PNG ? "png" : format == GP_IMAGE_EXR ? "openexr" : "targa";
 }
 
 const struct {
@@ -71,8 +45,9 @@ GpResult fail(const char *path, const std::string &reason, GpError *error)
                    reason.empty() ? "not a picture of this format" : reason.c_str());
 }
 
-GpResult decode(const GpImageSource &source, ImageInput &input, GpImage *image, GpError *error)
+GpResult take_samples(const GpImageSource &source, ImageInput &input, GpImage *image)
 {
+    GpError *error = source.error;
     const ImageSpec &spec = input.spec();
     GpImage result = {};
     bool is_known = false;
@@ -90,9 +65,7 @@ GpResult decode(const GpImageSource &source, ImageInput &input, GpImage *image, 
     result.width = source.width;
     result.height = source.height;
     result.channels = uint32_t(spec.nchannels);
-    size_t samples = size_t(result.width) * result.height * result.channels;
-    result.data = gp_alloc(samples, gp_image_sample_size(result.type));
-    if (!result.data)
+    if (gp_image_alloc(&result, source.path, error) != GP_OK)
         return GP_ERROR_MEMORY;
     /* read_image takes 64 MiB beside the picture to convert; most pictures need no conversion. */
     bool is_native = spec.tile_width == 0 && spec.channelformats.empty();
@@ -107,85 +80,75 @@ GpResult decode(const GpImageSource &source, ImageInput &input, GpImage *image, 
     return GP_OK;
 }
 
-GpResult encode(const char *path, GpImageFormat format, const GpImage &image,
-                std::vector<unsigned char> *bytes, GpError *error)
+GpResult decode(const GpImageSource *source, GpImage *image)
 {
-    TypeDesc type;
-    for (const auto &entry : sample_types) {
-        if (entry.type == image.type)
-            type = TypeDesc(entry.base);
-    }
-    ImageSpec spec(int(image.width), int(image.height), int(image.channels), type);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (format == GP_IMAGE_EXR) {
-        spec.attribute("compression", "zip");
-        spec.attribute("DateTime", ""); /* else the present time is put in */
-    }
-    auto output = ImageOutput::create(codec_name(format));
-    if (!output)
-        return fail(path, OIIO::geterror(), error);
-    Filesystem::IOVecOutput proxy(*bytes);
-    bool is_done = output->set_ioproxy(&proxy) &&
-                   output->open(std::string("picture.") + codec_name(format), spec) &&
-                   output->write_image(type, image.data);
-    is_done = output->close() && is_done;
-    std::string reason = output->geterror();
-    return is_done ? GP_OK : fail(path, reason, error);
-}
-} // namespace
-
-extern "C" GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image,
-                                         GpError *error)
-{
-    KeepFloatEnvironment keep;
+    GpError *error = source->error;
     try {
         configure();
         ImageSpec config, spec;
         config.attribute("oiio:UnassociatedAlpha", 1);
         Filesystem::IOMemReader proxy(source->file.data, source->file.size);
-        auto input = ImageInput::create(codec_name(source->format));
+        auto input = ImageInput::create(source->format == GP_IMAGE_EXR ? "openexr" : "targa");
         if (!input || !input->set_ioproxy(&proxy))
             return fail(source->path, OIIO::geterror(), error);
         GpResult result;
         if (input->open(source->path, spec, config))
-            result = decode(*source, *input, image, error);
+            result = take_samples(*source, *input, image);
         else
             result = fail(source->path, input->geterror(), error);
         input->close();
         input->geterror();
-        if (result != GP_ERROR_MEMORY)
-            return result;
+        return result;
     } catch (const std::bad_alloc &) {
-        /* falls through to the message below */
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for %ux%u pixels", source->path,
+                       source->width, source->height);
     } catch (const std::exception &problem) {
         return fail(source->path, problem.what(), error);
     }
-    return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for %ux%u pixels", source->path,
-                   source->width, source->height);
 }
 
-extern "C" GpResult gp_image_encode_oiio(const char *path, GpImageFormat format,
-                                         const GpImage *image, GpFile *file, GpError *error)
+GpResult write_exr(const char *path, const GpImage &image, std::vector<unsigned char> *bytes,
+                   GpError *error)
 {
-    KeepFloatEnvironment keep;
+    TypeDesc type(image.type == GP_IMAGE_F16 ? TypeDesc::HALF : TypeDesc::FLOAT);
+    ImageSpec spec(int(image.width), int(image.height), int(image.channels), type);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("compression", "zip");
+    spec.attribute("DateTime", ""); /* else the present time is put in */
+    auto output = ImageOutput::create("openexr");
+    if (!output)
+        return fail(path, OIIO::geterror(), error);
+    Filesystem::IOVecOutput proxy(*bytes);
+    bool is_done = output->set_ioproxy(&proxy) && output->open("picture.openexr", spec) &&
+                   output->write_image(type, image.data);
+    is_done = output->close() && is_done;
+    std::string reason = output->geterror();
+    return is_done ? GP_OK : fail(path, reason, error);
+}
+
+GpResult encode(const char *path, GpImageFormat, const GpImage *image, GpFile *file, GpError *error)
+{
     try {
         configure();
         std::vector<unsigned char> bytes;
-        GpResult result = encode(path, format, *image, &bytes, error);
+        GpResult result = write_exr(path, *image, &bytes, error);
         if (result != GP_OK)
             return result;
         char *data = static_cast<char *>(gp_alloc(bytes.size(), 1));
-        if (data) {
-            std::memcpy(data, bytes.data(), bytes.size());
-            file->data = data;
-            file->size = bytes.size();
-            return GP_OK;
-        }
+        if (!data)
+            throw std::bad_alloc();
+        std::memcpy(data, bytes.data(), bytes.size());
+        file->data = data;
+        file->size = bytes.size();
+        return GP_OK;
     } catch (const std::bad_alloc &) {
-        /* falls through to the message below */
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory to encode %ux%u pixels", path,
+                       image->width, image->height);
     } catch (const std::exception &problem) {
         return fail(path, problem.what(), error);
     }
-    return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory to encode %ux%u pixels", path,
-                   image->width, image->height);
 }
+} // namespace
+
+extern "C" const GpImageLibrary gp_image_oiio;
+const GpImageLibrary gp_image_oiio = { decode, encode };

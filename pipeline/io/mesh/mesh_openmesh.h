@@ -1,6 +1,6 @@
 /* The border to OpenMesh: the one function that C++ implements (internal). */
-#ifndef GP_IO_MESH_IMPORT_H
-#define GP_IO_MESH_IMPORT_H
+#ifndef GP_IO_MESH_OPENMESH_H
+#define GP_IO_MESH_OPENMESH_H
 
 #include "pipeline/io/mesh/mesh_check.h"
 
