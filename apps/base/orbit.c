@@ -38,9 +38,9 @@ static double zoom_angle(double angle, double zoom)
     angle_sincos(angle / 2, &sine, &cosine);
     const double tangent = sine / cosine / zoom;
     while (high - low > 1e-9) {
-        const double middle = (low + high) / 2;
-        angle_sincos(middle / 2, &sine, &cosine);
-        *(sine < tangent * cosine ? &low : &high) = middle;
+        const double centre = (low + high) / 2;
+        angle_sincos(centre / 2, &sine, &cosine);
+        *(sine < tangent * cosine ? &low : &high) = centre;
     }
     return low;
 }

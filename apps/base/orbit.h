@@ -20,7 +20,7 @@ typedef struct Orbit {
     double zoom;               /* larger by so much than what fills the picture */
 } Orbit;
 
-/* Looks at the middle of a box, from just so far that every corner is in the picture.
+/* Looks at the centre of a box, from just so far that every corner is in the picture.
  * in   aspect: width / height; nearest: the near plane is at least so far from the eye */
 Camera orbit_camera(const Orbit *orbit, const Bounds *seen, double aspect, double nearest);
 

@@ -56,7 +56,7 @@ GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error
 /* --- sheets -------------------------------------------------------------------------------------- */
 
 /* The points of all sheets, front sheet first. A sheet is a shaken grid of 64 by 64, widest in the
- * middle; z is the value, waves that move from sheet to sheet. */
+ * centre; z is the value, waves that move from sheet to sheet. */
 static const float *sheet_positions(Frame *frame)
 {
     float *positions = frame_alloc(frame, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);

@@ -55,9 +55,9 @@ GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error
         model.motion.twist = model.most_twist = volumes[bench->variant].twist;
         model.motions = frame_alloc(frame, 1, sizeof *model.motions);
     }
-    tech_voxel_room(&setting, &passes, &draws);
+    voxel_room(&setting, &passes, &draws);
     frame_reserve(frame, passes, draws);
-    result = tech_voxel_build(&model, &setting, frame, &sheet, error);
+    result = voxel_build(&model, &setting, frame, &sheet, error);
     frame->color = sheet.texels;
     return result;
 }
@@ -65,25 +65,25 @@ GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error
 /* --- two volumes ------------------------------------------------------------------------------ */
 
 /* The bits of a column's slab that are in a ball. */
-static uint32_t bits_of_ball(const double middle[3], double radius, uint32_t x, uint32_t y,
+static uint32_t bits_of_ball(const double centre[3], double radius, uint32_t x, uint32_t y,
                              uint32_t slab)
 {
     uint32_t bits = 0;
     for (uint32_t k = 0; k < SLAB; k++) {
-        double dx = x + 0.5 - middle[0], dy = y + 0.5 - middle[1];
-        double dz = slab * SLAB + k + 0.5 - middle[2];
+        double dx = x + 0.5 - centre[0], dy = y + 0.5 - centre[1];
+        double dz = slab * SLAB + k + 0.5 - centre[2];
         bits |= (uint32_t)(dx * dx + dy * dy + dz * dz < radius * radius) << k;
     }
     return bits;
 }
 
-static FlatTexture make_ball(Frame *frame, const double middle[3], double radius)
+static FlatTexture make_ball(Frame *frame, const double centre[3], double radius)
 {
     FlatTexture ball = flat_texture_make(frame, SIZE, 1);
     for (uint32_t slab = 0; slab < ball.slabs; slab++)
         for (uint32_t y = 0; y < SIZE; y++)
             for (uint32_t x = 0; x < SIZE; x++) {
-                uint32_t bits = bits_of_ball(middle, radius, x, y, slab);
+                uint32_t bits = bits_of_ball(centre, radius, x, y, slab);
                 memcpy(flat_texture_texel(&ball, slab, x, y), &bits, sizeof bits);
             }
     return ball;

@@ -143,11 +143,11 @@ static double to_model(const VoxelDistance *distance, const VoxelSpace *space, c
         if (rank++ % step)
             continue;
         uint32_t at[3];
-        double middle[3], square = HUGE_VAL;
+        double centre[3], square = HUGE_VAL;
         voxel_place(i, space->size, at);
         for (int k = 0; k < 3; k++)
-            middle[k] = (at[k] + 0.5 - space->offset[k]) / space->scale;
-        look_into(distance, &distance->nodes[0], middle, &square);
+            centre[k] = (at[k] + 0.5 - space->offset[k]) / space->scale;
+        look_into(distance, &distance->nodes[0], centre, &square);
         sum += square;
         count++;
     }

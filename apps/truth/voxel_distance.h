@@ -1,15 +1,15 @@
 /* How far a volume's surface is from a model's: one number for volumes of all sizes, so that they can
  * be compared.
  *
- * There and back: from points spread evenly over the model to the nearest middle of a set voxel, and
- * from the middles of set voxels to the nearest point of the model. The error is the larger of both,
+ * There and back: from points spread evenly over the model to the nearest centre of a set voxel, and
+ * from the centres of set voxels to the nearest point of the model. The error is the larger of both,
  * so that what is lost is not made good by what is left being near. Each is the root of the mean
  * square: the mean alone hardly tells a volume with holes from a coarser one without, for most points
  * are beside no hole.
  *
- * A voxel counts by its middle, not its cube: a cube holds the surface that touches it at distance 0,
+ * A voxel counts by its centre, not its cube: a cube holds the surface that touches it at distance 0,
  * however large it is. So where all touched voxels are set, points are as far from them as those of
- * a cube from its middle: half a voxel.
+ * a cube from its centre: half a voxel.
  *
  * source Cignoni, Rocchini and Scopigno, "Metro: measuring error on simplified surfaces", Computer
  *        Graphics Forum 17(2), 1998: distances from samples to the nearest point, both ways

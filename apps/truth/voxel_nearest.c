@@ -76,8 +76,8 @@ typedef struct Search {
     double square; /* of the distance of the nearest so far */
 } Search;
 
-/* To the box of the middles of the voxels that are in one of a level. */
-static double square_to_middles(const Search *search, int level, const uint32_t at[3])
+/* To the box of the centres of the voxels that are in one of a level. */
+static double square_to_centres(const Search *search, int level, const uint32_t at[3])
 {
     double square = 0;
     for (int k = 0; k < 3; k++) {
@@ -92,7 +92,7 @@ static double square_to_middles(const Search *search, int level, const uint32_t 
 static void look_into(Search *search, int level, const uint32_t at[3])
 {
     if (level == 0) {
-        search->square = fmin(search->square, square_to_middles(search, 0, at));
+        search->square = fmin(search->square, square_to_centres(search, 0, at));
         return;
     }
     const uint32_t size = search->pyramid->size[level - 1];
@@ -108,7 +108,7 @@ static void look_into(Search *search, int level, const uint32_t at[3])
             continue;
         const size_t place = index_of(part, size);
         if ((bits[place / 8] >> place % 8 & 1) &&
-            square_to_middles(search, level - 1, part) < search->square)
+            square_to_centres(search, level - 1, part) < search->square)
             look_into(search, level - 1, part);
     }
 }

@@ -86,7 +86,7 @@ static void turn_below(const VoxelProbes *probes, const Grid *grid, const TruthT
 
 static void set_cube(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)
 {
-    double middle[3];
+    double centre[3];
     for (int k = 0; k < 3; k++) {
         double low = HUGE_VAL, high = -HUGE_VAL;
         for (uint32_t i = 0; i < count; i++) {
@@ -96,11 +96,11 @@ static void set_cube(const TruthTriangle *triangles, uint32_t count, VoxelProbes
             high = fmax(high, to);
         }
         probes->side = fmax(probes->side, high - low);
-        middle[k] = 0.5 * (low + high);
+        centre[k] = 0.5 * (low + high);
     }
     probes->side *= wider;
     for (int k = 0; k < 3; k++)
-        probes->low[k] = middle[k] - 0.5 * probes->side;
+        probes->low[k] = centre[k] - 0.5 * probes->side;
 }
 
 GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)

@@ -67,7 +67,7 @@ static void range(double low, double high, uint32_t size, int64_t *first, int64_
 
 /* --- overlap ---------------------------------------------------------------------------------- */
 
-/* Whether the images on an axis of a triangle around a box's middle and of the box are apart. */
+/* Whether the images on an axis of a triangle around a box's centre and of the box are apart. */
 static bool parts(const double axis[3], double corner[3][3], double half)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;
@@ -80,11 +80,11 @@ static bool parts(const double axis[3], double corner[3][3], double half)
     return low > reach || high < -reach;
 }
 
-static bool touches(const TruthTriangle *t, const double middle[3], double half)
+static bool touches(const TruthTriangle *t, const double centre[3], double half)
 {
     double corner[3][3], normal[3];
     for (int i = 0; i < 3; i++)
-        truth_subtract(t->corner[i], middle, corner[i]);
+        truth_subtract(t->corner[i], centre, corner[i]);
     truth_normal(t, normal);
     if (parts(normal, corner, half))
         return false;
@@ -103,8 +103,8 @@ static bool touches(const TruthTriangle *t, const double middle[3], double half)
     return true;
 }
 
-/* Whether a triangle is as near to a voxel's middle as is asked. */
-typedef bool Meets(const TruthTriangle *triangle, const double middle[3], double margin);
+/* Whether a triangle is as near to a voxel's centre as is asked. */
+typedef bool Meets(const TruthTriangle *triangle, const double centre[3], double margin);
 
 /* Asks every voxel near a triangle. */
 static void set_where(Meets *meets, const TruthTriangle *triangles, uint32_t count, uint32_t size,
@@ -121,17 +121,17 @@ static void set_where(Meets *meets, const TruthTriangle *triangles, uint32_t cou
         for (at[2] = first[2]; at[2] <= last[2]; at[2]++)
             for (at[1] = first[1]; at[1] <= last[1]; at[1]++)
                 for (at[0] = first[0]; at[0] <= last[0]; at[0]++) {
-                    const double middle[3] = { (double)at[0] + 0.5, (double)at[1] + 0.5,
+                    const double centre[3] = { (double)at[0] + 0.5, (double)at[1] + 0.5,
                                                (double)at[2] + 0.5 };
-                    if (meets(&triangles[i], middle, margin))
+                    if (meets(&triangles[i], centre, margin))
                         set_voxel(bits, size, at);
                 }
     }
 }
 
-static bool touches_box(const TruthTriangle *triangle, const double middle[3], double margin)
+static bool touches_box(const TruthTriangle *triangle, const double centre[3], double margin)
 {
-    return touches(triangle, middle, 0.5 + margin);
+    return touches(triangle, centre, 0.5 + margin);
 }
 
 void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size, double margin,
@@ -202,7 +202,7 @@ void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, b
 
 /* --- inside ----------------------------------------------------------------------------------- */
 
-/* Inverts the voxels of a column whose middles lie below a depth. */
+/* Inverts the voxels of a column whose centres lie below a depth. */
 static void invert_below(uint8_t *bits, uint32_t size, int64_t x, int64_t y, double depth)
 {
     for (int64_t z = 0; z < size && (double)z + 0.5 < depth; z++) {
@@ -235,9 +235,9 @@ void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, 
 
 /* --- distance --------------------------------------------------------------------------------- */
 
-static bool is_near(const TruthTriangle *triangle, const double middle[3], double distance)
+static bool is_near(const TruthTriangle *triangle, const double centre[3], double distance)
 {
-    return truth_square_to_triangle(middle, triangle) <= distance * distance;
+    return truth_square_to_triangle(centre, triangle) <= distance * distance;
 }
 
 void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,

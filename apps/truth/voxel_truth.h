@@ -36,7 +36,7 @@ void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size
                    uint8_t *bits);
 
 /* Sets the voxels that sampling finds: a triangle is looked at along axes, in lines through the
- * middles of voxels; where it is met within `margin` of a line (beyond its edges too), and within
+ * centres of voxels; where it is met within `margin` of a line (beyond its edges too), and within
  * `margin` of a voxel, that is set. With a negative margin those that are met for certain.
  * in     all_axes: along each axis; else along the one that the triangle's normal is nearest to
  *        (the first of equals)
@@ -44,13 +44,13 @@ void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size
 void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, bool all_axes,
                 double margin, uint8_t *bits);
 
-/* Sets the voxels whose middle has an odd number of triangles above it, along z.
+/* Sets the voxels whose centre has an odd number of triangles above it, along z.
  * in/out bits: [voxel_bytes(size)], which are inverted: begin with zeros
- * note   A middle that lies exactly below an edge is below one of the two triangles: edges are told
+ * note   A centre that lies exactly below an edge is below one of the two triangles: edges are told
  *        by one rule from both sides. */
 void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, uint8_t *bits);
 
-/* Sets the voxels whose middle lies within `distance` of a triangle: those of which inside and
+/* Sets the voxels whose centre lies within `distance` of a triangle: those of which inside and
  * outside are a matter of rounding.
  * in/out bits: [voxel_bytes(size)] */
 void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,

@@ -32,11 +32,11 @@ uint32_t voxel_walk(uint32_t size, const double origin[3], const double directio
     const uint32_t meetings = find_meetings(size, origin, direction, at);
     uint32_t count = 0;
     for (uint32_t i = 0; i + 1 < meetings; i++) {
-        const double middle = (at[i] + at[i + 1]) / 2;
+        const double centre = (at[i] + at[i + 1]) / 2;
         VoxelStep step = { .enter = at[i], .leave = at[i + 1] };
         bool inside = at[i + 1] > at[i];
         for (int k = 0; k < 3 && inside; k++) {
-            const double place = floor(origin[k] + middle * direction[k]);
+            const double place = floor(origin[k] + centre * direction[k]);
             inside = place >= 0 && place < size;
             step.voxel[k] = inside ? (uint32_t)place : 0;
         }

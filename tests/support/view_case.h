@@ -16,7 +16,7 @@ bool view_case_get(const FlatTexture *sheet, const uint32_t voxel[3]);
 /* One voxel in so many. */
 FlatTexture view_case_random(Frame *frame, uint32_t size, int32_t rarity, uint64_t seed);
 
-/* Looks at the middle of a volume from a direction, `distance` sizes away; fovy 0: parallel
+/* Looks at the centre of a volume from a direction, `distance` sizes away; fovy 0: parallel
  * rays. */
 Camera view_case_camera(uint32_t size, double x, double y, double z, double distance, double fovy);
 

@@ -136,7 +136,7 @@ static void draw_volume(VoxelDraw *draw, const void *context, uint32_t size, uin
 {
     Frame frame = { .color = NULL };
     uint32_t passes, draws;
-    tech_voxel_room(&(VoxelSetting){ .size = size }, &passes, &draws);
+    voxel_room(&(VoxelSetting){ .size = size }, &passes, &draws);
     frame_reserve(&frame, passes, draws);
     const FlatTexture sheet = flat_texture_make(&frame, size, bits);
     draw(context, &frame, &sheet);
@@ -150,7 +150,7 @@ static void draw_volume(VoxelDraw *draw, const void *context, uint32_t size, uin
     frame_free(&frame);
 }
 
-void voxel_draw(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere, uint8_t *bits)
+void voxel_run(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere, uint8_t *bits)
 {
     draw_volume(draw, context, size, 1, everywhere, bits);
 }
@@ -164,7 +164,7 @@ static void build(const void *context, Frame *frame, const FlatTexture *sheet)
 {
     const Build *b = context;
     GpError error = { "" };
-    if (tech_voxel_draw(b->model, b->setting, frame, sheet, &error))
+    if (voxel_draw(b->model, b->setting, frame, sheet, &error))
         fail_msg("%s", error.text);
 }
 

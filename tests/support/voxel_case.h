@@ -35,10 +35,9 @@ typedef void VoxelDraw(const void *context, Frame *frame, const FlatTexture *she
  * bits beyond the volume's end.
  * in   everywhere: on every device (devices.h); else on one
  * out  bits: [voxel_bytes(size)] */
-void voxel_draw(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere,
-                uint8_t *bits);
+void voxel_run(VoxelDraw *draw, const void *context, uint32_t size, bool everywhere, uint8_t *bits);
 
-/* The volume of a setting of 1, 8 or 16 bits; otherwise as voxel_draw.
+/* The volume of a setting of 1, 8 or 16 bits; otherwise as voxel_run.
  * out  voxels: in order, as flat_texture_read gives them */
 void voxel_case_draw(const VoxelCase *c, const VoxelSetting *setting, bool everywhere,
                      uint8_t *voxels);

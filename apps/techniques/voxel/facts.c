@@ -46,16 +46,6 @@ GpResult voxel_facts_find(const VoxelScene *scene, VoxelFacts *facts, GpError *e
     return result ? gp_fail(error, result, "out of memory") : GP_OK;
 }
 
-/* The model turned so that `axis` becomes z, and the two after it x and y. */
-static VoxelModel turn(const VoxelModel *model, int axis)
-{
-    VoxelModel turned = *model;
-    for (int k = 0; k < 3; k++)
-        memcpy(turned.motion.to_voxels[k], model->motion.to_voxels[(axis + 1 + k) % 3],
-               sizeof turned.motion.to_voxels[k]);
-    return turned;
-}
-
 /* Sets the bit of a voxel's place in the volume as it was before it was turned. */
 static void set_turned_back(size_t i, uint32_t size, int axis, uint8_t *back)
 {
@@ -83,9 +73,9 @@ static GpResult find_solid(const VoxelModel *model, uint32_t size, GpDevice *dev
     Frame frame = { .color = NULL };
     FlatTexture sheet;
     uint32_t passes, draws;
-    tech_voxel_room(&setting, &passes, &draws);
+    voxel_room(&setting, &passes, &draws);
     frame_reserve(&frame, passes, draws);
-    GpResult result = tech_voxel_build(model, &setting, &frame, &sheet, error);
+    GpResult result = voxel_build(model, &setting, &frame, &sheet, error);
     if (!result)
         result = gp_device_run(device, &frame.list, error);
     if (!result)
@@ -108,7 +98,7 @@ GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevic
                           ? GP_OK
                           : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (int axis = 0; axis < 3 && !result; axis++) {
-        VoxelModel along = turn(&model, axis);
+        const VoxelModel along = voxel_model_along(&model, axis);
         result = find_solid(&along, size, device, turned, error);
         if (!result) {
             odd_columns[axis] = voxel_odd_columns(turned, size);

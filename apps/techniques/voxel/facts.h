@@ -19,8 +19,8 @@ typedef struct VoxelFacts {
 GpResult voxel_facts_find(const VoxelScene *scene, VoxelFacts *facts, GpError *error);
 
 /* Adds those of its solids: makes one along each axis, by the method xor, of the mesh in its own
- * box. Voxels that disagree where no column is odd have their middles on the surface, or nearly.
- * errors those of tech_voxel_build and gp_device_run, GP_ERROR_MEMORY */
+ * box. Voxels that disagree where no column is odd have their centres on the surface, or nearly.
+ * errors those of voxel_build and gp_device_run, GP_ERROR_MEMORY */
 GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevice *device,
                                  VoxelFacts *facts, GpError *error);
 

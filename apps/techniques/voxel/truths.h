@@ -11,8 +11,8 @@
  * voxels that rounding decides. */
 typedef enum VoxelTruthKind {
     VOXEL_TRUTH_TOUCHED, /* by a triangle; undecided within 1/1000 voxel */
-    VOXEL_TRUTH_SAMPLED, /* by lines through middles along three axes; within 1/1000 voxel */
-    VOXEL_TRUTH_INSIDE,  /* an odd number of triangles above the middle; within 1/128 voxel */
+    VOXEL_TRUTH_SAMPLED, /* by lines through centres along three axes; within 1/1000 voxel */
+    VOXEL_TRUTH_INSIDE,  /* an odd number of triangles above the centre; within 1/128 voxel */
 } VoxelTruthKind;
 
 enum { VOXEL_MAX_TRUTHS = 32 };

@@ -8,7 +8,7 @@
 
 /* A square over the columns. Where they are wider than high, or higher than wide, it is too large, and
  * finds nothing in its other pixels. */
-GP_INLINE float4 square_middle(const FlatTextureLayout *sheet, const Placed *triangle)
+GP_INLINE float4 square_centre(const FlatTextureLayout *sheet, const Placed *triangle)
 {
     return sheet_position(sheet, add(triangle->first, triangle->side * 0.5f));
 }
@@ -17,7 +17,7 @@ vertex_shader(voxel_touched_vs, VoxelColumnsUniforms, Vertex, Varying)
 {
     Placed triangle = place_touched(c, in, out);
     describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
-    *position = square_middle(&c->sheet, &triangle);
+    *position = square_centre(&c->sheet, &triangle);
     *point_size = triangle.side;
 }
 
@@ -25,7 +25,7 @@ vertex_shader(voxel_sampled_vs, VoxelColumnsUniforms, Vertex, Varying)
 {
     Placed triangle = place_sampled(c, in, out);
     describe_triangle(&triangle, 0, out);
-    *position = square_middle(&c->sheet, &triangle);
+    *position = square_centre(&c->sheet, &triangle);
     *point_size = triangle.side;
 }
 
@@ -134,7 +134,7 @@ program(voxel_touched_column_program, voxel_column_vs, voxel_column_ps, .vertex_
         .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },
         .varyings = { { "run", 2, GP_FLAT } }, .writes_point_size = true)
 
-/* --- voxels that lines through middles meet --------------------------------------------------- */
+/* --- voxels that lines through centres meet --------------------------------------------------- */
 
 /* Bits first <= k < end, whole numbers; none: NOWHERE and -NOWHERE. */
 typedef struct Run {
@@ -148,8 +148,8 @@ GP_INLINE Run run_where(msk found, flt first, flt end)
     return (Run){ sel(found, first, NOWHERE), sel(found, end, -NOWHERE) };
 }
 
-/* Voxels of the slab whose middles lie in an interval. */
-GP_INLINE Run middles_inside(Interval z, msk asked)
+/* Voxels of the slab whose centres lie in an interval. */
+GP_INLINE Run centres_inside(Interval z, msk asked)
 {
     flt first = max(-floor_(0.5f - z.low), 0), end = min(floor_(z.high + 0.5f), 32);
     return run_where((msk)(first < end) & asked, first, end);
@@ -191,18 +191,18 @@ pixel_shader(voxel_sampled_ps, VoxelColumnsUniforms, Varying)
 {
     flt x = vpos().x - in->place.x, y = vpos().y - in->place.y;
     const Interval ends = { in->ends.x, in->ends.y };
-    flt middle = in->plane.x + in->plane.y * x + in->plane.z * y;
+    flt centre = in->plane.x + in->plane.y * x + in->plane.z * y;
 
     /* lines along x, and along y, are in the column where the plane is half a column's rise from
-     * its middle */
-    Interval lines_x = within(ends, middle, abs_(in->plane.y) * 0.5f);
-    Interval lines_y = within(ends, middle, abs_(in->plane.z) * 0.5f);
+     * its centre */
+    Interval lines_x = within(ends, centre, abs_(in->plane.y) * 0.5f);
+    Interval lines_y = within(ends, centre, abs_(in->plane.z) * 0.5f);
     lines_x = within_view(lines_x, in->single.z, in->single.w, in->pair_y, in->ends.w, y);
     lines_y = within_view(lines_y, in->single.x, in->single.y, in->pair_x, in->ends.z, x);
-    flt met = floor_(max(min(middle, ends.high), ends.low));
+    flt met = floor_(max(min(centre, ends.high), ends.low));
 
     msk boxed = in_box(in, x, y);
-    Run along_x = middles_inside(lines_x, boxed), along_y = middles_inside(lines_y, boxed);
+    Run along_x = centres_inside(lines_x, boxed), along_y = centres_inside(lines_y, boxed);
     Run along_z = run_where(boxed & in_edges(in, x, y) & (msk)(met >= 0.0f) & (msk)(met < 32.0f),
                             met, met + 1.0f);
     Run across = hull(along_x, along_y), all = hull(across, along_z);

@@ -1,4 +1,4 @@
-/* The voxels that triangles touch, or that lines through the middles of voxels meet, by columns:
+/* The voxels that triangles touch, or that lines through the centres of voxels meet, by columns:
  * each triangle looks at the columns of voxels under its box, and sets a run of bits in each. */
 #ifndef SHADERS_VOXEL_METHODS_COLUMNS_H
 #define SHADERS_VOXEL_METHODS_COLUMNS_H
@@ -18,7 +18,7 @@ typedef struct VoxelColumnsUniforms {
 #define VOXEL_MARGIN        (1.0f / 4096)
 #define VOXEL_TOUCHED_REACH (0.5f + VOXEL_MARGIN)
 
-/* Voxels that share a point with the triangle; and those that a line through their middle along x,
+/* Voxels that share a point with the triangle; and those that a line through their centre along x,
  * y or z meets it in. To be drawn as points, one a triangle, whose streams GP_TEXCOORD0 to 2 are
  * its corners; blended with GP_BLEND_LOGIC_OR. */
 extern const GpProgram voxel_touched_program, voxel_sampled_program;

@@ -24,11 +24,11 @@ typedef struct CornerVertex {
     flt corner; /* 0 to 3, of the rectangle round it */
 } CornerVertex;
 
-/* In voxels, x and y from the middle of the first column, z from the slab's floor. */
+/* In voxels, x and y from the centre of the first column, z from the slab's floor. */
 typedef struct Varying {
     float4 place;  /* of the first column, in texels of the sheet; and how many columns, x and y */
     float4 ends;   /* lowest and highest z; mirrors of the views along y and x, see View */
-    float4 plane;  /* z in the middle of the first column; rise a column in x and y; half its rise
+    float4 plane;  /* z in the centre of the first column; rise a column in x and y; half its rise
                       over a column, with what rounding adds */
     float4 single; /* bounds of the views: along y, then along x */
     float4 pair_x, pair_y;
@@ -171,7 +171,7 @@ GP_INLINE Range range_touched(flt low, flt high, float last)
     return (Range){ first, min(floor_(high + VOXEL_MARGIN), last) - first + 1.0f };
 }
 
-/* Those whose middles it holds. */
+/* Those whose centres it holds. */
 GP_INLINE Range range_sampled(flt low, flt high, float last)
 {
     flt first = max(-floor_((0.5f + VOXEL_MARGIN) - low), 0);
@@ -215,14 +215,14 @@ GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Triangle *t
 
     float2 origin = patch_origin(&c->sheet, slab);
     float2 first = vec2(origin.x + columns.first, origin.y + rows.first);
-    float3 middle = vec3(columns.first + 0.5f, rows.first + 0.5f, floor);
+    float3 centre = vec3(columns.first + 0.5f, rows.first + 0.5f, floor);
     msk there = (msk)(floor <= highest + VOXEL_MARGIN) & (msk)(columns.count > 0.0f) &
                 (msk)(rows.count > 0.0f);
     out->place = vec4(first.x, first.y, columns.count, rows.count);
     out->ends = vec4(t->low.z - floor, highest - floor, 0, 0);
-    return (Placed){ .a = sub(t->a, middle),
-                     .b = sub(t->b, middle),
-                     .c = sub(t->c, middle),
+    return (Placed){ .a = sub(t->a, centre),
+                     .b = sub(t->b, centre),
+                     .c = sub(t->c, centre),
                      .first = first,
                      .side = sel(there, max(columns.count, rows.count), 0) };
 }
@@ -236,7 +236,7 @@ GP_INLINE Placed place_touched(const VoxelColumnsUniforms *c, const Vertex *in, 
                           range_touched(t.low.y, t.high.y, last), out);
 }
 
-/* Over those in which lines through middles may meet it: a line along x has its middles in y and z,
+/* Over those in which lines through centres may meet it: a line along x has its centres in y and z,
  * and so on. */
 GP_INLINE Placed place_sampled(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
 {
@@ -250,7 +250,7 @@ GP_INLINE Placed place_sampled(const VoxelColumnsUniforms *c, const Vertex *in, 
                           sel_range(along_y, range_touched(t.low.y, t.high.y, last), y), out);
 }
 
-/* reach: half a column's width, as far as triangles are seen from its middle; or 0 */
+/* reach: half a column's width, as far as triangles are seen from its centre; or 0 */
 GP_INLINE void describe_triangle(const Placed *triangle, float reach, Varying *out)
 {
     float3 a = triangle->a, b = triangle->b, c = triangle->c;
@@ -284,9 +284,9 @@ GP_INLINE Interval within_view(Interval z, flt at, flt slope, float4 pair, flt m
                        min(z.high, sel(upright, below, -above)) };
 }
 
-GP_INLINE Interval within(Interval z, flt middle, flt half)
+GP_INLINE Interval within(Interval z, flt centre, flt half)
 {
-    return (Interval){ max(z.low, middle - half), min(z.high, middle + half) };
+    return (Interval){ max(z.low, centre - half), min(z.high, centre + half) };
 }
 
 GP_INLINE msk in_box(const Varying *in, flt x, flt y)

@@ -1,4 +1,4 @@
-/* A voxel is inside where, along each axis, its middle lies between the nearest surface seen from
+/* A voxel is inside where, along each axis, its centre lies between the nearest surface seen from
  * either face.
  * source Karabassi, Papaioannou and Theoharis, "A fast depth-buffer-based voxelization algorithm",
  *        Journal of Graphics Tools 4(4), 1999 */

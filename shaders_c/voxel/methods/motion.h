@@ -4,8 +4,8 @@
 
 typedef struct VoxelMotion {
     float to_voxels[4][4]; /* rows */
-    float twist;           /* radians a voxel: turns about the vertical line through the middle */
-    float middle;          /* of the volume, in voxels: half its size */
+    float twist;           /* radians a voxel: turns about the vertical line through the centre */
+    float centre;          /* of the volume, in voxels: half its size */
 } VoxelMotion;
 
 #endif

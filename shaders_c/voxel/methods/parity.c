@@ -34,7 +34,7 @@ vertex_shader(voxel_parity_vs, VoxelParityUniforms, Vertex, Varying)
 
 pixel_shader_targets(voxel_parity_ps, VoxelParityUniforms, Varying, Targets)
 {
-    flt below = -floor_(0.5f - in->height); /* middles below the surface */
+    flt below = -floor_(0.5f - in->height); /* centres below the surface */
     below = sel(below <= c->most, below, 0);
     below = min(min(below, c->size - c->floor), (float)VOXEL_PARITY_DEPTH);
     for (int i = 0; i < 4; i++)

@@ -1,4 +1,4 @@
-/* Solid voxels by parity: a voxel is inside where the number of surfaces above its middle is odd.
+/* Solid voxels by parity: a voxel is inside where the number of surfaces above its centre is odd.
  * Each fragment turns over all bits below it. */
 #ifndef SHADERS_VOXEL_METHODS_PARITY_H
 #define SHADERS_VOXEL_METHODS_PARITY_H

@@ -15,7 +15,7 @@ typedef struct Varying {
 
 vertex_shader(voxel_place_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
-    float3 place = m4x3(in->position, c->to_sheet);
+    float3 place = m4x3(in->position, c->to_flat);
     *position = patch_position(c, place);
     out->depth = place.z;
 }

@@ -6,9 +6,9 @@
 #include "pipeline/shader/program.h"
 
 typedef struct VoxelSheetsUniforms {
-    float to_sheet[4][4]; /* rows: from the model to u, v and depth in voxels */
-    float size;           /* voxels a side */
-    float first_slab;     /* of target 0 */
+    float to_flat[4][4]; /* rows: from the model to u, v and depth in voxels */
+    float size;          /* voxels a side */
+    float first_slab;    /* of target 0 */
 
     /* of many-valued voxels: numbers of up to 16 bits, low byte first */
     float to_volume[4][4]; /* rows: from the model to x, y, z in voxels, for normals */

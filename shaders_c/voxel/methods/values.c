@@ -16,7 +16,7 @@ typedef struct Varying {
 
 vertex_shader(voxel_normals_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
-    float3 place = m4x3(in->position, c->to_sheet);
+    float3 place = m4x3(in->position, c->to_flat);
     *position = patch_position(c, place);
     out->depth = place.z;
     out->value = m3x3(in->value, c->to_volume);
@@ -48,7 +48,7 @@ program(voxel_normals_program, voxel_normals_vs, voxel_normals_ps, .vertex_profi
 
 vertex_shader(voxel_colors_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
-    float3 place = m4x3(in->position, c->to_sheet);
+    float3 place = m4x3(in->position, c->to_flat);
     *position = patch_position(c, place);
     out->depth = place.z;
     out->value = in->value;

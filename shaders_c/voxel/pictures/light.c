@@ -60,16 +60,16 @@ typedef struct Weights {
     float3 x[VOXEL_RUN], y[VOXEL_RUN];
 } Weights;
 
-/* In: numbers of the first voxels; how far the place lies past the third ones' middles. */
+/* In: numbers of the first voxels; how far the place lies past the third ones' centres. */
 GP_INLINE Weights weigh_six(const FlatTextureLayout *sheet, float2 first, float2 past)
 {
-    const float last_from_middle = (sheet->size - 1) * 0.5f;
-    float2 from_middle = sub(first, last_from_middle);
+    const float last_from_centre = (sheet->size - 1) * 0.5f;
+    float2 from_centre = sub(first, last_from_centre);
     Weights weights;
     for (int k = 0; k < VOXEL_RUN; k++) {
         float2 distance = sub(sp2(bcast((float)(k - 2))), past);
         float2 rest = mad(mul(distance, -1.0f / 9), distance, 1.0f);
-        float2 inside = sge(sp2(bcast(last_from_middle)), abs_(add(from_middle, (float)k)));
+        float2 inside = sge(sp2(bcast(last_from_centre)), abs_(add(from_centre, (float)k)));
         float2 counted = mul(rest, inside);
         float2 value = mul(counted, rest), slope = mul(mul(counted, distance), 4.0f / 9);
         weights.x[k] = vec3(slope.x, value.x, value.x);
@@ -83,7 +83,7 @@ typedef struct RunPlace {
     float4 words;         /* texture coordinates of the first column's two words */
     float4 lower;         /* what the lower word's bytes count */
     flt upper;            /* what the upper word's first byte counts */
-    float4 scale, middle; /* from bits to the table's coordinates */
+    float4 scale, centre; /* from bits to the table's coordinates */
 } RunPlace;
 
 /* What the bytes of a word count as parts of a run that begins in the channel-th: the first as it
@@ -112,7 +112,7 @@ GP_INLINE RunPlace place_run(const VoxelLightUniforms *c, float3 first, flt past
                        .lower = mul(count_bytes(channel), exists),
                        .upper = sel(shared, next * 65280.0f, 0),
                        .scale = vec4(scale, 0, 0, 0),
-                       .middle = vec4(scale * 0.5f, past + 0.5f / (float)VOXEL_RUN_ROWS, 0, 0) };
+                       .centre = vec4(scale * 0.5f, past + 0.5f / (float)VOXEL_RUN_ROWS, 0, 0) };
 }
 
 /* Density, density, and its slope along z, of the six voxels of a column. The table repeats, so
@@ -121,12 +121,12 @@ GP_INLINE float3 read_run(GpInvocation *gp, const RunPlace *run, float4 words)
 {
     float4 low = texld(1, vec2(words.x, words.y)), high = texld(1, vec2(words.z, words.w));
     flt bits = mad(high.z, run->upper, dp4(low, run->lower));
-    return xyz(texld(2, xy(mad(sp4(bits), run->scale, run->middle))));
+    return xyz(texld(2, xy(mad(sp4(bits), run->scale, run->centre))));
 }
 
 GP_INLINE float3 density_slope(GpInvocation *gp, const VoxelLightUniforms *c, float3 place)
 {
-    float3 middle = sub(place, 0.5f), third = floor_(middle), past = sub(middle, third);
+    float3 centre = sub(place, 0.5f), third = floor_(centre), past = sub(centre, third);
     float3 first = sub(third, 2.0f);
     RunPlace run = place_run(c, first, past.z);
     Weights weights = weigh_six(&c->sheet, vec2(first.x, first.y), vec2(past.x, past.y));

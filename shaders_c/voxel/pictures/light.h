@@ -8,7 +8,7 @@ typedef struct VoxelLightUniforms {
     FlatTextureLayout sheet;
     float slabs;              /* of the sheet */
     float across[4], down[4]; /* to the next texel, in texture coordinates: u, v, u, v */
-    float eye[3], at[3];      /* of the ray in the picture's middle: origin, direction */
+    float eye[3], at[3];      /* of the ray in the picture's centre: origin, direction */
     float right[3], up[3];    /* from there to the picture's edges */
     float perspective;        /* 1: they turn rays; 0: they move them */
     float kind;               /* of the voxels that are lit */
@@ -22,7 +22,7 @@ extern const GpProgram voxel_light_faces_program; /* faces of cubes */
 extern const GpProgram voxel_light_smooth_program;
 
 /* The table: column b, row f hold the smoothed density of six voxels in a row, of which bit k of b
- * says whether the k-th is there, at a place f / VOXEL_RUN_ROWS past the third one's middle: red
+ * says whether the k-th is there, at a place f / VOXEL_RUN_ROWS past the third one's centre: red
  * and green; and its slope: blue. */
 enum { VOXEL_RUN = 6, VOXEL_RUN_PATTERNS = 64, VOXEL_RUN_ROWS = 64 };
 

@@ -53,7 +53,7 @@ program(voxel_slopes_program, voxel_slopes_vs, voxel_slopes_ps, .vertex_profile 
 
 typedef struct Varying {
     SlabRay ray;
-    flt middle; /* of the slab, by w */
+    flt centre; /* of the slab, by w */
     flt fading; /* log2 of the light that a way of one voxel of the model leaves */
 } Varying;
 
@@ -61,7 +61,7 @@ vertex_shader(voxel_scan_vs, VoxelScanUniforms, SlabVertex, Varying)
 {
     *position = m4x4(in->position, c->slices.to_clip);
     out->ray = slab_ray(&c->slices, in->position, in->layer);
-    out->middle = in->position.z + c->slices.thickness * 0.5f;
+    out->centre = in->position.z + c->slices.thickness * 0.5f;
     out->fading = log_(bcast(1 - c->slices.colors[0][3]));
 }
 
@@ -78,8 +78,8 @@ GP_INLINE float4 layer_at(GpInvocation *gp, const FlatTextureLayout *sheet, floa
 /* What a slab of the scan adds, one sample for all of it, linear between eight. */
 GP_INLINE float4 scan_haze(GpInvocation *gp, const VoxelScanUniforms *c, const Varying *in)
 {
-    float2 middle = mul(add(in->ray.start, in->ray.end), 0.5f);
-    float3 place = voxel_at(&c->slices, middle, in->middle);
+    float2 centre = mul(add(in->ray.start, in->ray.end), 0.5f);
+    float3 place = voxel_at(&c->slices, centre, in->centre);
     flt below = floor_(place.z - 0.5f);
     float4 sample = lrp(place.z - 0.5f - below, layer_at(gp, &c->slopes, place, below + 1.0f),
                         layer_at(gp, &c->slopes, place, below));
@@ -117,7 +117,7 @@ pixel_shader(voxel_scan_mixed_ps, VoxelScanUniforms, Varying)
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
     .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 1 } },                                         \
     .varyings = { { "start", 2, GP_PERSPECTIVE }, { "end", 2, GP_PERSPECTIVE },                    \
-                  { "layer", 1, GP_FLAT }, { "middle", 1, GP_FLAT }, { "fading", 1, GP_FLAT } }
+                  { "layer", 1, GP_FLAT }, { "centre", 1, GP_FLAT }, { "fading", 1, GP_FLAT } }
 
 program(voxel_scan_program, voxel_scan_vs, voxel_scan_ps, SCAN_DECLARATIONS,
         .samplers = 1 << 1 | 1 << 2)

@@ -16,7 +16,7 @@ typedef struct VoxelScanUniforms {
     VoxelViewUniforms slices; /* of the voxels; thickness and the rest of the scan too */
     FlatTextureLayout slopes;
     float light[3];  /* towards it, unit length; x, y, z */
-    float to_eye[3]; /* from the volume's middle */
+    float to_eye[3]; /* from the volume's centre */
 } VoxelScanUniforms;
 
 /* Slices as voxel_view's. Slot 1: the slopes, read linearly; slot 2: the transfer ramp, 256 texels:

@@ -95,8 +95,8 @@ GP_INLINE float3 voxel_at(const VoxelViewUniforms *c, float2 across, flt layer)
 GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 across, flt layer,
                       bool two)
 {
-    float2 from_middle = abs_(sub(across, (c->sheet.size - 1) * 0.5f));
-    msk inside = max(from_middle.x, from_middle.y) < c->sheet.size * 0.5f;
+    float2 from_centre = abs_(sub(across, (c->sheet.size - 1) * 0.5f));
+    msk inside = max(from_centre.x, from_centre.y) < c->sheet.size * 0.5f;
     VoxelPlace place = place_of_voxel(&c->sheet, voxel_at(c, across, layer));
     flt kind = sel(has_bit(texld(0, place.coord), place.bit), bcast(VOXEL_KIND_FIRST), 0);
     if (two)

@@ -1,4 +1,4 @@
-/* Voxels of functions: the sign at middles, or at the eight corners of each voxel, which the blend
+/* Voxels of functions: the sign at centres, or at the eight corners of each voxel, which the blend
  * unit puts together: a voxel is of the surface where some corner is inside, and not all of them
  * are. */
 #include "apps/techniques/voxel/inputs/implicit.h"
@@ -163,10 +163,10 @@ static void fill_field(Sampling *s, float place)
 
 static void draw_solid(Sampling *s)
 {
-    static const float middle[3] = { 0.5f, 0.5f, 0.5f };
+    static const float centre[3] = { 0.5f, 0.5f, 0.5f };
     flat_texture_pass(s->frame, "inside", s->sheet);
     for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
-        draw_samples(s, slab, false, middle);
+        draw_samples(s, slab, false, centre);
 }
 
 static void draw_surface(Sampling *s)

@@ -30,11 +30,11 @@ GpResult voxel_function_parse(const char *text, VoxelFunction *function, GpError
 VoxelBox voxel_box_of_cube(double reach, uint32_t size);
 #define VOXEL_FUNCTION_REACH 3.0
 
-/* Solid: voxels whose middles are inside. Surface: voxels of whose eight corners some are inside
+/* Solid: voxels whose centres are inside. Surface: voxels of whose eight corners some are inside
  * and some are not; a surface that comes and goes between corners is not seen.
  * in     box: from the function's space to voxels; kind: VoxelKind
  * errors GP_ERROR_INVALID: a callback's samples do not fit a texture
- * note   the callback is called here, once for each middle or corner, x fastest */
+ * note   the callback is called here, once for each centre or corner, x fastest */
 GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
                         const FlatTexture *sheet, GpError *error);
 
@@ -45,7 +45,7 @@ extern const char *const voxel_parametric_names[];
 
 /* Points closer than this, in voxels, along both parameters leave no hole: each point of the
  * surface has one within a half of the diagonal, 0.36 voxels, so that of two voxels with a common
- * face the line between whose middles meets the surface, one is set. */
+ * face the line between whose centres meets the surface, one is set. */
 #define VOXEL_PARAMETRIC_STEP 0.5
 
 /* The surface's own box as a volume. errors GP_ERROR_INVALID: no such surface */

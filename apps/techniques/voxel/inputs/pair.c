@@ -12,10 +12,10 @@ static Similarity place_beside(const VoxelPlace *place, const Bounds *bounds, co
     const double side = bounds_longest(other), own = bounds_longest(bounds);
     Similarity to = { .scale = place->fit > 0 && own > 0 ? place->fit * side / own : 1 };
     for (int k = 0; k < 3; k++) {
-        const double middle = (bounds->low[k] + bounds->high[k]) / 2;
+        const double centre = (bounds->low[k] + bounds->high[k]) / 2;
         const double others = (other->low[k] + other->high[k]) / 2;
         to.offset[k] = place->move[k] * side;
-        to.offset[k] += place->fit > 0 ? others - to.scale * middle : 0;
+        to.offset[k] += place->fit > 0 ? others - to.scale * centre : 0;
     }
     return to;
 }
@@ -69,7 +69,7 @@ static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpErro
         return gp_fail(error, GP_ERROR_INVALID, "--with: 1 or 8 bits a voxel, not 16");
     if (pair->scenes[1] && pair->scenes[0]->twist != 0)
         return gp_fail(error, GP_ERROR_INVALID,
-                       "--twist turns about the middle of the volume: not --with another model");
+                       "--twist turns about the centre of the volume: not --with another model");
     return flat_texture_check(setting->size, setting->bits, error);
 }
 

@@ -10,7 +10,7 @@ enum { VOXEL_TOUCHING = VOXEL_DIFFERENCE + 1 }; /* the voxels that both have; bo
 
 /* How a model is put beside, or into, something else. */
 typedef struct VoxelPlace {
-    double fit;     /* its longest side in those of the other, with the same middle; 0: as it is */
+    double fit;     /* its longest side in those of the other, with the same centre; 0: as it is */
     double move[3]; /* after that, in longest sides of the other */
 } VoxelPlace;
 

@@ -58,7 +58,7 @@ void voxel_scene_close(VoxelScene *scene)
 
 /* --- boxes ------------------------------------------------------------------------------------ */
 
-/* Room for every vertex wherever it turns about the middle of a box, along y. */
+/* Room for every vertex wherever it turns about the centre of a box, along y. */
 static void widen_to_turn(const GpMesh *mesh, Bounds *bounds)
 {
     const double x = (bounds->low[0] + bounds->high[0]) / 2;
@@ -146,7 +146,7 @@ VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box)
 void voxel_scene_room(const VoxelSetting *setting, const FlatTexture *sheet, uint32_t *passes,
                       uint32_t *draws)
 {
-    tech_voxel_room(setting, passes, draws);
+    voxel_room(setting, passes, draws);
     *passes += VOXEL_INPUT_PASSES;
     *draws += voxel_input_draws(sheet);
 }
@@ -200,7 +200,7 @@ static GpResult draw_mesh(const VoxelScene *scene, const VoxelSetting *setting, 
         if (result)
             return result;
     }
-    return tech_voxel_draw(&model, setting, frame, sheet, error);
+    return voxel_draw(&model, setting, frame, sheet, error);
 }
 
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,

@@ -20,7 +20,7 @@ typedef enum VoxelInput {
 typedef struct VoxelScene {
     int input;    /* VoxelInput */
     GpMesh mesh;  /* also of points */
-    double twist; /* of a mesh: degrees from its floor to its top, about the middle of its volume */
+    double twist; /* of a mesh: degrees from its floor to its top, about the centre of its volume */
     bool is_placed; /* by a scale and an offset of the user's, not by the model's box */
     double scale, offset[3];
 
@@ -48,7 +48,7 @@ VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size);
 /* The voxels that a model may set. */
 VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box);
 
-/* The mesh of a scene as tech_voxel_draw takes it, borrowed and not twisted. */
+/* The mesh of a scene as voxel_draw takes it, borrowed and not twisted. */
 VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);
 
 /* Upper bounds of the passes and draws that voxel_scene_draw appends, for frame_reserve. */
@@ -57,7 +57,7 @@ void voxel_scene_room(const VoxelSetting *setting, const FlatTexture *sheet, uin
 
 /* Appends the passes of a model in its box.
  * in     sheet: of the setting's size and bits, which flat_texture_check lets pass
- * errors those of tech_voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with
+ * errors those of voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with
  *        what the model is */
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
                           Frame *frame, const FlatTexture *sheet, GpError *error);

@@ -107,7 +107,7 @@ static void add_draw(const VoxelModel *model, Frame *frame, const FlatTexture *s
 {
     VoxelColumnsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     *uniforms = (VoxelColumnsUniforms){ .sheet = flat_texture_layout(sheet), .step = (float)step };
-    voxel_set_motion(model, &uniforms->motion);
+    voxel_set_motion(model, frame, &uniforms->motion);
     frame_draw(frame, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 

@@ -3,7 +3,6 @@
  * source Karabassi, Papaioannou and Theoharis, "A fast depth-buffer-based voxelization algorithm",
  *        Journal of Graphics Tools 4(4), 1999 */
 #include "apps/techniques/voxel/methods/methods.h"
-#include "apps/techniques/voxel/methods/along.h"
 #include "shaders_c/common/depth_only.h"
 #include "shaders_c/voxel/methods/faces.h"
 
@@ -18,7 +17,8 @@ static void draw_faces(const VoxelModel *model, uint32_t size, Frame *frame,
     DepthOnlyUniforms *uniforms = frame_alloc(frame, FACES, sizeof *uniforms);
     for (int i = 0; i < FACES; i++) {
         faces[i] = frame_surface(frame, GP_D32F, size, size, 1);
-        voxel_along_view(model, size, i / 2, i % 2, uniforms[i].mvp);
+        const VoxelModel along = voxel_model_along(model, i / 2);
+        voxel_model_view(&along, size, i % 2, uniforms[i].mvp);
         frame_pass(frame, names[i], NULL, faces[i], NULL);
         GpDraw *draw = frame_draw(frame, &depth_only_program, &uniforms[i], &geometry);
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };

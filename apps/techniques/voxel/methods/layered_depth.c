@@ -1,22 +1,21 @@
 /* Voxels from a layered depth image: surfaces along z are peeled off one after the other, which
  * also sorts them, and a column is inside from each odd one to the next.
- * DEVIATES: a list cannot look whether a layer came out empty, so all VOXEL_LDI_LAYERS are drawn;
+ * DEVIATES: a list cannot look whether a layer came out empty, so all VOXEL_LAYERS are drawn;
  * empty ones cost their geometry, and nothing else.
  * source Heidelberger, Teschner and Gross, "Real-time volumetric intersections of deforming
  *        objects", Vision, Modeling and Visualization 2003 */
 #include "apps/techniques/voxel/methods/methods.h"
-#include "apps/techniques/voxel/methods/along.h"
 #include "shaders_c/voxel/methods/layers.h"
 
 static void peel(const VoxelModel *model, uint32_t size, Frame *frame,
-                 GpSurface *layers[VOXEL_LDI_LAYERS])
+                 GpSurface *layers[VOXEL_LAYERS])
 {
     static const float no_layer[4] = { VOXEL_NO_LAYER };
     const GpGeometry geometry = voxel_model_geometry(model);
     GpSurface *depth = frame_surface(frame, GP_D32F, size, size, 1);
     VoxelPeelUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
-    voxel_along_view(model, size, 2, false, uniforms->to_clip);
-    for (int i = 0; i < VOXEL_LDI_LAYERS; i++) {
+    voxel_model_view(model, size, false, uniforms->to_clip);
+    for (int i = 0; i < VOXEL_LAYERS; i++) {
         layers[i] = frame_surface(frame, GP_R32F, size, size, 1);
         frame_pass(frame, "layer", layers[i], depth, no_layer);
         GpDraw *draw = frame_draw(frame, i ? &voxel_peel_next_program : &voxel_peel_first_program,
@@ -39,10 +38,10 @@ static void fill_patch(Frame *frame, const FlatTexture *sheet, uint32_t slab,
     draw->textures[1].surface = exit;
 }
 
-void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-               const FlatTexture *sheet)
+void voxel_layered_depth(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                         const FlatTexture *sheet)
 {
-    GpSurface *layers[VOXEL_LDI_LAYERS];
+    GpSurface *layers[VOXEL_LAYERS];
     peel(model, setting->size, frame, layers);
 
     FlatTextureSlab *uniforms = frame_alloc(frame, sheet->slabs, sizeof *uniforms);
@@ -50,10 +49,10 @@ void voxel_ldi(const VoxelModel *model, const VoxelSetting *setting, Frame *fram
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
         uniforms[slab] = flat_texture_slab(sheet, slab);
         if (setting->kind == VOXEL_SOLID)
-            for (int i = 0; i + 1 < VOXEL_LDI_LAYERS; i += 2)
+            for (int i = 0; i + 1 < VOXEL_LAYERS; i += 2)
                 fill_patch(frame, sheet, slab, &uniforms[slab], layers[i], layers[i + 1]);
         else
-            for (int i = 0; i < VOXEL_LDI_LAYERS; i++)
+            for (int i = 0; i < VOXEL_LAYERS; i++)
                 fill_patch(frame, sheet, slab, &uniforms[slab], layers[i], NULL);
     }
 }

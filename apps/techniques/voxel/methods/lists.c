@@ -1,7 +1,5 @@
 #include "apps/techniques/voxel/methods/lists.h"
 
-#include "apps/techniques/voxel/methods/methods.h"
-
 #include <math.h>
 
 enum { X, Y, Z };
@@ -15,12 +13,12 @@ static double distance(const double a[3], const double b[3])
 }
 
 /* However it turns, it is not longer than its longest edge. A twist moves what lies r from its axis
- * by r times the angle, and r is no more than the diagonal of the volume's middle: at most so much
+ * by r times the angle, and r is no more than the diagonal of the volume's centre: at most so much
  * longer does it make an edge. */
 static VoxelExtent any_extent(const VoxelModel *model, double q[3][3])
 {
     double longest = fmax(distance(q[0], q[1]), fmax(distance(q[1], q[2]), distance(q[2], q[0])));
-    longest *= 1 + fabs((double)model->most_twist) * 1.5 * (double)model->motion.middle;
+    longest *= 1 + fabs((double)model->most_twist) * 1.5 * (double)model->motion.centre;
     return (VoxelExtent){ -rounding, (float)longest + rounding, (float)longest, false, true };
 }
 
@@ -29,7 +27,7 @@ static bool in_one(double low, double high)
     return floor(low - (double)rounding) == floor(high + (double)rounding);
 }
 
-static int holds_middle(double low, double high)
+static int holds_centre(double low, double high)
 {
     return floor(high + (double)rounding - 0.5) >= ceil(low - (double)rounding - 0.5);
 }
@@ -41,20 +39,19 @@ static VoxelExtent still_extent(double q[3][3])
         low[k] = fmin(q[0][k], fmin(q[1][k], q[2][k]));
         high[k] = fmax(q[0][k], fmax(q[1][k], q[2][k]));
     }
-    int middles = 0;
+    int centres = 0;
     for (int k = 0; k < 3; k++)
-        middles += holds_middle(low[k], high[k]);
+        centres += holds_centre(low[k], high[k]);
     return (VoxelExtent){ (float)low[Z] - rounding, (float)high[Z] + rounding,
                           (float)fmax(high[X] - low[X], high[Y] - low[Y]),
-                          in_one(low[X], high[X]) && in_one(low[Y], high[Y]), middles >= 2 };
+                          in_one(low[X], high[X]) && in_one(low[Y], high[Y]), centres >= 2 };
 }
 
 void voxel_extents(const VoxelModel *model, VoxelExtent *extents)
 {
     for (uint32_t i = 0; i < model->triangle_count; i++) {
         double q[3][3];
-        for (size_t j = 0; j < 3; j++)
-            voxel_corner(model, 3 * (size_t)i + j, q[j]);
+        voxel_model_corners(model, i, q);
         extents[i] = model->motions ? any_extent(model, q) : still_extent(q);
     }
 }

@@ -4,14 +4,14 @@
 #ifndef APPS_TECHNIQUES_VOXEL_METHODS_LISTS_H
 #define APPS_TECHNIQUES_VOXEL_METHODS_LISTS_H
 
-#include "apps/techniques/voxel/methods/voxelize.h"
+#include "apps/techniques/voxel/methods/model.h"
 
 /* What a triangle may be drawn to, in voxels and with room for rounding. */
 typedef struct VoxelExtent {
     float low, high;  /* z; of a model that moves: round 0, its longest edge apart */
     float side;       /* the longer side of its box in x and y */
     bool in_column;   /* that box is certainly within one voxel's square */
-    bool meets_lines; /* the box may hold a line's two middles: others have no sample */
+    bool meets_lines; /* the box may hold a line's two centres: others have no sample */
 } VoxelExtent;
 
 /* out  extents: [model->triangle_count] */

@@ -1,7 +1,6 @@
 /* The oldest baseline: all geometry once for each slice of z, cut by clip planes.
  * source Fang and Chen, "Hardware accelerated voxelization", Computers & Graphics 24(3), 2000 */
 #include "apps/techniques/voxel/methods/methods.h"
-#include "apps/techniques/voxel/methods/along.h"
 #include "shaders_c/materials/unlit.h"
 
 #include <string.h>
@@ -13,8 +12,8 @@ static void color_of_bit(uint32_t bit, float color[4])
     color[flat_texture_channel[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
 }
 
-/* Surface: the piece of the model inside the slice sets its voxels. Solid: a middle that an odd
- * number of surfaces lie in front of is inside, so all that lies in front of the slice's middles
+/* Surface: the piece of the model inside the slice sets its voxels. Solid: a centre that an odd
+ * number of surfaces lie in front of is inside, so all that lies in front of the slice's centres
  * turns over its bit. Depth is z / size here, so a plane's distance is in voxels. */
 static void cut(GpRasterState *raster, int kind, float size, float slice)
 {
@@ -36,7 +35,7 @@ void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Frame *f
     UnlitUniforms *uniforms = frame_alloc(frame, setting->size, sizeof *uniforms);
     flat_texture_pass(frame, "slices", sheet);
     for (uint32_t slice = 0; slice < setting->size; slice++) {
-        voxel_along_view(model, setting->size, 2, false, uniforms[slice].mvp);
+        voxel_model_view(model, setting->size, false, uniforms[slice].mvp);
         color_of_bit(slice % sheet->per_texel, uniforms[slice].color);
         GpDraw *draw = frame_draw(frame, &unlit_program, &uniforms[slice], &geometry);
         draw->viewport = flat_texture_patch(sheet, slice / sheet->per_texel);

@@ -1,5 +1,7 @@
 /* The printed solid: rows scanned along three axes, and the majority of what they say. */
-#include "apps/techniques/voxel/methods/sheets.h"
+#include "apps/techniques/voxel/methods/solid_rows.h"
+
+#include "apps/techniques/voxel/methods/synthesis.h"
 #include "shaders_c/voxel/volume/sheet_copy.h"
 #include "shaders_c/voxel/methods/rows.h"
 
@@ -92,13 +94,4 @@ VoxelDirections voxel_row_scan(const VoxelSetting *setting, Frame *frame,
     draw_sheet(frame, &z, GP_BLEND_LOGIC_AND);
     draw_sheet(frame, both, GP_BLEND_LOGIC_OR);
     return (VoxelDirections){ .along = { *x, *y, z } };
-}
-
-VoxelDirections voxel_sheets_solid(const VoxelModel *model, const VoxelSetting *setting,
-                                   Frame *frame, const FlatTexture *solid)
-{
-    VoxelDirections crossings = voxel_directions_make(setting, frame, NULL);
-    voxel_directions_draw(model, setting, setting->axes == 1 ? VOXEL_ALONG_Z : VOXEL_ALONG_ALL,
-                          frame, &crossings);
-    return voxel_row_scan(setting, frame, &crossings, solid);
 }

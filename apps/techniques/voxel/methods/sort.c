@@ -1,7 +1,5 @@
 #include "apps/techniques/voxel/methods/sort.h"
 
-#include "apps/techniques/voxel/methods/methods.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -47,14 +45,13 @@ uint32_t voxel_sort_count(const VoxelModel *model, VoxelSort *sort)
     const uint32_t lists = 3 * sort->groups;
     memset(sort->start, 0, sizeof sort->start);
     for (uint32_t i = 0; i < model->triangle_count; i++) {
-        double corner[3][3];
+        double corners[3][3];
         VoxelSpans spans = { .first = { 0 } };
-        for (size_t j = 0; j < 3; j++)
-            voxel_corner(model, 3 * (size_t)i + j, corner[j]);
-        int only = sort->by == VOXEL_BY_NORMAL ? dominant_axis(corner) : 2;
+        voxel_model_corners(model, i, corners);
+        int only = sort->by == VOXEL_BY_NORMAL ? dominant_axis(corners) : 2;
         for (int axis = 0; axis < 3; axis++) {
             if (axis == only || sort->by == VOXEL_ALONG_ALL)
-                span_along(sort, corner, axis, &spans);
+                span_along(sort, corners, axis, &spans);
             for (uint32_t g = spans.first[axis]; g < spans.end[axis]; g++)
                 sort->start[(uint32_t)axis * sort->groups + g + 1] += 3;
         }

@@ -3,7 +3,7 @@
 #ifndef APPS_TECHNIQUES_VOXEL_METHODS_SORT_H
 #define APPS_TECHNIQUES_VOXEL_METHODS_SORT_H
 
-#include "apps/techniques/voxel/methods/voxelize.h"
+#include "apps/techniques/voxel/methods/model.h"
 
 typedef enum VoxelSortBy {
     VOXEL_BY_NORMAL, /* each along the axis that its normal is nearest to, the first of equals */

@@ -1,5 +1,6 @@
 /* The synthesis: directional flat textures into the one of the volume. */
-#include "apps/techniques/voxel/methods/sheets.h"
+#include "apps/techniques/voxel/methods/synthesis.h"
+
 #include "shaders_c/voxel/methods/turn.h"
 
 #include <string.h>
@@ -85,7 +86,7 @@ void voxel_synthesize(const VoxelSetting *setting, Frame *frame, const VoxelDire
 {
     const FlatTexture *volume = &directions->along[2];
     const VoxelTables tables = voxel_tables_make(frame, volume);
-    GpBlend blend = voxel_sheets_blend(setting);
+    GpBlend blend = voxel_directions_blend(setting);
     if (setting->bits == 1)
         blend = (GpBlend){ .op = GP_BLEND_LOGIC_OR };
     for (int axis = 0; axis < 2; axis++)

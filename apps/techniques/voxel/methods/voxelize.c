@@ -4,49 +4,7 @@
 
 const VoxelSetting voxel_defaults = { .size = 128, .bits = 1, .blend = VOXEL_ADD, .axes = 3 };
 
-VoxelMotion voxel_still(const VoxelBox *box)
-{
-    VoxelMotion motion = { .twist = 0, .middle = (float)box->size / 2 };
-    voxel_box_matrix(box, motion.to_voxels);
-    return motion;
-}
-
-void voxel_move(const VoxelMotions *motions, const VoxelMotion *motion)
-{
-    for (uint32_t i = 0; i < motions->count; i++)
-        *motions->motion[i] = *motion;
-}
-
-void voxel_set_motion(const VoxelModel *model, VoxelMotion *motion)
-{
-    *motion = model->motion;
-    if (model->motions) {
-        GP_ASSERT(model->motions->count < VOXEL_MAX_MOTIONS);
-        model->motions->motion[model->motions->count++] = motion;
-    }
-}
-
-void voxel_corner(const VoxelModel *model, size_t corner, double place[3])
-{
-    const float *p = model->positions + 3 * (size_t)model->indices[corner];
-    for (int k = 0; k < 3; k++) {
-        const float *row = model->motion.to_voxels[k];
-        place[k] = (double)row[0] * (double)p[0] + (double)row[1] * (double)p[1] +
-                   (double)row[2] * (double)p[2] + (double)row[3];
-    }
-}
-
-GpGeometry voxel_model_geometry(const VoxelModel *model)
-{
-    return (GpGeometry){
-        .vertex_count = model->vertex_count,
-        .indices = model->indices,
-        .index_count = 3 * model->triangle_count,
-        .streams = { [GP_POSITION] = { .data = model->positions, .components = 3 } },
-    };
-}
-
-void tech_voxel_room(const VoxelSetting *setting, uint32_t *passes, uint32_t *draws)
+void voxel_room(const VoxelSetting *setting, uint32_t *passes, uint32_t *draws)
 {
     *passes = 64 + 4 * setting->size;
     *draws = 256 + 8 * setting->size;
@@ -81,32 +39,31 @@ static GpResult check(const VoxelModel *model, const VoxelSetting *setting, GpEr
     return flat_texture_check(setting->size, setting->bits, error);
 }
 
-GpResult tech_voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-                         const FlatTexture *sheet, GpError *error)
+GpResult voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                    const FlatTexture *volume, GpError *error)
 {
-    typedef void Method(const VoxelModel *, const VoxelSetting *, Frame *, const FlatTexture *);
-    static Method *const methods[] = {
+    static VoxelMethodPasses *const methods[] = {
         [VOXEL_CONSERVATIVE] = voxel_columns,
         [VOXEL_THIN] = voxel_columns,
         [VOXEL_XOR] = voxel_xor,
         [VOXEL_SHEETS] = voxel_sheets,
         [VOXEL_SLICES] = voxel_slices,
-        [VOXEL_LDI] = voxel_ldi,
+        [VOXEL_LDI] = voxel_layered_depth,
         [VOXEL_FACES] = voxel_faces,
     };
     const VoxelSetting full = complete(setting);
     GpResult result = check(model, &full, error);
     if (!result)
-        methods[full.method](model, &full, frame, sheet);
+        methods[full.method](model, &full, frame, volume);
     return result;
 }
 
-GpResult tech_voxel_build(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-                          FlatTexture *sheet, GpError *error)
+GpResult voxel_build(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
+                     FlatTexture *volume, GpError *error)
 {
     GpResult result = flat_texture_check(setting->size, setting->bits, error);
     if (result)
         return result;
-    *sheet = flat_texture_make(frame, setting->size, setting->bits);
-    return tech_voxel_draw(model, setting, frame, sheet, error);
+    *volume = flat_texture_make(frame, setting->size, setting->bits);
+    return voxel_draw(model, setting, frame, volume, error);
 }

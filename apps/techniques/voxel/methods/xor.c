@@ -12,7 +12,7 @@ static bool rises_above(const VoxelExtent *extent, float floor)
     return extent->high >= floor;
 }
 
-/* A surface above the last middle turns over the whole group; up to the next group's first middle,
+/* A surface above the last centre turns over the whole group; up to the next group's first centre,
  * half a voxel beyond its floor, it does so here. */
 static bool crosses(const VoxelExtent *extent, float floor)
 {
@@ -47,7 +47,7 @@ static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent 
                                        .patches = (float)groups,
                                        .floor = (float)(group * DEPTH),
                                        .most = top ? 1e30f : (float)DEPTH };
-    voxel_set_motion(model, &uniforms->motion);
+    voxel_set_motion(model, frame, &uniforms->motion);
 
     GpGeometry geometry = choose_triangles(model, frame, extents, uniforms->floor, top);
     if (!geometry.index_count)

@@ -10,10 +10,10 @@
 typedef struct Samples {
     const uint8_t *values;
     const uint32_t *dims;
-    double spacing[3], first[3]; /* place of the first sample's middle */
+    double spacing[3], first[3]; /* place of the first sample's centre */
 } Samples;
 
-/* Along one axis: the sample before a voxel's middle, and how far past it that is; false where the
+/* Along one axis: the sample before a voxel's centre, and how far past it that is; false where the
  * voxel lies outside. */
 static bool find_samples(const Samples *s, int axis, uint32_t voxel, uint32_t *before, double *past)
 {

@@ -4,7 +4,7 @@
 
 #include "apps/techniques/voxel/volume/flat_texture.h"
 
-/* Makes a flat texture of 8 bits a voxel of samples, which lie in its middle; around them it is 0.
+/* Makes a flat texture of 8 bits a voxel of samples, which lie in its centre; around them it is 0.
  * in   samples: [dims[2]][dims[1]][dims[0]]; spacing: voxels from one sample to the next along each
  *      axis, NULL: 1; linear between samples
  *      size: voxels a side, such as flat_texture_check lets pass with 8 bits */

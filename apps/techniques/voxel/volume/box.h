@@ -14,7 +14,7 @@ typedef struct VoxelBox {
 /* Empty around a model, in voxels: along its longest side. */
 #define VOXEL_BOX_MARGIN 1.25
 
-/* The bounds fill size - 2.5 voxels along their longest side, and lie in the middle; without extent
+/* The bounds fill size - 2.5 voxels along their longest side, and lie in the centre; without extent
  * the scale is 1. */
 VoxelBox voxel_box_of(const Bounds *bounds, uint32_t size);
 

@@ -32,7 +32,7 @@ static void append(const void *context, Frame *frame, const FlatTexture *sheet)
 static void draw(Method *method, const VoxelCase *c, int kind, uint8_t *bits)
 {
     const Drawing drawing = { method, &c->model, kind };
-    voxel_draw(append, &drawing, c->size, false, bits);
+    voxel_run(append, &drawing, c->size, false, bits);
 }
 
 /* --- what is right ---------------------------------------------------------------------------- */
@@ -56,7 +56,7 @@ typedef struct Surface {
     uint64_t found, lost_facing, lost, extra;
 } Surface;
 
-/* Against what lines through middles meet: along z for triangles that face it, along all axes. */
+/* Against what lines through centres meet: along z for triangles that face it, along all axes. */
 static Surface measure_surface(Method *method, const VoxelCase *c)
 {
     static uint8_t bits[FULL], facing[FULL], all[FULL], allowed[FULL];
@@ -77,7 +77,7 @@ typedef struct Solid {
     uint64_t found, missing, extra; /* those beside the surface apart */
 } Solid;
 
-/* Against the parity of middles. */
+/* Against the parity of centres. */
 static Solid measure_solid(Method *method, const VoxelCase *c)
 {
     static uint8_t bits[FULL], inside[FULL], beside[FULL];
@@ -111,7 +111,7 @@ static void surfaces_are_what_one_view_sees(void **state)
         { "cube", 0, 2 * 46 * 46, 4 * 45 * 44 - 4 * 44 },
         { "meshes/bunny.ply", 0, 2523, 1329 },
     };
-    static Method *const methods[] = { voxel_slices, voxel_ldi };
+    static Method *const methods[] = { voxel_slices, voxel_layered_depth };
     for (size_t i = 0; i < GP_COUNT(cases); i++)
         for (size_t m = 0; m < GP_COUNT(methods); m++) {
             VoxelCase c = voxel_case_open(cases[i].name, cases[i].turn, N);
@@ -124,10 +124,10 @@ static void surfaces_are_what_one_view_sees(void **state)
         }
 }
 
-static void closed_solids_are_the_parity_of_middles(void **state)
+static void closed_solids_are_the_parity_of_centres(void **state)
 {
     (void)state;
-    static Method *const methods[] = { voxel_slices, voxel_ldi };
+    static Method *const methods[] = { voxel_slices, voxel_layered_depth };
     static const char *const names[] = { "sphere", "torus", "cube", "knot", "meshes/horse.ply" };
     for (size_t i = 0; i < GP_COUNT(names); i++)
         for (size_t m = 0; m < GP_COUNT(methods); m++) {
@@ -192,7 +192,7 @@ static void six_faces_fill_a_cavity_whole(void **state)
     memset(beside, 0, FULL);
     voxel_solid(c.triangles + half, half, N, cavity);
     voxel_surface(c.triangles + half, half, N, MARGIN - 0.5, beside);
-    Solid faces = measure_solid(voxel_faces, &c), layers = measure_solid(voxel_ldi, &c);
+    Solid faces = measure_solid(voxel_faces, &c), layers = measure_solid(voxel_layered_depth, &c);
     assert_true(faces.extra > 5000);
     assert_int_equal(faces.extra, voxel_count_without(cavity, beside, N));
     assert_int_equal(faces.missing, 0);
@@ -240,13 +240,14 @@ static void layers_beyond_the_bound_are_lost(void **state)
     (void)state;
     Boxes stack = { .count = MOST_BOXES };
     for (uint32_t b = 0; b < stack.count; b++) {
-        stack.low[b] = (float)(4 * b) + 2.25f; /* two middles each */
+        stack.low[b] = (float)(4 * b) + 2.25f; /* two centres each */
         stack.high[b] = stack.low[b] + 2;
     }
     assert_int_equal(count_boxes(&stack, voxel_slices, VOXEL_SURFACE), 20 * COLUMNS);
-    assert_int_equal(count_boxes(&stack, voxel_ldi, VOXEL_SURFACE), VOXEL_LDI_LAYERS * COLUMNS);
+    assert_int_equal(count_boxes(&stack, voxel_layered_depth, VOXEL_SURFACE),
+                     VOXEL_LAYERS * COLUMNS);
     assert_int_equal(count_boxes(&stack, voxel_slices, VOXEL_SOLID), 10 * 2 * COLUMNS);
-    assert_int_equal(count_boxes(&stack, voxel_ldi, VOXEL_SOLID), VOXEL_LDI_LAYERS * COLUMNS);
+    assert_int_equal(count_boxes(&stack, voxel_layered_depth, VOXEL_SOLID), VOXEL_LAYERS * COLUMNS);
 }
 
 /* Where two surfaces lie at one depth, peeling takes them for one, and the second box is
@@ -256,7 +257,7 @@ static void layers_that_coincide_are_one(void **state)
     (void)state;
     const Boxes pair = { .count = 2, .low = { 5, 15 }, .high = { 15, 25 } };
     assert_int_equal(count_boxes(&pair, voxel_slices, VOXEL_SOLID), 20 * COLUMNS);
-    assert_int_equal(count_boxes(&pair, voxel_ldi, VOXEL_SOLID), 10 * COLUMNS);
+    assert_int_equal(count_boxes(&pair, voxel_layered_depth, VOXEL_SOLID), 10 * COLUMNS);
 }
 
 /* A box without its far end: slices run on to the end of the volume; a layer without a partner, and
@@ -266,7 +267,7 @@ static void open_boxes_run_on_or_vanish(void **state)
     (void)state;
     const Boxes open = { .count = 1, .low = { 5 }, .high = { 25 }, .open = true };
     assert_int_equal(count_boxes(&open, voxel_slices, VOXEL_SOLID), (N - 5) * COLUMNS);
-    assert_int_equal(count_boxes(&open, voxel_ldi, VOXEL_SOLID), 0);
+    assert_int_equal(count_boxes(&open, voxel_layered_depth, VOXEL_SOLID), 0);
     assert_int_equal(count_boxes(&open, voxel_faces, VOXEL_SOLID), 0);
 }
 
@@ -279,15 +280,15 @@ static void every_device_draws_the_same_bits(void **state)
         Method *method;
         int kind;
     } cases[] = {
-        { voxel_slices, VOXEL_SURFACE }, { voxel_slices, VOXEL_SOLID },
-        { voxel_ldi, VOXEL_SURFACE },    { voxel_ldi, VOXEL_SOLID },
+        { voxel_slices, VOXEL_SURFACE },        { voxel_slices, VOXEL_SOLID },
+        { voxel_layered_depth, VOXEL_SURFACE }, { voxel_layered_depth, VOXEL_SOLID },
         { voxel_faces, VOXEL_SOLID },
     };
     static uint8_t bits[FULL];
     VoxelCase c = voxel_case_open("torus", askew, 40);
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         const Drawing drawing = { cases[i].method, &c.model, cases[i].kind };
-        voxel_draw(append, &drawing, c.size, true, bits);
+        voxel_run(append, &drawing, c.size, true, bits);
         assert_true(voxel_count(bits, c.size) > 500);
     }
     voxel_case_free(&c);
@@ -297,7 +298,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(surfaces_are_what_one_view_sees),
-        cmocka_unit_test(closed_solids_are_the_parity_of_middles),
+        cmocka_unit_test(closed_solids_are_the_parity_of_centres),
         cmocka_unit_test(six_faces_fill_what_none_sees),
         cmocka_unit_test(six_faces_fill_a_cavity_whole),
         cmocka_unit_test(layers_beyond_the_bound_are_lost),

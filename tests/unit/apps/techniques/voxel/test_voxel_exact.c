@@ -60,7 +60,7 @@ static void surfaces_of_shapes_are_exact(void **state)
 }
 
 /* How a random triangle is made: corners all over the volume, or near each other; two or three of
- * them on a line; edges along axes; coordinates on middles or sides of voxels. */
+ * them on a line; edges along axes; coordinates on centres or sides of voxels. */
 enum { ANYWHERE, TINY, SLIVER, UPRIGHT, FLAT, ON_LATTICE, MANNERS };
 
 enum { MOST_TRIANGLES = 4 };
@@ -170,7 +170,7 @@ static uint64_t check_solid(const char *name, uint32_t size)
     return count;
 }
 
-static void solids_are_the_parity_of_middles(void **state)
+static void solids_are_the_parity_of_centres(void **state)
 {
     (void)state;
     static const char *const shapes[] = { "sphere", "torus", "cube", "knot", "cone" };
@@ -228,7 +228,7 @@ int main(void)
         cmocka_unit_test(surfaces_of_any_triangles_are_exact),
         cmocka_unit_test(triangles_without_area_are_lines_and_points),
         cmocka_unit_test(models_may_leave_their_volume),
-        cmocka_unit_test(solids_are_the_parity_of_middles),
+        cmocka_unit_test(solids_are_the_parity_of_centres),
         cmocka_unit_test(bunny_is_exact),
         cmocka_unit_test(horse_is_exact),
         cmocka_unit_test(every_device_makes_the_same_volume),

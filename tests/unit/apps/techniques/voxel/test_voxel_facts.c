@@ -317,7 +317,7 @@ static void closed_solids_agree_and_open_ones_tell_where_they_do_not(void **stat
     release(&sphere);
 
     /* Without one side, the columns through it cross the other alone; along the other two axes
-     * nothing is missing. The cube is 21.5 voxels long: 21 or 22 middles a side. */
+     * nothing is missing. The cube is 21.5 voxels long: 21 or 22 centres a side. */
     Mesh cube = make("cube");
     cube.triangle_count -= 2;
     solids_of(&cube, odd, &disagreements);

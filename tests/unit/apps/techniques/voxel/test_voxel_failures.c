@@ -19,7 +19,7 @@ static const TechniqueCase carry[] = {
 };
 
 static const TechniqueCase lost[] = {
-    { "triangles beside all middles are lost", TORUS, SHEETS "--blend or", "missing", 4300, 5200 },
+    { "triangles beside all centres are lost", TORUS, SHEETS "--blend or", "missing", 4300, 5200 },
     { "triangles along the view are lost", CUBE, SHEETS "--blend or --axes 1", "missing", 14000,
       15300 },
     { "... not along three axes", CUBE, SHEETS "--blend or", "missing", 0, 0 },

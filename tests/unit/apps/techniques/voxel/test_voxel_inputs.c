@@ -70,7 +70,7 @@ static uint64_t check_implicit(const Implicit *f, uint32_t size, double margin, 
 {
     static uint8_t bits[FULL];
     const VoxelBox box = voxel_box_of_cube(f->reach, size);
-    voxel_draw(append_implicit, f, size, everywhere, bits);
+    voxel_run(append_implicit, f, size, everywhere, bits);
     uint32_t at[3], undecided = 0;
     for (at[2] = 0; at[2] < size; at[2]++)
         for (at[1] = 0; at[1] < size; at[1]++)
@@ -108,7 +108,7 @@ static void polynomials_have_the_signs_of_double(void **state)
         }
 }
 
-/* The middles of a ball of radius 2 in a cube of 4 a side: a voxel is 1/8, and nothing is near
+/* The centres of a ball of radius 2 in a cube of 4 a side: a voxel is 1/8, and nothing is near
  * 0. */
 static void a_ball_is_counted_by_hand(void **state)
 {
@@ -221,7 +221,7 @@ static void points_set_their_voxels(void **state)
         positions[i] = random_float(&random, -1.2f, 1.2f); /* some outside */
     for (uint32_t size = 33; size <= 64; size += 31) {
         const Points points = { positions, COUNT, voxel_box_of_cube(1, size) };
-        voxel_draw(append_points, &points, size, true, bits);
+        voxel_run(append_points, &points, size, true, bits);
         set_points(&points, wanted);
         assert_memory_equal(bits, wanted, voxel_bytes(size));
         assert_true(voxel_count(bits, size) > COUNT / 3);
@@ -246,7 +246,7 @@ static void a_scanned_point_set_sets_its_voxels(void **state)
         fail_msg("%s", error.text);
     const Points points = { mesh.positions, mesh.vertex_count,
                             voxel_box(mesh.positions, NULL, mesh.vertex_count, 64) };
-    voxel_draw(append_points, &points, 64, false, bits);
+    voxel_run(append_points, &points, 64, false, bits);
     set_points(&points, wanted);
     assert_memory_equal(bits, wanted, voxel_bytes(64));
     print_message("# %u points: %lu voxels\n", mesh.vertex_count, voxel_count(bits, 64));

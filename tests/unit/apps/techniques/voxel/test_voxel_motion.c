@@ -23,11 +23,11 @@ static void move_point(const VoxelMotion *motion, const float *p, double q[3])
         for (int i = 0; i < 3; i++)
             q[k] += (double)row[i] * (double)p[i];
     }
-    const double middle = (double)motion->middle;
-    const double angle = (q[1] - middle) * (double)motion->twist;
-    const double x = q[0] - middle, z = q[2] - middle;
-    q[0] = cos(angle) * x + sin(angle) * z + middle;
-    q[2] = cos(angle) * z - sin(angle) * x + middle;
+    const double centre = (double)motion->centre;
+    const double angle = (q[1] - centre) * (double)motion->twist;
+    const double x = q[0] - centre, z = q[2] - centre;
+    q[0] = cos(angle) * x + sin(angle) * z + centre;
+    q[2] = cos(angle) * z - sin(angle) * x + centre;
 }
 
 static void move_triangles(const VoxelCase *c, const VoxelMotion *motion)
@@ -96,10 +96,10 @@ static void add_mover(const char *shape, const VoxelSetting *setting, double mos
 {
     GpError error = { "" };
     mover->c = voxel_case_open(shape, 0, SIZE);
-    mover->motions.count = 0;
+    mover->motions.first = NULL;
     mover->c.model.motions = &mover->motions;
     mover->c.model.most_twist = (float)most_twist;
-    if (tech_voxel_build(&mover->c.model, setting, frame, &mover->sheet, &error))
+    if (voxel_build(&mover->c.model, setting, frame, &mover->sheet, &error))
         fail_msg("%s", error.text);
 }
 
@@ -108,7 +108,7 @@ static void reserve(Frame *frame, int movers)
     const VoxelSetting setting = { .size = SIZE };
     uint32_t passes, draws;
     *frame = (Frame){ .color = NULL };
-    tech_voxel_room(&setting, &passes, &draws);
+    voxel_room(&setting, &passes, &draws);
     frame_reserve(frame, (uint32_t)movers * passes + VOXEL_COMBINE_PASSES,
                   (uint32_t)movers * draws + 8);
 }
@@ -122,13 +122,13 @@ static void draw_frame(GpDevice *device, const Frame *frame, const FlatTexture *
     flat_texture_read(sheet, voxels);
 }
 
-/* Smaller by a factor, about the volume's middle, so that it has room to turn. */
+/* Smaller by a factor, about the volume's centre, so that it has room to turn. */
 static void shrink(VoxelMotion *motion, float factor)
 {
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 4; i++)
             motion->to_voxels[k][i] *= factor;
-        motion->to_voxels[k][3] += (1 - factor) * motion->middle;
+        motion->to_voxels[k][3] += (1 - factor) * motion->centre;
     }
 }
 
@@ -212,15 +212,15 @@ static void frames_have_the_same_bits_everywhere(void **state)
 
 /* --- two rigid objects -------------------------------------------------------------------------- */
 
-/* Half as large, turned about x, and so many voxels beside the middle along x. */
+/* Half as large, turned about x, and so many voxels beside the centre along x. */
 static VoxelMotion rigid_motion(const VoxelCase *c, double angle, double aside)
 {
     VoxelMotion motion = c->model.motion, turned;
     shrink(&motion, 0.5f);
     turned = motion;
-    const double cosine = cos(angle), sine = sin(angle), middle = (double)motion.middle;
+    const double cosine = cos(angle), sine = sin(angle), centre = (double)motion.centre;
     for (int i = 0; i < 4; i++) {
-        const double back = i == 3 ? middle : 0;
+        const double back = i == 3 ? centre : 0;
         const double y = (double)motion.to_voxels[1][i] - back;
         const double z = (double)motion.to_voxels[2][i] - back;
         turned.to_voxels[1][i] = (float)(cosine * y - sine * z + back);

@@ -150,7 +150,7 @@ static void one_model_may_be_smaller_than_its_volume(void **state)
     (void)state;
     VoxelScene a;
     open_scene("builtin:cube", &a);
-    /* a quarter of 29.5 voxels, from the middle: 12.3125 to 19.6875 */
+    /* a quarter of 29.5 voxels, from the centre: 12.3125 to 19.6875 */
     const VoxelPair pair = { .scenes = { &a }, .names = { "a" }, .place = { 0.25, { 0, 0, 0 } } };
     Frame frame;
     VoxelPairMade made;

@@ -36,7 +36,7 @@ static double torus_distance(const double p[3])
 }
 
 typedef struct Shell {
-    uint64_t holes; /* neighbours whose middles the surface parts, and neither is set */
+    uint64_t holes; /* neighbours whose centres the surface parts, and neither is set */
     uint64_t stray; /* voxels that the surface does not come near */
 } Shell;
 
@@ -44,10 +44,10 @@ static Shell inspect_shell(const Parametric *p, double (*distance)(const double 
                            uint32_t size)
 {
     static uint8_t bits[FULL];
-    static double middle[MOST][MOST][MOST]; /* in voxels */
+    static double centre[MOST][MOST][MOST]; /* in voxels */
     VoxelBox box;
     assert_int_equal(voxel_parametric_box(p->name, size, &box, NULL), GP_OK);
-    voxel_draw(append_parametric, p, size, false, bits);
+    voxel_run(append_parametric, p, size, false, bits);
     for (uint32_t z = 0; z < size; z++)
         for (uint32_t y = 0; y < size; y++)
             for (uint32_t x = 0; x < size; x++) {
@@ -55,18 +55,18 @@ static Shell inspect_shell(const Parametric *p, double (*distance)(const double 
                 double at[3];
                 for (int k = 0; k < 3; k++)
                     at[k] = (q[k] + 0.5 - box.offset[k]) / box.scale;
-                middle[z][y][x] = distance(at) * box.scale;
+                centre[z][y][x] = distance(at) * box.scale;
             }
     Shell shell = { 0, 0 };
     for (uint32_t z = 0; z + 1 < size; z++)
         for (uint32_t y = 0; y + 1 < size; y++)
             for (uint32_t x = 0; x + 1 < size; x++) {
                 const bool set = voxel_at(bits, size, x, y, z);
-                const double here = middle[z][y][x];
+                const double here = centre[z][y][x];
                 shell.stray += set && fabs(here) > sqrt(0.75) + 1e-3;
                 for (uint32_t k = 0; k < 3; k++) {
                     const uint32_t u = x + (k == 0), v = y + (k == 1), w = z + (k == 2);
-                    const double there = middle[w][v][u];
+                    const double there = centre[w][v][u];
                     const bool parted = here * there < 0 && fabs(here) > 1e-3 && fabs(there) > 1e-3;
                     shell.holes += parted && !set && !voxel_at(bits, size, u, v, w);
                 }
@@ -138,14 +138,14 @@ static void every_surface_is_one_piece(void **state)
         const Parametric fine = { *name, VOXEL_PARAMETRIC_STEP };
         const Parametric finer = { *name, VOXEL_PARAMETRIC_STEP / 2 };
         const Parametric coarse = { *name, 8 * VOXEL_PARAMETRIC_STEP };
-        voxel_draw(append_parametric, &fine, size, false, bits);
-        voxel_draw(append_parametric, &finer, size, false, denser);
+        voxel_run(append_parametric, &fine, size, false, bits);
+        voxel_run(append_parametric, &finer, size, false, denser);
         const uint64_t set = voxel_count(bits, size);
         assert_true(set > 1500);
         assert_in_range(voxel_count_without(denser, bits, size), 1, set / 10);
         assert_in_range(voxel_count_without(bits, denser, size), 0, set / 300);
         assert_int_equal(count_pieces(bits, size), 1);
-        voxel_draw(append_parametric, &coarse, size, false, bits);
+        voxel_run(append_parametric, &coarse, size, false, bits);
         assert_true(count_pieces(bits, size) > 100);
     }
 }
@@ -168,7 +168,7 @@ static void the_teapot_is_the_teapot(void **state)
     memset(deep, 0, FULL);
     voxel_surface(mesh.triangles, mesh.model.triangle_count, SIZE, chord, touched);
     voxel_surface(mesh.triangles, mesh.model.triangle_count, SIZE, -nearest, deep);
-    voxel_draw(append_parametric, &teapot, SIZE, false, bits);
+    voxel_run(append_parametric, &teapot, SIZE, false, bits);
     assert_int_equal(voxel_count_without(bits, touched, SIZE), 0);
     assert_true(voxel_count(deep, SIZE) > 500);
     assert_int_equal(voxel_count_without(deep, bits, SIZE), 0);
@@ -199,7 +199,7 @@ static void every_device_draws_the_same_bits(void **state)
     static uint8_t bits[FULL];
     for (const char *const *name = voxel_parametric_names; *name; name++) {
         const Parametric p = { *name, 1 };
-        voxel_draw(append_parametric, &p, 33, true, bits);
+        voxel_run(append_parametric, &p, 33, true, bits);
         assert_true(voxel_count(bits, 33) > 500);
     }
 }

@@ -1,6 +1,6 @@
 /* The printed solid: rows scanned along three axes, what one of them gets wrong, and what the
  * majority mends. */
-#include "apps/techniques/voxel/methods/sheets.h"
+#include "apps/techniques/voxel/methods/solid_rows.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"

@@ -24,7 +24,7 @@ static void scans_are_linear_between_samples(void **state)
         int sum = 0;
         bool inside = true;
         for (int k = 0; k < 3; k++) {
-            /* samples lie at 3 and 5: voxels from 2 to 5, whose middles are 2.5 to 5.5 */
+            /* samples lie at 3 and 5: voxels from 2 to 5, whose centres are 2.5 to 5.5 */
             const double past = (at[k] + 0.5 - 3) / 2;
             inside = inside && at[k] >= 2 && at[k] <= 5;
             sum += (int)(step[k] * (past < 0 ? 0 : past > 1 ? 1 : past));
@@ -72,7 +72,7 @@ static void scans_fade_light_by_their_ramp(void **state)
     frame_free(&frame);
 }
 
-/* A wall of voxels in the middle of a block: from in front, half of the block is seen. */
+/* A wall of voxels in the centre of a block: from in front, half of the block is seen. */
 static void opaque_voxels_hide_the_scan_behind_them(void **state)
 {
     (void)state;

@@ -135,7 +135,7 @@ static void models_stay_in_their_range_and_fill_their_volume(void **state)
         VoxelScene scene;
         open_scene(cases[i].path, &scene);
         scene.twist = cases[i].twist;
-        voxel_draw(append, &scene, SIZE, false, bits);
+        voxel_run(append, &scene, SIZE, false, bits);
         const VoxelBox box = voxel_scene_box(&scene, SIZE);
         const VoxelRange may = voxel_scene_range(&scene, &box), range = range_of(bits);
         uint32_t longest = 0;
@@ -157,7 +157,7 @@ static void vertices_are_points_where_they_are_asked_for(void **state)
     VoxelScene scene;
     open_scene("builtin:knot", &scene);
     scene.input = VOXEL_POINTS;
-    voxel_draw(append, &scene, SIZE, false, bits);
+    voxel_run(append, &scene, SIZE, false, bits);
     const VoxelBox box = voxel_scene_box(&scene, SIZE);
     for (uint32_t i = 0; i < scene.mesh.vertex_count; i++) {
         size_t at = 0;
@@ -184,19 +184,19 @@ static void a_twist_turns_the_top_against_the_floor(void **state)
     VoxelScene scene;
     open_scene("builtin:cube", &scene);
     scene.twist = 70;
-    voxel_draw(append, &scene, SIZE, true, bits);
+    voxel_run(append, &scene, SIZE, true, bits);
     const VoxelBox box = voxel_scene_box(&scene, SIZE);
     VoxelCase c = voxel_case_open("cube", 0, SIZE);
-    const double middle = SIZE / 2.0;
+    const double centre = SIZE / 2.0;
     for (uint32_t i = 0; i < c.model.triangle_count; i++)
         for (uint32_t j = 0; j < 3; j++) {
             const float *p = c.model.positions + 3 * (size_t)c.model.indices[3 * i + j];
             const double angle = (double)p[1] * 35 * radians; /* the cube is from -1 to 1 */
             const double x = (double)p[0] * box.scale, z = (double)p[2] * box.scale;
             double *q = c.triangles[i].corner[j];
-            q[0] = middle + cos(angle) * x + sin(angle) * z;
-            q[1] = middle + (double)p[1] * box.scale;
-            q[2] = middle + cos(angle) * z - sin(angle) * x;
+            q[0] = centre + cos(angle) * x + sin(angle) * z;
+            q[1] = centre + (double)p[1] * box.scale;
+            q[2] = centre + cos(angle) * z - sin(angle) * x;
         }
     voxel_surface(c.triangles, c.model.triangle_count, SIZE, -2e-3, certain);
     voxel_surface(c.triangles, c.model.triangle_count, SIZE, 2e-3, possible);

@@ -120,7 +120,7 @@ static void geometry_is_read_once(void **state)
     assert_true(reaching > 0 && reaching < count / 50);
 
     /* the first list of x holds the first triangle that looks along x and begins below the
-     * middle */
+     * centre */
     for (uint32_t i = 0; i < count; i++)
         if (sort.spans[i].first[0] == 0 && sort.spans[i].end[0] > 0) {
             assert_memory_equal(sort.indices, given.model.indices + 3 * (size_t)i,
@@ -226,7 +226,7 @@ static void one_axis_loses_what_is_edge_on(void **state)
     (void)state;
     uint64_t all, lost;
     compare_axes("cube", 32, &all, &lost);
-    /* sides are 29.5 voxels long, from 1.25 to 30.75: 30 x 30 middles inside of each face */
+    /* sides are 29.5 voxels long, from 1.25 to 30.75: 30 x 30 centres inside of each face */
     assert_int_equal(all, 30 * 30 * 30 - 28 * 28 * 28);
     assert_int_equal(lost, all - 2 * 30 * 30);
     compare_axes("sphere", 32, &all, &lost);

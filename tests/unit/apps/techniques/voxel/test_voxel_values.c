@@ -106,7 +106,7 @@ static void decode_normal(uint32_t code, uint32_t bits, double normal[3])
     normal[2] = z / length;
 }
 
-/* On a sphere normals point away from the middle, but for what codes round and what a voxel spans;
+/* On a sphere normals point away from the centre, but for what codes round and what a voxel spans;
  * where the model is turned they turn with it. */
 static void normals_point_outwards(void **state)
 {

@@ -42,7 +42,7 @@ static uint32_t first_on_ray(const FlatTexture *sheet, const Camera *camera, dou
     return 0;
 }
 
-/* Rays so far beside a pixel's middle find the same voxel, or the pixel is not compared: corners
+/* Rays so far beside a pixel's centre find the same voxel, or the pixel is not compared: corners
  * are snapped to 1/256 pixel, and places are floats. */
 #define BESIDE 0.02
 
@@ -209,7 +209,7 @@ static void layers_take_their_share_of_light(void **state)
 /* Halves of the sum so far are rounded once a slab. */
 #define HALF_ERROR 0.01
 
-/* How far alpha is outside what the rays beside the pixel's middle give: along a voxel's side they
+/* How far alpha is outside what the rays beside the pixel's centre give: along a voxel's side they
  * see it or not. */
 static double alpha_error(const FlatTexture *sheet, const Camera *camera, int x, int y,
                           double alpha)
@@ -268,13 +268,13 @@ static double light_of_ball(double right, double up)
 static double ball_error(int shading)
 {
     enum { SIZE = 48 };
-    const double middle = SIZE / 2.0, radius = 20;
+    const double centre = SIZE / 2.0, radius = 20;
     Frame frame;
     view_case_begin(&frame);
     const FlatTexture sheet = flat_texture_make(&frame, SIZE, 1);
     for (uint32_t i = 0; i < SIZE * SIZE * SIZE; i++) {
-        const double x = i % SIZE + 0.5 - middle, y = i / SIZE % SIZE + 0.5 - middle;
-        const double z = i / SIZE / SIZE + 0.5 - middle;
+        const double x = i % SIZE + 0.5 - centre, y = i / SIZE % SIZE + 0.5 - centre;
+        const double z = i / SIZE / SIZE + 0.5 - centre;
         if (x * x + y * y + z * z < radius * radius)
             view_case_put(&sheet, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE);
     }
