@@ -72,13 +72,13 @@ enum { LIGHT_FLOATS = 7, MAX_FLOATS = LIGHT_FLOATS * SCENE_MAX_LIGHTS };
 static const Entry programs[] = {
     { "phong", &phong_program, { CAMERA(PhongUniforms), LIGHT(PhongUniforms),
         SURFACE(PhongUniforms, 0.7f, 0.7f, 0.7f), SHINE(PhongUniforms) } },
-    { "gouraud", &gouraud_program, { CAMERA(GouraudUniforms), LIGHT(GouraudUniforms),
-        SURFACE(GouraudUniforms, 0.7f, 0.7f, 0.7f), SHINE(GouraudUniforms) } },
+    { "gouraud", &gouraud_program, { CAMERA(PhongUniforms), LIGHT(PhongUniforms),
+        SURFACE(PhongUniforms, 0.7f, 0.7f, 0.7f), SHINE(PhongUniforms) } },
     { "textured", &textured_program, { CAMERA(TexturedUniforms), LIGHT(TexturedUniforms),
         SURFACE(TexturedUniforms, 1, 1, 1) } },
     { "textured_phong", &textured_phong_program, {
-        CAMERA(TexturedPhongUniforms), LIGHT(TexturedPhongUniforms),
-        SURFACE(TexturedPhongUniforms, 1, 1, 1), SHINE(TexturedPhongUniforms) } },
+        CAMERA(PhongUniforms), LIGHT(PhongUniforms),
+        SURFACE(PhongUniforms, 1, 1, 1), SHINE(PhongUniforms) } },
     { "toon", &toon_program, { CAMERA(ToonUniforms), GIVEN(ToonUniforms, eye, FROM_EYE),
         LIGHT(ToonUniforms), SURFACE(ToonUniforms, 0.7f, 0.7f, 0.7f),
         VALUE(ToonUniforms, bands, -1, 1, 0.1f, 0.7f), VALUE(ToonUniforms, outline, -1, 1, 0.25f),

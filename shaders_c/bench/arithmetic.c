@@ -1,21 +1,11 @@
 /* Arithmetic alone: what a shader costs that reads no texture. */
 #define GP_SHADER_SW /* a Mandelbrot set of 64 steps is too long for hardware's profiles */
-#include "pipeline/shader.h"
+#include "shaders_c/common/quad_shared.h"
 #include "shaders_c/bench/arithmetic.h"
 
-typedef struct Vertex {
-    float3 position;
-    float2 texcoord;
-} Vertex;
-
-typedef struct Varying {
-    float2 uv;
-} Varying;
-
-vertex_shader(arithmetic_vs, ArithmeticUniforms, Vertex, Varying)
+vertex_shader(arithmetic_vs, ArithmeticUniforms, TexturedQuadVertex, UvVarying)
 {
-    *position = rgba(in->position, 1);
-    out->uv = in->texcoord;
+    *position = textured_quad(in, out);
 }
 
 /* --- chains of multiply-adds -------------------------------------------------------------------- */
@@ -49,7 +39,7 @@ GP_INLINE float2 loop64(float2 start, float2 a, float2 b)
     return chains_end(chains);
 }
 
-pixel_shader(mad_loop_ps, ArithmeticUniforms, Varying)
+pixel_shader(mad_loop_ps, ArithmeticUniforms, UvVarying)
 {
     float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
     float2 rg = loop64(in->uv, u2(c->factor), u2(c->addend));
@@ -73,7 +63,7 @@ GP_INLINE float2 flat64(float2 start, float2 a, float2 b)
     return chains_end(step16(step16(step16(step16(chains, a, b), a, b), a, b), a, b));
 }
 
-pixel_shader(mad_flat_ps, ArithmeticUniforms, Varying)
+pixel_shader(mad_flat_ps, ArithmeticUniforms, UvVarying)
 {
     float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
     float2 rg = flat64(in->uv, u2(c->factor), u2(c->addend));
@@ -83,7 +73,7 @@ pixel_shader(mad_flat_ps, ArithmeticUniforms, Varying)
 
 /* --- the Mandelbrot set ------------------------------------------------------------------------- */
 
-pixel_shader(mandelbrot_ps, ArithmeticUniforms, Varying)
+pixel_shader(mandelbrot_ps, ArithmeticUniforms, UvVarying)
 {
     flt cx = in->uv.x * 2.6f - 1.9f, cy = in->uv.y * 2.6f - 1.3f;
     flt x = bcast(0), y = bcast(0), steps = bcast(0);
@@ -101,8 +91,8 @@ pixel_shader(mandelbrot_ps, ArithmeticUniforms, Varying)
 /* clang-format off */
 #define ARITHMETIC_DECLARATIONS                                                                    \
     .vertex_profile = GP_VS_3_SW, .pixel_profile = GP_PS_3_SW,                                     \
-    .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 2 } },                                         \
-    .varyings = { { "uv", 2, GP_PERSPECTIVE } }
+    TEXTURED_QUAD_DECLARATIONS
+/* clang-format on */
 
 program(mad_loop_program, arithmetic_vs, mad_loop_ps, ARITHMETIC_DECLARATIONS)
 program(mad_flat_program, arithmetic_vs, mad_flat_ps, ARITHMETIC_DECLARATIONS)

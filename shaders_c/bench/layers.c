@@ -1,21 +1,18 @@
 /* Depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001. Layers are put
  * together front to back with colours multiplied by alpha: Porter and Duff, "Compositing digital
  * images", SIGGRAPH 1984. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/quad_shared.h"
 #include "shaders_c/bench/layers.h"
 
 /* --- peeling ---------------------------------------------------------------------------------- */
-
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
 
 typedef struct Varying {
     float3 normal;
     flt depth;
 } Varying;
 
-vertex_shader(peel_vs, PeelUniforms, Vertex, Varying)
+vertex_shader(peel_vs, PeelUniforms, MeshVertex, Varying)
 {
     float4 clip = m4x4(in->position, c->mvp);
     *position = clip;
@@ -48,7 +45,7 @@ pixel_shader(peel_next_ps, PeelUniforms, Varying)
 /* clang-format off */
 #define PEEL_DECLARATIONS                                                                          \
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
-    .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },                                            \
+    .inputs = { MESH_INPUTS },                                                                     \
     .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "depth", 1, GP_LINEAR_SCREEN } }
 
 program(peel_first_program, peel_vs, peel_first_ps, PEEL_DECLARATIONS)
@@ -58,25 +55,18 @@ program(peel_next_program, peel_vs, peel_next_ps, PEEL_DECLARATIONS, .local_read
 
 /* --- putting together ------------------------------------------------------------------------- */
 
-typedef struct Corner {
-    float3 position;
-} Corner;
-
-typedef struct Nothing {
-} Nothing;
-
-vertex_shader(layer_vs, LayerUniforms, Corner, Nothing)
+vertex_shader(layer_vs, LayerUniforms, QuadVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }
 
-pixel_shader(layer_premultiply_ps, LayerUniforms, Nothing)
+pixel_shader(layer_premultiply_ps, LayerUniforms, NoVarying)
 {
     float4 layer = gp_load_local(0);
     return rgba(mul(xyz(layer), layer.w), layer.w);
 }
 
-pixel_shader(layer_background_ps, LayerUniforms, Nothing)
+pixel_shader(layer_background_ps, LayerUniforms, NoVarying)
 {
     float4 layers = gp_load_local(0);
     return rgba(add(xyz(layers), mul(u3(c->background), 1.0f - layers.w)), 1);
@@ -86,6 +76,7 @@ pixel_shader(layer_background_ps, LayerUniforms, Nothing)
 #define LAYER_DECLARATIONS                                                                         \
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
     .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
+/* clang-format on */
 
 program(layer_premultiply_program, layer_vs, layer_premultiply_ps, LAYER_DECLARATIONS)
 program(layer_background_program, layer_vs, layer_background_ps, LAYER_DECLARATIONS)

@@ -1,12 +1,9 @@
 /* Textures that decide: one gives the place in another, or whether a pixel is there at all. Quads
- * in clip space. */
+ * in clip space, without uniforms. */
 #ifndef SHADERS_LOOKUP_H
 #define SHADERS_LOOKUP_H
 
 #include "pipeline/shader/program.h"
-
-typedef struct LookupUniforms {
-} LookupUniforms; /* none: a draw's uniforms may be NULL */
 
 /* Red and green of slot 0 are the place in slot 1, whose level 0 is shown. */
 extern const GpProgram lookup_program;

@@ -1,16 +1,12 @@
 /* Small copies of one mesh, both sides lit by Lambert's law. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/bench/placed.h"
-
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
 
 typedef struct Varying {
     float3 normal;
 } Varying;
 
-vertex_shader(placed_vs, PlacedUniforms, Vertex, Varying)
+vertex_shader(placed_vs, PlacedUniforms, MeshVertex, Varying)
 {
     float3 world = mad(in->position, bcast(c->place[3]), u3(c->place));
     *position = m4x4(world, c->mvp);
@@ -24,5 +20,5 @@ pixel_shader(placed_ps, PlacedUniforms, Varying)
 }
 
 program(placed_program, placed_vs, placed_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
+        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS },
         .varyings = { { "normal", 3, GP_PERSPECTIVE } })

@@ -9,11 +9,11 @@ typedef struct Vertex {
     float3 position;
 } Vertex;
 
-/* Square of the distance from the middle of the sprite, 1 at the edges. */
+/* Square of the distance from the centre of the sprite, 1 at the edges. */
 GP_INLINE flt square_radius(float2 sprite)
 {
-    float2 from_middle = mul(sub(sprite, 0.5f), 2);
-    return dp2(from_middle, from_middle);
+    float2 from_centre = mul(sub(sprite, 0.5f), 2);
+    return dp2(from_centre, from_centre);
 }
 
 /* --- spots on a sphere ------------------------------------------------------------------------ */

@@ -1,14 +1,10 @@
 /* Four targets at once: Saito and Takahashi, "Comprehensible rendering of 3-D shapes",
  * SIGGRAPH 1990. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/bench/surface_maps.h"
 
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
-
 typedef struct Varying {
-    float3 normal, world;
+    SurfaceVarying surface;
     flt depth;
 } Varying;
 
@@ -17,26 +13,22 @@ typedef struct Targets {
 } Targets;
 
 /* Depth is linear on the screen. */
-vertex_shader(surface_maps_vs, SurfaceMapsUniforms, Vertex, Varying)
+vertex_shader(surface_maps_vs, SurfaceMapsUniforms, MeshVertex, Varying)
 {
-    float4 clip = m4x4(in->position, c->mvp);
+    float4 clip = mesh_surface(c->mvp, in->position, in->normal, &out->surface);
     *position = clip;
-    out->normal = in->normal;
-    out->world = in->position;
     out->depth = clip.z * rcp(clip.w);
 }
 
 pixel_shader_targets(surface_maps_ps, SurfaceMapsUniforms, Varying, Targets)
 {
-    float3 N = nrm(in->normal);
-    out->world = rgba(in->world, 1);
+    float3 N = nrm(in->surface.normal);
+    out->world = rgba(in->surface.world, 1);
     out->normal = rgba(N, 1);
     out->albedo = rgba(u3(c->albedo), 1);
     out->light = vec4(in->depth, dp3(N, u3(c->light)), 0, 1);
 }
 
 program(surface_maps_program, surface_maps_vs, surface_maps_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
-        .varyings = { { "normal", 3, GP_PERSPECTIVE },
-                      { "world", 3, GP_PERSPECTIVE },
-                      { "depth", 1, GP_LINEAR_SCREEN } })
+        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS },
+        .varyings = { SURFACE_VARYINGS, { "depth", 1, GP_LINEAR_SCREEN } })

@@ -4,29 +4,21 @@
  * filtering is Reeves, Salesin and Cook's, "Rendering antialiased shadows with depth maps",
  * SIGGRAPH 1987. */
 #define GP_SHADER_PAIRS /* three square roots, one after the other, and a power */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/bench/two_sided.h"
 
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
-
-typedef struct Varying {
-    float3 normal, world;
-} Varying;
-
 typedef struct ShadowVarying {
-    float3 normal, world;
+    SurfaceVarying surface;
     float4 light_clip;
 } ShadowVarying;
 
 /* --- lighting ----------------------------------------------------------------------------------- */
 
 /* lit: the share of the light that arrives. */
-GP_INLINE float4 shade(const TwoSidedUniforms *c, float3 normal, float3 world, flt lit)
+GP_INLINE float4 shade(const TwoSidedUniforms *c, const SurfaceVarying *surface, flt lit)
 {
     float3 L = u3(c->light);
-    float3 N = nrm(normal), V = nrm(sub(u3(c->eye), world));
+    float3 N = nrm(surface->normal), V = nrm(sub(u3(c->eye), surface->world));
     N = sel(dp3(N, V) < 0.0f, neg(N), N);
     float3 H = nrm(add(L, V));
 
@@ -36,30 +28,32 @@ GP_INLINE float4 shade(const TwoSidedUniforms *c, float3 normal, float3 world, f
     return rgba(add(color, lit * c->specular * highlight), 1);
 }
 
-vertex_shader(two_sided_vs, TwoSidedUniforms, Vertex, Varying)
+GP_INLINE float4 transform(const TwoSidedUniforms *c, const MeshVertex *in, SurfaceVarying *out)
 {
-    *position = m4x4(in->position, c->mvp);
     out->normal = m3x3(in->normal, c->model);
     out->world = m4x3(in->position, c->model);
+    return m4x4(in->position, c->mvp);
 }
 
-pixel_shader(two_sided_ps, TwoSidedUniforms, Varying)
+vertex_shader(two_sided_vs, TwoSidedUniforms, MeshVertex, SurfaceVarying)
 {
-    return shade(c, in->normal, in->world, bcast(1));
+    *position = transform(c, in, out);
+}
+
+pixel_shader(two_sided_ps, TwoSidedUniforms, SurfaceVarying)
+{
+    return shade(c, in, bcast(1));
 }
 
 program(two_sided_program, two_sided_vs, two_sided_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
-        .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } })
+        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })
 
 /* --- shadows ------------------------------------------------------------------------------------ */
 
-vertex_shader(shadow_vs, TwoSidedUniforms, Vertex, ShadowVarying)
+vertex_shader(shadow_vs, TwoSidedUniforms, MeshVertex, ShadowVarying)
 {
-    *position = m4x4(in->position, c->mvp);
-    out->normal = m3x3(in->normal, c->model);
-    out->world = m4x3(in->position, c->model);
-    out->light_clip = m4x4(out->world, c->light_clip);
+    *position = transform(c, in, &out->surface);
+    out->light_clip = m4x4(out->surface.world, c->light_clip);
 }
 
 /* Where a pixel is in the shadow map: u, v, and its depth as the map would have it, less the bias. */
@@ -75,14 +69,14 @@ pixel_shader(compare_ps, TwoSidedUniforms, ShadowVarying)
 {
     float3 place = map_place(c, in->light_clip);
     flt lit = texldl(0, rgba(place, 0)).x;
-    return shade(c, in->normal, in->world, lit);
+    return shade(c, &in->surface, lit);
 }
 
 pixel_shader(nearest_ps, TwoSidedUniforms, ShadowVarying)
 {
     float3 place = map_place(c, in->light_clip);
     flt stored = texldl(0, vec4(place.x, place.y, 0, 0)).x;
-    return shade(c, in->normal, in->world, sge(stored, place.z));
+    return shade(c, &in->surface, sge(stored, place.z));
 }
 
 /* 1 where the depth stored in the texel with its centre at (u, v) is not before `depth`, else 0. */
@@ -101,17 +95,16 @@ pixel_shader(pcf_ps, TwoSidedUniforms, ShadowVarying)
 
     flt upper = lrp(frc(s), tap(gp, right, top, depth), tap(gp, left, top, depth));
     flt lower = lrp(frc(s), tap(gp, right, bottom, depth), tap(gp, left, bottom, depth));
-    return shade(c, in->normal, in->world, lrp(frc(t), lower, upper));
+    return shade(c, &in->surface, lrp(frc(t), lower, upper));
 }
 
 /* clang-format off */
 #define SHADOW_DECLARATIONS                                                                        \
     .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },                                            \
-    .varyings = { { "normal", 3, GP_PERSPECTIVE },                                                 \
-                  { "world", 3, GP_PERSPECTIVE },                                                  \
-                  { "light_clip", 4, GP_PERSPECTIVE } },                                           \
+    .inputs = { MESH_INPUTS },                                            \
+    .varyings = { SURFACE_VARYINGS, { "light_clip", 4, GP_PERSPECTIVE } },                         \
     .samplers = 1 << 0
+/* clang-format on */
 
 program(two_sided_compare_program, shadow_vs, compare_ps, SHADOW_DECLARATIONS)
 program(two_sided_nearest_program, shadow_vs, nearest_ps, SHADOW_DECLARATIONS)

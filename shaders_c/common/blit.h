@@ -1,11 +1,8 @@
-/* A texture over the whole target. */
+/* A texture over the whole target; without uniforms. */
 #ifndef SHADERS_BLIT_H
 #define SHADERS_BLIT_H
 
 #include "pipeline/shader/program.h"
-
-typedef struct BlitUniforms {
-} BlitUniforms; /* none: a draw's uniforms may be NULL */
 
 extern const GpProgram blit_program;
 

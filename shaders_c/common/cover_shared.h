@@ -1,5 +1,4 @@
-/* Drawing all pixels of the viewport by one triangle, apps/techniques/voxel/volume/flat_texture.h's flat_texture_cover. For
- * shader files only. */
+/* Drawing all pixels of the viewport by one triangle: flat_texture_cover. For shader files only. */
 #ifndef SHADERS_COVER_SHARED_H
 #define SHADERS_COVER_SHARED_H
 

@@ -1,31 +1,21 @@
 /* Texels on their way into another surface: as they are, or inverted. Constructive solid geometry on
  * flat textures is then a choice of the blend operation.
  * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: blending of flat textures */
-#include "pipeline/shader.h"
+#include "shaders_c/common/quad_shared.h"
 #include "shaders_c/common/texel_copy.h"
 
-typedef struct NoUniforms {
-} NoUniforms; /* a draw's may be NULL */
-
-typedef struct Vertex {
-    float3 position;
-} Vertex;
-
-typedef struct Nothing {
-} Nothing;
-
-vertex_shader(texel_copy_vs, NoUniforms, Vertex, Nothing)
+vertex_shader(texel_copy_vs, NoUniforms, QuadVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }
 
-pixel_shader(texel_copy_ps, NoUniforms, Nothing)
+pixel_shader(texel_copy_ps, NoUniforms, NoVarying)
 {
     return gp_load_local(0);
 }
 
 /* A byte b is read as b / 255: what is left to 1 is stored as 255 - b, which is ~b. */
-pixel_shader(texel_complement_ps, NoUniforms, Nothing)
+pixel_shader(texel_complement_ps, NoUniforms, NoVarying)
 {
     return sub(sp4(bcast(1)), gp_load_local(0));
 }
@@ -34,6 +24,7 @@ pixel_shader(texel_complement_ps, NoUniforms, Nothing)
 #define TEXEL_DECLARATIONS                                                                         \
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
     .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
+/* clang-format on */
 
 program(texel_copy_program, texel_copy_vs, texel_copy_ps, TEXEL_DECLARATIONS)
 program(texel_complement_program, texel_copy_vs, texel_complement_ps, TEXEL_DECLARATIONS)

@@ -3,22 +3,15 @@
  * a quad over the whole target.
  *
  * A light fades with 1 - d^2 / range^2, which needs no division and ends where its range does. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/quad_shared.h"
 #include "shaders_c/materials/deferred.h"
 
-typedef struct Vertex {
-    float3 position;
-} Vertex;
-
-typedef struct Varying {
-} Varying;
-
-vertex_shader(deferred_vs, DeferredUniforms, Vertex, Varying)
+vertex_shader(deferred_vs, DeferredUniforms, QuadVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }
 
-pixel_shader(deferred_ps, DeferredUniforms, Varying)
+pixel_shader(deferred_ps, DeferredUniforms, NoVarying)
 {
     float4 albedo = gp_load_local(0);
     float3 N = xyz(gp_load_local(1));

@@ -1,17 +1,13 @@
 /* Blinn-Phong lighting at the vertices, its colours interpolated: Gouraud, "Continuous shading of
  * curved surfaces", IEEE Transactions on Computers, 1971. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/materials/gouraud.h"
-
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
 
 typedef struct Varying {
     float3 color;
 } Varying;
 
-vertex_shader(gouraud_vs, GouraudUniforms, Vertex, Varying)
+vertex_shader(gouraud_vs, PhongUniforms, MeshVertex, Varying)
 {
     float3 L = u3(c->light);
     float3 N = nrm(in->normal);
@@ -25,11 +21,11 @@ vertex_shader(gouraud_vs, GouraudUniforms, Vertex, Varying)
     out->color = mad(sp3(light.z), c->specular, color);
 }
 
-pixel_shader(gouraud_ps, GouraudUniforms, Varying)
+pixel_shader(gouraud_ps, PhongUniforms, Varying)
 {
     return rgba(in->color, 1);
 }
 
 program(gouraud_program, gouraud_vs, gouraud_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
+        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS },
         .varyings = { { "color", 3, GP_PERSPECTIVE } })

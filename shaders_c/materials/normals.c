@@ -1,16 +1,12 @@
 /* The world-space normal as a colour: each axis from -1, shown as 0, to 1. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/materials/normals.h"
-
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
 
 typedef struct Varying {
     float3 normal;
 } Varying;
 
-vertex_shader(normals_vs, NormalsUniforms, Vertex, Varying)
+vertex_shader(normals_vs, NormalsUniforms, MeshVertex, Varying)
 {
     *position = m4x4(in->position, c->mvp);
     out->normal = in->normal;
@@ -22,5 +18,5 @@ pixel_shader(normals_ps, NormalsUniforms, Varying)
 }
 
 program(normals_program, normals_vs, normals_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
+        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS },
         .varyings = { { "normal", 3, GP_PERSPECTIVE } })

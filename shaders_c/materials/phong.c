@@ -1,25 +1,15 @@
 /* Blinn-Phong lighting per pixel: Blinn, "Models of light reflection for computer synthesized
  * pictures", SIGGRAPH 1977. */
 #define GP_SHADER_PAIRS /* three square roots, one after the other, and a power */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/materials/phong.h"
 
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
-
-typedef struct Varying {
-    float3 normal, world;
-} Varying;
-
-vertex_shader(phong_vs, PhongUniforms, Vertex, Varying)
+vertex_shader(phong_vs, PhongUniforms, MeshVertex, SurfaceVarying)
 {
-    *position = m4x4(in->position, c->mvp);
-    out->normal = in->normal;
-    out->world = in->position;
+    *position = mesh_surface(c->mvp, in->position, in->normal, out);
 }
 
-pixel_shader(phong_ps, PhongUniforms, Varying)
+pixel_shader(phong_ps, PhongUniforms, SurfaceVarying)
 {
     float3 L = u3(c->light);
     float3 N = nrm(in->normal);
@@ -34,5 +24,4 @@ pixel_shader(phong_ps, PhongUniforms, Varying)
 }
 
 program(phong_program, phong_vs, phong_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
-        .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } })
+        .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })

@@ -1,18 +1,13 @@
 /* A texture with Lambert lighting per pixel. Texture 0 is the surface's colour, linear light. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/materials/textured.h"
-
-typedef struct Vertex {
-    float3 position, normal;
-    float2 texcoord;
-} Vertex;
 
 typedef struct Varying {
     float2 uv;
     float3 normal;
 } Varying;
 
-vertex_shader(textured_vs, TexturedUniforms, Vertex, Varying)
+vertex_shader(textured_vs, TexturedUniforms, TexturedVertex, Varying)
 {
     *position = m4x4(in->position, c->mvp);
     out->uv = in->texcoord;
@@ -28,7 +23,6 @@ pixel_shader(textured_ps, TexturedUniforms, Varying)
 }
 
 program(textured_program, textured_vs, textured_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0,
-        .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 }, { GP_TEXCOORD0, 2 } },
+        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS, { GP_TEXCOORD0, 2 } },
         .varyings = { { "uv", 2, GP_PERSPECTIVE }, { "normal", 3, GP_PERSPECTIVE } },
         .samplers = 1 << 0)

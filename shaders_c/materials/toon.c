@@ -1,24 +1,14 @@
 /* Light in three hard bands and an inked rim, after Lake, Marshall, Harris and Blackstein,
  * "Stylized rendering techniques for scalable real-time 3D animation", NPAR 2000. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/materials/toon.h"
 
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
-
-typedef struct Varying {
-    float3 normal, world;
-} Varying;
-
-vertex_shader(toon_vs, ToonUniforms, Vertex, Varying)
+vertex_shader(toon_vs, ToonUniforms, MeshVertex, SurfaceVarying)
 {
-    *position = m4x4(in->position, c->mvp);
-    out->normal = in->normal;
-    out->world = in->position;
+    *position = mesh_surface(c->mvp, in->position, in->normal, out);
 }
 
-pixel_shader(toon_ps, ToonUniforms, Varying)
+pixel_shader(toon_ps, ToonUniforms, SurfaceVarying)
 {
     float3 N = nrm(in->normal);
     float3 V = nrm(sub(u3(c->eye), in->world));
@@ -32,5 +22,4 @@ pixel_shader(toon_ps, ToonUniforms, Varying)
 }
 
 program(toon_program, toon_vs, toon_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },
-        .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE } })
+        .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })

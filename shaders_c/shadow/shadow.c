@@ -3,14 +3,14 @@
 #include "shaders_c/shadow/shadow.h"
 #include "shaders_c/shadow/shadow_shared.h"
 
-vertex_shader(shadow_vs, ShadowUniforms, Vertex, Varying)
+vertex_shader(lit_vs, ShadowUniforms, MeshVertex, Varying)
 {
     transform(c, in->position, in->normal, position, out);
 }
 
-vertex_shader(textured_vs, ShadowUniforms, TexturedVertex, TexturedVarying)
+vertex_shader(lit_textured_vs, ShadowUniforms, TexturedVertex, TexturedVarying)
 {
-    transform(c, in->position, in->normal, position, &out->surface);
+    transform(c, in->position, in->normal, position, &out->lit);
     out->uv = in->texcoord;
 }
 
@@ -57,11 +57,11 @@ GP_INLINE flt hardware(GpInvocation *gp, const ShadowUniforms *c, const Varying 
     return texldp(1, in->place).x;
 }
 
-/* Six sides of a light in one map: +x +y +z from the left, below them -x -y -z. Each sees a quarter
+/* A cube map, its faces side by side: +x +y +z from the left, below them -x -y -z. Each sees a quarter
  * turn; coordinates stay half a texel inside, since the neighbour on the map is none in the world. */
-GP_INLINE flt six_sides(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
+GP_INLINE flt cube(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
 {
-    float3 way = sub(in->world, u3(c->light)), far = abs_(way);
+    float3 way = sub(in->surface.world, u3(c->light)), far = abs_(way);
     msk is_x = (far.x >= far.y) & (far.x >= far.z), is_y = ~is_x & (far.y >= far.z);
     flt major = sel(is_x, way.x, sel(is_y, way.y, way.z)), distance = abs_(major);
     flt sign = sel(major < 0.0f, bcast(-1), bcast(1)), zero = bcast(0);
@@ -73,7 +73,7 @@ GP_INLINE flt six_sides(GpInvocation *gp, const ShadowUniforms *c, const Varying
     flt v = min(max(up / distance * -0.5f + 0.5f, least), inside);
     flt column = sel(is_x, zero, sel(is_y, bcast(1), bcast(2)));
     flt row = sel(major < 0.0f, bcast(1), zero);
-    flt depth = bcast(c->side_depth[0]) - c->side_depth[1] / distance - c->epsilon;
+    flt depth = bcast(c->face_depth[0]) - c->face_depth[1] / distance - c->epsilon;
     return texldl(1, vec4((u + column) * (1.0f / 3), (v + row) * 0.5f, depth, 0)).x;
 }
 
@@ -97,7 +97,7 @@ GP_INLINE float tap(int i, int taps)
     return (float)(2 * i + 1 - taps) / (float)(2 * taps);
 }
 
-/* How a flat surface's depth changes along u and v of the map: a tap beside the middle is compared
+/* How a flat surface's depth changes along u and v of the map: a tap beside the centre is compared
  * with the surface's depth there, or what is slanted would shade itself.
  * source Isidoro, "Shadow mapping: GPU-based tips and techniques", GDC 2006 */
 GP_INLINE float2 depth_slope(float3 place)
@@ -139,45 +139,19 @@ GP_INLINE flt soft(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
 
 /* --- programs ----------------------------------------------------------------------------------- */
 
+#define PAIR(form, facing, model, derivatives)                                                     \
+    SHADOW_PAIR(form, facing, ShadowUniforms, c, 1 << 1, model, derivatives)
+
 /* clang-format off */
-#define PROGRAM_PAIR(form, facing, vertex, pixel, derivatives)                                       \
-    pixel_shader(form##_##facing##_ps, ShadowUniforms, Varying)                                    \
-    {                                                                                              \
-        return light_surface(c, in, form(gp, c, in), facing(c, in), sp3(bcast(1)));         \
-    }                                                                                              \
-    pixel_shader(form##_##facing##_textured_ps, ShadowUniforms, TexturedVarying)                   \
-    {                                                                                              \
-        const Varying *surface = &in->surface;                                                     \
-        float3 texture = xyz(texld(0, in->uv));                                                    \
-        return light_surface(c, surface, form(gp, c, surface), facing(c, surface), texture);\
-    }                                                                                              \
-    program(shadow_##form##_##facing##_program, shadow_vs, form##_##facing##_ps,                   \
-            .vertex_profile = vertex, .pixel_profile = pixel,                                      \
-            .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 } },                                    \
-            .varyings = { { "normal", 3, GP_PERSPECTIVE },                                         \
-                          { "world", 3, GP_PERSPECTIVE },                                          \
-                          { "place", 4, GP_PERSPECTIVE } },                                        \
-            .samplers = 1 << 1, .uses_derivatives = derivatives)                                                       \
-    program(shadow_##form##_##facing##_textured_program, textured_vs,                              \
-            form##_##facing##_textured_ps, .vertex_profile = vertex, .pixel_profile = pixel,       \
-            .inputs = { { GP_POSITION, 3 }, { GP_NORMAL, 3 }, { GP_TEXCOORD0, 2 } },               \
-            .varyings = { { "normal", 3, GP_PERSPECTIVE },                                         \
-                          { "world", 3, GP_PERSPECTIVE },                                          \
-                          { "place", 4, GP_PERSPECTIVE },                                          \
-                          { "uv", 2, GP_PERSPECTIVE } },                                           \
-            .samplers = 1 << 0 | 1 << 1, .uses_derivatives = derivatives)
-
+PAIR(hardware, smooth, 2_0, false)
+PAIR(hardware, flat, 3_0, true)
+PAIR(plain_nearest, smooth, 3_0, false)
+PAIR(plain_nearest, flat, 3_0, true)
+PAIR(plain_bilinear, smooth, 3_0, false)
+PAIR(plain_bilinear, flat, 3_0, true)
+PAIR(cube, smooth, 3_0, false)
+PAIR(cube, flat, 3_0, true)
 /* The taps of soft are unrolled here, to more slots than ps_3_0 has; hardware would loop. */
-#define SMOOTH_PAIR(form) PROGRAM_PAIR(form, smooth, GP_VS_3_0, GP_PS_3_0, false)
-#define FLAT_PAIR(form) PROGRAM_PAIR(form, flat, GP_VS_3_0, GP_PS_3_0, true)
-
-PROGRAM_PAIR(hardware, smooth, GP_VS_2_0, GP_PS_2_0, false)
-SMOOTH_PAIR(plain_nearest)
-SMOOTH_PAIR(plain_bilinear)
-PROGRAM_PAIR(soft, smooth, GP_VS_3_SW, GP_PS_3_SW, true)
-SMOOTH_PAIR(six_sides)
-FLAT_PAIR(hardware)
-FLAT_PAIR(plain_nearest)
-FLAT_PAIR(plain_bilinear)
-PROGRAM_PAIR(soft, flat, GP_VS_3_SW, GP_PS_3_SW, true)
-FLAT_PAIR(six_sides)
+PAIR(soft, smooth, 3_SW, true)
+PAIR(soft, flat, 3_SW, true)
+/* clang-format on */

@@ -24,7 +24,7 @@ typedef struct ShadowUniforms {
     float offset;        /* along the normal, in texels, for a surface that light grazes */
     float texel;         /* a texel's side in the world, at w = 1 */
     float least_w;       /* what has no more w is behind the light, and lit */
-    float side_depth[2]; /* six sides: a depth is a - b / (distance along the side) */
+    float face_depth[2]; /* cube: a depth is a - b / (distance along the face's view) */
     /* soft only */
     float distance[4]; /* (a + b z) / (c + d z) is the way from the light to a stored depth z */
     float nearest;     /* distance at which things may begin to block */
@@ -35,9 +35,9 @@ typedef struct ShadowUniforms {
 
 /* How the map is asked: plain, depths in a colour target, compared in the shader (thesis, section
  * 4.2) once or four times; hardware, a depth surface behind a sampler that compares (section 4.3);
- * soft, as plain but in an area as wide as the penumbra; six sides, hardware from a map of
- * all that is around a light. What is turned away from the light is dark:
- * smooth by its normals, flat by its triangles. */
+ * soft, as plain but in an area as wide as the penumbra; cube, hardware from a map of all that is
+ * around a light. What is turned away from the light is dark: smooth by its normals, flat by its
+ * triangles. */
 #define SHADOW_PROGRAM_PAIR(form)                                                                  \
     extern const GpProgram shadow_##form##_program, shadow_##form##_textured_program
 
@@ -49,7 +49,7 @@ SHADOW_PROGRAM_PAIR(hardware_smooth);
 SHADOW_PROGRAM_PAIR(hardware_flat);
 SHADOW_PROGRAM_PAIR(soft_smooth);
 SHADOW_PROGRAM_PAIR(soft_flat);
-SHADOW_PROGRAM_PAIR(six_sides_smooth);
-SHADOW_PROGRAM_PAIR(six_sides_flat);
+SHADOW_PROGRAM_PAIR(cube_smooth);
+SHADOW_PROGRAM_PAIR(cube_flat);
 
 #endif

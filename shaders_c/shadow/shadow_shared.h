@@ -6,25 +6,16 @@
 #ifndef SHADERS_SHADOW_SHARED_H
 #define SHADERS_SHADOW_SHARED_H
 
-#include "pipeline/shader.h"
+#include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/shadow/shadow.h"
 
-typedef struct Vertex {
-    float3 position, normal;
-} Vertex;
-
-typedef struct TexturedVertex {
-    float3 position, normal;
-    float2 texcoord;
-} TexturedVertex;
-
 typedef struct Varying {
-    float3 normal, world;
+    SurfaceVarying surface;
     float4 place; /* in the map, projective */
 } Varying;
 
 typedef struct TexturedVarying {
-    Varying surface;
+    Varying lit;
     float2 uv;
 } TexturedVarying;
 
@@ -48,16 +39,14 @@ GP_INLINE float4 find_place(const ShadowUniforms *c, float3 world, float3 normal
 GP_INLINE void transform(const ShadowUniforms *c, float3 world, float3 normal, float4 *position,
                          Varying *out)
 {
-    *position = m4x4(world, c->mvp);
-    out->normal = normal;
-    out->world = world;
+    *position = mesh_surface(c->mvp, world, normal, &out->surface);
     out->place = find_place(c, world, normal);
 }
 
 /* Positive where the surface, smooth as its normals say, is turned to the light. */
 GP_INLINE flt smooth(const ShadowUniforms *c, const Varying *in)
 {
-    return dp3(in->normal, towards_light(c, in->world));
+    return dp3(in->surface.normal, towards_light(c, in->surface.world));
 }
 
 /* The same for the triangle itself, whichever side is seen: the light is on the eye's side of its
@@ -65,9 +54,9 @@ GP_INLINE flt smooth(const ShadowUniforms *c, const Varying *in)
  * triangle cannot shade itself. */
 GP_INLINE flt flat(const ShadowUniforms *c, const Varying *in)
 {
-    float3 plane = crs(dsx(in->world), dsy(in->world));
-    float3 to_eye = sub(u3(c->eye), in->world);
-    return dp3(plane, towards_light(c, in->world)) * dp3(plane, to_eye);
+    float3 plane = crs(dsx(in->surface.world), dsy(in->surface.world));
+    float3 to_eye = sub(u3(c->eye), in->surface.world);
+    return dp3(plane, towards_light(c, in->surface.world)) * dp3(plane, to_eye);
 }
 
 /* seen: what the map says. A surface that faces away is dark whatever it says, and so is all that is
@@ -75,9 +64,9 @@ GP_INLINE flt flat(const ShadowUniforms *c, const Varying *in)
 GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt seen, flt facing,
                                float3 texture)
 {
-    float3 L = towards_light(c, in->world);
-    float3 N = nrm(in->normal);
-    float3 V = nrm(sub(u3(c->eye), in->world));
+    float3 L = towards_light(c, in->surface.world);
+    float3 N = nrm(in->surface.normal);
+    float3 V = nrm(sub(u3(c->eye), in->surface.world));
     float3 H = nrm(add(V, L));
 
     flt S = sel(in->place.w > c->least_w, seen, bcast(1));
@@ -89,5 +78,35 @@ GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt s
     float3 color = mul(mad(diffuse, arriving, u3(c->ambient)), texture);
     return rgba(mad(arriving, highlight, color), S);
 }
+
+/* clang-format off */
+#define LIT_VARYINGS SURFACE_VARYINGS, { "place", 4, GP_PERSPECTIVE }
+
+/* The pixel shaders and programs of a way to ask the map and one to face the light, without and with a
+ * texture: form(gp, c, varying) is what the map says, facing(shadow, varying) the other. The file has
+ * the vertex shaders lit_vs and lit_textured_vs.
+ * in   U: uniforms; shadow: what of them, c, is ShadowUniforms; maps: bits of samplers; model: of the
+ *      profiles, 2_0, 3_0 or 3_SW */
+#define SHADOW_PAIR(form, facing, U, shadow, maps, model, derivatives)                             \
+    pixel_shader(form##_##facing##_ps, U, Varying)                                                 \
+    {                                                                                              \
+        return light_surface(shadow, in, form(gp, c, in), facing(shadow, in), sp3(bcast(1)));      \
+    }                                                                                              \
+    pixel_shader(form##_##facing##_textured_ps, U, TexturedVarying)                                \
+    {                                                                                              \
+        const Varying *lit = &in->lit;                                                             \
+        float3 texture = xyz(texld(0, in->uv));                                                    \
+        return light_surface(shadow, lit, form(gp, c, lit), facing(shadow, lit), texture);         \
+    }                                                                                              \
+    program(shadow_##form##_##facing##_program, lit_vs, form##_##facing##_ps,                      \
+            .vertex_profile = GP_VS_##model, .pixel_profile = GP_PS_##model,                       \
+            .inputs = { MESH_INPUTS }, .varyings = { LIT_VARYINGS }, .samplers = maps,             \
+            .uses_derivatives = derivatives)                                                       \
+    program(shadow_##form##_##facing##_textured_program, lit_textured_vs,                          \
+            form##_##facing##_textured_ps, .vertex_profile = GP_VS_##model,                        \
+            .pixel_profile = GP_PS_##model, .inputs = { MESH_INPUTS, { GP_TEXCOORD0, 2 } },        \
+            .varyings = { LIT_VARYINGS, { "uv", 2, GP_PERSPECTIVE } },                             \
+            .samplers = 1 << 0 | maps, .uses_derivatives = derivatives)
+/* clang-format on */
 
 #endif

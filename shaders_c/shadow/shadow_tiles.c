@@ -3,14 +3,14 @@
 #include "shaders_c/shadow/shadow_tiles.h"
 #include "shaders_c/shadow/shadow_shared.h"
 
-vertex_shader(tiles_vs, ShadowTilesUniforms, Vertex, Varying)
+vertex_shader(lit_vs, ShadowTilesUniforms, MeshVertex, Varying)
 {
     transform(&c->shadow, in->position, in->normal, position, out);
 }
 
-vertex_shader(tiles_textured_vs, ShadowTilesUniforms, TexturedVertex, TexturedVarying)
+vertex_shader(lit_textured_vs, ShadowTilesUniforms, TexturedVertex, TexturedVarying)
 {
-    transform(&c->shadow, in->position, in->normal, position, &out->surface);
+    transform(&c->shadow, in->position, in->normal, position, &out->lit);
     out->uv = in->texcoord;
 }
 
@@ -62,14 +62,14 @@ pixel_shader(mark_ps, ShadowMarkUniforms, MarkVarying)
 
 /* --- the light ---------------------------------------------------------------------------------- */
 
-/* The table is read in the middle of its texels, since a place beside their edge is rounded to the
+/* The table is read in the centre of its texels, since a place beside their edge is rounded to the
  * next one. Filters stay inside a tile: its neighbour in the atlas is none in the world. */
 GP_INLINE flt tiles(GpInvocation *gp, const ShadowTilesUniforms *c, const Varying *in)
 {
     float2 place = tile_place(c, in->place);
     flt step = rcp(bcast(c->tiles)), least = bcast(c->inset), most = bcast(1 - c->inset);
-    flt middle_x = (floor_(place.x) + 0.5f) * step, middle_y = (floor_(place.y) + 0.5f) * step;
-    float4 entry = texldl(2, vec4(middle_x, middle_y, 0, 0));
+    flt centre_x = (floor_(place.x) + 0.5f) * step, centre_y = (floor_(place.y) + 0.5f) * step;
+    float4 entry = texldl(2, vec4(centre_x, centre_y, 0, 0));
     flt column = floor_(entry.x * 255.0f + 0.5f), row = floor_(entry.y * 255.0f + 0.5f);
     flt u = (column + min(max(frc(place.x), least), most)) * c->atlas_tiles[0];
     flt v = (row + min(max(frc(place.y), least), most)) * c->atlas_tiles[1];
@@ -79,40 +79,15 @@ GP_INLINE flt tiles(GpInvocation *gp, const ShadowTilesUniforms *c, const Varyin
 
 /* --- programs ----------------------------------------------------------------------------------- */
 
+#define MAPS (1 << 1 | 1 << 2 | 1 << 3)
+
 /* clang-format off */
-#define INPUTS   { GP_POSITION, 3 }, { GP_NORMAL, 3 }
-#define VARYINGS { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE },                  \
-                 { "place", 4, GP_PERSPECTIVE }
+SHADOW_PAIR(tiles, smooth, ShadowTilesUniforms, &c->shadow, MAPS, 3_0, false)
+SHADOW_PAIR(tiles, flat, ShadowTilesUniforms, &c->shadow, MAPS, 3_0, true)
+/* clang-format on */
 
-#define PROGRAM_PAIR(facing, derivatives)                                                          \
-    pixel_shader(facing##_ps, ShadowTilesUniforms, Varying)                                        \
-    {                                                                                              \
-        const ShadowUniforms *shadow = &c->shadow;                                                 \
-        return light_surface(shadow, in, tiles(gp, c, in), facing(shadow, in), sp3(bcast(1)));     \
-    }                                                                                              \
-    pixel_shader(facing##_textured_ps, ShadowTilesUniforms, TexturedVarying)                       \
-    {                                                                                              \
-        const ShadowUniforms *shadow = &c->shadow;                                                 \
-        const Varying *surface = &in->surface;                                                     \
-        float3 texture = xyz(texld(0, in->uv));                                                    \
-        return light_surface(shadow, surface, tiles(gp, c, surface), facing(shadow, surface),      \
-                             texture);                                                             \
-    }                                                                                              \
-    program(shadow_tiles_##facing##_program, tiles_vs, facing##_ps,                                \
-            .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0, .inputs = { INPUTS },         \
-            .varyings = { VARYINGS }, .samplers = 1 << 1 | 1 << 2 | 1 << 3,                        \
-            .uses_derivatives = derivatives)                                                       \
-    program(shadow_tiles_##facing##_textured_program, tiles_textured_vs, facing##_textured_ps,     \
-            .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                               \
-            .inputs = { INPUTS, { GP_TEXCOORD0, 2 } },                                             \
-            .varyings = { VARYINGS, { "uv", 2, GP_PERSPECTIVE } },                                 \
-            .samplers = 1 << 0 | 1 << 1 | 1 << 2 | 1 << 3, .uses_derivatives = derivatives)
-
-PROGRAM_PAIR(smooth, false)
-PROGRAM_PAIR(flat, true)
-
-program(shadow_request_program, tiles_vs, request_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, .inputs = { INPUTS }, .varyings = { VARYINGS },
+program(shadow_request_program, lit_vs, request_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = { MESH_INPUTS }, .varyings = { LIT_VARYINGS },
         .samplers = 1 << 1)
 
 program(shadow_mark_program, mark_vs, mark_ps, .vertex_profile = GP_VS_3_0,

@@ -27,7 +27,7 @@ typedef struct ShadowMarkUniforms {
 /* One target, red: 1 + the number of the tile, row by row; 0 where the map will do. */
 extern const GpProgram shadow_request_program;
 
-/* GP_TEXCOORD0: the middle of a pixel of the request's picture. White. */
+/* GP_TEXCOORD0: the centre of a pixel of the request's picture. White. */
 extern const GpProgram shadow_mark_program;
 
 SHADOW_PROGRAM_PAIR(tiles_smooth);

@@ -7,12 +7,13 @@
  * What asks is drawn; what the processor does is what it does in the paper: it reads which tiles were
  * asked for and gives them places. */
 #include "apps/scene/bounds.h"
-#include "apps/techniques/shadow/parts.h"
+#include "apps/techniques/shadow/adaptive.h"
 
 #include <math.h>
 
 enum {
     TILES = SHADOW_TILES,
+    MAX_TILES = 256,   /* drawn again, of one map */
     FACTOR = 4,        /* texels of a tile to one of the map, a side */
     REQUEST_SHARE = 2, /* of the picture's pixels one in so many, each way, asks */
 };
@@ -21,12 +22,12 @@ static const float nothing[4] = { 0 };
 
 uint32_t shadow_tile_draws(uint32_t objects)
 {
-    return objects + 1 + SHADOW_MAX_TILES * objects;
+    return objects + 1 + MAX_TILES * objects;
 }
 
 /* --- asking ----------------------------------------------------------------------------------- */
 
-static GpSurface *draw_request(const ShadowBuild *build, const ShadowLamp *lamp)
+static GpSurface *draw_request(const ShadowBuild *build, const ShadowLight *light)
 {
     Frame *frame = build->frame;
     const GpPass *scene = &build->scene->list.passes[0];
@@ -37,12 +38,12 @@ static GpSurface *draw_request(const ShadowBuild *build, const ShadowLamp *lamp)
     frame_pass(frame, "request", request, frame_surface(frame, GP_D32F, width, height, 1), nothing);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
-        shadow_set_uniforms(build, lamp, object, &uniforms[i]);
+        shadow_set_uniforms(build, light, object, &uniforms[i]);
         GpDraw *draw = frame_draw(frame, &shadow_request_program, &uniforms[i], &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
-        draw->textures[1] = (GpTexture){ lamp->map, shadow_map_sampler(build->setting) };
+        draw->textures[1] = (GpTexture){ light->map, shadow_map_sampler(build->setting) };
     }
     return request;
 }
@@ -99,19 +100,19 @@ static uint32_t find_marked(const GpSurface *marks, uint32_t room, uint32_t tile
     return count;
 }
 
-static void fill_table(const uint32_t tiles[], uint32_t count, ShadowLamp *lamp)
+static void fill_table(const uint32_t tiles[], uint32_t count, ShadowLight *light)
 {
     for (uint32_t i = 0; i < count; i++)
-        *texel(lamp->table, tiles[i]) =
-            0xff000000 | (i % lamp->columns) << 16 | (i / lamp->columns) << 8;
+        *texel(light->table, tiles[i]) =
+            0xff000000 | (i % light->columns) << 16 | (i / light->columns) << 8;
 }
 
 /* Tiles that are neighbours in the map and in the atlas, from tiles[0] on. */
-static uint32_t run_length(const ShadowLamp *lamp, const uint32_t tiles[], uint32_t slot,
+static uint32_t run_length(const ShadowLight *light, const uint32_t tiles[], uint32_t slot,
                            uint32_t count)
 {
     uint32_t length = 1;
-    while (slot + length < count && (slot + length) % lamp->columns != 0 &&
+    while (slot + length < count && (slot + length) % light->columns != 0 &&
            tiles[slot + length] == tiles[slot] + length && tiles[slot + length] % TILES != 0)
         length++;
     return length;
@@ -152,51 +153,51 @@ static bool may_see(float clip[4][4], const Bounds *box)
     return true;
 }
 
-static void draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, const uint32_t tiles[],
+static void draw_tiles(const ShadowBuild *build, ShadowLight *light, const uint32_t tiles[],
                        uint32_t count)
 {
     const GpPass *scene = &build->scene->list.passes[0];
     Bounds *boxes = frame_alloc(build->frame, scene->draw_count, sizeof *boxes);
     float(*clip)[4][4] = frame_alloc(build->frame, count, sizeof *clip);
-    float size = (float)lamp->tile;
+    float size = (float)light->tile;
     for (uint32_t i = 0; i < scene->draw_count; i++)
         boxes[i] = draw_bounds(&scene->draws[i]);
     for (uint32_t slot = 0, length; slot < count; slot += length) {
-        length = run_length(lamp, tiles, slot, count);
-        crop(lamp->view[0].clip, tiles[slot], length, clip[slot]);
-        const GpViewport viewport = { .x = (float)(slot % lamp->columns) * size,
-                                      .y = (float)(slot / lamp->columns) * size,
+        length = run_length(light, tiles, slot, count);
+        crop(light->view[0].clip, tiles[slot], length, clip[slot]);
+        const GpViewport viewport = { .x = (float)(slot % light->columns) * size,
+                                      .y = (float)(slot / light->columns) * size,
                                       .width = (float)length * size,
                                       .height = size };
         for (uint32_t i = 0; i < scene->draw_count; i++)
             if (may_see(clip[slot], &boxes[i]))
-                shadow_draw_caster(build, lamp, i, clip[slot], &viewport, true);
+                shadow_draw_caster(build, light, i, clip[slot], &viewport, true);
     }
 }
 
-GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLamp *lamp, GpError *error)
+GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLight *light, GpError *error)
 {
     Frame *frame = build->frame;
     uint32_t first = frame->list.pass_count - 1;
-    const GpSurface *marks = draw_marks(build, draw_request(build, lamp));
+    const GpSurface *marks = draw_marks(build, draw_request(build, light));
     GpResult result = run(frame, first, error);
     if (result)
         return result;
 
-    uint32_t tiles[SHADOW_MAX_TILES];
-    lamp->tile = lamp->size * FACTOR < TILES ? 1 : lamp->size * FACTOR / TILES;
-    uint32_t side = GP_MAX_SIZE / lamp->tile, room = side * side;
-    uint32_t count = find_marked(marks, room < SHADOW_MAX_TILES ? room : SHADOW_MAX_TILES, tiles);
+    uint32_t tiles[MAX_TILES];
+    light->tile = light->size * FACTOR < TILES ? 1 : light->size * FACTOR / TILES;
+    uint32_t side = GP_MAX_SIZE / light->tile, room = side * side;
+    uint32_t count = find_marked(marks, room < MAX_TILES ? room : MAX_TILES, tiles);
     if (count == 0)
         return GP_OK;
-    lamp->columns = (uint32_t)ceil(sqrt(count));
-    lamp->rows = (count + lamp->columns - 1) / lamp->columns;
-    lamp->table = frame_surface(frame, GP_A8R8G8B8, TILES, TILES, 1);
-    lamp->atlas = frame_surface(frame, shadow_map_format(build->setting, lamp->light),
-                                lamp->columns * lamp->tile, lamp->rows * lamp->tile, 1);
-    fill_table(tiles, count, lamp);
-    frame_pass(frame, "tiles", NULL, lamp->atlas, NULL)->depth.clear_stencil =
-        gp_format_info(lamp->atlas->format)->has_stencil;
-    draw_tiles(build, lamp, tiles, count);
+    light->columns = (uint32_t)ceil(sqrt(count));
+    light->rows = (count + light->columns - 1) / light->columns;
+    light->table = frame_surface(frame, GP_A8R8G8B8, TILES, TILES, 1);
+    light->atlas = frame_surface(frame, shadow_map_format(build->setting, light->source),
+                                 light->columns * light->tile, light->rows * light->tile, 1);
+    fill_table(tiles, count, light);
+    frame_pass(frame, "tiles", NULL, light->atlas, NULL)->depth.clear_stencil =
+        gp_format_info(light->atlas->format)->has_stencil;
+    draw_tiles(build, light, tiles, count);
     return GP_OK;
 }

@@ -45,9 +45,9 @@ static void intersect(Rectangle *r, const Rectangle *other)
 static void crop(double clip[4][4], const Rectangle *r, const double side[2])
 {
     for (int k = 0; k < 2; k++) {
-        double middle = 0.5 * (r->low[k] + r->high[k]);
+        double centre = 0.5 * (r->low[k] + r->high[k]);
         for (int i = 0; i < 4; i++)
-            clip[k][i] = (clip[k][i] - middle * clip[3][i]) * 2 / side[k];
+            clip[k][i] = (clip[k][i] - centre * clip[3][i]) * 2 / side[k];
     }
 }
 
@@ -70,7 +70,9 @@ static Rectangle find_casters(const Scene *scene, const SceneLight *light, doubl
     return r;
 }
 
-void light_fit_casters(const Scene *scene, const SceneLight *light, LightView *view)
+/* Spreads a square around the casters over the map, with a margin for filters. A view in which there
+ * are none stays. */
+static void fit_casters(const Scene *scene, const SceneLight *light, LightView *view)
 {
     static const Rectangle whole = { { -1, -1 }, { 1, 1 } };
     Rectangle r = find_casters(scene, light, view->clip);
@@ -93,7 +95,7 @@ typedef struct Plane {
 /* The corners of what can be seen and lit. */
 typedef struct Seen {
     uint32_t corners;
-    double middle[3];         /* sum of the corners, then their mean */
+    double centre[3];         /* sum of the corners, then their mean */
     double nearest, farthest; /* from the eye, along its view */
     Rectangle place;          /* on the map */
 } Seen;
@@ -168,7 +170,7 @@ static void add_body(Seen *seen, const Plane *planes, double tolerance, double e
                 seen->nearest = fmin(seen->nearest, distance);
                 seen->farthest = fmax(seen->farthest, distance);
                 for (int k = 0; k < 3; k++)
-                    seen->middle[k] += point[k];
+                    seen->centre[k] += point[k];
                 add_projected(&seen->place, clip, point);
             }
 }
@@ -191,7 +193,7 @@ static Seen look(const Scene *scene, const SceneLight *light, double eye[4][4], 
         add_body(&seen, planes, 1e-9 * size, eye, clip);
     }
     for (int k = 0; k < 3 && seen.corners > 0; k++)
-        seen.middle[k] /= seen.corners;
+        seen.centre[k] /= seen.corners;
     Rectangle casters = find_casters(scene, light, clip);
     intersect(&seen.place, &casters);
     return seen;
@@ -199,22 +201,22 @@ static Seen look(const Scene *scene, const SceneLight *light, double eye[4][4], 
 
 /* --- the warp --------------------------------------------------------------------------------- */
 
-/* How the eye's view crosses the light's rays in the middle of what is seen. */
+/* How the eye's view crosses the light's rays in the centre of what is seen. */
 typedef struct Crossing {
     double way[2]; /* on the map, away from the eye; unit length */
     double speed;  /* along it, of a step of 1 along the view */
     double sine;   /* between the view and the ray; 0: there is no way */
 } Crossing;
 
-static Crossing find_crossing(const Scene *scene, double clip[4][4], const double middle[3])
+static Crossing find_crossing(const Scene *scene, double clip[4][4], const double centre[3])
 {
     double forward[3], step[2][3], ray[3], across[3];
     for (int k = 0; k < 3; k++)
         forward[k] = scene->camera.at[k] - scene->camera.eye[k];
     vector_normalize(forward);
-    double w = row_times(clip[3], middle);
+    double w = row_times(clip[3], centre);
     for (int k = 0; k < 2; k++) {
-        double place = row_times(clip[k], middle) / w;
+        double place = row_times(clip[k], centre) / w;
         for (int i = 0; i < 3; i++)
             step[k][i] = (clip[k][i] - place * clip[3][i]) / w;
     }
@@ -238,7 +240,28 @@ static void turn(double from[4][4], const double way[2], double to[4][4])
     }
 }
 
-void light_fit_eye(const Scene *scene, const SceneLight *light, LightView *view)
+/* Gives what is near to the eye more of a map that has been fitted to the casters, and nothing to
+ * what the eye cannot see: a projective map of the map's plane, whose lines of equal density lie
+ * across the way the eye looks.
+ *
+ * x y w are multiplied by a 3x3 matrix and z by a number, so that planes stay planes (slope-scaled
+ * bias works as ever), order along each ray of the light is kept, and 0 <= z <= w where it held
+ * before, on the map. All that lies along a ray of the light has one place on the map: what is seen
+ * decides, and whatever shades it is there with it.
+ *
+ * It stands for perspective shadow maps (Stamminger and Drettakis, SIGGRAPH 2002), which warp by the
+ * eye's own matrix. That turns inside out what is behind the eye, so that the eye must be moved back
+ * until it sees all casters, and the map's quality jumps as it does; lights become points or sinks
+ * of light by the side they are on. A perspective of the light's own space, square to its rays, has
+ * neither, and its strength can be chosen.
+ *
+ * The view stays as it is where the eye looks along the light's rays (duelling frusta: what is near
+ * and what is far then share a place on the map, and no warp of it can tell them apart), and where
+ * nothing of the map is seen.
+ * source Wimmer, Scherzer and Purgathofer, "Light space perspective shadow maps", EGSR 2004: n_opt
+ *        of section 4. Theirs is for parallel rays; ours works after the light's own perspective,
+ *        where all rays are parallel, at the scale of the centre of what is seen */
+static void fit_eye(const Scene *scene, const SceneLight *light, LightView *view)
 {
     static const double least_sine = 0.05; /* 3 degrees */
     double to_eye[4][4], projection[4][4], eye[4][4], turned[4][4], warped[4][4];
@@ -250,7 +273,7 @@ void light_fit_eye(const Scene *scene, const SceneLight *light, LightView *view)
     Seen seen = look(scene, light, eye, view->clip, view->clip);
     if (is_empty(&seen.place))
         return;
-    Crossing crossing = find_crossing(scene, view->clip, seen.middle);
+    Crossing crossing = find_crossing(scene, view->clip, seen.centre);
     if (crossing.sine < least_sine)
         return;
     turn(view->clip, crossing.way, turned);
@@ -263,7 +286,7 @@ void light_fit_eye(const Scene *scene, const SceneLight *light, LightView *view)
     double n_opt = (seen.nearest + sqrt(seen.nearest * seen.farthest)) / crossing.sine;
     double near = n_opt * crossing.speed / crossing.sine;
     double depth = place.high[1] - place.low[1];
-    double axis = row_times(turned[0], seen.middle) / row_times(turned[3], seen.middle);
+    double axis = row_times(turned[0], seen.centre) / row_times(turned[3], seen.centre);
     for (int i = 0; i < 4; i++) {
         double w = turned[3][i];
         warped[0][i] = turned[0][i] - axis * w;
@@ -277,6 +300,17 @@ void light_fit_eye(const Scene *scene, const SceneLight *light, LightView *view)
     double side[2] = { (all.high[0] - all.low[0]) * margin, (all.high[1] - all.low[1]) * margin };
     crop(warped, &all, side);
     memcpy(view->clip, warped, sizeof view->clip);
-    /* The longer side of a texel; that along the way grows by 1 + depth / near: in the middle. */
+    /* The longer side of a texel; that along the way grows by 1 + depth / near: in the centre. */
     view->width *= fmax(side[0], side[1] * sqrt(1 + depth / near)) / 2;
+}
+
+LightView light_fit(const Scene *scene, const SceneLight *light, int face, LightFit fit)
+{
+    LightView view = light_view(scene, light, face, fit != LIGHT_FIT_LIGHT);
+    if (light_shines_around(light) || fit == LIGHT_FIT_LIGHT)
+        return view;
+    fit_casters(scene, light, &view);
+    if (fit == LIGHT_FIT_EYE)
+        fit_eye(scene, light, &view);
+    return view;
 }

@@ -1,26 +1,23 @@
 #include "apps/techniques/shadow/light_view.h"
-#include "apps/techniques/shadow/light_fit.h"
 #include "apps/scene/bounds.h"
 
 #include <math.h>
 #include <string.h>
 
-/* --- the light's own view --------------------------------------------------------------------- */
-
-static Camera aim(const Scene *scene, const SceneLight *light, int side)
+static Camera aim(const Scene *scene, const SceneLight *light, int face)
 {
-    static const double sides[6][2][3] = {
+    static const double faces[6][2][3] = {
         { { 1, 0, 0 }, { 0, 1, 0 } },  { { -1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 0 }, { 0, 0, -1 } },
         { { 0, -1, 0 }, { 0, 0, 1 } }, { { 0, 0, 1 }, { 0, 1, 0 } },  { { 0, 0, -1 }, { 0, 1, 0 } },
     };
     const SceneShadow *shadow = &light->shadow;
     Camera camera = { .fovy = shadow->fovy, .near = shadow->near, .far = shadow->far };
-    if (!light->directional && !light->aims) {
+    if (light_shines_around(light)) {
         camera.fovy = 90;
         for (int k = 0; k < 3; k++) {
             camera.eye[k] = light->position[k];
-            camera.at[k] = light->position[k] + sides[side][0][k];
-            camera.up[k] = sides[side][1][k];
+            camera.at[k] = light->position[k] + faces[face][0][k];
+            camera.up[k] = faces[face][1][k];
         }
         return camera;
     }
@@ -33,16 +30,16 @@ static Camera aim(const Scene *scene, const SceneLight *light, int side)
     }
     /* A wall of rays over the ball around the scene's box. */
     Bounds box = scene_bounds(scene);
-    double middle[3], size[3];
+    double centre[3], size[3];
     for (int k = 0; k < 3; k++) {
-        middle[k] = 0.5 * (box.low[k] + box.high[k]);
+        centre[k] = 0.5 * (box.low[k] + box.high[k]);
         size[k] = box.high[k] - box.low[k];
     }
     double radius = 0.5 * sqrt(vector_dot(size, size)) * 1.001;
     camera.fovy = 0;
     camera.height = shadow->height > 0 ? shadow->height : 2 * radius;
     for (int k = 0; k < 3; k++) {
-        camera.at[k] = light->aims ? light->at[k] : middle[k];
+        camera.at[k] = light->aims ? light->at[k] : centre[k];
         camera.eye[k] = camera.at[k] + 2 * radius * light->position[k];
     }
     return camera;
@@ -83,36 +80,35 @@ static void find_depths(const Scene *scene, const SceneLight *light, double view
     }
 }
 
-/* Depths of all six sides, where the scene has none: nothing is farther along a side than away. */
+/* One range for all faces of a cube map: nothing is farther along a face's view than away. */
 static void find_reach(const Scene *scene, const SceneLight *light, Camera *camera)
 {
+    const Bounds box = scene_bounds(scene);
     double farthest = 0;
     if (camera->far > 0)
         return;
-    for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
-        const GpDraw *draw = &scene->list.passes[0].draws[i];
-        for (uint32_t j = 0; j < draw->geometry.vertex_count; j++) {
-            double position[3];
-            draw_position(draw, j, position);
-            for (int k = 0; k < 3; k++)
-                farthest = fmax(farthest, fabs(position[k] - light->position[k]));
-        }
-    }
+    for (int k = 0; k < 3 && box.low[0] <= box.high[0]; k++)
+        farthest = fmax(farthest, fmax(fabs(box.low[k] - light->position[k]),
+                                       fabs(box.high[k] - light->position[k])));
     camera->far = farthest > 0 ? farthest * 1.001 : 1;
     camera->near = camera->far * 1e-3;
 }
 
-LightView light_view(const Scene *scene, const SceneLight *light, int side, LightFit fit)
+bool light_shines_around(const SceneLight *light)
+{
+    return !light->directional && !light->aims;
+}
+
+LightView light_view(const Scene *scene, const SceneLight *light, int face, bool tight)
 {
     static const double radians_per_degree = 3.14159265358979323846 / 180;
-    Camera camera = aim(scene, light, side);
+    Camera camera = aim(scene, light, face);
     straighten(&camera);
     double to_eye[4][4], projection[4][4];
     camera_view(&camera, to_eye);
-    bool six_sides = !light->directional && !light->aims;
-    if (six_sides) /* one depth range for all sides */
+    if (light_shines_around(light))
         find_reach(scene, light, &camera);
-    else if (!(camera.far > 0) || fit != LIGHT_FIT_LIGHT) {
+    else if (tight || !(camera.far > 0)) {
         double nearest, farthest;
         find_depths(scene, light, to_eye, &nearest, &farthest);
         camera.far = farthest > 0 ? farthest * 1.001 : 1;
@@ -122,10 +118,5 @@ LightView light_view(const Scene *scene, const SceneLight *light, int side, Ligh
     view.width = view.parallel ? camera.height : 2 * tan(camera.fovy / 2 * radians_per_degree);
     camera_projection(&camera, 1, projection);
     matrix_multiply(projection, to_eye, view.clip);
-
-    if (!six_sides && fit != LIGHT_FIT_LIGHT)
-        light_fit_casters(scene, light, &view);
-    if (!six_sides && fit == LIGHT_FIT_EYE)
-        light_fit_eye(scene, light, &view);
     return view;
 }

@@ -1,17 +1,8 @@
-/* What a light's shadow map sees: matrices and nothing else. */
+/* What a light sees by itself: matrices and nothing else. */
 #ifndef APPS_TECHNIQUES_SHADOW_LIGHT_VIEW_H
 #define APPS_TECHNIQUES_SHADOW_LIGHT_VIEW_H
 
 #include "apps/scene/scene.h"
-
-/* How the map's texels are shared out. */
-typedef enum LightFit {
-    LIGHT_FIT_LIGHT,    /* over what the light shines at, as the scene has it */
-    LIGHT_FIT_CASTERS,  /* over the box of what can cast a shadow */
-    LIGHT_FIT_EYE,      /* over what of that is seen, more of them where the eye is near */
-    LIGHT_FIT_ADAPTIVE, /* over the box, and tiles of it again, finer, where the eye needs them */
-    LIGHT_FITS
-} LightFit;
 
 typedef struct LightView {
     double clip[4][4]; /* world to the map's clip space */
@@ -20,9 +11,13 @@ typedef struct LightView {
     double width;      /* of what the map sees, where w is 1: texels are width / size there */
 } LightView;
 
-/* Chooses a light's view of a scene.
- * in   side: number 0..5 of the light's side (+x -x +y -y +z -z), where it does not aim
+/* Whether a light shines to all sides; it then has six views, the faces of a cube map. */
+bool light_shines_around(const SceneLight *light);
+
+/* A light's own view of a scene.
+ * in   face: number 0..5 of the cube map's face (+x -x +y -y +z -z), where the light shines around
+ *      tight: near and far enclose the scene's vertices even where the scene names them
  * note what the scene leaves open (near, far, height) follows from the box of its vertices */
-LightView light_view(const Scene *scene, const SceneLight *light, int side, LightFit fit);
+LightView light_view(const Scene *scene, const SceneLight *light, int face, bool tight);
 
 #endif

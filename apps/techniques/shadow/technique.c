@@ -116,7 +116,7 @@ static void close_scene(void *opened)
 static GpResult build(void *opened, const void *setting, Frame *frame, GpError *error)
 {
     const Study *study = opened;
-    return tech_shadow_build(&study->scene, setting, frame, error);
+    return shadow_build(&study->scene, setting, frame, error);
 }
 
 /* All triangles of the scene, for rays. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */

@@ -72,7 +72,7 @@ static void soft_shadows_are_one_picture(void **state)
     check_devices("scenes/shadow_soft.json", texts, GP_COUNT(texts));
 }
 
-static void several_lights_and_six_sides_are_one_picture(void **state)
+static void several_lights_and_a_cube_map_are_one_picture(void **state)
 {
     (void)state;
     char texts[][SETTING_MAX_TEXT] = { "--map 64", "--map 64 --facing smooth --filter nearest",
@@ -311,7 +311,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_method_of_the_sweep_is_one_picture),
         cmocka_unit_test(soft_shadows_are_one_picture),
-        cmocka_unit_test(several_lights_and_six_sides_are_one_picture),
+        cmocka_unit_test(several_lights_and_a_cube_map_are_one_picture),
         cmocka_unit_test(three_causes_part_four_compares_from_a_filter),
         cmocka_unit_test(colours_are_not_the_depth_buffer),
     };

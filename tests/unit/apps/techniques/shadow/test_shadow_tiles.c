@@ -53,7 +53,7 @@ static Frame build(const Scene *scene, const ShadowSetting *setting)
 {
     Frame frame = { .color = NULL };
     GpError error = { "" };
-    if (tech_shadow_build(scene, setting, &frame, &error))
+    if (shadow_build(scene, setting, &frame, &error))
         fail_msg("%s", error.text);
     return frame;
 }
@@ -215,7 +215,7 @@ static void refuses_what_has_no_tiles(void **state)
         setting.slope = 0;
         Frame frame = { .color = NULL };
         GpError error = { "" };
-        assert_int_equal(tech_shadow_build(&scene, &setting, &frame, &error), GP_ERROR_INVALID);
+        assert_int_equal(shadow_build(&scene, &setting, &frame, &error), GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, cases[i].reason));
         assert_null(frame.color);
         scene_free(&scene);

@@ -1,19 +1,21 @@
 /* What a setting leaves open, and what it cannot ask for. */
-#include "apps/techniques/shadow/parts.h"
+#include "apps/techniques/shadow/setting.h"
 
 #include "shaders_c/materials/phong.h"
 #include "shaders_c/materials/textured_phong.h"
 
-#include <math.h>
-
 enum { DEFAULT_MAP = 1024 };
 
-/* --- the map ---------------------------------------------------------------------------------- */
+const ShadowSetting shadow_defaults = {
+    .method = SHADOW_HARDWARE,
+    .filter = SHADOW_BILINEAR,
+    .facing = SHADOW_FLAT,
+    .fit = LIGHT_FIT_CASTERS,
+    .bias = SHADOW_AUTO,
+    .slope = SHADOW_AUTO,
+};
 
-bool shadow_has_six_sides(const SceneLight *light)
-{
-    return !light->directional && !light->aims;
-}
+/* --- the map ---------------------------------------------------------------------------------- */
 
 uint32_t shadow_map_size(const ShadowSetting *setting, const SceneLight *light)
 {
@@ -35,44 +37,27 @@ GpFormat shadow_map_format(const ShadowSetting *setting, const SceneLight *light
     return light->shadow.format ? light->shadow.format : GP_D24S8;
 }
 
-/* --- the bias --------------------------------------------------------------------------------- */
-
-/* An offset is of no use to six sides, which look things up by where they are. */
-static bool needs_bias(const ShadowSetting *setting, const ShadowLamp *lamp)
+GpSampler shadow_map_sampler(const ShadowSetting *setting)
 {
-    return setting->casters != SHADOW_FAR_SIDES && (lamp->six_sides || !(setting->offset > 0));
-}
-
-double shadow_slope(const ShadowSetting *setting, const ShadowLamp *lamp)
-{
-    if (setting->slope >= 0 || setting->method == SHADOW_PLAIN || !needs_bias(setting, lamp))
-        return fmax(setting->slope, 0);
-    return setting->filter == SHADOW_BILINEAR ? 2 : 1;
-}
-
-double shadow_bias(const ShadowSetting *setting, const ShadowLamp *lamp)
-{
-    const LightView *view = &lamp->view[0];
-    const double steep = 16; /* rise over a texel's side */
-    if (setting->bias >= 0 || !needs_bias(setting, lamp))
-        return fmax(setting->bias, 0);
-    if (setting->method == SHADOW_HARDWARE)
-        return lamp->map->format == GP_D16 ? 0x1p-16 : 0x1p-24;
-    /* Depth grows by this over a unit of length, and a texel is so many units wide. */
-    double middle = 0.5 * (view->near + view->far), range = view->far - view->near;
-    double scaling =
-        view->parallel ? 1 / range : view->near * view->far / range / (middle * middle);
-    return steep * scaling * view->width * (view->parallel ? 1 : middle) / lamp->size;
+    bool hardware = setting->method == SHADOW_HARDWARE;
+    GpFilter filter = hardware && setting->filter == SHADOW_BILINEAR ? GP_LINEAR : GP_POINT;
+    GpAddress outside = setting->outside == SHADOW_OUTSIDE_PRINTED ? GP_CLAMP : GP_BORDER;
+    return (GpSampler){ .min = filter,
+                        .mag = filter,
+                        .address_u = outside,
+                        .address_v = outside,
+                        .border = { 1, 1, 1, 1 },
+                        .compare = hardware };
 }
 
 /* --- refusals --------------------------------------------------------------------------------- */
 
 /* Lights to all sides: three of their maps lie side by side. */
-static GpResult check_six_sides(const Scene *scene, const ShadowSetting *setting, GpError *error)
+static GpResult check_cubes(const Scene *scene, const ShadowSetting *setting, GpError *error)
 {
     for (uint32_t i = 0; i < scene->light_count; i++) {
         uint32_t size = shadow_map_size(setting, &scene->lights[i]);
-        if (!shadow_has_six_sides(&scene->lights[i]))
+        if (!light_shines_around(&scene->lights[i]))
             continue;
         if (setting->method == SHADOW_PLAIN)
             return gp_fail(
@@ -83,7 +68,7 @@ static GpResult check_six_sides(const Scene *scene, const ShadowSetting *setting
         if (setting->fit == LIGHT_FIT_ADAPTIVE)
             return gp_fail(
                 error, GP_ERROR_INVALID,
-                "lights[%u] shines to all sides, whose map has no tiles; for the adaptive "
+                "lights[%u] shines to all sides, whose cube map has no tiles; for the adaptive "
                 "fit it must look at something (\"at\")",
                 i);
         if (3 * size > GP_MAX_SIZE)
@@ -139,5 +124,5 @@ GpResult shadow_check(const Scene *scene, const ShadowSetting *setting, GpError 
                            "objects[%u]: program %s has no shadows; phong and textured_phong have",
                            i, draw->program->name);
     }
-    return check_six_sides(scene, setting, error);
+    return check_cubes(scene, setting, error);
 }

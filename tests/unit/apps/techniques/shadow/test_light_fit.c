@@ -1,5 +1,5 @@
 /* What a light's map sees under each fit, against the vertices and points of scenes. */
-#include "apps/techniques/shadow/light_view.h"
+#include "apps/techniques/shadow/light_fit.h"
 #include "apps/scene/bounds.h"
 #include "tests/support/unit.h"
 
@@ -15,7 +15,7 @@ static const char spot[] = "{ \"position\": [-20, 30, -10], \"at\": [0, 0, -16],
 /* A long floor with blocks in two rows that go away from the eye. */
 static Scene load(const char *light, const char *camera)
 {
-    char path[] = "/tmp/test_light_view_XXXXXX";
+    char path[] = "/tmp/test_light_fit_XXXXXX";
     FILE *file = fdopen(mkstemp(path), "w");
     assert_non_null(file);
     fprintf(file, "{ \"size\": [64, 48], \"camera\": %s, \"lights\": [ %s ], \"objects\": [",
@@ -91,7 +91,7 @@ static bool eye_sees(const Scene *scene, const double point[3])
 static void casters_are_on_the_map_and_fill_it(const char *light)
 {
     Scene scene = avenue(light);
-    LightView view = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
+    LightView view = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
     double reach = 0;
     for (uint32_t i = 0; i < 12; i++)
         for (uint32_t j = 0; j < object(&scene, i)->geometry.vertex_count; j++) {
@@ -133,12 +133,12 @@ static void a_floor_under_everything_only_receives(void **state)
 
 /* Every shaded point of the floor that the eye sees is on its map, and at the same place, less deep,
  * is what shades it. */
-static void what_is_seen_stays_on_the_map(const char *lamp)
+static void what_is_seen_stays_on_the_map(const char *source)
 {
-    Scene scene = avenue(lamp);
+    Scene scene = avenue(source);
     const SceneLight *light = &scene.lights[0];
-    LightView casters = light_view(&scene, light, 0, LIGHT_FIT_CASTERS);
-    LightView eye = light_view(&scene, light, 0, LIGHT_FIT_EYE);
+    LightView casters = light_fit(&scene, light, 0, LIGHT_FIT_CASTERS);
+    LightView eye = light_fit(&scene, light, 0, LIGHT_FIT_EYE);
     assert_memory_not_equal(casters.clip, eye.clip, sizeof eye.clip);
     int seen = 0;
     for (int i = 0; i < 12 * 1000; i++) {
@@ -191,8 +191,8 @@ static void eye_fit_gives_more_to_what_is_near(void **state)
     const char *const lights[] = { sun, spot };
     for (int i = 0; i < 2; i++) {
         Scene scene = avenue(lights[i]);
-        LightView casters = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
-        LightView eye = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_EYE);
+        LightView casters = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
+        LightView eye = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_EYE);
         double near = density(&eye, -2) / density(&casters, -2);
         double far = density(&eye, -24) / density(&casters, -24);
         assert_true(near > 3); /* positive too: triangles turn as they did */
@@ -211,8 +211,8 @@ static void eye_along_the_light_leaves_the_map_alone(void **state)
     const char *const cameras[] = { along, against };
     for (int i = 0; i < 2; i++) {
         Scene scene = load(sun, cameras[i]);
-        LightView casters = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
-        LightView eye = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_EYE);
+        LightView casters = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
+        LightView eye = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_EYE);
         assert_memory_equal(&casters, &eye, sizeof eye);
         scene_free(&scene);
     }
@@ -223,8 +223,8 @@ static void eye_that_sees_nothing_leaves_the_map_alone(void **state)
     (void)state;
     Scene scene = load(sun, "{ \"eye\": [0, 2, 90], \"at\": [0, 2, 91], \"fovy\": 48, "
                             "\"near\": 0.5, \"far\": 120 }");
-    LightView casters = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
-    LightView eye = light_view(&scene, &scene.lights[0], 0, LIGHT_FIT_EYE);
+    LightView casters = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_CASTERS);
+    LightView eye = light_fit(&scene, &scene.lights[0], 0, LIGHT_FIT_EYE);
     assert_memory_equal(&casters, &eye, sizeof eye);
     scene_free(&scene);
 }

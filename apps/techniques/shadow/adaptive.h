@@ -1,0 +1,17 @@
+/* The finer tiles of an adaptive shadow map. */
+#ifndef APPS_TECHNIQUES_SHADOW_ADAPTIVE_H
+#define APPS_TECHNIQUES_SHADOW_ADAPTIVE_H
+
+#include "apps/techniques/shadow/light.h"
+
+/* Passes and draws that a light's tiles take at most. */
+enum { SHADOW_TILE_PASSES = 3 };
+uint32_t shadow_tile_draws(uint32_t objects);
+
+/* After the pass that draws the map: passes that ask for finer tiles of it, and one that draws those.
+ * To know which, it runs the passes up to there, on a device of its own.
+ * out  light->table and what follows
+ * errors GP_ERROR_MEMORY, and those of gp_device_create */
+GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLight *light, GpError *error);
+
+#endif

@@ -1,0 +1,44 @@
+/* A light of the frame, and its shadow map: what is drawn into it, and what programs know of it. */
+#ifndef APPS_TECHNIQUES_SHADOW_LIGHT_H
+#define APPS_TECHNIQUES_SHADOW_LIGHT_H
+
+#include "apps/frame/frame.h"
+#include "apps/techniques/shadow/setting.h"
+#include "shaders_c/shadow/shadow_tiles.h"
+
+/* What all parts of a frame share. */
+typedef struct ShadowBuild {
+    const Scene *scene;
+    const ShadowSetting *setting;
+    Frame *frame;
+} ShadowBuild;
+
+enum { SHADOW_TILES = 16 }; /* of an adaptive map, a side */
+
+typedef struct ShadowLight {
+    const SceneLight *source;
+    bool cube; /* it shines to all sides: six views, +x -x +y -y +z -z, in one map of 3 x 2 */
+    LightView view[6];
+    uint32_t size; /* of a view, in texels */
+    GpSurface *map;
+    const bool *casts; /* of each object of the scene: drawn into the map */
+
+    /* adaptive */
+    GpSurface *table, *atlas;     /* no atlas: no tile was asked for */
+    uint32_t tile, columns, rows; /* texels a side of a tile; tiles of the atlas */
+} ShadowLight;
+
+/* The views of a light of the scene, and the pass that draws its map. */
+ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source);
+
+/* An object as the light sees it, in a part of the map: a draw of the present pass, or none where the
+ * object casts nothing.
+ * in   object: its number; clip: float[4][4], world to the part's clip space; belongs to the frame */
+void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object,
+                        const void *clip, const GpViewport *viewport, bool scissor);
+
+/* What the light and an object's material are to the programs. */
+void shadow_set_uniforms(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,
+                         ShadowTilesUniforms *uniforms);
+
+#endif
