@@ -67,8 +67,6 @@ bool fast_range_begin(FastRange *range, uint32_t tiles)
     range->chunk_count = 1;
     range->cut_count = range->corner_count = 0;
     range->clipped = 0;
-    memset(range->sampled, 0, sizeof range->sampled);
-    memset(range->depth, 0, sizeof range->depth);
     range->failed = false;
     return true;
 }

@@ -21,8 +21,7 @@
  * Inside a tile triangles are set up GP_LANES at a time (lanes/batch.c): tiny ones are filled pixel by
  * pixel (lanes/fill_tiny.c), small ones some rows at a time (lanes/fill_small.c), large ones row by
  * row (lanes/fill_large.c); those behind the farthest depths around them are left out before
- * (lanes/farthest.c), and where depth is all that a pass leaves, the facing that is nearer comes first
- * for it. Point sprites have a short way of their own (lanes/sprite.c); where they only combine bits, their
+ * (lanes/farthest.c). Point sprites have a short way of their own (lanes/sprite.c); where they only combine bits, their
  * pixels share packets (lanes/pack_points.c).
  *
  * Where nothing looks at the colour that was there before, a fragment that passes its tests only

@@ -155,7 +155,7 @@ static inline bool fast_budget_left(const FastBudget *budget)
 typedef struct FastRange {
     uint32_t first, end, reached; /* primitives of the pass; those before `reached` are binned */
     FastBudget *budget;
-    uint32_t *head, *tail; /* [sides][tiles], chunk numbers, 0: none */
+    uint32_t *head, *tail; /* of each tile, chunk numbers, 0: none */
     uint32_t tile_room;
     FastChunk *chunks; /* number 0 is every tile's first, and always full */
     uint32_t chunk_count, chunk_room;
@@ -167,10 +167,6 @@ typedef struct FastRange {
     uint32_t corner_count, corner_room, varying_room;
     uint64_t clipped;
     bool failed; /* no memory */
-
-    /* where there are two sides, some triangles of each: their number, and the sum of their depths */
-    uint32_t sampled[2];
-    float depth[2];
 } FastRange;
 
 /* A pass, or the part of one that memory has room for. */
@@ -182,7 +178,6 @@ typedef struct FastPass {
     uint32_t draw_count;
     uint32_t block_count, primitive_count, range_count;
     uint32_t range_size;               /* primitives, but for the last */
-    uint32_t sides;                    /* 2: any order will do, so each facing has its own bins */
     uint32_t first_block, first_range; /* of all that the group has */
     bool starts;                       /* with the pass's first draw: targets are cleared before */
 
@@ -190,7 +185,6 @@ typedef struct FastPass {
     bool clears;
     uint32_t ready_count;
     FastRange *ranges;
-    uint32_t first_side; /* the nearer one, where there are two */
 } FastPass;
 
 /* The surfaces that a group draws to, each with its slot in tile memory; see group.h. */
@@ -215,7 +209,7 @@ uint32_t fast_find_block(const FastPass *pass, uint32_t block);
 const FastPass *fast_find_pass_of_block(const FastGroup *group, uint32_t block);
 const FastPass *fast_find_pass_of_range(const FastGroup *group, uint32_t range);
 
-/* Starts a range for a pass with so many tiles, on all sides; false when memory is short. */
+/* Starts a range for a pass with so many tiles; false when memory is short. */
 bool fast_range_begin(FastRange *range, uint32_t tiles);
 
 /* Gives back a range's memory, and what it had of the budget; its primitives stay what they are. */

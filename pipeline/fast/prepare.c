@@ -178,20 +178,6 @@ static bool has_room(const GpFast *fast)
     return fast->vertex_bytes < fast->vertex_limit;
 }
 
-/* Depth alone, which comes nearer only, ends up as the nearest, in whatever order. */
-static bool has_any_order(const FastPass *p)
-{
-    for (uint32_t i = 0; i < p->draw_count; i++) {
-        const FastDraw *d = &p->draws[i];
-        const GpCompare test = d->draw->state.depth.test;
-        if (d->route != FAST_NOTHING &&
-            (d->route != FAST_DEPTH_ONLY || d->needs.stencil || !d->draw->state.depth.write ||
-             (test != GP_LESS && test != GP_LESS_EQUAL)))
-            return false;
-    }
-    return true;
-}
-
 /* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least; moves the
  * cursor behind it. */
 static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
@@ -220,7 +206,6 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
     }
     p->range_size = range_size(p->primitive_count, gp_pool_threads(fast->pool));
     p->range_count = (p->primitive_count + p->range_size - 1) / p->range_size;
-    p->sides = has_any_order(p) ? 2 : 1;
     return true;
 }
 

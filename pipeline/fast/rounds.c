@@ -51,7 +51,7 @@ static void range_item(void *context, uint32_t item, int worker)
     if (item && !fast_budget_left(range->budget))
         return;
     const FastPass *pass = fast_find_pass_of_range(job->group, job->first_range + item);
-    range->failed = !fast_range_begin(range, pass->sides * pass->tiles_x * pass->tiles_y);
+    range->failed = !fast_range_begin(range, pass->tiles_x * pass->tiles_y);
     if (!range->failed)
         job->stages->bin_range(pass, range);
 }
@@ -90,18 +90,6 @@ static uint32_t bin_ranges(Job *job)
     return stop;
 }
 
-/* By the mean. A guess would do: no bit depends on it. */
-static uint32_t nearer_side(const FastPass *pass)
-{
-    float depth[2] = { 0, 0 }, sampled[2] = { 0, 0 };
-    for (uint32_t i = 0; i < pass->ready_count; i++)
-        for (int side = 0; side < 2; side++) {
-            depth[side] += pass->ranges[i].depth[side];
-            sampled[side] += (float)pass->ranges[i].sampled[side];
-        }
-    return depth[1] * sampled[0] < depth[0] * sampled[1];
-}
-
 /* Gives each pass what is to be drawn of it: all before range `stop`, and what that one has. */
 static void hand_out(const Job *job, uint32_t stop, GpCounters *counters)
 {
@@ -116,7 +104,6 @@ static void hand_out(const Job *job, uint32_t stop, GpCounters *counters)
         end = end < stop + some ? end : stop + some;
         p->ranges = ranges + first;
         p->ready_count = first < end ? end - first : 0;
-        p->first_side = nearer_side(p);
     }
     for (uint32_t i = job->first_range; i < stop + some; i++)
         counters->primitives_clipped += ranges[i].clipped;

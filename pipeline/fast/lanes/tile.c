@@ -163,9 +163,8 @@ static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Wait
 /* Whether any primitive of the pass touches the tile. */
 static bool is_touched(const FastPass *pass, uint32_t number)
 {
-    const uint32_t second = (pass->sides - 1) * pass->tiles_x * pass->tiles_y;
     for (uint32_t r = 0; r < pass->ready_count; r++)
-        if (pass->ranges[r].head[number] | pass->ranges[r].head[number + second])
+        if (pass->ranges[r].head[number])
             return true;
     return false;
 }
@@ -187,25 +186,13 @@ GP_INLINE void ask_for_bins(const FastGroup *group, uint32_t next, uint32_t numb
         __builtin_prefetch(&range[0]->chunks[range[0]->chunks[first].next]);
 }
 
-/* One side of the pass's triangles. */
-static void draw_side(Tile *tile, const FastPass *pass, uint32_t number)
+static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
 {
     Waiting waiting;
     waiting.count = 0;
     for (uint32_t r = 0; r < pass->ready_count; r++)
         draw_range(tile, &pass->ranges[r], number, &waiting);
     draw_waiting(tile, &waiting);
-}
-
-/* Where there are two sides, the nearer one comes first: of closed meshes it hides the other. */
-static void draw_sides(Tile *tile, const FastPass *pass, uint32_t number)
-{
-    const uint32_t tiles = pass->tiles_x * pass->tiles_y;
-    draw_side(tile, pass, number + pass->first_side * tiles);
-    if (pass->sides == 1)
-        return;
-    FAST(find_farthest)(tile);
-    draw_side(tile, pass, number + (1 - pass->first_side) * tiles);
 }
 
 static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
@@ -223,7 +210,7 @@ static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
     tile->backdrop = FAST_NO_RECORD;
     tile->wide_count = tile->run_count = 0;
     fast_turn_to(tile, FAST_RASTER);
-    draw_sides(tile, pass, number);
+    draw_bins(tile, pass, number);
     FAST(fill_kept)(tile);
     FAST(flush_patches)(tile);
     FAST(flush_seen)(tile);

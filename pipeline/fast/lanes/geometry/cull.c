@@ -10,7 +10,6 @@ enum {
 /* GP_LANES triangles of one draw on the screen. */
 typedef struct Batch {
     itg x[3], y[3];
-    flt z; /* of some corner */
     itg low_x, low_y, high_x, high_y;
     itg x0, y0, x1, y1; /* pixels whose centres may be inside, ends included */
 } Batch;
@@ -46,7 +45,6 @@ GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, B
         lanes_load4(record, word);
         batch->x[k] = word[0];
         batch->y[k] = word[1];
-        batch->z = (flt)word[2];
     }
 }
 
@@ -87,13 +85,11 @@ GP_INLINE msk misses_centers(const Batch *b, itg area2)
     return (msk)((out[0] & out[1] & out[2] & out[3]) < 0);
 }
 
-/* Triangles that face the way that is drawn and may hold a centre.
- * out  front: those that turn clockwise */
-GP_INLINE unsigned drawn_lanes(const FastDraw *d, const Batch *b, unsigned *front)
+/* Triangles that face the way that is drawn and may hold a centre. */
+GP_INLINE unsigned drawn_lanes(const FastDraw *d, const Batch *b)
 {
     itg area2 =
         cross_lanes(b->x[1] - b->x[0], b->y[2] - b->y[0], b->x[2] - b->x[0], b->y[1] - b->y[0]);
-    *front = msk_bits((msk)(area2 > 0));
     GpCull cull = d->draw->state.raster.cull;
     msk drawn = cull == GP_CULL_CW    ? (msk)(area2 < 0)
                 : cull == GP_CULL_CCW ? (msk)(area2 > 0)
@@ -163,41 +159,26 @@ GP_INLINE void bin_lanes(FastRange *range, uint32_t first, unsigned lanes, itg t
 }
 
 /* Neighbours mostly touch the same few tiles: bins them as one group a tile. Small ones touch up to
- * two by two, which are taken one after the other.
- * in   side: the number of its first tile */
-GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t side, uint32_t first,
-                            unsigned lanes, const TileBoxes *tiles)
+ * two by two, which are taken one after the other. */
+GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t first, unsigned lanes,
+                            const TileBoxes *tiles)
 {
     const itg columns = tiles->x1 - tiles->x0, rows = tiles->y1 - tiles->y0;
     const unsigned wide = lanes & msk_bits((msk)((columns | rows) > 1));
     const unsigned right = lanes & ~wide & msk_bits((msk)(columns > 0));
     const unsigned down = lanes & ~wide & msk_bits((msk)(rows > 0));
-    const itg number = tiles->first + (int32_t)side;
-    bin_lanes(range, first, lanes & ~wide, number);
+    bin_lanes(range, first, lanes & ~wide, tiles->first);
     if (right | down | wide) {
-        bin_lanes(range, first, right, number + 1);
-        bin_lanes(range, first, down, number + (int32_t)pass->tiles_x);
-        bin_lanes(range, first, right & down, number + (int32_t)pass->tiles_x + 1);
+        bin_lanes(range, first, right, tiles->first + 1);
+        bin_lanes(range, first, down, tiles->first + (int32_t)pass->tiles_x);
+        bin_lanes(range, first, right & down, tiles->first + (int32_t)pass->tiles_x + 1);
     }
     for (unsigned left = wide; left; left &= left - 1) {
         const int lane = __builtin_ctz(left);
         for (int32_t y = tiles->y0[lane]; y <= tiles->y1[lane]; y++)
             for (int32_t x = tiles->x0[lane]; x <= tiles->x1[lane]; x++)
-                add_to_group(range, side + (uint32_t)y * pass->tiles_x + (uint32_t)x, first,
+                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, first,
                              left & -left);
-    }
-}
-
-/* Bins each facing on its own, and one depth of each as a sample. */
-GP_INLINE void bin_sides(const FastPass *pass, FastRange *range, uint32_t first,
-                         const unsigned lanes[2], const TileBoxes *tiles, flt z)
-{
-    for (uint32_t side = 0; side < 2; side++) {
-        if (!lanes[side])
-            continue;
-        range->sampled[side]++;
-        range->depth[side] += z[__builtin_ctz(lanes[side])];
-        bin_together(pass, range, side * pass->tiles_x * pass->tiles_y, first, lanes[side], tiles);
     }
 }
 
@@ -206,22 +187,18 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
                           uint32_t count)
 {
     Batch b;
-    unsigned none, front;
+    unsigned none;
     load_corners(d, first - d->first_primitive, count, &b);
     set_boxes(d, &b);
     unsigned alone = lanes_alone(&b, &none);
-    unsigned left = ((drawn_lanes(d, &b, &front) & ~none) | alone) & (unsigned)((1u << count) - 1);
+    unsigned left = ((drawn_lanes(d, &b) & ~none) | alone) & (unsigned)((1u << count) - 1);
     if (left & alone) {
         for (; left; left &= left - 1)
             fast_bin_triangle(pass, d, range, first + (uint32_t)__builtin_ctz(left));
         return;
     }
     const TileBoxes tiles = tile_boxes(pass, b.x0, b.y0, b.x1, b.y1);
-    if (pass->sides == 1)
-        bin_together(pass, range, 0, first, left, &tiles);
-    else
-        bin_sides(pass, range, first, (const unsigned[2]){ left & front, left & ~front }, &tiles,
-                  b.z);
+    bin_together(pass, range, first, left, &tiles);
 }
 
 /* Whether half of `lanes` begin in the tile of the first of them: neighbours of a mesh mostly do, of
@@ -251,7 +228,7 @@ static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range
     const unsigned one = in_one_tile(&tiles);
     unsigned left = s.drawn & (unsigned)((1u << count) - 1);
     if (are_together(&tiles, left)) {
-        bin_together(pass, range, 0, first, left, &tiles);
+        bin_together(pass, range, first, left, &tiles);
         return;
     }
     for (; left; left &= left - 1) { /* in each tile order counts */
