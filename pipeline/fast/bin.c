@@ -65,7 +65,7 @@ bool fast_range_begin(FastRange *range, uint32_t tiles)
     range->chunks = chunks;
     range->tail = range->head + tiles;
     range->chunk_count = 1;
-    range->cut_count = range->corner_count = 0;
+    range->polygon_count = range->corner_count = 0;
     range->clipped = 0;
     range->failed = false;
     return true;
@@ -77,12 +77,12 @@ void fast_range_free(FastRange *range)
         atomic_fetch_sub(&range->budget->used,
                          range->tile_room * 2 * sizeof *range->head +
                              range->chunk_room * sizeof *range->chunks +
-                             range->cut_room * sizeof *range->cuts +
+                             range->polygon_room * sizeof *range->polygons +
                              range->corner_room * sizeof *range->corners +
                              range->varying_room * sizeof(float[GP_MAX_VARYINGS]));
     free(range->head);
     free(range->chunks);
-    free(range->cuts);
+    free(range->polygons);
     free(range->corners);
     free(range->corner_varyings);
     *range = (FastRange){
@@ -114,20 +114,20 @@ void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, co
     for (int32_t y = box->y0 / FAST_TILE; y <= box->y1 / FAST_TILE; y++)
         for (int32_t x = box->x0 / FAST_TILE; x <= box->x1 / FAST_TILE; x++)
             fast_add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x,
-                             (FastHits){ primitive, 1 });
+                             (FastPrimitiveMask){ primitive, 1 });
 }
 
-const FastCut *fast_find_cut(const FastRange *range, uint32_t primitive)
+const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive)
 {
-    uint32_t low = 0, high = range->cut_count;
+    uint32_t low = 0, high = range->polygon_count;
     while (low < high) {
         uint32_t middle = (low + high) / 2;
-        if (range->cuts[middle].primitive < primitive)
+        if (range->polygons[middle].primitive < primitive)
             low = middle + 1;
         else
             high = middle;
     }
-    return &range->cuts[low];
+    return &range->polygons[low];
 }
 
 /* --- boxes ---------------------------------------------------------------------------------------- */
@@ -174,14 +174,15 @@ static void shade_again(const FastDraw *d, uint32_t number, GpVertex *vertex)
 }
 
 /* Keeps a cut polygon's corners; their varyings are found by number until the arrays rest. */
-static bool keep_cut(const FastDraw *d, FastRange *range, uint32_t primitive,
-                     const GpClipPolygon *polygon, const GpScreenVertex *screen)
+static bool keep_polygon(const FastDraw *d, FastRange *range, uint32_t primitive,
+                         const GpClipPolygon *polygon, const GpScreenVertex *screen)
 {
     uint32_t corners = (uint32_t)polygon->corners, stride = (uint32_t)d->modes.components;
-    FastCut *cuts = grown(range, range->cuts, range->cut_count + 1, &range->cut_room, sizeof *cuts);
-    if (!cuts)
+    FastClipPolygon *polygons = grown(range, range->polygons, range->polygon_count + 1,
+                                      &range->polygon_room, sizeof *polygons);
+    if (!polygons)
         return false;
-    range->cuts = cuts;
+    range->polygons = polygons;
     GpScreenVertex *kept = grown(range, range->corners, range->corner_count + corners,
                                  &range->corner_room, sizeof *kept);
     if (!kept)
@@ -193,8 +194,9 @@ static bool keep_cut(const FastDraw *d, FastRange *range, uint32_t primitive,
         return false;
     range->corner_varyings = varyings;
 
-    range->cuts[range->cut_count++] =
-        (FastCut){ .primitive = primitive, .first = range->corner_count, .corners = corners };
+    range->polygons[range->polygon_count++] = (FastClipPolygon){ .primitive = primitive,
+                                                                 .first = range->corner_count,
+                                                                 .corners = corners };
     for (uint32_t i = 0; i < corners; i++) {
         uint32_t at = range->corner_count + i;
         kept[at] = screen[i];
@@ -233,8 +235,8 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
     }
     if (whole.x0 > whole.x1)
         return;
-    if (keep_cut(d, range, primitive, &polygon, screen))
-        fast_bin_box(pass, range, primitive | FAST_CUT_FLAG, &whole);
+    if (keep_polygon(d, range, primitive, &polygon, screen))
+        fast_bin_box(pass, range, primitive | FAST_CLIPPED_FLAG, &whole);
     else
         range->failed = true;
 }

@@ -15,8 +15,8 @@ static void fill_rows(uint8_t *row, size_t row_bytes, int32_t rows, size_t pitch
         memcpy(row + (size_t)y * pitch, row, row_bytes);
 }
 
-static void stream_rows(uint8_t *row, size_t row_bytes, int32_t rows, size_t pitch,
-                        const uint8_t *texel, size_t bytes)
+static void store_rows_non_temporal(uint8_t *row, size_t row_bytes, int32_t rows, size_t pitch,
+                                    const uint8_t *texel, size_t bytes)
 {
     uint8_t several[sizeof(itg)];
     for (size_t at = 0; at < sizeof several; at += bytes)
@@ -30,7 +30,7 @@ static void stream_rows(uint8_t *row, size_t row_bytes, int32_t rows, size_t pit
 }
 
 static void fill_box(const GpSurface *surface, const FastBox *box, const uint8_t *texel,
-                     bool streams)
+                     bool non_temporal)
 {
     const GpLevel *level = &surface->level[0];
     const size_t bytes = gp_format_info(surface->format)->bytes;
@@ -38,8 +38,8 @@ static void fill_box(const GpSurface *surface, const FastBox *box, const uint8_t
     const int32_t rows = box->y1 - box->y0 + 1;
     uint8_t *row = gp_surface_texel(level, bytes, (uint32_t)box->x0, (uint32_t)box->y0);
     const bool even = (row_bytes | level->pitch) % sizeof(itg) == 0;
-    if (streams && even && fast_is_past_caches(surface))
-        stream_rows(row, row_bytes, rows, level->pitch, texel, bytes);
+    if (non_temporal && even && fast_is_past_caches(surface))
+        store_rows_non_temporal(row, row_bytes, rows, level->pitch, texel, bytes);
     else
         fill_rows(row, row_bytes, rows, level->pitch, texel, bytes);
 }
@@ -62,14 +62,14 @@ static void fill_part(const GpDepthTarget *depth, const FastBox *box)
         }
 }
 
-void fast_clear_box(const GpPass *pass, const FastBox *box, bool streams)
+void fast_clear_box(const GpPass *pass, const FastBox *box, bool non_temporal)
 {
     uint8_t texel[16];
     for (int t = 0; t < GP_MAX_TARGETS && pass->color[t].surface; t++) {
         if (!pass->color[t].clear)
             continue;
         gp_texel_store(pass->color[t].surface->format, texel, pass->color[t].clear_color, 0);
-        fill_box(pass->color[t].surface, box, texel, streams);
+        fill_box(pass->color[t].surface, box, texel, non_temporal);
     }
     const GpDepthTarget *depth = &pass->depth;
     if (!depth->surface || !(depth->clear_depth || depth->clear_stencil))
@@ -80,5 +80,5 @@ void fast_clear_box(const GpPass *pass, const FastBox *box, bool streams)
         return;
     }
     gp_depth_store(format, texel, gp_depth_code(format, depth->depth_value), depth->stencil_value);
-    fill_box(depth->surface, box, texel, streams);
+    fill_box(depth->surface, box, texel, non_temporal);
 }

@@ -5,7 +5,7 @@
 #include "pipeline/fast/frame.h"
 
 /* Clears what a pass clears inside a box of its pixels, straight in the surfaces.
- * streams: past the caches, where surfaces are large and no one draws there soon */
-void fast_clear_box(const GpPass *pass, const FastBox *box, bool streams);
+ * non_temporal: past the caches, where surfaces are large and no one draws there soon */
+void fast_clear_box(const GpPass *pass, const FastBox *box, bool non_temporal);
 
 #endif

@@ -39,12 +39,12 @@ static inline bool fast_is_past_caches(const GpSurface *surface)
 }
 
 /* How a draw's fragments reach the targets. */
-typedef enum FastRoute {
+typedef enum FastFragmentPath {
     FAST_DEPTH_ONLY, /* no pixel shader: depth and stencil alone */
-    FAST_VISIBLE,    /* each fragment replaces all that was there: shade what is seen at the end */
-    FAST_ORDERED,    /* blended, discarding, or with its own depth: one after the other */
-    FAST_NOTHING,    /* changes nothing */
-} FastRoute;
+    FAST_VISIBLE, /* each fragment replaces all that was there: shade what is visible at the end */
+    FAST_ORDERED, /* blended, discarding, or with its own depth: one after the other */
+    FAST_NOTHING, /* changes nothing */
+} FastFragmentPath;
 
 /* x of a vertex that has no place on the screen is far to the left of every one that has, plus a bit
  * for each clip plane that the vertex is outside of; all bits: it is no number, and draws nothing. */
@@ -77,12 +77,12 @@ typedef struct FastDraw {
     const GpDraw *draw;
     const GpProgramCode *code;
     GpNeeds needs;
-    FastRoute route;
+    FastFragmentPath path;
     bool late_depth;   /* the pixel shader comes before depth and stencil */
     bool wants_depth;  /* depth or stencil is touched at all */
-    bool nearest_wins; /* ordered, but only equal depths need their order: see front_to_back.c */
+    bool nearest_wins; /* ordered, but only equal depths need their order: see sorted_triangles.c */
     bool packs_points; /* points on one pixel need not be kept apart: see pack_points.c */
-    bool shades_again; /* varyings are not kept, but found where points are packed */
+    bool shades_again; /* varyings are not stored, but found where points are packed */
     int copied_slot; /* 1 + the slot whose words it brings, as they are, into its target's; or 0 */
     GpVaryingModes modes;
     uint64_t varyings_by[3]; /* components that are read, by GpInterpolation */
@@ -117,27 +117,27 @@ static inline bool fast_is_bitwise(const GpBlend *blend, GpFormat format)
             blend->op == GP_BLEND_LOGIC_XOR);
 }
 
-/* A triangle that the clipper cut: its fan, as triangles of three corners of their own. */
-typedef struct FastCut {
+/* A triangle that the clipper cut: a fan of triangles, with corners of their own. */
+typedef struct FastClipPolygon {
     uint32_t primitive; /* of the pass */
     uint32_t first, corners;
-} FastCut;
+} FastClipPolygon;
 
 /* Neighbours of one draw that touch a tile: primitive first + i for every bit i of lanes. */
-typedef struct FastHits {
+typedef struct FastPrimitiveMask {
     uint32_t first;
     uint32_t lanes;
-} FastHits;
+} FastPrimitiveMask;
 
-/* On a group's first and only primitive: look it up in the cuts. */
-#define FAST_CUT_FLAG 0x80000000u
+/* On a group's first and only primitive: look it up in the clip polygons. */
+#define FAST_CLIPPED_FLAG 0x80000000u
 
 /* Some groups of one tile; chunks of a tile are linked in order. */
 enum { FAST_CHUNK = 15 }; /* fills 128 bytes, with what comes before them */
 typedef struct FastChunk {
     uint32_t count;
     uint32_t next; /* chunk number, 0: the last */
-    FastHits group[FAST_CHUNK];
+    FastPrimitiveMask group[FAST_CHUNK];
 } FastChunk;
 
 /* Memory that all bins share. Where it runs out, what is binned so far is drawn first. */
@@ -160,9 +160,9 @@ typedef struct FastRange {
     FastChunk *chunks; /* number 0 is every tile's first, and always full */
     uint32_t chunk_count, chunk_room;
 
-    FastCut *cuts; /* by rising primitive */
-    uint32_t cut_count, cut_room;
-    GpScreenVertex *corners; /* of the cuts */
+    FastClipPolygon *polygons; /* by rising primitive */
+    uint32_t polygon_count, polygon_room;
+    GpScreenVertex *corners; /* of the polygons */
     float *corner_varyings;  /* GP_MAX_VARYINGS floats a corner */
     uint32_t corner_count, corner_room, varying_room;
     uint64_t clipped;
@@ -216,7 +216,7 @@ bool fast_range_begin(FastRange *range, uint32_t tiles);
 void fast_range_free(FastRange *range);
 
 /* The group that was last added to a tile; one that is no primitive's where there is none. */
-static inline FastHits *fast_last_group(const FastRange *range, uint32_t tile)
+static inline FastPrimitiveMask *fast_last_group(const FastRange *range, uint32_t tile)
 {
     FastChunk *chunk = &range->chunks[range->tail[tile]];
     return &chunk->group[chunk->count - 1];
@@ -225,7 +225,7 @@ static inline FastHits *fast_last_group(const FastRange *range, uint32_t tile)
 /* A fresh chunk at the end of a tile's list; NULL, noted in the range, when memory is short. */
 FastChunk *fast_add_chunk(FastRange *range, uint32_t tile);
 
-static inline void fast_add_to_tile(FastRange *range, uint32_t tile, FastHits group)
+static inline void fast_add_to_tile(FastRange *range, uint32_t tile, FastPrimitiveMask group)
 {
     FastChunk *chunk = &range->chunks[range->tail[tile]];
     if (chunk->count == FAST_CHUNK)
@@ -242,7 +242,7 @@ void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, co
 void fast_bin_triangle(const FastPass *pass, const FastDraw *draw, FastRange *range,
                        uint32_t primitive);
 
-/* The cut of a primitive that was binned with FAST_CUT_FLAG. */
-const FastCut *fast_find_cut(const FastRange *range, uint32_t primitive);
+/* The clip polygon of a primitive that was binned with FAST_CLIPPED_FLAG. */
+const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive);
 
 #endif

@@ -22,7 +22,7 @@ static bool replaces_everything(const GpPass *pass, const GpDraw *draw)
     return true;
 }
 
-static FastRoute choose_route(const FastDraw *d)
+static FastFragmentPath choose_path(const FastDraw *d)
 {
     if (!d->needs.color && !d->wants_depth)
         return FAST_NOTHING;
@@ -39,7 +39,7 @@ static bool nearest_wins(const FastDraw *d)
 {
     const GpState *state = &d->draw->state;
     const bool nearer = state->depth.test == GP_LESS || state->depth.test == GP_LESS_EQUAL;
-    return d->route == FAST_ORDERED && d->late_depth && nearer && state->depth.write &&
+    return d->path == FAST_ORDERED && d->late_depth && nearer && state->depth.write &&
            !d->needs.stencil && !d->needs.shader_depth && replaces_everything(d->pass, d->draw) &&
            d->draw->geometry.primitive != GP_POINTS;
 }
@@ -51,8 +51,8 @@ static bool packs_points(const FastDraw *d)
     for (int t = 0; t < written && d->pass->color[t].surface; t++)
         if (!fast_is_bitwise(&d->draw->state.blend[t], d->pass->color[t].surface->format))
             return false;
-    return d->draw->geometry.primitive == GP_POINTS && d->route == FAST_ORDERED &&
-           !d->wants_depth && !d->needs.quads && d->modes.sprite < 0;
+    return d->draw->geometry.primitive == GP_POINTS && d->path == FAST_ORDERED && !d->wants_depth &&
+           !d->needs.quads && d->modes.sprite < 0;
 }
 
 /* To shade twice costs less than to keep what is shaded, where a shader makes much of little. Vertices
@@ -95,7 +95,7 @@ static bool copies_words(const FastDraw *d, const GpPixelFacts *facts)
     const GpDraw *draw = d->draw;
     const GpBlend *blend = &draw->state.blend[0];
     const GpSurface *target = d->pass->color[0].surface;
-    if (!facts->copied_slot || d->route != FAST_ORDERED || d->wants_depth || d->late_depth ||
+    if (!facts->copied_slot || d->path != FAST_ORDERED || d->wants_depth || d->late_depth ||
         d->needs.alpha_test || !target || target->format != GP_A8R8G8B8)
         return false;
     const GpSurface *from = draw->textures[facts->copied_slot - 1].surface;
@@ -124,12 +124,12 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->band = gp_guard_band(&d->viewport);
     d->wants_depth = d->needs.depth_test || d->needs.depth_write || d->needs.stencil;
     d->late_depth = d->needs.late_depth;
-    d->route = choose_route(d);
+    d->path = choose_path(d);
     d->nearest_wins = nearest_wins(d);
     d->packs_points = packs_points(d);
     d->shades_again = shades_again(d);
     d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;
-    if (d->route == FAST_NOTHING)
+    if (d->path == FAST_NOTHING)
         d->primitive_count = 0;
 
     const GpIndexRange vertices = gp_index_range(indices, &draw->geometry);
@@ -162,10 +162,10 @@ static uint32_t range_size(uint32_t primitives, int threads)
 {
     if (threads == 1)
         return FAST_MOST_IN_RANGE;
-    uint32_t share = primitives / (4 * (uint32_t)threads);
-    return share < FAST_LEAST_IN_RANGE  ? FAST_LEAST_IN_RANGE
-           : share > FAST_MOST_IN_RANGE ? FAST_MOST_IN_RANGE
-                                        : share;
+    uint32_t part = primitives / (4 * (uint32_t)threads);
+    return part < FAST_LEAST_IN_RANGE  ? FAST_LEAST_IN_RANGE
+           : part > FAST_MOST_IN_RANGE ? FAST_MOST_IN_RANGE
+                                       : part;
 }
 
 static uint32_t least(uint32_t a, uint32_t b)

@@ -49,7 +49,7 @@ static void hold_color(Tile *tile, int slot)
     if (tile->color_state[slot].cleared)
         spell_out(tile, slot);
     else if (!tile->color_state[slot].held)
-        FAST(load_tile)(tile, tile->slots->color[slot], &tile->color_slot[slot]);
+        fast_load_tile(tile, tile->slots->color[slot], &tile->color_slot[slot]);
     tile->color_state[slot].held = true;
     tile->color_state[slot].cleared = false;
 }
@@ -72,7 +72,7 @@ static void begin_color(Tile *tile, const FastPass *pass, int target, bool touch
 static void hold_depth(Tile *tile, int slot)
 {
     if (!tile->depth_state[slot].held)
-        FAST(load_tile)(tile, tile->slots->depth[slot], &tile->depth_slot[slot]);
+        fast_load_tile(tile, tile->slots->depth[slot], &tile->depth_slot[slot]);
     tile->depth_state[slot].held = true;
 }
 
@@ -102,14 +102,14 @@ static void begin_depth(Tile *tile, const FastPass *pass, bool touched)
 
 /* --- the tile ------------------------------------------------------------------------------------- */
 
-void FAST(begin_slots)(Tile *tile, const FastSlots *slots)
+void fast_begin_slots(Tile *tile, const FastSlots *slots)
 {
     tile->slots = slots;
     memset(tile->color_state, 0, sizeof tile->color_state);
     memset(tile->depth_state, 0, sizeof tile->depth_state);
 }
 
-void FAST(begin_pass)(Tile *tile, const FastPass *pass, bool touched)
+void fast_begin_pass(Tile *tile, const FastPass *pass, bool touched)
 {
     tile->pass = pass;
     tile->targets = 0;
@@ -127,51 +127,51 @@ void FAST(begin_pass)(Tile *tile, const FastPass *pass, bool touched)
 static void store_color(Tile *tile, int slot)
 {
     hold_color(tile, slot);
-    FAST(store_tile)(tile, tile->slots->color[slot], &tile->color_slot[slot]);
+    fast_store_tile(tile, tile->slots->color[slot], &tile->color_slot[slot]);
 }
 
-void FAST(store_slots)(Tile *tile)
+void fast_store_slots(Tile *tile)
 {
     for (int slot = 0; slot < FAST_COLOR_SLOTS; slot++)
         if (tile->color_state[slot].written)
             store_color(tile, slot);
     for (int slot = 0; slot < FAST_DEPTH_SLOTS; slot++)
         if (tile->depth_state[slot].written)
-            FAST(store_tile)(tile, tile->slots->depth[slot], &tile->depth_slot[slot]);
+            fast_store_tile(tile, tile->slots->depth[slot], &tile->depth_slot[slot]);
 }
 
 /* --- reading in place ----------------------------------------------------------------------------- */
 
-static void begin_local_color(Tile *tile, int slot, FastLocal *local)
+static void begin_fetch_color(Tile *tile, int slot, FastFetch *fetch)
 {
     FastPlanes *planes = &tile->color_slot[slot];
-    const int channels = gp_format_info(local->format)->channels;
+    const int channels = gp_format_info(fetch->format)->channels;
     const bool cleared = tile->color_state[slot].cleared;
     if (!cleared)
         hold_color(tile, slot);
     for (int c = 0; c < 4; c++) {
-        local->same[c] = cleared ? tile->color_state[slot].color[c] : 1;
+        fetch->same[c] = cleared ? tile->color_state[slot].color[c] : 1;
         if (!cleared && c < channels)
-            local->plane[c] = local->format == GP_A8R8G8B8
+            fetch->plane[c] = fetch->format == GP_A8R8G8B8
                                   ? planes->packed
                                   : (const uint32_t *)(const void *)planes->channel[c];
     }
 }
 
-void FAST(begin_local)(Tile *tile, const GpTexture *textures, int number)
+void fast_begin_fetch(Tile *tile, const GpTexture *textures, int number)
 {
     const GpSurface *surface = textures[number].surface;
     const int color = fast_color_slot(tile->slots, surface);
     const int depth = fast_depth_slot(tile->slots, surface);
-    FastLocal *local = &tile->local[number];
-    *local = (FastLocal){ .format = surface->format, .same = { 1, 1, 1, 1 } };
+    FastFetch *fetch = &tile->fetch[number];
+    *fetch = (FastFetch){ .format = surface->format, .same = { 1, 1, 1, 1 } };
     if (color >= 0)
-        begin_local_color(tile, color, local);
+        begin_fetch_color(tile, color, fetch);
     else if (depth >= 0) {
         hold_depth(tile, depth);
-        local->plane[0] = tile->depth_slot[depth].depth;
+        fetch->plane[0] = tile->depth_slot[depth].depth;
     } else
-        local->format = GP_FORMAT_NONE;
+        fetch->format = GP_FORMAT_NONE;
 }
 
 GP_INLINE flt decode(GpFormat format, itg words)
@@ -188,22 +188,22 @@ GP_INLINE flt decode(GpFormat format, itg words)
 
 /* Where a packet's pixels are in the tile. */
 typedef struct Places {
-    const FastPatch *patch; /* a row or quads; or NULL, and where each lane is: */
+    const FastPacket *packet; /* a row or quads; or NULL, and where each lane is: */
     itg at;
 } Places;
 
 GP_INLINE itg load_places(const uint32_t *plane, const Places *places)
 {
-    const FastPatch *patch = places->patch;
-    return patch ? load_lanes(plane + fast_at(patch->x, patch->y), !patch->wide)
-                 : itg_gather((const uint8_t *)plane, places->at * 4);
+    const FastPacket *packet = places->packet;
+    return packet ? load_lanes(plane + fast_at(packet->x, packet->y), !packet->wide)
+                  : itg_gather((const uint8_t *)plane, places->at * 4);
 }
 
-GP_INLINE void read_planes(const FastLocal *local, const Places *places, flt rgba[4])
+GP_INLINE void read_planes(const FastFetch *fetch, const Places *places, flt rgba[4])
 {
     static const int byte[4] = { RED_BYTE, GREEN_BYTE, BLUE_BYTE, ALPHA_BYTE };
-    if (local->format == GP_A8R8G8B8 && local->plane[0]) {
-        const itg words = load_places(local->plane[0], places);
+    if (fetch->format == GP_A8R8G8B8 && fetch->plane[0]) {
+        const itg words = load_places(fetch->plane[0], places);
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             rgba[c] = flt_unpack_unorm8(words, byte[c]);
@@ -211,54 +211,54 @@ GP_INLINE void read_planes(const FastLocal *local, const Places *places, flt rgb
     }
     GP_UNROLL
     for (int c = 0; c < 4; c++)
-        rgba[c] = local->plane[c] ? decode(local->format, load_places(local->plane[c], places))
-                                  : flt_set(local->same[c]);
+        rgba[c] = fetch->plane[c] ? decode(fetch->format, load_places(fetch->plane[c], places))
+                                  : flt_set(fetch->same[c]);
 }
 
 /* Rows and quads of which no pixel lies past the surface's edge. */
-static bool is_plain(const Tile *tile, const FastPatch *patch)
+static bool is_plain(const Tile *tile, const FastPacket *packet)
 {
-    const int32_t rows = patch->wide ? 1 : 2;
-    return !patch->mixed && (!patch->wide || patch->wide == GP_LANES) &&
-           patch->x + GP_LANES <= tile->width && patch->y + rows <= tile->height;
+    const int32_t rows = packet->wide ? 1 : 2;
+    return !packet->gathered && (!packet->wide || packet->wide == GP_LANES) &&
+           packet->x + GP_LANES <= tile->width && packet->y + rows <= tile->height;
 }
 
 /* Some pixels are anywhere, or past the surface's edge, where the model reads 0: helpers. */
 static __attribute__((noinline)) void read_anywhere(Tile *tile, const GpShaderCall *call, int slot,
-                                                    int packet, float *texel)
+                                                    int number, float *texel)
 {
-    const FastPatch *patch = tile->shaded ? &tile->shaded[packet] : NULL;
-    const FastMix *mix = &tile->mixes[packet];
-    const itg x = patch && !patch->mixed ? patch_x(patch) : mix->x;
-    const itg y = patch && !patch->mixed ? patch_y(patch) : mix->y;
-    if (tile->local[slot].format == GP_FORMAT_NONE) {
-        flt *pixel = (flt *)(void *)tile->pixel + 2 * packet;
+    const FastPacket *packet = tile->shaded ? &tile->shaded[number] : NULL;
+    const FastGathered *gathered = &tile->gathered[number];
+    const itg x = packet && !packet->gathered ? packet_x(packet) : gathered->x;
+    const itg y = packet && !packet->gathered ? packet_y(packet) : gathered->y;
+    if (tile->fetch[slot].format == GP_FORMAT_NONE) {
+        flt *pixel = (flt *)(void *)tile->pixel + 2 * number;
         pixel[0] = flt_from_itg(x + tile->x0);
         pixel[1] = flt_from_itg(y + tile->y0);
-        gp_read_local_plain(call, slot, packet, GP_LANES, texel);
+        gp_read_local_plain(call, slot, number, GP_LANES, texel);
         return;
     }
     const Places places = { .at = y * FAST_PITCH + x };
     const msk inside = (msk)(x < tile->width) & (msk)(y < tile->height);
     flt rgba[4];
-    read_planes(&tile->local[slot], &places, rgba);
+    read_planes(&tile->fetch[slot], &places, rgba);
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         flt_store(texel + c * GP_LANES, (flt)((itg)rgba[c] & inside));
 }
 
-void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel)
+void fast_fetch_framebuffer(const GpShaderCall *call, int slot, int number, int lanes, float *texel)
 {
     GP_ASSERT(lanes == GP_LANES);
     Tile *tile = call->local;
-    const Places places = { .patch = tile->shaded ? &tile->shaded[packet] : NULL };
-    if (!places.patch || !is_plain(tile, places.patch) ||
-        tile->local[slot].format == GP_FORMAT_NONE) {
-        read_anywhere(tile, call, slot, packet, texel);
+    const Places places = { .packet = tile->shaded ? &tile->shaded[number] : NULL };
+    if (!places.packet || !is_plain(tile, places.packet) ||
+        tile->fetch[slot].format == GP_FORMAT_NONE) {
+        read_anywhere(tile, call, slot, number, texel);
         return;
     }
     flt rgba[4];
-    read_planes(&tile->local[slot], &places, rgba);
+    read_planes(&tile->fetch[slot], &places, rgba);
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         flt_store(texel + c * GP_LANES, rgba[c]);

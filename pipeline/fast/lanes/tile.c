@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-void FAST(corner_of)(const FastDraw *d, uint32_t number, GpScreenVertex *corner)
+void fast_corner_of(const FastDraw *d, uint32_t number, GpScreenVertex *corner)
 {
     uint32_t at = number - d->first_vertex;
     const FastPosition *p = &d->positions[at];
@@ -21,7 +21,7 @@ void FAST(corner_of)(const FastDraw *d, uint32_t number, GpScreenVertex *corner)
             corner->clip_distance[i] = *distance++;
 }
 
-GpRect FAST(tile_rect)(const Tile *tile, const FastDraw *d)
+GpRect fast_tile_rect(const Tile *tile, const FastDraw *d)
 {
     GpRect r = d->rect;
     r.x0 = r.x0 > tile->x0 ? r.x0 : tile->x0;
@@ -34,15 +34,15 @@ GpRect FAST(tile_rect)(const Tile *tile, const FastDraw *d)
 static void draw_corners(Tile *tile, const GpScreenVertex corner[3])
 {
     GpTriangle triangle;
-    GpRect rect = FAST(tile_rect)(tile, tile->draw);
+    GpRect rect = fast_tile_rect(tile, tile->draw);
     if (gp_setup_triangle(corner, &tile->draw->draw->state.raster, &rect, &triangle) ==
         GP_SETUP_DRAWN)
-        FAST(fill_triangle)(tile, &triangle);
+        fast_fill_triangle(tile, &triangle);
 }
 
-static void draw_cut(Tile *tile, const FastRange *range, uint32_t primitive)
+static void draw_polygon(Tile *tile, const FastRange *range, uint32_t primitive)
 {
-    const FastCut *fan = fast_find_cut(range, primitive);
+    const FastClipPolygon *fan = fast_find_polygon(range, primitive);
     const GpScreenVertex *corners = range->corners + fan->first;
     for (uint32_t i = 2; i < fan->corners; i++) {
         GpScreenVertex corner[3] = { corners[0], corners[i - 1], corners[i] };
@@ -58,13 +58,13 @@ static void draw_cut(Tile *tile, const FastRange *range, uint32_t primitive)
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
-    FAST(fill_kept)(tile);
-    FAST(flush_patches)(tile);
+    fast_fill_sorted(tile);
+    fast_flush_packets(tile);
     tile->draw = &tile->pass->draws[number];
-    FAST(keep_farthest)(tile, tile->draw);
+    fast_keep_hierarchical_depth(tile, tile->draw);
     tile->draw_number = number;
-    if (tile->draw->route == FAST_ORDERED)
-        FAST(flush_seen)(tile);
+    if (tile->draw->path == FAST_ORDERED)
+        fast_flush_visibility(tile);
 }
 
 /* Primitives that wait for their draw to have enough of them. */
@@ -77,21 +77,21 @@ typedef struct Waiting {
 static void draw_waiting(Tile *tile, Waiting *waiting)
 {
     if (waiting->count && tile->draw->draw->geometry.primitive == GP_POINTS)
-        FAST(fill_sprites)(tile, waiting->primitive, waiting->count);
+        fast_fill_sprites(tile, waiting->primitive, waiting->count);
     else if (waiting->count)
-        FAST(fill_triangles)(tile, waiting->primitive, waiting->count);
+        fast_fill_triangles(tile, waiting->primitive, waiting->count);
     waiting->count = 0;
 }
 
 /* Points are drawn as soon as there are batches of them, and another whose vertices are on their way: so
  * memory brings vertices, and the next groups, while there is work. */
-static void let_points_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
+static void let_points_wait(Tile *tile, const FastPrimitiveMask *mask, Waiting *waiting)
 {
-    FAST(ask_for_points)(tile->draw, hits);
+    fast_prefetch_points(tile->draw, mask);
     const uint32_t now = (tile->draw->packs_points ? FAST_SPRITE_BATCHES : 1) * GP_LANES;
     if (waiting->count < now + GP_LANES)
         return;
-    FAST(fill_sprites)(tile, waiting->primitive, now);
+    fast_fill_sprites(tile, waiting->primitive, now);
     waiting->count -= now;
     for (uint32_t i = 0; i < waiting->count; i += GP_LANES)
         memcpy(waiting->primitive + i, waiting->primitive + i + now,
@@ -99,7 +99,7 @@ static void let_points_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
 }
 
 /* Those of the first and the last triangle, and of one between them. */
-GP_INLINE void ask_for_indices(const uint32_t *indices, uint32_t lanes)
+GP_INLINE void prefetch_indices(const uint32_t *indices, uint32_t lanes)
 {
     const int first = __builtin_ctz(lanes), last = 31 - __builtin_clz(lanes);
     __builtin_prefetch(indices + 3 * first);
@@ -108,39 +108,40 @@ GP_INLINE void ask_for_indices(const uint32_t *indices, uint32_t lanes)
 }
 
 /* Primitives of the present draw: their indices are wanted soon. */
-static void let_wait(Tile *tile, const FastHits *hits, Waiting *waiting)
+static void let_wait(Tile *tile, const FastPrimitiveMask *mask, Waiting *waiting)
 {
     const GpGeometry *geometry = &tile->draw->draw->geometry;
-    itg_compress(waiting->primitive + waiting->count, hits->lanes,
-                 lane_numbers() + (int32_t)hits->first);
-    waiting->count += (uint32_t)__builtin_popcount(hits->lanes);
+    itg_compress(waiting->primitive + waiting->count, mask->lanes,
+                 lane_numbers() + (int32_t)mask->first);
+    waiting->count += (uint32_t)__builtin_popcount(mask->lanes);
     if (geometry->primitive == GP_POINTS) {
-        let_points_wait(tile, hits, waiting);
+        let_points_wait(tile, mask, waiting);
         return;
     }
     if (geometry->indices)
-        ask_for_indices(geometry->indices + 3 * (hits->first - tile->draw->first_primitive),
-                        hits->lanes);
+        prefetch_indices(geometry->indices + 3 * (mask->first - tile->draw->first_primitive),
+                         mask->lanes);
     if (waiting->count >= WAITING)
         draw_waiting(tile, waiting);
 }
 
 /* Of another draw, or cut: whatever waits comes before. */
-static void draw_other(Tile *tile, const FastRange *range, const FastHits *hits, Waiting *waiting)
+static void draw_other(Tile *tile, const FastRange *range, const FastPrimitiveMask *mask,
+                       Waiting *waiting)
 {
-    const uint32_t primitive = hits->first & ~FAST_CUT_FLAG;
+    const uint32_t primitive = mask->first & ~FAST_CLIPPED_FLAG;
     draw_waiting(tile, waiting);
     if (!tile->draw || primitive - tile->draw->first_primitive >= tile->draw->primitive_count)
         begin_draw(tile, fast_find_draw(tile->pass, primitive));
-    if (hits->first & FAST_CUT_FLAG)
-        draw_cut(tile, range, primitive);
+    if (mask->first & FAST_CLIPPED_FLAG)
+        draw_polygon(tile, range, primitive);
     else
-        let_wait(tile, hits, waiting);
+        let_wait(tile, mask, waiting);
 }
 
-static bool is_of(const FastDraw *d, const FastHits *hits)
+static bool is_of(const FastDraw *d, const FastPrimitiveMask *mask)
 {
-    return d && hits->first - d->first_primitive < d->primitive_count; /* cuts have a high flag */
+    return d && mask->first - d->first_primitive < d->primitive_count; /* cuts have a high flag */
 }
 
 static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Waiting *waiting)
@@ -171,7 +172,7 @@ static bool is_touched(const FastPass *pass, uint32_t number)
 
 /* The bins of passes to come are wanted soon: the heads of one, the first chunk of the one before it, the
  * second of the next. Many a pass has no more in a tile. */
-GP_INLINE void ask_for_bins(const FastGroup *group, uint32_t next, uint32_t number)
+GP_INLINE void prefetch_bins(const FastGroup *group, uint32_t next, uint32_t number)
 {
     const FastRange *range[3];
     for (uint32_t i = 0; i < 3; i++) {
@@ -198,22 +199,22 @@ static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
 static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
 {
     const bool touched = is_touched(pass, number);
-    FAST(begin_pass)(tile, pass, touched);
+    fast_begin_pass(tile, pass, touched);
     if (!touched)
         return;
     tile->draw = NULL;
-    FAST(keep_farthest)(tile, NULL);
-    tile->patch_count = tile->layer_count = tile->kept_count = 0;
+    fast_keep_hierarchical_depth(tile, NULL);
+    tile->packet_count = tile->layer_count = tile->sorted_count = 0;
     tile->layers_alike = false;
     tile->packing.wide = 0;
     tile->record_count = FAST_NO_RECORD + 1;
-    tile->backdrop = FAST_NO_RECORD;
-    tile->wide_count = tile->run_count = 0;
+    tile->occluder = FAST_NO_RECORD;
+    tile->edges64_count = tile->run_count = 0;
     fast_turn_to(tile, FAST_RASTER);
     draw_bins(tile, pass, number);
-    FAST(fill_kept)(tile);
-    FAST(flush_patches)(tile);
-    FAST(flush_seen)(tile);
+    fast_fill_sorted(tile);
+    fast_flush_packets(tile);
+    fast_flush_visibility(tile);
     fast_turn_to(tile, FAST_TRANSFER);
 }
 
@@ -246,12 +247,12 @@ static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *t
     if (tile->timed)
         tile->mark = fast_clock_ms();
     tile->phase = FAST_TRANSFER;
-    FAST(begin_slots)(tile, &group->slots);
+    fast_begin_slots(tile, &group->slots);
     for (uint32_t p = 0; p < group->pass_count; p++) {
-        ask_for_bins(group, p + 1, number);
+        prefetch_bins(group, p + 1, number);
         draw_pass(tile, &group->passes[p], number);
     }
-    FAST(store_slots)(tile);
+    fast_store_slots(tile);
     fast_turn_to(tile, FAST_TRANSFER);
 }
 
@@ -275,16 +276,16 @@ static void add_counts(const FastTileMemory *tile, GpCounters *counters, GpPhase
     phases->transfer += tile->times[FAST_TRANSFER];
 }
 
-void FAST(shade_vertices)(const FastDraw *draw, uint32_t first, uint32_t count);
-void FAST(bin_range)(const FastPass *pass, FastRange *range);
+void fast_shade_vertices(const FastDraw *draw, uint32_t first, uint32_t count);
+void fast_bin_range(const FastPass *pass, FastRange *range);
 
 #define STAGES_PASTE_(lanes) fast_stages##lanes
 #define STAGES_PASTE(lanes)  STAGES_PASTE_(lanes)
 
 const FastStages STAGES_PASTE(GP_LANES) = {
     .lanes = GP_LANES,
-    .shade_vertices = FAST(shade_vertices),
-    .bin_range = FAST(bin_range),
+    .shade_vertices = fast_shade_vertices,
+    .bin_range = fast_bin_range,
     .draw_tile = draw_tile,
     .tile_bytes = tile_bytes,
     .start_counting = start_counting,

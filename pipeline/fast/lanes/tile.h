@@ -6,11 +6,7 @@
 #include "pipeline/fast/frame.h"
 #include "pipeline/fast/stages.h"
 #include "pipeline/base/lanes.h"
-
-/* Names of this width: FAST(draw_tile) is draw_tile_lanes8. */
-#define FAST_PASTE_(name, lanes) fast_##name##_lanes##lanes
-#define FAST_PASTE(name, lanes)  FAST_PASTE_(name, lanes)
-#define FAST(name)               FAST_PASTE(name, GP_LANES)
+#include "pipeline/fast/lanes/names.h"
 
 typedef double dbl __attribute__((vector_size(8 * GP_LANES)));
 
@@ -30,46 +26,46 @@ GP_INLINE dbl dbl_from_itg(itg a)
 enum {
     FAST_PITCH = FAST_TILE + 16, /* a row of the tile, with room for a packet that runs over */
     FAST_PIXELS = FAST_PITCH * (FAST_TILE + 3),
-    FAST_BLOCK = 32,        /* patches or mixes of one call of a shader */
+    FAST_BLOCK = 32,        /* packets of one call of a shader */
     FAST_LAYERS = 8,        /* boxes of one place that wait for each other */
-    FAST_KEPT = 64,         /* large triangles that wait to be sorted */
-    FAST_AHEAD = 4,         /* patches whose inputs may be written at once, past the last too */
+    FAST_SORTED = 64,       /* large triangles that wait to be sorted */
+    FAST_AHEAD = 4,         /* packets whose inputs may be written at once, past the last too */
     FAST_RECORDS = 1 << 14, /* triangles that a tile remembers before it shades what it sees */
-    FAST_WIDES = 1 << 12,
+    FAST_EDGES64 = 1 << 12,
     FAST_RUNS = 1 << 10,
     FAST_NO_RECORD = 0,
-    FAST_FARTHEST = FAST_TILE * FAST_TILE / 64 < 16 ? 16 : FAST_TILE * FAST_TILE / 64,
+    FAST_DEPTH_WINDOWS = FAST_TILE * FAST_TILE / 64 < 16 ? 16 : FAST_TILE * FAST_TILE / 64,
 };
 
 /* What shading needs of a triangle or point in this tile: a cache line, whose first eight words go
  * into lanes together. */
-typedef struct FastRecord {
+typedef struct FastTriangleRecord {
     _Alignas(64) int32_t c1; /* edge 1 at the tile's first centre, modulo 2^32, and what it gains */
-    int32_t gain1;           /* in a sub-pixel to the right (low half) and down (high half) */
-    int32_t c2, gain2;       /* edge 2. Both are those of small triangles only */
+    int32_t step1;           /* in a sub-pixel to the right (low half) and down (high half) */
+    int32_t c2, step2;       /* edge 2. Both are those of small triangles only */
     float inverse_area, ratio1, ratio2;
     uint32_t kind; /* FastKind */
     float face;
-    uint32_t wide;          /* number of the wide edges */
+    uint32_t edges64;       /* number of the 64-bit edges */
     const float *corner[3]; /* varyings; of a point the first */
-} FastRecord;
+} FastTriangleRecord;
 
-typedef enum FastKind { FAST_SMALL, FAST_WIDE, FAST_SPRITE } FastKind;
+typedef enum FastRecordKind { FAST_EDGES_32, FAST_EDGES_64, FAST_SPRITE } FastRecordKind;
 
 /* What a small triangle's edge gains in a pixel to the right and in one down. */
-GP_INLINE int32_t fast_gain_right(int32_t gain)
+GP_INLINE int32_t fast_step_right(int32_t step)
 {
-    return (int16_t)gain * GP_SUBPIXELS;
+    return (int16_t)step * GP_SUBPIXELS;
 }
 
-GP_INLINE int32_t fast_gain_down(int32_t gain)
+GP_INLINE int32_t fast_step_down(int32_t step)
 {
-    return (gain >> 16) * GP_SUBPIXELS;
+    return (step >> 16) * GP_SUBPIXELS;
 }
 
 /* Edges of a triangle too large for 32 bits; or a sprite's corner, from the tile's first centre, in
  * sub-pixels, and 1 over its side. */
-typedef union FastWide {
+typedef union FastEdges64 {
     struct {
         int64_t c[2], a[2], b[2];
     } edge;
@@ -77,38 +73,39 @@ typedef union FastWide {
         int32_t left, top;
         float per_step;
     } sprite;
-} FastWide;
+} FastEdges64;
 
 /* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose lanes
  * 4q..4q+3 are top left, top right, bottom left, bottom right; or packed, the short rows of a sprite's
  * box one after the other. Pixels past the tile are never live. */
-typedef struct FastPatch {
+typedef struct FastPacket {
     uint32_t record;
     uint32_t live; /* bit i: lane i; the others stand by as helpers */
     uint8_t x, y;  /* of the first lane, in the tile */
     uint8_t wide;  /* pixels a row, up to GP_LANES; 0: quads */
-    bool mixed;    /* pixels of several small triangles, those of the mix of the same number */
-} FastPatch;
+    bool
+        gathered; /* pixels of several small triangles, those of the gathered packet of the same number */
+} FastPacket;
 
-/* Of sprites narrower than a patch: as many rows as have room go into one. Most have one width, so what
+/* Of sprites narrower than a packet: as many rows as have room go into one. Most have one width, so what
  * follows from it is kept from sprite to sprite. */
 typedef struct FastPacking {
-    int32_t wide, rows; /* pixels a row, 0: not set; rows a patch */
-    uint32_t share;     /* times this and divided by 2^16 is divided by `rows`, up to 2^12 */
-    itg across, down;   /* of each lane, in sub-pixels */
+    int32_t wide, rows;  /* pixels a row, 0: not set; rows a packet */
+    uint32_t reciprocal; /* times this and divided by 2^16 is divided by `rows`, up to 2^12 */
+    itg across, down;    /* of each lane, in sub-pixels */
 } FastPacking;
 
-/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a patch, or
+/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a packet, or
  * packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
-typedef struct FastMix {
+typedef struct FastGathered {
     itg record;
     itg x, y; /* in the tile */
     uint32_t live;
     bool packed, quads;
     itg at; /* of (x, y); only of ordered draws */
-} FastMix;
+} FastGathered;
 
-/* What the lanes of a block of mixes take their values from. Neighbouring pixels mostly show the same
+/* What the lanes of a block of gathered packets take their values from. Neighbouring pixels mostly show the same
  * triangle, so its constants are fetched once for a run of lanes. */
 enum { FAST_LANE_RUNS = FAST_BLOCK * GP_LANES + GP_LANES }; /* with room to load past the last */
 typedef struct FastLaneRuns {
@@ -132,17 +129,17 @@ typedef struct FastDepthPlanes {
 } FastDepthPlanes;
 
 /* A large triangle that waits for others, and the codes of all its depths in the tile. */
-typedef struct FastKept {
+typedef struct FastSortedTriangle {
     GpTriangle triangle;
     int32_t nearest, farthest;
-} FastKept;
+} FastSortedTriangle;
 
 /* What a shader's slot reads in place. */
-typedef struct FastLocal {
+typedef struct FastFetch {
     GpFormat format;          /* GP_FORMAT_NONE: a surface that no slot of the tile holds */
     const uint32_t *plane[4]; /* of each channel, NULL where all pixels have the same: */
     float same[4];
-} FastLocal;
+} FastFetch;
 
 typedef enum FastPhase { FAST_RASTER, FAST_SHADING, FAST_TRANSFER, FAST_PHASES } FastPhase;
 
@@ -167,20 +164,20 @@ struct FastTileMemory {
     uint32_t draw_number;
 
     uint32_t record_count; /* record 0 stands for none */
-    uint32_t backdrop;     /* record that is seen wherever the one in `seen` is older */
-    uint32_t patch_count;
-    uint32_t filled;      /* triangles, since the farthest depths were found */
-    uint32_t layer_count; /* while any layers wait, no patches do */
+    uint32_t occluder;     /* record that is seen wherever the one in `seen` is older */
+    uint32_t packet_count;
+    uint32_t filled;      /* triangles, since the hierarchical depth were found */
+    uint32_t layer_count; /* while any layers wait, no packets do */
     bool layers_alike;    /* all their pixels have one colour: that of the block's first packet */
     FastBox layer_box;    /* in the tile */
     uint32_t layer_record[FAST_LAYERS];
 
     FastPacking packing;
-    uint32_t kept_count;
+    uint32_t sorted_count;
 
     /* the block in the shader */
-    const FastPatch *shaded; /* NULL: mixes */
-    FastLocal local[GP_MAX_SAMPLERS];
+    const FastPacket *shaded; /* NULL: gathered packets */
+    FastFetch fetch[GP_MAX_SAMPLERS];
 
     /* the group's surfaces, as far as this tile has come to need them */
     const FastSlots *slots;
@@ -196,16 +193,18 @@ struct FastTileMemory {
     _Alignas(64) FastPlanes color_slot[FAST_COLOR_SLOTS];
     _Alignas(64) FastDepthPlanes depth_slot[FAST_DEPTH_SLOTS];
 
-    _Alignas(64) uint32_t seen[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
-    _Alignas(64) int32_t farthest[FAST_FARTHEST];          /* codes: see farthest.h */
-    _Alignas(64) FastPatch patches[FAST_BLOCK];            /* waiting for the shader, in order */
-    _Alignas(64) float patch_depth[FAST_BLOCK * GP_LANES]; /* of patches whose tests come late */
-    _Alignas(64) FastMix mixes[FAST_BLOCK];
-    FastKept kept[FAST_KEPT];
-    uint8_t kept_order[FAST_KEPT]; /* front to back, as far as it is free */
-    uint32_t wide_count;
-    _Alignas(64) FastRecord records[FAST_RECORDS];
-    FastWide wide[FAST_WIDES];
+    _Alignas(64) uint32_t
+        visibility[FAST_PIXELS]; /* record of the fragment in front, not yet shaded */
+    _Alignas(64) int32_t
+        hierarchical_depth[FAST_DEPTH_WINDOWS];             /* codes: see hierarchical_depth.h */
+    _Alignas(64) FastPacket packets[FAST_BLOCK];            /* waiting for the shader, in order */
+    _Alignas(64) float packet_depth[FAST_BLOCK * GP_LANES]; /* of packets whose tests come late */
+    _Alignas(64) FastGathered gathered[FAST_BLOCK];
+    FastSortedTriangle sorted[FAST_SORTED];
+    uint8_t sorted_order[FAST_SORTED]; /* front to back, as far as it is free */
+    uint32_t edges64_count;
+    _Alignas(64) FastTriangleRecord records[FAST_RECORDS];
+    FastEdges64 edges64[FAST_EDGES64];
     struct {
         uint32_t first_record, draw;
         uint16_t cells; /* what is seen of it: a list */
@@ -265,94 +264,95 @@ GP_INLINE FastPhase fast_turn_to(Tile *tile, FastPhase phase)
 
 /* Rasterizes triangles of the present draw that are inside all planes: any number, of any size.
  * Primitives are those of the pass. */
-void FAST(fill_triangles)(Tile *tile, const uint32_t *primitives, uint32_t count);
+void fast_fill_triangles(Tile *tile, const uint32_t *primitives, uint32_t count);
 
 /* The same for any number of points; whose vertices are better asked for some time before. */
-void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count);
-void FAST(ask_for_points)(const FastDraw *draw, const FastHits *hits);
+void fast_fill_sprites(Tile *tile, const uint32_t *primitives, uint32_t count);
+void fast_prefetch_points(const FastDraw *draw, const FastPrimitiveMask *mask);
 
 /* Varyings of a draw that shades again. Vertices count from the draw's first, and rise within a packet.
  * out  varying: [packet][component][lane]; packets: FAST_SPRITE_BATCHES at most */
-void FAST(shade_varyings)(const FastDraw *draw, const uint32_t (*vertex)[GP_LANES],
-                          uint32_t packets, float *varying);
+void fast_shade_varyings(const FastDraw *draw, const uint32_t (*vertex)[GP_LANES], uint32_t packets,
+                         float *varying);
 
-/* Rasterizes one set-up triangle into the tile, by the route of its draw; now, or with those that are
+/* Rasterizes one set-up triangle into the tile, by the fragment path of its draw; now, or with those that are
  * kept. Nearest: no depth's code is below. */
-void FAST(fill_triangle)(Tile *tile, const GpTriangle *triangle);
-void FAST(fill_large)(Tile *tile, const GpTriangle *triangle, int32_t nearest);
+void fast_fill_triangle(Tile *tile, const GpTriangle *triangle);
+void fast_fill_large(Tile *tile, const GpTriangle *triangle, int32_t nearest);
 
 /* The tile's part of what the draw may touch. */
-GpRect FAST(tile_rect)(const Tile *tile, const FastDraw *draw);
+GpRect fast_tile_rect(const Tile *tile, const FastDraw *draw);
 
 /* A vertex of the draw, for the units that take one triangle at a time. */
-void FAST(corner_of)(const FastDraw *draw, uint32_t number, GpScreenVertex *corner);
+void fast_corner_of(const FastDraw *draw, uint32_t number, GpScreenVertex *corner);
 
 /* Makes sure that `count` records of the present draw can be added; shades what is seen if not. */
-void FAST(reserve_records)(Tile *tile, uint32_t count);
+void fast_reserve_records(Tile *tile, uint32_t count);
 
 /* Queues pixels of an ordered draw for its shader; `live` is not 0, depth matters where tests come
- * late. Records stay in place until their patches are shaded. */
-void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
-void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
+ * late. Records stay in place until their packets are shaded. */
+void fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
+void fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
 
 /* Queues every pixel of a box in the tile, by rows, of an ordered draw without depth. */
-void FAST(queue_box)(Tile *tile, uint32_t record, const FastBox *box);
+void fast_queue_box(Tile *tile, uint32_t record, const FastBox *box);
 
 /* Shades the boxes that wait. */
-void FAST(shade_layers)(Tile *tile);
+void fast_shade_layers(Tile *tile);
 
-/* Shades the queued patches, all of the tile's present draw, and merges them in their order. */
-void FAST(flush_patches)(Tile *tile);
+/* Shades the queued packets, all of the tile's present draw, and blends them in their order. */
+void fast_flush_packets(Tile *tile);
 
-/* The same for patches that wait somewhere else, of any draw. Depths: [patch][lane], or NULL. */
-void FAST(shade_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count,
-                         const float *depths);
+/* The same for packets that wait somewhere else, of any draw. Depths: [packet][lane], or NULL. */
+void fast_shade_packets(Tile *tile, const FastDraw *draw, const FastPacket *packets, int count,
+                        const float *depths);
 
 /* Where the nearest fragment of the draw wins: keeps a large triangle until others can be sorted with
  * it; and fills those that are kept, front to back. Before any other fragment of the draw is made. */
-void FAST(keep_triangle)(Tile *tile, const GpTriangle *triangle);
-void FAST(fill_kept)(Tile *tile);
+void fast_sort_triangle(Tile *tile, const GpTriangle *triangle);
+void fast_fill_sorted(Tile *tile);
 
-/* Brings `seen` up to date with the backdrop. */
-void FAST(settle_backdrop)(Tile *tile);
+/* Brings `seen` up to date with the full-tile occluder. */
+void fast_settle_occluder(Tile *tile);
 
 /* Shades every pixel that shows a record, and forgets the records. */
-void FAST(flush_seen)(Tile *tile);
+void fast_flush_visibility(Tile *tile);
 
 /* Runs the pixel shader over `count` packets whose inputs are in tile->in, and whose tile->pixel
- * and tile->face are set where the program uses them. Patches: the packets', or NULL where they are
- * mixes. */
-void FAST(run_pixel_shader)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count);
+ * and tile->face are set where the program uses them. Packets: the packets', or NULL where they are
+ * gathered packets. */
+void fast_run_pixel_shader(Tile *tile, const FastDraw *draw, const FastPacket *packets, int count);
 
-/* Blends and writes shaded patches, of patch i the lanes live[i]; color is [patch][target][channel]. */
-void FAST(merge_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
-                         const unsigned *live, int count, const flt *color);
+/* Blends and writes shaded packets, of packet i the lanes live[i]; color is [packet][target][channel]. */
+void fast_blend_packets(Tile *tile, const FastDraw *draw, const FastPacket *packets,
+                        const unsigned *live, int count, const flt *color);
 
-/* Whether a draw's sprites only add to targets of floats; and how a block of their patches, rows or
- * packed, is merged then: color is [patch][target][channel]. */
-bool FAST(only_adds)(const Tile *tile, const FastDraw *draw);
-void FAST(add_patches)(Tile *tile, const FastDraw *draw, const FastPatch *patches,
-                       const unsigned *live, int count, const flt *color);
+/* Whether a draw's sprites only add to targets of floats; and how a block of their packets, rows or
+ * packed, is blended then: color is [packet][target][channel]. */
+bool fast_only_adds(const Tile *tile, const FastDraw *draw);
+void fast_add_packets(Tile *tile, const FastDraw *draw, const FastPacket *packets,
+                      const unsigned *live, int count, const flt *color);
 
-/* The same for one target whose blend is bitwise. A patch of a mix may hold a pixel several times. */
-void FAST(merge_bits)(const Tile *tile, const GpBlend *blend, FastPlanes *planes,
-                      const FastPatch *patches, const unsigned *live, int count, const flt *color,
-                      int stride);
+/* The same for one target whose blend is bitwise. A packet of a gathered packet may hold a pixel several times. */
+void fast_blend_bits(const Tile *tile, const GpBlend *blend, FastPlanes *planes,
+                     const FastPacket *packets, const unsigned *live, int count, const flt *color,
+                     int stride);
 
 /* All layers that wait, of a draw that copies words (FastDraw.copied_slot). False, and nothing done,
  * where the tile does not hold the words that are copied. */
-bool FAST(copy_layers)(Tile *tile, const FastDraw *draw);
+bool fast_copy_layers(Tile *tile, const FastDraw *draw);
 
 /* Starts a tile with nothing in its slots; stores those that were written. */
-void FAST(begin_slots)(Tile *tile, const FastSlots *slots);
-void FAST(store_slots)(Tile *tile);
+void fast_begin_slots(Tile *tile, const FastSlots *slots);
+void fast_store_slots(Tile *tile);
 
 /* Clears what the pass clears, and points to its targets; loads them where the pass will draw. */
-void FAST(begin_pass)(Tile *tile, const FastPass *pass, bool touched);
+void fast_begin_pass(Tile *tile, const FastPass *pass, bool touched);
 
 /* gp_load_local, from slots or surfaces: the call's `local` is the tile. Each slot that the program
  * reads is made ready before a block's call. */
-void FAST(begin_local)(Tile *tile, const GpTexture *textures, int slot);
-void FAST(read_local)(const GpShaderCall *call, int slot, int packet, int lanes, float *texel);
+void fast_begin_fetch(Tile *tile, const GpTexture *textures, int slot);
+void fast_fetch_framebuffer(const GpShaderCall *call, int slot, int packet, int lanes,
+                            float *texel);
 
 #endif

@@ -22,9 +22,9 @@ GP_INLINE void store_words(void *to, itg words)
     memcpy(to, &words, sizeof words);
 }
 
-GP_INLINE void put_words(void *to, itg words, bool streams)
+GP_INLINE void put_words(void *to, itg words, bool non_temporal)
 {
-    if (streams)
+    if (non_temporal)
         itg_stream(to, words);
     else
         store_words(to, words);
@@ -132,30 +132,30 @@ GP_INLINE void load_depth(GpFormat format, const uint8_t *texel, FastDepthPlanes
 }
 
 GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *planes, uint32_t at,
-                           bool streams)
+                           bool non_temporal)
 {
     const float *const channel[4] = { planes->channel[0] + at, planes->channel[1] + at,
                                       planes->channel[2] + at, planes->channel[3] + at };
     itg rg, ba, v[4];
     switch (format) {
     case GP_A8R8G8B8:
-        put_words(texel, load_words(planes->packed + at), streams);
+        put_words(texel, load_words(planes->packed + at), non_temporal);
         break;
     case GP_R8: /* nearest: the float is within 2^-24 of code / 255 */
         store_bytes(texel, itg_from_flt(flt_load(channel[0]) * 255.0f + 0.5f));
         break;
     case GP_G16R16F:
         rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
-        put_words(texel, rg, streams);
+        put_words(texel, rg, non_temporal);
         break;
     case GP_A16B16G16R16F:
         rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
         ba = to_half(load_words(channel[2])) | to_half(load_words(channel[3])) << 16;
-        put_words(texel, itg_zip_low(rg, ba), streams);
-        put_words(texel + sizeof(itg), itg_zip_high(rg, ba), streams);
+        put_words(texel, itg_zip_low(rg, ba), non_temporal);
+        put_words(texel + sizeof(itg), itg_zip_high(rg, ba), non_temporal);
         break;
     case GP_R32F:
-        put_words(texel, canonical(load_words(channel[0])), streams);
+        put_words(texel, canonical(load_words(channel[0])), non_temporal);
         break;
     default: /* GP_A32B32G32R32F */
         GP_UNROLL
@@ -166,14 +166,14 @@ GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *pl
             itg low = half ? itg_zip_high(v[0], v[2]) : itg_zip_low(v[0], v[2]);
             itg high = half ? itg_zip_high(v[1], v[3]) : itg_zip_low(v[1], v[3]);
             uint8_t *to = texel + (size_t)(2 * half) * sizeof(itg);
-            put_words(to, itg_zip_low(low, high), streams);
-            put_words(to + sizeof(itg), itg_zip_high(low, high), streams);
+            put_words(to, itg_zip_low(low, high), non_temporal);
+            put_words(to + sizeof(itg), itg_zip_high(low, high), non_temporal);
         }
     }
 }
 
 GP_INLINE void store_depth(GpFormat format, uint8_t *texel, const FastDepthPlanes *planes,
-                           uint32_t at, bool streams)
+                           uint32_t at, bool non_temporal)
 {
     itg code = load_words(planes->depth + at);
     if (format == GP_D24S8)
@@ -181,7 +181,7 @@ GP_INLINE void store_depth(GpFormat format, uint8_t *texel, const FastDepthPlane
     if (format == GP_D16)
         store_halves(texel, code);
     else
-        put_words(texel, code, streams);
+        put_words(texel, code, non_temporal);
 }
 
 /* --- the rows of a tile -------------------------------------------------------------------------- */
@@ -191,7 +191,7 @@ typedef struct Rows {
     uint8_t *texels;
     size_t pitch, bytes; /* from row to row, of a texel */
     int32_t width, height;
-    bool streams; /* stores go past the caches */
+    bool non_temporal; /* stores go past the caches */
 } Rows;
 
 static Rows rows_of(const Tile *tile, const GpSurface *surface)
@@ -200,7 +200,7 @@ static Rows rows_of(const Tile *tile, const GpSurface *surface)
     Rows rows = { .pitch = level->pitch, .width = tile->width, .height = tile->height };
     rows.bytes = gp_format_info(surface->format)->bytes;
     rows.texels = gp_surface_texel(level, rows.bytes, (uint32_t)tile->x0, (uint32_t)tile->y0);
-    rows.streams = fast_is_past_caches(surface) && level->pitch % sizeof(itg) == 0;
+    rows.non_temporal = fast_is_past_caches(surface) && level->pitch % sizeof(itg) == 0;
     return rows;
 }
 
@@ -213,17 +213,17 @@ GP_INLINE void load_texels(GpFormat format, const uint8_t *texel, void *planes, 
 }
 
 GP_INLINE void store_texels(GpFormat format, uint8_t *texel, const void *planes, uint32_t at,
-                            bool streams)
+                            bool non_temporal)
 {
     if (format == GP_D16 || format == GP_D24S8 || format == GP_D32F)
-        store_depth(format, texel, planes, at, streams);
+        store_depth(format, texel, planes, at, non_temporal);
     else
-        store_color(format, texel, planes, at, streams);
+        store_color(format, texel, planes, at, non_temporal);
 }
 
 /* What is left of a row goes by way of a buffer that is wide enough for all lanes. */
 
-void FAST(load_tile)(const Tile *tile, const GpSurface *surface, void *planes)
+void fast_load_tile(const Tile *tile, const GpSurface *surface, void *planes)
 {
     const Rows rows = rows_of(tile, surface);
     const int32_t whole = rows.width / GP_LANES * GP_LANES;
@@ -240,7 +240,7 @@ void FAST(load_tile)(const Tile *tile, const GpSurface *surface, void *planes)
     }
 }
 
-void FAST(store_tile)(const Tile *tile, const GpSurface *surface, const void *planes)
+void fast_store_tile(const Tile *tile, const GpSurface *surface, const void *planes)
 {
     const Rows rows = rows_of(tile, surface);
     const int32_t whole = rows.width / GP_LANES * GP_LANES;
@@ -249,12 +249,12 @@ void FAST(store_tile)(const Tile *tile, const GpSurface *surface, const void *pl
     for (int32_t y = 0; y < rows.height; y++) {
         uint8_t *to = rows.texels + (size_t)y * rows.pitch;
         for (int32_t x = 0; x < whole; x += GP_LANES, to += GP_LANES * rows.bytes)
-            store_texels(surface->format, to, planes, fast_at(x, y), rows.streams);
+            store_texels(surface->format, to, planes, fast_at(x, y), rows.non_temporal);
         if (!rest)
             continue;
         store_texels(surface->format, buffer, planes, fast_at(whole, y), false);
         memcpy(to, buffer, rest);
     }
-    if (rows.streams)
+    if (rows.non_temporal)
         lanes_stream_end();
 }

@@ -5,7 +5,7 @@
 #include "pipeline/fast/lanes/tile.h"
 
 /* Planes: FastPlanes of a colour format, FastDepthPlanes of a depth format. */
-void FAST(load_tile)(const Tile *tile, const GpSurface *surface, void *planes);
-void FAST(store_tile)(const Tile *tile, const GpSurface *surface, const void *planes);
+void fast_load_tile(const Tile *tile, const GpSurface *surface, void *planes);
+void fast_store_tile(const Tile *tile, const GpSurface *surface, const void *planes);
 
 #endif

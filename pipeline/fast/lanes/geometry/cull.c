@@ -8,11 +8,11 @@ enum {
 };
 
 /* GP_LANES triangles of one draw on the screen. */
-typedef struct Batch {
+typedef struct ScreenTriangles {
     itg x[3], y[3];
     itg low_x, low_y, high_x, high_y;
     itg x0, y0, x1, y1; /* pixels whose centres may be inside, ends included */
-} Batch;
+} ScreenTriangles;
 
 GP_INLINE itg least(const itg a[3])
 {
@@ -25,7 +25,7 @@ GP_INLINE itg most(const itg a[3])
 }
 
 /* Corners of triangles of a draw, counted from its first; beyond `count` the first stands in. */
-GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, Batch *batch)
+GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, ScreenTriangles *b)
 {
     const uint32_t *indices = d->draw->geometry.indices, *number = indices + 3 * first;
     uint32_t made[3 * GP_LANES];
@@ -43,12 +43,12 @@ GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, B
             record[lane] = &d->positions[number[3 * lane + k] - d->first_vertex];
         itg word[4];
         lanes_load4(record, word);
-        batch->x[k] = word[0];
-        batch->y[k] = word[1];
+        b->x[k] = word[0];
+        b->y[k] = word[1];
     }
 }
 
-GP_INLINE void set_boxes(const FastDraw *d, Batch *b)
+GP_INLINE void set_boxes(const FastDraw *d, ScreenTriangles *b)
 {
     const int32_t half = GP_SUBPIXELS / 2;
     b->low_x = least(b->x);
@@ -63,7 +63,7 @@ GP_INLINE void set_boxes(const FastDraw *d, Batch *b)
 
 /* Triangles that miss the four centres at and beyond (x0, y0), which are all that a tiny one may
  * cover. Centres on an edge are taken to be covered: the tiles know better. */
-GP_INLINE msk misses_centers(const Batch *b, itg area2)
+GP_INLINE msk misses_centers(const ScreenTriangles *b, itg area2)
 {
     const itg turn = area2 < 0; /* edges of a triangle that turns the other way are reversed */
     const itg px = b->x0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
@@ -86,7 +86,7 @@ GP_INLINE msk misses_centers(const Batch *b, itg area2)
 }
 
 /* Triangles that face the way that is drawn and may hold a centre. */
-GP_INLINE unsigned drawn_lanes(const FastDraw *d, const Batch *b)
+GP_INLINE unsigned drawn_lanes(const FastDraw *d, const ScreenTriangles *b)
 {
     itg area2 =
         cross_lanes(b->x[1] - b->x[0], b->y[2] - b->y[0], b->x[2] - b->x[0], b->y[1] - b->y[0]);
@@ -103,7 +103,7 @@ GP_INLINE unsigned drawn_lanes(const FastDraw *d, const Batch *b)
 
 /* Triangles that are too large for lanes, or meet a plane: they are left to the code that takes one
  * at a time. `none`: those with all corners outside one plane. */
-GP_INLINE unsigned lanes_alone(const Batch *b, unsigned *none)
+GP_INLINE unsigned lanes_alone(const ScreenTriangles *b, unsigned *none)
 {
     itg large = (itg)(b->high_x - b->low_x >= FITS) | (itg)(b->high_y - b->low_y >= FITS);
     itg outside = b->low_x < FAST_NOWHERE / 2;
@@ -138,11 +138,11 @@ GP_INLINE unsigned in_one_tile(const TileBoxes *tiles)
 /* One of the triangles from `first` on, of which the tile may have others. */
 GP_INLINE void add_to_group(FastRange *range, uint32_t tile, uint32_t first, unsigned lane)
 {
-    FastHits *last = fast_last_group(range, tile);
+    FastPrimitiveMask *last = fast_last_group(range, tile);
     if (last->first == first)
         last->lanes |= lane;
     else
-        fast_add_to_tile(range, tile, (FastHits){ first, lane });
+        fast_add_to_tile(range, tile, (FastPrimitiveMask){ first, lane });
 }
 
 /* Puts triangles of the same tile there together, of all `lanes`. */
@@ -177,8 +177,7 @@ GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t fir
         const int lane = __builtin_ctz(left);
         for (int32_t y = tiles->y0[lane]; y <= tiles->y1[lane]; y++)
             for (int32_t x = tiles->x0[lane]; x <= tiles->x1[lane]; x++)
-                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, first,
-                             left & -left);
+                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, first, left & -left);
     }
 }
 
@@ -186,7 +185,7 @@ GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t fir
 static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
                           uint32_t count)
 {
-    Batch b;
+    ScreenTriangles b;
     unsigned none;
     load_corners(d, first - d->first_primitive, count, &b);
     set_boxes(d, &b);
@@ -234,7 +233,8 @@ static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range
     for (; left; left &= left - 1) { /* in each tile order counts */
         const uint32_t lane = (uint32_t)__builtin_ctz(left);
         if (one >> lane & 1)
-            fast_add_to_tile(range, (uint32_t)tiles.first[lane], (FastHits){ first + lane, 1 });
+            fast_add_to_tile(range, (uint32_t)tiles.first[lane],
+                             (FastPrimitiveMask){ first + lane, 1 });
         else
             fast_bin_box(pass, range, first + lane,
                          &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
@@ -242,7 +242,7 @@ static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range
 }
 
 /* Always some primitives at least, so that a pass comes to its end whatever the limit. */
-void FAST(bin_range)(const FastPass *pass, FastRange *range)
+void fast_bin_range(const FastPass *pass, FastRange *range)
 {
     uint32_t first = range->first, end = range->end;
     uint32_t number = fast_find_draw(pass, first);

@@ -71,7 +71,7 @@ static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
 
 /* A packet's records are wanted soon: blocks of them are read at once, between which memory would
  * rest. */
-GP_INLINE void ask_for_records(const GpStream *stream, uint32_t vertex)
+GP_INLINE void prefetch_records(const GpStream *stream, uint32_t vertex)
 {
     const size_t stride = gp_stream_stride(stream), step = stride < 64 ? 64 : stride;
     const uint8_t *from = (const uint8_t *)stream->data + vertex * stride;
@@ -90,11 +90,11 @@ GP_INLINE float *fetch_packet(const FastDraw *d, const uint32_t vertex[GP_LANES]
     return to;
 }
 
-static void ask_for_inputs(const FastDraw *d, uint32_t vertex)
+static void prefetch_inputs(const FastDraw *d, uint32_t vertex)
 {
     const GpInputDecl *input = d->draw->program->inputs;
     for (size_t i = 0; i < GP_COUNT(d->draw->program->inputs) && input[i].components; i++)
-        ask_for_records(&d->draw->geometry.streams[input[i].semantic], vertex);
+        prefetch_records(&d->draw->geometry.streams[input[i].semantic], vertex);
 }
 
 /* Inputs of the block's vertices, by component and lane; the last vertex fills the last packet. */
@@ -107,7 +107,7 @@ static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *bloc
             vertex[lane] =
                 d->first_vertex + first + (done + lane < count ? done + lane : count - 1);
         to = fetch_packet(d, vertex, to);
-        ask_for_inputs(d, vertex[0] + PACKETS * GP_LANES);
+        prefetch_inputs(d, vertex[0] + PACKETS * GP_LANES);
     }
 }
 
@@ -142,7 +142,7 @@ static itg snap(flt pixels)
 }
 
 /* Puts a packet of vertices on the screen; returns those that have a place there, and a size. */
-static msk place(const FastDraw *d, const flt position[4], flt size, FastPosition *to)
+static msk viewport_transform(const FastDraw *d, const flt position[4], flt size, FastPosition *to)
 {
     const GpViewport *v = &d->viewport;
     flt x = position[0], y = position[1], z = position[2], w = position[3];
@@ -193,7 +193,7 @@ static void shade(const FastDraw *d, uint32_t packets, Block *block, float *vary
         .packets = (int)packets,
         .in = block->in,
         .textures = d->draw->textures,
-        .read_texture = FAST(read_texture),
+        .read_texture = fast_read_texture,
         .executor = d->samplers,
         .position = block->position,
         .varying = varying,
@@ -201,7 +201,7 @@ static void shade(const FastDraw *d, uint32_t packets, Block *block, float *vary
     });
 }
 
-void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
+void fast_shade_vertices(const FastDraw *d, uint32_t first, uint32_t count)
 {
     const GpProgram *program = d->draw->program;
     const bool is_points = d->draw->geometry.primitive == GP_POINTS;
@@ -214,11 +214,12 @@ void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
         for (uint32_t p = 0; p < packets; p++) {
             const flt *position = (const flt *)(const void *)(block.position + p * 4 * GP_LANES);
             const uint32_t at = first + done + p * GP_LANES;
-            const msk seen =
-                place(d, position,
-                      program->writes_point_size ? flt_load(block.size + p * GP_LANES) : flt_set(1),
-                      d->positions + at);
-            if (!d->shades_again && (!is_points || msk_any(seen))) /* of others nothing is read */
+            const msk on_screen = viewport_transform(
+                d, position,
+                program->writes_point_size ? flt_load(block.size + p * GP_LANES) : flt_set(1),
+                d->positions + at);
+            if (!d->shades_again &&
+                (!is_points || msk_any(on_screen))) /* of others nothing is read */
                 keep_varyings(d, position,
                               block.varying + p * (uint32_t)d->modes.components * GP_LANES,
                               d->varyings + (size_t)at * d->stride);
@@ -226,8 +227,8 @@ void FAST(shade_vertices)(const FastDraw *d, uint32_t first, uint32_t count)
     }
 }
 
-void FAST(shade_varyings)(const FastDraw *d, const uint32_t (*vertex)[GP_LANES], uint32_t packets,
-                          float *varying)
+void fast_shade_varyings(const FastDraw *d, const uint32_t (*vertex)[GP_LANES], uint32_t packets,
+                         float *varying)
 {
     Block block;
     float *to = block.in;

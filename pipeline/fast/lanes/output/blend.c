@@ -99,45 +99,46 @@ GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4
 
 /* --- targets ------------------------------------------------------------------------------------- */
 
-/* Shaded patches on their way into one target. Whole ones are rows with all lanes alive. */
-typedef struct Merge {
-    const FastPatch *patches;
-    const FastMix *mixes; /* of the same numbers */
-    const unsigned *live; /* of each patch */
+/* Shaded packets on their way into one target. Whole ones are rows with all lanes alive. */
+typedef struct BlendBlock {
+    const FastPacket *packets;
+    const FastGathered *gathered; /* of the same numbers */
+    const unsigned *live;         /* of each packet */
     int count;
-    int layers;       /* patches are [layer][pixels]; those of all layers lie on the same pixels */
-    const flt *color; /* of the first patch; `stride` vectors further the next */
+    int layers;       /* packets are [layer][pixels]; those of all layers lie on the same pixels */
+    const flt *color; /* of the first packet; `stride` vectors further the next */
     int stride;
     float constant[4]; /* as the target clamps it */
     FastPlanes *planes;
-} Merge;
+} BlendBlock;
 
-/* The place of a patch's first pixel. */
-GP_INLINE uint32_t place_of(const Merge *m, int p)
+/* The place of a packet's first pixel. */
+GP_INLINE uint32_t place_of(const BlendBlock *m, int p)
 {
-    return fast_at(m->patches[p].x, m->patches[p].y);
+    return fast_at(m->packets[p].x, m->packets[p].y);
 }
 
-GP_INLINE itg load_pixels(const Merge *m, bool whole, int p, uint32_t at, const void *plane)
+GP_INLINE itg load_pixels(const BlendBlock *m, bool whole, int p, uint32_t at, const void *plane)
 {
     if (whole)
         return load_lanes((const uint32_t *)plane + at, false);
-    if (m->patches[p].mixed)
-        return itg_gather(plane, m->mixes[p].at * 4);
-    return load_patch(plane, &m->patches[p]);
+    if (m->packets[p].gathered)
+        return itg_gather(plane, m->gathered[p].at * 4);
+    return load_packet(plane, &m->packets[p]);
 }
 
-GP_INLINE void store_pixels(const Merge *m, bool whole, int p, uint32_t at, void *plane, itg words)
+GP_INLINE void store_pixels(const BlendBlock *m, bool whole, int p, uint32_t at, void *plane,
+                            itg words)
 {
     if (whole) {
         store_lanes((uint32_t *)plane + at, false, words);
         return;
     }
-    if (!m->patches[p].mixed) {
-        store_patch(plane, &m->patches[p], m->live[p], words);
+    if (!m->packets[p].gathered) {
+        store_packet(plane, &m->packets[p], m->live[p], words);
         return;
     }
-    const itg *to = &m->mixes[p].at;
+    const itg *to = &m->gathered[p].at;
     for (unsigned live = m->live[p]; live; live &= live - 1) {
         const int lane = __builtin_ctz(live);
         ((uint32_t *)plane)[(*to)[lane]] = (uint32_t)words[lane];
@@ -154,9 +155,9 @@ GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
     return !msk_any((msk)(bits != 0));
 }
 
-GP_INLINE void merge_words(const GpBlend *blend, const Merge *from, bool whole)
+GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool whole)
 {
-    const Merge copy = *from, *m = &copy; /* which no store can change */
+    const BlendBlock copy = *from, *m = &copy; /* which no store can change */
     static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
     uint32_t kept = 0;
     for (int c = 0; c < 4; c++)
@@ -188,7 +189,7 @@ GP_INLINE void merge_words(const GpBlend *blend, const Merge *from, bool whole)
     }
 }
 
-/* Both factors are shares of one whole, and so is what they leave of numbers up to 1: of the operations
+/* Both factors are weights of one whole, and so is what they leave of numbers up to 1: of the operations
  * none rounds past 1. */
 static bool is_average(const GpBlend *blend)
 {
@@ -197,9 +198,9 @@ static bool is_average(const GpBlend *blend)
 }
 
 /* Several whole layers: between them pixels stay what reading their codes back gives. */
-GP_INLINE void merge_layers(const GpBlend *blend, const Merge *from)
+GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
 {
-    const Merge copy = *from, *m = &copy;
+    const BlendBlock copy = *from, *m = &copy;
     const int pixels = m->count / m->layers;
     flt target[FAST_BLOCK / 2][4];
     for (int p = 0; p < pixels; p++)
@@ -227,9 +228,10 @@ GP_INLINE void merge_layers(const GpBlend *blend, const Merge *from)
 }
 
 /* Formats other than A8R8G8B8. */
-GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge *from, bool whole)
+GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const BlendBlock *from,
+                              bool whole)
 {
-    const Merge copy = *from, *m = &copy;
+    const BlendBlock copy = *from, *m = &copy;
     const bool is_float = format != GP_R8;
     const int channels = format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
     const flt *color = m->color;
@@ -254,7 +256,7 @@ GP_INLINE void merge_channels(const GpBlend *blend, GpFormat format, const Merge
         for (int c = 0; c < 4; c++)
             if (c < channels && !(blend->keep >> c & 1))
                 store_pixels(m, whole, p, at, m->planes->channel[c],
-                             (itg)through(format, result[c]));
+                             (itg)quantize(format, result[c]));
     }
 }
 
@@ -270,93 +272,94 @@ static bool is_blend(const GpBlend *blend, const GpBlend *known)
            (blend->op == GP_BLEND_OFF || (blend->src == known->src && blend->dst == known->dst));
 }
 
-static void merge_layers_by(const GpBlend *blend, const Merge *m)
+static void blend_layers_by(const GpBlend *blend, const BlendBlock *m)
 {
     if (is_blend(blend, &over))
-        merge_layers(&over, m);
+        blend_layers(&over, m);
     else
-        merge_layers(blend, m);
+        blend_layers(blend, m);
 }
 
 /* The same code for any blend, and for each of those that are common. */
-GP_INLINE void merge_words_by(const GpBlend *blend, const Merge *m, bool whole)
+GP_INLINE void blend_words_by(const GpBlend *blend, const BlendBlock *m, bool whole)
 {
     if (whole && m->layers > 1 && blend->op != GP_BLEND_OFF)
-        merge_layers_by(blend, m);
+        blend_layers_by(blend, m);
     else if (is_blend(blend, &replace))
-        merge_words(&replace, m, whole);
+        blend_words(&replace, m, whole);
     else if (is_blend(blend, &add))
-        merge_words(&add, m, whole);
+        blend_words(&add, m, whole);
     else if (is_blend(blend, &over))
-        merge_words(&over, m, whole);
+        blend_words(&over, m, whole);
     else if (is_blend(blend, &under))
-        merge_words(&under, m, whole);
+        blend_words(&under, m, whole);
     else
-        merge_words(blend, m, whole);
+        blend_words(blend, m, whole);
 }
 
-GP_INLINE void merge_channels_by(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+GP_INLINE void blend_channels_by(const GpBlend *blend, GpFormat format, const BlendBlock *m,
+                                 bool whole)
 {
     if (format == GP_A16B16G16R16F && is_blend(blend, &add))
-        merge_channels(&add, GP_A16B16G16R16F, m, whole);
+        blend_channels(&add, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A16B16G16R16F && is_blend(blend, &under))
-        merge_channels(&under, GP_A16B16G16R16F, m, whole);
+        blend_channels(&under, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A32B32G32R32F && is_blend(blend, &add))
-        merge_channels(&add, GP_A32B32G32R32F, m, whole);
+        blend_channels(&add, GP_A32B32G32R32F, m, whole);
     else
-        merge_channels(blend, format, m, whole);
+        blend_channels(blend, format, m, whole);
 }
 
-GP_INLINE void merge_by(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+GP_INLINE void blend_by(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
 {
     if (format == GP_A8R8G8B8)
-        merge_words_by(blend, m, whole);
+        blend_words_by(blend, m, whole);
     else
-        merge_channels_by(blend, format, m, whole);
+        blend_channels_by(blend, format, m, whole);
 }
 
-/* The same code for any patches, and for whole ones, which need neither masks nor shapes. */
-static void merge_target(const GpBlend *blend, GpFormat format, const Merge *m, bool whole)
+/* The same code for any packets, and for whole ones, which need neither masks nor shapes. */
+static void blend_target(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
 {
     if (whole)
-        merge_by(blend, format, m, true);
+        blend_by(blend, format, m, true);
     else
-        merge_by(blend, format, m, false);
+        blend_by(blend, format, m, false);
 }
 
-static bool are_whole(const FastPatch *patches, const unsigned *live, int count)
+static bool are_whole(const FastPacket *packets, const unsigned *live, int count)
 {
     unsigned other = 0; /* without branches: mostly all are, or the first is not */
     for (int p = 0; p < count; p++)
-        other |= (live[p] ^ ALL_LANES) | (patches[p].wide ^ GP_LANES) | patches[p].mixed;
+        other |= (live[p] ^ ALL_LANES) | (packets[p].wide ^ GP_LANES) | packets[p].gathered;
     return !other;
 }
 
-void FAST(merge_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches,
-                         const unsigned *live, int count, const flt *color)
+void fast_blend_packets(Tile *tile, const FastDraw *d, const FastPacket *packets,
+                        const unsigned *live, int count, const flt *color)
 {
     const GpState *state = &d->draw->state;
     const int written = gp_program_targets(d->draw->program);
-    const bool whole = are_whole(patches, live, count);
-    Merge m = { .patches = patches,
-                .mixes = tile->mixes,
-                .live = live,
-                .count = count,
-                .layers = tile->layer_count ? (int)tile->layer_count : 1,
-                .stride = tile->layers_alike ? 0 : 4 * written };
+    const bool whole = are_whole(packets, live, count);
+    BlendBlock m = { .packets = packets,
+                     .gathered = tile->gathered,
+                     .live = live,
+                     .count = count,
+                     .layers = tile->layer_count ? (int)tile->layer_count : 1,
+                     .stride = tile->layers_alike ? 0 : 4 * written };
     for (int t = 0; t < written && t < tile->targets; t++) {
         GpFormat format = d->pass->color[t].surface->format;
         m.color = color + 4 * t;
         m.planes = tile->planes[t];
         const GpBlend *blend = &state->blend[t];
         if (fast_is_bitwise(blend, format)) {
-            FAST(merge_bits)(tile, blend, m.planes, patches, live, count, m.color, m.stride);
+            fast_blend_bits(tile, blend, m.planes, packets, live, count, m.color, m.stride);
             continue;
         }
         for (int c = 0; c < 4; c++) {
             float k = state->blend_constant[c];
             m.constant[c] = gp_format_info(format)->is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
         }
-        merge_target(blend, format, &m, whole);
+        blend_target(blend, format, &m, whole);
     }
 }

@@ -9,7 +9,7 @@ static bool adds(const GpBlend *blend, GpFormat format)
            blend->dst == GP_ONE && blend->alpha_op == GP_BLEND_OFF && !(blend->keep & 15);
 }
 
-bool FAST(only_adds)(const Tile *tile, const FastDraw *d)
+bool fast_only_adds(const Tile *tile, const FastDraw *d)
 {
     int written = gp_program_targets(d->draw->program);
     if (d->draw->geometry.primitive != GP_POINTS || d->needs.quads || !d->needs.color)
@@ -29,12 +29,12 @@ GP_INLINE void add_piece(FastPlanes *planes, int channels, bool halves, uint32_t
 }
 
 /* A row, or packed rows. Lanes that follow those of a row are read with it, but never live. */
-GP_INLINE void add_patch(FastPlanes *planes, int channels, bool halves, const FastPatch *patch,
-                         unsigned live, const float *color)
+GP_INLINE void add_packet(FastPlanes *planes, int channels, bool halves, const FastPacket *packet,
+                          unsigned live, const float *color)
 {
-    const int wide = patch->wide;
+    const int wide = packet->wide;
     const unsigned row = (1u << wide) - 1;
-    uint32_t at = fast_at(patch->x, patch->y);
+    uint32_t at = fast_at(packet->x, packet->y);
     for (; live; live >>= wide, color += wide, at += FAST_PITCH) {
         add_piece(planes, channels, halves, at, color, live & row);
         if (wide > GP_PIECE)
@@ -43,32 +43,32 @@ GP_INLINE void add_patch(FastPlanes *planes, int channels, bool halves, const Fa
     }
 }
 
-GP_INLINE void add_all(FastPlanes *planes, int channels, bool halves, const FastPatch *patches,
+GP_INLINE void add_all(FastPlanes *planes, int channels, bool halves, const FastPacket *packets,
                        const unsigned *live, int count, const flt *color, int stride)
 {
     for (int p = 0; p < count; p++, color += stride)
-        add_patch(planes, channels, halves, &patches[p], live[p],
-                  (const float *)(const void *)color);
+        add_packet(planes, channels, halves, &packets[p], live[p],
+                   (const float *)(const void *)color);
 }
 
-void FAST(add_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches,
-                       const unsigned *live, int count, const flt *color)
+void fast_add_packets(Tile *tile, const FastDraw *d, const FastPacket *packets,
+                      const unsigned *live, int count, const flt *color)
 {
     const int written = gp_program_targets(d->draw->program), stride = 4 * written;
     for (int t = 0; t < written && t < tile->targets; t++, color += 4) {
         FastPlanes *planes = tile->planes[t];
         switch (d->pass->color[t].surface->format) {
         case GP_R32F:
-            add_all(planes, 1, false, patches, live, count, color, stride);
+            add_all(planes, 1, false, packets, live, count, color, stride);
             break;
         case GP_G16R16F:
-            add_all(planes, 2, true, patches, live, count, color, stride);
+            add_all(planes, 2, true, packets, live, count, color, stride);
             break;
         case GP_A16B16G16R16F:
-            add_all(planes, 4, true, patches, live, count, color, stride);
+            add_all(planes, 4, true, packets, live, count, color, stride);
             break;
         default:
-            add_all(planes, 4, false, patches, live, count, color, stride);
+            add_all(planes, 4, false, packets, live, count, color, stride);
         }
     }
 }

@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-/* Patches on their way into one target. */
+/* Packets on their way into one target. */
 typedef struct Bits {
     uint32_t *plane;
-    const FastPatch *patches;
-    const FastMix *mixes;
+    const FastPacket *packets;
+    const FastGathered *gathered;
     const unsigned *live;
     int count;
     const flt *color;
@@ -28,7 +28,7 @@ GP_INLINE itg combine_lanes(GpBlendOp op, itg a, itg b)
 }
 
 /* One word after the other: a pixel may come again. */
-GP_INLINE void merge_mix(GpBlendOp op, uint32_t *plane, itg at, itg words)
+GP_INLINE void blend_gathered(GpBlendOp op, uint32_t *plane, itg at, itg words)
 {
     uint32_t place[GP_LANES], word[GP_LANES];
     memcpy(place, &at, sizeof place);
@@ -38,7 +38,7 @@ GP_INLINE void merge_mix(GpBlendOp op, uint32_t *plane, itg at, itg words)
         plane[place[lane]] = combine(op, plane[place[lane]], word[lane]);
 }
 
-GP_INLINE void merge_all(GpBlendOp op, const Bits *bits)
+GP_INLINE void blend_all(GpBlendOp op, const Bits *bits)
 {
     const Bits copy = *bits, *b = &copy; /* which no store can change */
     const itg neutral = itg_set(op == GP_BLEND_LOGIC_AND ? -1 : 0);
@@ -48,12 +48,12 @@ GP_INLINE void merge_all(GpBlendOp op, const Bits *bits)
         const itg words = itg_select(changed, word_of_any(color), neutral);
         if (!msk_any((msk)(words != neutral)))
             continue;
-        const FastPatch *patch = &b->patches[p];
-        if (patch->mixed)
-            merge_mix(op, b->plane, b->mixes[p].at, words);
+        const FastPacket *packet = &b->packets[p];
+        if (packet->gathered)
+            blend_gathered(op, b->plane, b->gathered[p].at, words);
         else
-            store_patch(b->plane, patch, ALL_LANES,
-                        combine_lanes(op, load_patch(b->plane, patch), words));
+            store_packet(b->plane, packet, ALL_LANES,
+                         combine_lanes(op, load_packet(b->plane, packet), words));
     }
 }
 
@@ -67,18 +67,18 @@ static uint32_t written_bits(const GpBlend *blend)
     return written;
 }
 
-void FAST(merge_bits)(const Tile *tile, const GpBlend *blend, FastPlanes *planes,
-                      const FastPatch *patches, const unsigned *live, int count, const flt *color,
-                      int stride)
+void fast_blend_bits(const Tile *tile, const GpBlend *blend, FastPlanes *planes,
+                     const FastPacket *packets, const unsigned *live, int count, const flt *color,
+                     int stride)
 {
-    const Bits bits = { planes->packed, patches, tile->mixes, live,
-                        count,          color,   stride,      written_bits(blend) };
+    const Bits bits = { planes->packed, packets, tile->gathered, live,
+                        count,          color,   stride,         written_bits(blend) };
     if (blend->op == GP_BLEND_LOGIC_AND)
-        merge_all(GP_BLEND_LOGIC_AND, &bits);
+        blend_all(GP_BLEND_LOGIC_AND, &bits);
     else if (blend->op == GP_BLEND_LOGIC_OR)
-        merge_all(GP_BLEND_LOGIC_OR, &bits);
+        blend_all(GP_BLEND_LOGIC_OR, &bits);
     else
-        merge_all(GP_BLEND_LOGIC_XOR, &bits);
+        blend_all(GP_BLEND_LOGIC_XOR, &bits);
 }
 
 /* --- words as they are ---------------------------------------------------------------------------- */
@@ -96,16 +96,16 @@ GP_INLINE void copy_box(GpBlendOp op, const FastBox *box, const uint32_t *from, 
         }
 }
 
-bool FAST(copy_layers)(Tile *tile, const FastDraw *draw)
+bool fast_copy_layers(Tile *tile, const FastDraw *draw)
 {
     const int slot = draw->copied_slot - 1;
     const GpBlend *blend = &draw->draw->state.blend[0];
     const FastBox *box = &tile->layer_box;
     const uint32_t written = written_bits(blend);
     uint32_t *to = tile->planes[0]->packed;
-    FAST(begin_local)(tile, draw->draw->textures, slot);
-    const uint32_t *from = tile->local[slot].plane[0];
-    if (tile->local[slot].format == GP_FORMAT_NONE || !from)
+    fast_begin_fetch(tile, draw->draw->textures, slot);
+    const uint32_t *from = tile->fetch[slot].plane[0];
+    if (tile->fetch[slot].format == GP_FORMAT_NONE || !from)
         return false;
     for (uint32_t layer = 0; layer < tile->layer_count; layer++)
         if (blend->op == GP_BLEND_LOGIC_AND)

@@ -65,8 +65,8 @@ static msk test_stencil(const GpStencilState *s, bool front, uint8_t *stencil, b
     return passed;
 }
 
-msk FAST(test_depth_stencil)(Tile *tile, const FastDraw *d, uint32_t at, bool quads, msk live,
-                             flt z, bool front)
+msk fast_test_depth_stencil(Tile *tile, const FastDraw *d, uint32_t at, bool quads, msk live, flt z,
+                            bool front)
 {
     const GpState *state = &d->draw->state;
     const flt low = flt_set(d->viewport.min_depth), high = flt_set(d->viewport.max_depth);

@@ -40,7 +40,7 @@ GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
 /* Any depth and stencil state, on the lanes of a row or of quads from one place of the tile on.
  * in   z: not yet clamped to the viewport's range
  * returns the lanes that pass both tests */
-msk FAST(test_depth_stencil)(Tile *tile, const FastDraw *draw, uint32_t at, bool quads, msk live,
-                             flt z, bool front);
+msk fast_test_depth_stencil(Tile *tile, const FastDraw *draw, uint32_t at, bool quads, msk live,
+                            flt z, bool front);
 
 #endif

@@ -10,7 +10,7 @@ GP_INLINE flt clamped(flt v)
     return flt_lesser(flt_greater(v, flt_set(0)), flt_set(1));
 }
 
-GP_INLINE flt through(GpFormat format, flt v)
+GP_INLINE flt quantize(GpFormat format, flt v)
 {
     switch (format) {
     case GP_A8R8G8B8:

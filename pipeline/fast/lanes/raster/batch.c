@@ -2,7 +2,7 @@
 #include "pipeline/fast/lanes/raster/batch.h"
 
 /* Largest extent, in sub-pixels, at which edges fit into 32 bits with room for helper pixels, and
- * their gains into 16. */
+ * their steps into 16. */
 enum { FITS = 1 << 14 };
 
 /* Tiny triangles that are worth a look at all of a batch. */
@@ -14,8 +14,8 @@ typedef struct Corners {
     itg area2;
 } Corners;
 
-void FAST(find_corners)(const FastDraw *d, const uint32_t *primitives, uint32_t count,
-                        BatchCorners *corners)
+void fast_find_corners(const FastDraw *d, const uint32_t *primitives, uint32_t count,
+                       BatchCorners *corners)
 {
     const uint32_t *indices = d->draw->geometry.indices;
     corners->primitives = primitives;
@@ -43,7 +43,7 @@ static void load_corners(const Tile *tile, const BatchCorners *from, Corners *co
 
 /* Boxes of pixels, cut to what the draw may touch; returns the lanes that have one. */
 static unsigned set_boxes(const Tile *tile, const GpRect *rect, bool quads, const Corners *corners,
-                          Batch *b, unsigned *large)
+                          TriangleBatch *b, unsigned *large)
 {
     const int32_t aligned = quads ? ~1 : ~0;
     const itg *p0 = corners->at[0], *p1 = corners->at[1], *p2 = corners->at[2];
@@ -68,7 +68,7 @@ static unsigned set_boxes(const Tile *tile, const GpRect *rect, bool quads, cons
 
 /* Twice the area, made positive: corners 1 and 2 change places where a triangle turns the other
  * way. */
-static void set_facing(Corners *corners, Batch *b)
+static void set_facing(Corners *corners, TriangleBatch *b)
 {
     itg *p0 = corners->at[0], *p1 = corners->at[1], *p2 = corners->at[2];
     itg area2 = cross_lanes(p1[0] - p0[0], p2[1] - p0[1], p2[0] - p0[0], p1[1] - p0[1]);
@@ -82,7 +82,7 @@ static void set_facing(Corners *corners, Batch *b)
     b->front = msk_bits(front);
 }
 
-static void set_edges(const Corners *corners, Batch *b)
+static void set_edges(const Corners *corners, TriangleBatch *b)
 {
     GP_UNROLL
     for (int i = 0; i < 3; i++) {
@@ -95,12 +95,12 @@ static void set_edges(const Corners *corners, Batch *b)
         b->inside[i] = (itg)((utg)edge + (utg)~accepts_zero) >> GP_SUBPIXEL_BITS; /* 0 or -1 */
         b->right[i] = -dy;
         b->down[i] = dx;
-        b->gain[i] = (-dy & 0xffff) | (itg)((utg)dx << 16);
+        b->steps[i] = (-dy & 0xffff) | (itg)((utg)dx << 16);
     }
 }
 
 /* For all triangles at once; of lanes that are not tiny the result means nothing. */
-static void cover_tiny(Batch *b)
+static void cover_tiny(TriangleBatch *b)
 {
     utg row[3] = { (utg)b->inside[0], (utg)b->inside[1], (utg)b->inside[2] };
     itg covered = itg_set(0);
@@ -127,7 +127,7 @@ static double size(double a)
 }
 
 /* What the depth bias adds to depth at corner 0 (R22). */
-static double depth_offset(const GpRasterState *raster, const Batch *b, int lane)
+static double depth_offset(const GpRasterState *raster, const TriangleBatch *b, int lane)
 {
     double offset = (double)raster->depth_bias;
     if (raster->slope_depth_bias == 0)
@@ -142,7 +142,7 @@ static double depth_offset(const GpRasterState *raster, const Batch *b, int lane
 
 /* Returns the lanes where depth is a number: states are finite, and nothing that binary32 holds
  * overflows in set_depth. */
-static unsigned set_nearest(const FastDraw *d, const Corners *corners, Batch *b)
+static unsigned set_nearest(const FastDraw *d, const Corners *corners, TriangleBatch *b)
 {
     flt z0 = (flt)corners->at[0][2], z1 = (flt)corners->at[1][2], z2 = (flt)corners->at[2][2];
     /* pixels lie between the corners, but for the rounding of a few binary64 operations */
@@ -154,7 +154,7 @@ static unsigned set_nearest(const FastDraw *d, const Corners *corners, Batch *b)
 }
 
 /* As gp_setup_triangle: in binary64, from binary32 values. */
-static void set_depth(const FastDraw *d, const Corners *corners, Batch *b)
+static void set_depth(const FastDraw *d, const Corners *corners, TriangleBatch *b)
 {
     flt z0 = (flt)corners->at[0][2], z1 = (flt)corners->at[1][2], z2 = (flt)corners->at[2][2];
     dbl base = __builtin_convertvector(z0, dbl), area = dbl_from_itg(corners->area2);
@@ -166,19 +166,19 @@ static void set_depth(const FastDraw *d, const Corners *corners, Batch *b)
 }
 
 /* What interpolation needs besides the edges (R16). */
-static void set_shading(const Corners *corners, Batch *b)
+static void set_shading(const Corners *corners, TriangleBatch *b)
 {
     b->inverse_area = 1.0f / flt_from_itg(corners->area2);
     for (int k = 0; k < 2; k++)
         b->ratio[k] = (flt)corners->at[k + 1][3] / (flt)corners->at[0][3];
 }
 
-void FAST(set_up_batch)(const Filler *f, const BatchCorners *found, Batch *b)
+void fast_set_up_batch(const Filler *f, const BatchCorners *found, TriangleBatch *b)
 {
     const Tile *tile = f->tile;
     const FastDraw *d = f->d;
-    const GpRect rect = FAST(tile_rect)(tile, d);
-    const bool quads = d->route == FAST_ORDERED && d->needs.quads;
+    const GpRect rect = fast_tile_rect(tile, d);
+    const bool quads = d->path == FAST_ORDERED && d->needs.quads;
     const unsigned wanted = (1u << found->count) - 1;
     Corners corners;
     unsigned large;
@@ -186,7 +186,7 @@ void FAST(set_up_batch)(const Filler *f, const BatchCorners *found, Batch *b)
     unsigned drawn = wanted & set_boxes(tile, &rect, quads, &corners, b, &large) & ~large;
     const unsigned numbers = d->wants_depth ? set_nearest(d, &corners, b) : wanted;
     if (is_usual(f->early))
-        drawn &= ~hidden_boxes(f, drawn & numbers, b->x, b->y, b->width, b->height, b->nearest);
+        drawn &= ~occluded_boxes(f, drawn & numbers, b->x, b->y, b->width, b->height, b->nearest);
     b->primitives = found->primitives;
     b->alone = wanted & (large | (drawn & ~numbers));
     b->small = drawn & numbers;
@@ -212,33 +212,34 @@ void FAST(set_up_batch)(const Filler *f, const BatchCorners *found, Batch *b)
         b->alone |= b->small;
         b->small = 0;
     }
-    const bool apart = d->route == FAST_ORDERED ? d->wants_depth || quads : d->needs.stencil;
+    const bool apart = d->path == FAST_ORDERED ? d->wants_depth || quads : d->needs.stencil;
     b->tiny = apart ? 0 : b->tiny & b->small;
     b->small &= ~b->tiny;
-    if (d->route != FAST_DEPTH_ONLY && (b->tiny | b->small))
+    if (d->path != FAST_DEPTH_ONLY && (b->tiny | b->small))
         set_shading(&corners, b);
 }
 
-void FAST(write_record)(const FastDraw *d, const Batch *b, uint32_t lane, FastRecord *record)
+void fast_write_record(const FastDraw *d, const TriangleBatch *b, uint32_t lane,
+                       FastTriangleRecord *record)
 {
     const bool front = b->front >> lane & 1;
     const uint32_t x = (uint32_t)b->x[lane], y = (uint32_t)b->y[lane];
     int32_t c[3];
     for (int i = 1; i < 3; i++) {
-        const int32_t gain = b->gain[i][lane];
-        c[i] = (int32_t)((uint32_t)b->edge[i][lane] - ((uint32_t)fast_gain_right(gain) * x +
-                                                       (uint32_t)fast_gain_down(gain) * y));
+        const int32_t step = b->steps[i][lane];
+        c[i] = (int32_t)((uint32_t)b->edge[i][lane] - ((uint32_t)fast_step_right(step) * x +
+                                                       (uint32_t)fast_step_down(step) * y));
     }
     record->c1 = c[1];
-    record->gain1 = b->gain[1][lane];
+    record->step1 = b->steps[1][lane];
     record->c2 = c[2];
-    record->gain2 = b->gain[2][lane];
+    record->step2 = b->steps[2][lane];
     record->inverse_area = b->inverse_area[lane];
     record->ratio1 = b->ratio[0][lane];
     record->ratio2 = b->ratio[1][lane];
-    record->kind = FAST_SMALL;
+    record->kind = FAST_EDGES_32;
     record->face = front ? 1.0f : -1.0f;
-    record->wide = 0;
+    record->edges64 = 0;
     const uint32_t *indices = d->draw->geometry.indices;
     const uint32_t at = 3 * (b->primitives[lane] - d->first_primitive);
     const uint32_t order[3] = { at, at + (front ? 1 : 2), at + (front ? 2 : 1) };

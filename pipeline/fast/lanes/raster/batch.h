@@ -12,7 +12,7 @@ typedef struct BatchCorners {
 } BatchCorners;
 
 /* Vectors that are then taken apart by lanes. Places are in the tile; edges are those at (x, y). */
-typedef struct Batch {
+typedef struct TriangleBatch {
     const uint32_t *primitives;
     unsigned tiny, small, alone; /* bits: how each lane is to be filled, if at all */
     unsigned front;
@@ -21,29 +21,29 @@ typedef struct Batch {
     itg covered;           /* pixels of a tiny triangle's 4x4 box, a bit each, by rows */
     itg edge[3];           /* exact */
     itg inside[3];         /* in 256ths, negative outside */
-    itg right[3], down[3]; /* what `inside` gains a pixel further */
-    itg gain[3];           /* both, in the low and the high half */
+    itg right[3], down[3]; /* steps of `inside`, a pixel further */
+    itg steps[3];          /* both, in the low and the high half */
     dbl base, step[2];     /* of depth */
     flt nearest;           /* no pixel's depth is below */
     flt inverse_area, ratio[2];
-} Batch;
+} TriangleBatch;
 
 /* Looks up the corners of the first of `count` triangles, up to GP_LANES, and asks memory for them:
  * some time before they are set up, for they are rarely near. */
-void FAST(find_corners)(const FastDraw *draw, const uint32_t *primitives, uint32_t count,
-                        BatchCorners *corners);
+void fast_find_corners(const FastDraw *draw, const uint32_t *primitives, uint32_t count,
+                       BatchCorners *corners);
 
 /* Sets up triangles of the present draw. */
-void FAST(set_up_batch)(const Filler *filler, const BatchCorners *corners, Batch *batch);
+void fast_set_up_batch(const Filler *filler, const BatchCorners *corners, TriangleBatch *batch);
 
 /* What shading needs of a lane's triangle. */
-void FAST(write_record)(const FastDraw *draw, const Batch *batch, uint32_t lane,
-                        FastRecord *record);
+void fast_write_record(const FastDraw *draw, const TriangleBatch *batch, uint32_t lane,
+                       FastTriangleRecord *record);
 
 /* The triangles of `lanes`, in their order: tiny ones of which nothing is ordered and no stencil is
  * touched; those that are ordered, without depth or quads; and any whose edges fit into 32 bits. */
-void FAST(fill_tiny)(const Filler *filler, const Batch *batch, unsigned lanes);
-void FAST(fill_loose)(const Filler *filler, const Batch *batch, unsigned lanes);
-void FAST(fill_small)(const Filler *filler, const Batch *batch, unsigned lanes);
+void fast_fill_tiny(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
+void fast_fill_compacted(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
+void fast_fill_small(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
 
 #endif

@@ -59,34 +59,34 @@ static bool find_coverage(const Tile *tile, const GpTriangle *t, Coverage *cover
 
 /* --- lanes ------------------------------------------------------------------------------------ */
 
-/* Lanes of a row, or of quads: their places, and what edges and depth gain from the first to each. */
-typedef struct LaneGains {
+/* Lanes of a row, or of quads: their places, and how far edges and depth step from the first to each. */
+typedef struct LaneSteps {
     itg column, row;
     utg inside[3];
     dbl edge[2];
-} LaneGains;
+} LaneSteps;
 
-static LaneGains lane_gains(const GpTriangle *t, const Coverage *coverage, bool quads)
+static LaneSteps lane_steps(const GpTriangle *t, const Coverage *coverage, bool quads)
 {
-    LaneGains gains = { .column = lane_columns(quads), .row = lane_rows(quads) };
+    LaneSteps steps = { .column = lane_columns(quads), .row = lane_rows(quads) };
     for (int i = 0; i < 3; i++)
-        gains.inside[i] = (utg)gains.column * (uint32_t)coverage->edge[i].right +
-                          (utg)gains.row * (uint32_t)coverage->edge[i].down;
+        steps.inside[i] = (utg)steps.column * (uint32_t)coverage->edge[i].right +
+                          (utg)steps.row * (uint32_t)coverage->edge[i].down;
     for (int i = 0; i < 2; i++)
-        gains.edge[i] = dbl_from_itg(gains.column) * (double)(t->a[i + 1] * GP_SUBPIXELS) +
-                        dbl_from_itg(gains.row) * (double)(t->b[i + 1] * GP_SUBPIXELS);
-    return gains;
+        steps.edge[i] = dbl_from_itg(steps.column) * (double)(t->a[i + 1] * GP_SUBPIXELS) +
+                        dbl_from_itg(steps.row) * (double)(t->b[i + 1] * GP_SUBPIXELS);
+    return steps;
 }
 
 /* Lanes from (x, y) on that are covered. */
-GP_INLINE msk covered(const Coverage *coverage, const LaneGains *gains, int32_t x, int32_t y)
+GP_INLINE msk covered(const Coverage *coverage, const LaneSteps *steps, int32_t x, int32_t y)
 {
-    itg column = gains->column + x, row = gains->row + y;
+    itg column = steps->column + x, row = steps->row + y;
     itg out = (coverage->x1 - column) | (column - coverage->x0) | (coverage->y1 - row) |
               (row - coverage->y0);
     for (int i = 0; i < 3 && !coverage->whole; i++) {
         const TileEdge *e = &coverage->edge[i];
-        out |= (itg)(gains->inside[i] + ((uint32_t)e->value + (uint32_t)e->right * (uint32_t)x +
+        out |= (itg)(steps->inside[i] + ((uint32_t)e->value + (uint32_t)e->right * (uint32_t)x +
                                          (uint32_t)e->down * (uint32_t)y));
     }
     return (msk)(out >= 0);
@@ -109,11 +109,11 @@ static DepthPlane depth_plane(const Tile *tile, const GpTriangle *t)
     return plane;
 }
 
-GP_INLINE flt depth_at(const DepthPlane *p, const LaneGains *gains, int32_t x, int32_t y)
+GP_INLINE flt depth_at(const DepthPlane *p, const LaneSteps *steps, int32_t x, int32_t y)
 {
     double e1 = p->edge[0] + p->right[0] * x + p->down[0] * y; /* exact: integers below 2^53 */
     double e2 = p->edge[1] + p->right[1] * x + p->down[1] * y;
-    dbl z = p->base + ((e1 + gains->edge[0]) * p->step[0] + (e2 + gains->edge[1]) * p->step[1]);
+    dbl z = p->base + ((e1 + steps->edge[0]) * p->step[0] + (e2 + steps->edge[1]) * p->step[1]);
     return __builtin_convertvector(z, flt);
 }
 
@@ -151,79 +151,79 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
                          int32_t nearest)
 {
     const FastDraw *d = f->d;
-    const bool quads = d->route == FAST_ORDERED && d->needs.quads;
+    const bool quads = d->path == FAST_ORDERED && d->needs.quads;
     const int32_t wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
     const int32_t first_x = quads ? coverage->x0 & ~1 : coverage->x0;
     const int32_t first_y = quads ? coverage->y0 & ~1 : coverage->y0;
     const EarlyTest early = early_test(f, t);
-    if (coverage->whole && early == EARLY_NONE && d->route == FAST_ORDERED && !quads &&
+    if (coverage->whole && early == EARLY_NONE && d->path == FAST_ORDERED && !quads &&
         !d->needs.clip_planes) {
         const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
-        FAST(queue_box)(f->tile, f->number, &box);
+        fast_queue_box(f->tile, f->number, &box);
         return;
     }
     const DepthPlane plane = depth_plane(f->tile, t);
-    const LaneGains gains = lane_gains(t, coverage, quads);
+    const LaneSteps steps = lane_steps(t, coverage, quads);
     for (int32_t y = first_y; y <= coverage->y1; y += high)
         for (int32_t x = first_x; x <= coverage->x1; x += wide) {
-            msk live = covered(coverage, &gains, x, y);
+            msk live = covered(coverage, &steps, x, y);
             if (nearest) /* worth finding only where much is hidden: 0 elsewhere */
                 live &= (msk)(nearest - f->allowance <
                               load_lanes(f->tile->depth + fast_at(x, y), quads));
             if (!msk_bits(live))
                 continue;
             if (d->needs.clip_planes)
-                live = inside_clip_planes(f->tile, t, gains.column + x, gains.row + y, live);
-            flt z = early == EARLY_NONE ? flt_set(0) : depth_at(&plane, &gains, x, y);
-            route_lanes(f, early, d->route, quads, x, y, live, z);
+                live = inside_clip_planes(f->tile, t, steps.column + x, steps.row + y, live);
+            flt z = early == EARLY_NONE ? flt_set(0) : depth_at(&plane, &steps, x, y);
+            send_lanes(f, early, d->path, quads, x, y, live, z);
         }
 }
 
-/* Nothing that was seen in the tile is seen any more, and all shows one record. */
+/* Nothing that was visible in the tile is so any more: all shows one record. */
 static bool hides_tile(const Filler *f, const Coverage *coverage)
 {
-    return coverage->whole && f->d->route == FAST_VISIBLE && f->early == EARLY_NONE &&
+    return coverage->whole && f->d->path == FAST_VISIBLE && f->early == EARLY_NONE &&
            !f->d->needs.clip_planes && coverage->x0 == 0 && coverage->y0 == 0 &&
            coverage->x1 == f->tile->width - 1 && coverage->y1 == f->tile->height - 1;
 }
 
-void FAST(fill_triangle)(Tile *tile, const GpTriangle *t)
+void fast_fill_triangle(Tile *tile, const GpTriangle *t)
 {
     if (tile->draw->nearest_wins)
-        FAST(keep_triangle)(tile, t);
+        fast_sort_triangle(tile, t);
     else
-        FAST(fill_large)(tile, t, 0);
+        fast_fill_large(tile, t, 0);
 }
 
-void FAST(fill_large)(Tile *tile, const GpTriangle *t, int32_t nearest)
+void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
 {
     const FastDraw *d = tile->draw;
     Coverage coverage;
     if (!find_coverage(tile, t, &coverage))
         return;
-    Filler filler = FAST(filler)(tile);
+    Filler filler = fast_filler(tile);
     filler.front = t->front;
-    if (d->route != FAST_DEPTH_ONLY) {
-        FAST(reserve_records)(tile, 1);
+    if (d->path != FAST_DEPTH_ONLY) {
+        fast_reserve_records(tile, 1);
         filler.number = tile->record_count++;
-        FastRecord *record = &tile->records[filler.number];
-        FastWide *wide = &tile->wide[tile->wide_count];
-        *record = (FastRecord){ .inverse_area = t->inverse_area,
-                                .ratio1 = t->rw_ratio[0],
-                                .ratio2 = t->rw_ratio[1],
-                                .face = t->front ? 1.0f : -1.0f,
-                                .kind = FAST_WIDE,
-                                .wide = tile->wide_count++ };
+        FastTriangleRecord *record = &tile->records[filler.number];
+        FastEdges64 *edges = &tile->edges64[tile->edges64_count];
+        *record = (FastTriangleRecord){ .inverse_area = t->inverse_area,
+                                        .ratio1 = t->rw_ratio[0],
+                                        .ratio2 = t->rw_ratio[1],
+                                        .face = t->front ? 1.0f : -1.0f,
+                                        .kind = FAST_EDGES_64,
+                                        .edges64 = tile->edges64_count++ };
         for (int i = 0; i < 3; i++)
             record->corner[i] = t->corner[i].varying;
         for (int i = 0; i < 2; i++) {
-            wide->edge.c[i] = edge_at_origin(tile, t, i + 1);
-            wide->edge.a[i] = t->a[i + 1] * GP_SUBPIXELS;
-            wide->edge.b[i] = t->b[i + 1] * GP_SUBPIXELS;
+            edges->edge.c[i] = edge_at_origin(tile, t, i + 1);
+            edges->edge.a[i] = t->a[i + 1] * GP_SUBPIXELS;
+            edges->edge.b[i] = t->b[i + 1] * GP_SUBPIXELS;
         }
     }
     if (hides_tile(&filler, &coverage))
-        tile->backdrop = filler.number;
+        tile->occluder = filler.number;
     else
         fill_covered(&filler, t, &coverage, nearest);
 }

@@ -27,18 +27,18 @@ GP_INLINE flt flt_from_doubles(Doubles a)
     return __builtin_shufflevector(low, high, LANES_IN_ORDER);
 }
 
-/* Edges at the pixels of a patch of some rows, or of quads where `wide` is 0. They go down the column
- * a patch at a time: integers, which stay below 2^53 in binary64 too, so that adding is exact. */
+/* Edges at the pixels of a packet of some rows, or of quads where `wide` is 0. They go down the column
+ * a packet at a time: integers, which stay below 2^53 in binary64 too, so that adding is exact. */
 typedef struct Column {
     int32_t wide, rows;
-    itg inside[3], inside_gain[3];
+    itg inside[3], inside_step[3];
     itg beyond, below; /* negative right of, and below the box */
     Doubles edge[2];   /* 1 and 2 */
-    double edge_gain[2];
+    double edge_step[2];
 } Column;
 
 /* The column that begins `left` pixels from the box's first. */
-GP_INLINE Column column_at(const Batch *b, uint32_t lane, int32_t left, int32_t wide)
+GP_INLINE Column column_at(const TriangleBatch *b, uint32_t lane, int32_t left, int32_t wide)
 {
     const int32_t rows = wide ? GP_LANES / wide : 2;
     const itg column = (wide ? lane_numbers() % wide : lane_columns(true)) + left;
@@ -49,13 +49,13 @@ GP_INLINE Column column_at(const Batch *b, uint32_t lane, int32_t left, int32_t 
                  .below = b->height[lane] - row };
     GP_UNROLL
     for (int i = 0; i < 3; i++) {
-        itg gained = itg_dot2(itg_set(b->gain[i][lane]), column | row << 16);
-        c.inside[i] = b->inside[i][lane] + gained;
-        c.inside_gain[i] = itg_set(rows * b->down[i][lane]);
+        itg stepped = itg_dot2(itg_set(b->steps[i][lane]), column | row << 16);
+        c.inside[i] = b->inside[i][lane] + stepped;
+        c.inside_step[i] = itg_set(rows * b->down[i][lane]);
         if (i == 0)
             continue;
-        c.edge[i - 1] = doubles_from_itg(b->edge[i][lane] + (gained << GP_SUBPIXEL_BITS));
-        c.edge_gain[i - 1] = (double)(rows * GP_SUBPIXELS * b->down[i][lane]);
+        c.edge[i - 1] = doubles_from_itg(b->edge[i][lane] + (stepped << GP_SUBPIXEL_BITS));
+        c.edge_step[i - 1] = (double)(rows * GP_SUBPIXELS * b->down[i][lane]);
     }
     return c;
 }
@@ -70,14 +70,14 @@ GP_INLINE void go_down(Column *c)
 {
     GP_UNROLL
     for (int i = 0; i < 3; i++)
-        c->inside[i] += c->inside_gain[i];
+        c->inside[i] += c->inside_step[i];
     GP_UNROLL
     for (int i = 0; i < 4; i++)
-        c->edge[i / 2].part[i % 2] += c->edge_gain[i / 2];
+        c->edge[i / 2].part[i % 2] += c->edge_step[i / 2];
     c->below -= c->rows;
 }
 
-GP_INLINE flt depth_of(const Batch *b, uint32_t lane, const Column *c)
+GP_INLINE flt depth_of(const TriangleBatch *b, uint32_t lane, const Column *c)
 {
     const double base = b->base[lane], step[2] = { b->step[0][lane], b->step[1][lane] };
     Doubles z;
@@ -88,29 +88,29 @@ GP_INLINE flt depth_of(const Batch *b, uint32_t lane, const Column *c)
 }
 
 /* One triangle at work. */
-typedef struct Work {
+typedef struct Filling {
     const Filler *f;
     EarlyTest early;
-    FastRoute route;
-    const Batch *b;
+    FastFragmentPath path;
+    const TriangleBatch *b;
     uint32_t lane;
     int32_t code; /* its nearest one, where the test is the usual one */
-} Work;
+} Filling;
 
 /* By the triangle's nearest code. */
-GP_INLINE msk can_pass(const Work *w, itg stored)
+GP_INLINE msk can_pass(const Filling *w, itg stored)
 {
     return (msk)(w->code - w->f->allowance < stored);
 }
 
 /* The usual test, where nothing is ordered. Steps of which nothing can be seen go no further; but
  * where depth is all, going on is cheaper than a branch that is hard to foresee. */
-GP_INLINE msk fill_rows(const Work *w, const Column *c, int32_t x, int32_t y, msk live)
+GP_INLINE msk fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y, msk live)
 {
     Tile *tile = w->f->tile;
     const uint32_t at = fast_at(x, y);
     const itg stored = load_rows(tile->depth + at, c->wide);
-    if (w->route == FAST_VISIBLE) {
+    if (w->path == FAST_VISIBLE) {
         live &= can_pass(w, stored);
         if (!msk_any(live))
             return live;
@@ -118,28 +118,28 @@ GP_INLINE msk fill_rows(const Work *w, const Column *c, int32_t x, int32_t y, ms
     const itg code = nearer_codes(w->f, w->early, depth_of(w->b, w->lane, c));
     live &= (code - w->f->allowance - stored) >> 31; /* codes are not negative */
     store_rows(tile->depth + at, c->wide, itg_select(live, code, stored));
-    if (w->route == FAST_VISIBLE) {
+    if (w->path == FAST_VISIBLE) {
         const itg number = itg_set((int32_t)w->f->number);
-        const itg seen = load_rows(tile->seen + at, c->wide);
-        store_rows(tile->seen + at, c->wide, itg_select(live, number, seen));
+        const itg shown = load_rows(tile->visibility + at, c->wide);
+        store_rows(tile->visibility + at, c->wide, itg_select(live, number, shown));
     }
     return live;
 }
 
-/* Any tests, any route. */
-GP_INLINE msk fill_quads(const Work *w, const Column *c, int32_t x, int32_t y, msk live)
+/* Any tests, any fragment path. */
+GP_INLINE msk fill_quads(const Filling *w, const Column *c, int32_t x, int32_t y, msk live)
 {
     if (is_usual(w->early))
         live &= can_pass(w, load_lanes(w->f->tile->depth + fast_at(x, y), true));
-    if (w->route != FAST_DEPTH_ONLY && !msk_any(live))
+    if (w->path != FAST_DEPTH_ONLY && !msk_any(live))
         return live;
     flt z = w->early == EARLY_NONE ? flt_set(0) : depth_of(w->b, w->lane, c);
-    return route_lanes(w->f, w->early, w->route, true, x, y, live, z);
+    return send_lanes(w->f, w->early, w->path, true, x, y, live, z);
 }
 
-GP_INLINE msk fill_column(const Work *w, int32_t left, int32_t wide)
+GP_INLINE msk fill_column(const Filling *w, int32_t left, int32_t wide)
 {
-    const Batch *b = w->b;
+    const TriangleBatch *b = w->b;
     const int32_t top = b->y[w->lane], bottom = top + b->height[w->lane];
     msk passed = itg_set(0);
     Column c = column_at(b, w->lane, left - b->x[w->lane], wide);
@@ -150,9 +150,9 @@ GP_INLINE msk fill_column(const Work *w, int32_t left, int32_t wide)
 }
 
 /* Returns the lanes that passed. */
-GP_INLINE msk fill_triangle(const Work *w)
+GP_INLINE msk fill_triangle(const Filling *w)
 {
-    const bool rows = w->route != FAST_ORDERED && is_usual(w->early);
+    const bool rows = w->path != FAST_ORDERED && is_usual(w->early);
     const int32_t right = w->b->x[w->lane] + w->b->width[w->lane];
     msk passed = itg_set(0);
     for (int32_t left = w->b->x[w->lane]; left <= right; left += WIDE) {
@@ -166,40 +166,41 @@ GP_INLINE msk fill_triangle(const Work *w)
     return passed;
 }
 
-GP_INLINE void fill(Filler f, EarlyTest early, FastRoute route, const Batch *b, unsigned lanes)
+GP_INLINE void fill(Filler f, EarlyTest early, FastFragmentPath path, const TriangleBatch *b,
+                    unsigned lanes)
 {
     Tile *tile = f.tile;
     const itg codes = is_usual(early) ? nearer_codes(&f, early, b->nearest) : itg_set(0);
     for (; lanes; lanes &= lanes - 1) {
         uint32_t lane = (uint32_t)__builtin_ctz(lanes);
-        FastRecord *record = &tile->records[tile->record_count];
+        FastTriangleRecord *record = &tile->records[tile->record_count];
         f.number = tile->record_count;
         f.front = b->front >> lane & 1;
-        if (route == FAST_ORDERED)
-            FAST(write_record)(f.d, b, lane, record);
-        const Work work = { &f, early, route, b, lane, codes[lane] };
+        if (path == FAST_ORDERED)
+            fast_write_record(f.d, b, lane, record);
+        const Filling work = { &f, early, path, b, lane, codes[lane] };
         msk passed = fill_triangle(&work);
-        if (route == FAST_DEPTH_ONLY || !msk_any(passed))
+        if (path == FAST_DEPTH_ONLY || !msk_any(passed))
             continue;
-        if (route == FAST_VISIBLE)
-            FAST(write_record)(f.d, b, lane, record);
+        if (path == FAST_VISIBLE)
+            fast_write_record(f.d, b, lane, record);
         tile->record_count++;
     }
 }
 
-void FAST(fill_small)(const Filler *f, const Batch *b, unsigned lanes)
+void fast_fill_small(const Filler *f, const TriangleBatch *b, unsigned lanes)
 {
-    const FastRoute route = f->d->route;
-    if (f->early == EARLY_NEARER_FLOAT && route == FAST_DEPTH_ONLY)
+    const FastFragmentPath path = f->d->path;
+    if (f->early == EARLY_NEARER_FLOAT && path == FAST_DEPTH_ONLY)
         fill(*f, EARLY_NEARER_FLOAT, FAST_DEPTH_ONLY, b, lanes);
-    else if (f->early == EARLY_NEARER_FLOAT && route == FAST_VISIBLE)
+    else if (f->early == EARLY_NEARER_FLOAT && path == FAST_VISIBLE)
         fill(*f, EARLY_NEARER_FLOAT, FAST_VISIBLE, b, lanes);
     else if (f->early == EARLY_NEARER_FLOAT)
         fill(*f, EARLY_NEARER_FLOAT, FAST_ORDERED, b, lanes);
     else if (f->early == EARLY_NEARER_UNORM)
-        fill(*f, EARLY_NEARER_UNORM, route, b, lanes);
+        fill(*f, EARLY_NEARER_UNORM, path, b, lanes);
     else if (f->early == EARLY_NONE)
-        fill(*f, EARLY_NONE, route, b, lanes);
+        fill(*f, EARLY_NONE, path, b, lanes);
     else
-        fill(*f, EARLY_ANY, route, b, lanes);
+        fill(*f, EARLY_ANY, path, b, lanes);
 }

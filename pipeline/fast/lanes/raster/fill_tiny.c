@@ -3,7 +3,7 @@
 #include "pipeline/fast/lanes/raster/batch.h"
 
 /* Depth at a pixel of the lane's 4x4 box. */
-GP_INLINE float depth_at(const Batch *b, uint32_t lane, int32_t x, int32_t y)
+GP_INLINE float depth_at(const TriangleBatch *b, uint32_t lane, int32_t x, int32_t y)
 {
     double e1 = b->edge[1][lane] + GP_SUBPIXELS * (b->right[1][lane] * x + b->down[1][lane] * y);
     double e2 = b->edge[2][lane] + GP_SUBPIXELS * (b->right[2][lane] * x + b->down[2][lane] * y);
@@ -36,7 +36,8 @@ GP_INLINE bool test_depth(const Filler *f, EarlyTest early, uint32_t *depth, flo
     return passes;
 }
 
-GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Batch *b, unsigned lanes)
+GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const TriangleBatch *b,
+                    unsigned lanes)
 {
     enum { LANES_OF_WORD = 4, PIXELS_OF_LANE = 16 };
     typedef uint16_t boxes __attribute__((vector_size(2 * GP_LANES)));
@@ -45,7 +46,7 @@ GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Batch 
     uint64_t word[GP_LANES / LANES_OF_WORD];
     __builtin_memcpy(word, &covered, sizeof word);
     const uint32_t first = (uint32_t)__builtin_ctz(lanes), number = tile->record_count - first;
-    unsigned seen = 0;
+    unsigned shown = 0;
     for (uint32_t i = 0; i < GP_LANES / LANES_OF_WORD; i++)
         for (uint64_t left = word[i]; left; left &= left - 1) {
             uint32_t bit = (uint32_t)__builtin_ctzll(left);
@@ -55,21 +56,21 @@ GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Batch 
             bool passes = early == EARLY_NONE ||
                           test_depth(f, early, &tile->depth[at], depth_at(b, lane, x, y));
             if (visible) {
-                tile->seen[at] = passes ? number + lane : tile->seen[at];
-                seen |= (unsigned)passes << lane;
+                tile->visibility[at] = passes ? number + lane : tile->visibility[at];
+                shown |= (unsigned)passes << lane;
             }
         }
-    /* records of triangles that are not seen stay unwritten */
-    for (unsigned left = seen; left; left &= left - 1) {
+    /* records of triangles that are not visible stay unwritten */
+    for (unsigned left = shown; left; left &= left - 1) {
         uint32_t lane = (uint32_t)__builtin_ctz(left);
         tile->record_count = number + lane;
-        FAST(write_record)(f->d, b, lane, &tile->records[tile->record_count++]);
+        fast_write_record(f->d, b, lane, &tile->records[tile->record_count++]);
     }
 }
 
-void FAST(fill_tiny)(const Filler *f, const Batch *b, unsigned lanes)
+void fast_fill_tiny(const Filler *f, const TriangleBatch *b, unsigned lanes)
 {
-    const bool visible = f->d->route == FAST_VISIBLE;
+    const bool visible = f->d->path == FAST_VISIBLE;
     if (f->early == EARLY_NONE)
         fill(f, EARLY_NONE, visible, b, lanes);
     else if (f->early == EARLY_ANY)

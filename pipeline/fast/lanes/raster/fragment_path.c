@@ -1,4 +1,4 @@
-/* The routes of fragments: seen, queued for the shader, or only tested. */
+/* Fragment paths: to the visibility buffer, queued for the shader, or only tested. */
 #include "pipeline/fast/lanes/raster/fragment_path.h"
 
 static EarlyTest early_test(const Tile *tile, const FastDraw *d)
@@ -12,7 +12,7 @@ static EarlyTest early_test(const Tile *tile, const FastDraw *d)
     return tile->depth_format == GP_D32F ? EARLY_NEARER_FLOAT : EARLY_NEARER_UNORM;
 }
 
-Filler FAST(filler)(Tile *tile)
+Filler fast_filler(Tile *tile)
 {
     const FastDraw *d = tile->draw;
     return (Filler){ .tile = tile,
@@ -24,18 +24,18 @@ Filler FAST(filler)(Tile *tile)
                      .allowance = d->draw->state.depth.test == GP_LESS_EQUAL };
 }
 
-void FAST(reserve_records)(Tile *tile, uint32_t count)
+void fast_reserve_records(Tile *tile, uint32_t count)
 {
-    /* an ordered draw's records are done with once its patches are shaded */
-    if (tile->draw->route == FAST_ORDERED && !tile->patch_count && !tile->layer_count) {
+    /* an ordered draw's records are done with once its packets are shaded */
+    if (tile->draw->path == FAST_ORDERED && !tile->packet_count && !tile->layer_count) {
         tile->record_count = FAST_NO_RECORD + 1;
-        tile->wide_count = 0;
+        tile->edges64_count = 0;
     }
     bool new_run = !tile->run_count || tile->runs[tile->run_count - 1].draw != tile->draw_number;
-    if (tile->record_count + count > FAST_RECORDS || tile->wide_count + count > FAST_WIDES ||
+    if (tile->record_count + count > FAST_RECORDS || tile->edges64_count + count > FAST_EDGES64 ||
         (new_run && tile->run_count == FAST_RUNS)) {
-        FAST(flush_patches)(tile);
-        FAST(flush_seen)(tile);
+        fast_flush_packets(tile);
+        fast_flush_visibility(tile);
         new_run = true;
     }
     if (new_run) {
@@ -44,14 +44,14 @@ void FAST(reserve_records)(Tile *tile, uint32_t count)
     }
 }
 
-void FAST(settle_backdrop)(Tile *tile)
+void fast_settle_occluder(Tile *tile)
 {
-    if (tile->backdrop == FAST_NO_RECORD)
+    if (tile->occluder == FAST_NO_RECORD)
         return;
     for (uint32_t y = 0; y < FAST_TILE; y++)
         for (uint32_t x = 0; x < FAST_TILE; x++) {
-            uint32_t *seen = &tile->seen[y * FAST_PITCH + x];
-            *seen = *seen > tile->backdrop ? *seen : tile->backdrop;
+            uint32_t *shown = &tile->visibility[y * FAST_PITCH + x];
+            *shown = *shown > tile->occluder ? *shown : tile->occluder;
         }
-    tile->backdrop = FAST_NO_RECORD;
+    tile->occluder = FAST_NO_RECORD;
 }

@@ -1,4 +1,4 @@
-/* Where covered pixels go: through the early tests, then along the route of their draw. */
+/* Where covered pixels go: through the early tests, then along the path of their draw. */
 #ifndef GP_FAST_RASTER_FRAGMENT_PATH_H
 #define GP_FAST_RASTER_FRAGMENT_PATH_H
 
@@ -35,7 +35,7 @@ typedef struct Filler {
     bool front;
 } Filler;
 
-Filler FAST(filler)(Tile *tile);
+Filler fast_filler(Tile *tile);
 
 /* Codes of finite depths, for the usual test. The greater one comes out as `low` where both are 0,
  * so that no -0 is left. */
@@ -48,31 +48,32 @@ GP_INLINE itg nearer_codes(const Filler *f, EarlyTest early, flt z)
 }
 
 /* Lanes of a row, or of quads, from (x, y) of the tile on: the tests that come early, and on along
- * the draw's route.
+ * the draw's fragment path.
  * in   early: the filler's, or EARLY_ANY in its place; z: not clamped; matters unless EARLY_NONE
  * returns the lanes that passed */
-GP_INLINE msk route_lanes(const Filler *f, EarlyTest early, FastRoute route, bool quads, int32_t x,
-                          int32_t y, msk live, flt z)
+GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path, bool quads,
+                         int32_t x, int32_t y, msk live, flt z)
 {
     Tile *tile = f->tile;
     const uint32_t at = fast_at(x, y);
     if (is_usual(early)) {
         itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
         live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
-        if (route != FAST_ORDERED || !f->d->late_depth)
+        if (path != FAST_ORDERED || !f->d->late_depth)
             store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
     } else if (early == EARLY_ANY && !f->d->late_depth)
-        live = FAST(test_depth_stencil)(tile, f->d, at, quads, live, z, f->front);
+        live = fast_test_depth_stencil(tile, f->d, at, quads, live, z, f->front);
 
-    if (route == FAST_VISIBLE) {
-        itg seen = load_lanes(tile->seen + at, quads);
-        store_lanes(tile->seen + at, quads, itg_select(live, itg_set((int32_t)f->number), seen));
-    } else if (route == FAST_ORDERED) {
+    if (path == FAST_VISIBLE) {
+        itg shown = load_lanes(tile->visibility + at, quads);
+        store_lanes(tile->visibility + at, quads,
+                    itg_select(live, itg_set((int32_t)f->number), shown));
+    } else if (path == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);
         if (lanes && quads)
-            FAST(queue_quads)(tile, f->number, x, y, lanes, z);
+            fast_queue_quads(tile, f->number, x, y, lanes, z);
         else if (lanes)
-            FAST(queue_row)(tile, f->number, x, y, lanes, z);
+            fast_queue_row(tile, f->number, x, y, lanes, z);
     }
     return live;
 }

@@ -45,26 +45,26 @@ static int32_t depth_code(const Filler *f, double z)
 }
 
 /* Where depth is no number it has a place of its own in the order, so the triangle keeps its own. */
-static void find_codes(Tile *tile, FastKept *kept)
+static void find_codes(Tile *tile, FastSortedTriangle *sorted)
 {
-    const Filler f = FAST(filler)(tile);
-    const Range range = depth_range(&kept->triangle);
+    const Filler f = fast_filler(tile);
+    const Range range = depth_range(&sorted->triangle);
     const bool number = (range.low + range.high) * 0.0 == 0.0;
-    kept->nearest = number ? depth_code(&f, range.low) : 0;
-    kept->farthest = number ? depth_code(&f, range.high) : INT32_MAX;
+    sorted->nearest = number ? depth_code(&f, range.low) : 0;
+    sorted->farthest = number ? depth_code(&f, range.high) : INT32_MAX;
 }
 
 /* Goes before those that it is nearer than, all of it. */
-void FAST(keep_triangle)(Tile *tile, const GpTriangle *triangle)
+void fast_sort_triangle(Tile *tile, const GpTriangle *triangle)
 {
-    if (tile->kept_count == FAST_KEPT)
-        FAST(fill_kept)(tile);
-    const uint32_t number = tile->kept_count++;
-    FastKept *kept = &tile->kept[number];
-    kept->triangle = *triangle;
-    find_codes(tile, kept);
-    uint8_t *place = &tile->kept_order[number];
-    while (place > tile->kept_order && kept->farthest < tile->kept[place[-1]].nearest) {
+    if (tile->sorted_count == FAST_SORTED)
+        fast_fill_sorted(tile);
+    const uint32_t number = tile->sorted_count++;
+    FastSortedTriangle *sorted = &tile->sorted[number];
+    sorted->triangle = *triangle;
+    find_codes(tile, sorted);
+    uint8_t *place = &tile->sorted_order[number];
+    while (place > tile->sorted_order && sorted->farthest < tile->sorted[place[-1]].nearest) {
         place[0] = place[-1];
         place--;
     }
@@ -119,27 +119,27 @@ static bool cut_to_passing(const Tile *tile, int32_t bound, FastBox *box)
     return box->x0 <= box->x1 && box->y0 <= box->y1;
 }
 
-static void fill_visible(Tile *tile, const Filler *f, FastKept *kept)
+static void fill_visible(Tile *tile, const Filler *f, FastSortedTriangle *sorted)
 {
-    GpTriangle *t = &kept->triangle;
+    GpTriangle *t = &sorted->triangle;
     FastBox box = { t->x0 - tile->x0, t->y0 - tile->y0, t->x1 - tile->x0, t->y1 - tile->y0 };
-    if (!cut_to_passing(tile, kept->nearest - f->allowance, &box))
+    if (!cut_to_passing(tile, sorted->nearest - f->allowance, &box))
         return;
     t->x0 = tile->x0 + box.x0;
     t->y0 = tile->y0 + box.y0;
     t->x1 = tile->x0 + box.x1;
     t->y1 = tile->y0 + box.y1;
-    FAST(fill_large)(tile, t, kept->nearest);
+    fast_fill_large(tile, t, sorted->nearest);
 }
 
-void FAST(fill_kept)(Tile *tile)
+void fast_fill_sorted(Tile *tile)
 {
-    if (!tile->kept_count)
+    if (!tile->sorted_count)
         return;
-    const Filler f = FAST(filler)(tile);
-    for (uint32_t i = 0; i < tile->kept_count; i++) {
-        FAST(flush_patches)(tile); /* they may hide it */
-        fill_visible(tile, &f, &tile->kept[tile->kept_order[i]]);
+    const Filler f = fast_filler(tile);
+    for (uint32_t i = 0; i < tile->sorted_count; i++) {
+        fast_flush_packets(tile); /* they may hide it */
+        fill_visible(tile, &f, &tile->sorted[tile->sorted_order[i]]);
     }
-    tile->kept_count = 0;
+    tile->sorted_count = 0;
 }

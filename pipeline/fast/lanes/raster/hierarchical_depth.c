@@ -1,6 +1,6 @@
 #include "pipeline/fast/lanes/raster/hierarchical_depth.h"
 
-enum { SIDE = FAST_TILE / FARTHEST_BLOCK };
+enum { SIDE = FAST_TILE / DEPTH_BLOCK };
 
 static bool only_nears(const FastDraw *d)
 {
@@ -8,23 +8,23 @@ static bool only_nears(const FastDraw *d)
     return !d->wants_depth || test == GP_LESS || test == GP_LESS_EQUAL;
 }
 
-void FAST(keep_farthest)(Tile *tile, const FastDraw *next)
+void fast_keep_hierarchical_depth(Tile *tile, const FastDraw *next)
 {
     if (next && only_nears(next))
         return;
-    for (int i = 0; i < FAST_FARTHEST; i++)
-        tile->farthest[i] = INT32_MAX;
+    for (int i = 0; i < FAST_DEPTH_WINDOWS; i++)
+        tile->hierarchical_depth[i] = INT32_MAX;
     tile->filled = 0;
 }
 
 /* Down the columns of each row of blocks. */
 static void find_columns(const uint32_t *depth, int32_t columns[SIDE * FAST_TILE])
 {
-    for (int32_t row = 0; row < SIDE; row++, depth += FARTHEST_BLOCK * FAST_PITCH)
+    for (int32_t row = 0; row < SIDE; row++, depth += DEPTH_BLOCK * FAST_PITCH)
         for (int32_t x = 0; x < FAST_TILE; x += GP_LANES) {
             itg most = itg_set(0);
             GP_UNROLL
-            for (int32_t y = 0; y < FARTHEST_BLOCK; y++)
+            for (int32_t y = 0; y < DEPTH_BLOCK; y++)
                 most = itg_greater(most, load_lanes(depth + fast_at(x, y), false));
             __builtin_memcpy(&columns[row * FAST_TILE + x], &most, sizeof most);
         }
@@ -42,11 +42,11 @@ static void halve(int32_t *codes, int32_t count)
 }
 
 /* What lies past the tile's last block belongs to no box. */
-void FAST(find_farthest)(Tile *tile)
+void fast_find_hierarchical_depth(Tile *tile)
 {
     _Alignas(64) int32_t block[SIDE * FAST_TILE];
     find_columns(tile->depth, block);
-    for (int32_t wide = 1; wide < FARTHEST_BLOCK; wide *= 2)
+    for (int32_t wide = 1; wide < DEPTH_BLOCK; wide *= 2)
         halve(block, SIDE * FAST_TILE / wide);
     for (int32_t i = 0; i < SIDE * SIDE; i += GP_LANES) {
         itg most = itg_set(0);
@@ -56,7 +56,7 @@ void FAST(find_farthest)(Tile *tile)
             __builtin_memcpy(&one, &block[i + (corner & 1) + (corner >> 1) * SIDE], sizeof one);
             most = itg_greater(most, one);
         }
-        __builtin_memcpy(&tile->farthest[i], &most, sizeof most);
+        __builtin_memcpy(&tile->hierarchical_depth[i], &most, sizeof most);
     }
     tile->filled = 0;
 }

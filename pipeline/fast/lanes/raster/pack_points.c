@@ -1,5 +1,5 @@
 /* Points whose values are the same all over them, and whose fragments combine bits with what was there:
- * those on one pixel may share a packet, since words are merged one by one. The values of GP_LANES points
+ * those on one pixel may share a packet, since words are blended one by one. The values of GP_LANES points
  * are laid side by side, so that an input of a packet of their fragments is one shuffle.
  *
  * Where a vertex shader makes much of little, its varyings are not kept between the stages: vertices are
@@ -30,7 +30,7 @@ typedef struct Fragments {
 
 static void begin_fragments(const Tile *tile, Fragments *f)
 {
-    const uint32_t last = tile->patch_count ? tile->patches[tile->patch_count - 1].live : 0;
+    const uint32_t last = tile->packet_count ? tile->packets[tile->packet_count - 1].live : 0;
     f->taken = f->count = (uint32_t)__builtin_popcount(last) % GP_LANES;
     store_lanes(f->word, false, itg_set(0));
 }
@@ -39,29 +39,29 @@ static void begin_fragments(const Tile *tile, Fragments *f)
  * face the eye. */
 static void begin_packet(Tile *tile)
 {
-    if (tile->patch_count == PACKETS)
-        FAST(flush_patches)(tile);
-    uint32_t number = tile->patches[0].record;
-    if (tile->patch_count == 0) {
-        FAST(reserve_records)(tile, 1);
+    if (tile->packet_count == PACKETS)
+        fast_flush_packets(tile);
+    uint32_t number = tile->packets[0].record;
+    if (tile->packet_count == 0) {
+        fast_reserve_records(tile, 1);
         number = tile->record_count++;
-        tile->records[number] = (FastRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+        tile->records[number] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
     }
-    FastPatch *patch = &tile->patches[tile->patch_count++];
-    set_patch(patch, number, 0, FAST_TILE, 0, GP_LANES);
-    patch->mixed = true;
+    FastPacket *packet = &tile->packets[tile->packet_count++];
+    set_packet(packet, number, 0, FAST_TILE, 0, GP_LANES);
+    packet->gathered = true;
 }
 
 /* Puts fragments into the lanes of the queue's last packet that `fresh` tells. */
 GP_INLINE void fill_packet(Tile *tile, const itg *varying, itg word, msk fresh, bool whole)
 {
-    const uint32_t at = tile->patch_count - 1;
+    const uint32_t at = tile->packet_count - 1;
     const int components = tile->draw->modes.components;
-    FastMix *mix = &tile->mixes[at];
+    FastGathered *gathered = &tile->gathered[at];
     const itg x = word & BYTE, y = word >> Y_SHIFT & BYTE, point = word >> POINT_SHIFT;
-    mix->x = whole ? x : itg_select(fresh, x, mix->x);
-    mix->y = whole ? y : itg_select(fresh, y, mix->y);
-    mix->at = mix->y * FAST_PITCH + mix->x;
+    gathered->x = whole ? x : itg_select(fresh, x, gathered->x);
+    gathered->y = whole ? y : itg_select(fresh, y, gathered->y);
+    gathered->at = gathered->y * FAST_PITCH + gathered->x;
     flt *in = (flt *)(void *)tile->in + at * (uint32_t)components;
     for (int c = 0; c < components; c++) {
         const flt value = (flt)itg_pick(varying[c], point);
@@ -83,7 +83,7 @@ static void queue_fragments(Tile *tile, const itg *varying, Fragments *f)
         } else
             fill_packet(tile, varying, word, (msk)(lane_numbers() >= (int32_t)f->taken), false);
         const uint32_t left = f->count - first;
-        tile->patches[tile->patch_count - 1].live = left < GP_LANES ? (1u << left) - 1 : ALL_LANES;
+        tile->packets[tile->packet_count - 1].live = left < GP_LANES ? (1u << left) - 1 : ALL_LANES;
     }
     begin_fragments(tile, f);
 }
@@ -151,7 +151,7 @@ static void load_varyings(const FastDraw *d, const uint32_t vertex[GP_LANES], it
     }
 }
 
-void FAST(pack_points)(Tile *tile, const SpriteBatch *batches, uint32_t count)
+void fast_pack_points(Tile *tile, const SpriteBatch *batches, uint32_t count)
 {
     const FastDraw *d = tile->draw;
     const uint32_t components = (uint32_t)d->modes.components;
@@ -163,7 +163,7 @@ void FAST(pack_points)(Tile *tile, const SpriteBatch *batches, uint32_t count)
         else
             load_varyings(d, batches[i].vertex, varying + i * components);
     if (d->shades_again)
-        FAST(shade_varyings)(d, vertex, count, (float *)(void *)varying);
+        fast_shade_varyings(d, vertex, count, (float *)(void *)varying);
     for (uint32_t i = 0; i < count; i++)
         add_boxes(tile, varying + i * components, &batches[i].at);
 }

@@ -1,6 +1,6 @@
 /* Point sprites: set up GP_LANES at a time, then filled one by one.
  *
- * Where fragments are shaded in order, small sprites fill patches with as many of their rows as have
+ * Where fragments are shaded in order, small sprites fill packets with as many of their rows as have
  * room, and the shader's inputs are left at once, for nothing but the place in the sprite differs from
  * pixel to pixel. */
 #include "pipeline/fast/lanes/raster/sprite.h"
@@ -28,13 +28,13 @@ GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
     return (d->draw->geometry.indices ? d->draw->geometry.indices[at] : at) - d->first_vertex;
 }
 
-void FAST(ask_for_points)(const FastDraw *d, const FastHits *hits)
+void fast_prefetch_points(const FastDraw *d, const FastPrimitiveMask *mask)
 {
     const GpStream *stream = &d->draw->geometry.streams[d->draw->program->inputs[0].semantic];
     const size_t step = gp_stream_stride(stream);
     const uint8_t *inputs = stream->data;
-    for (uint32_t lanes = hits->lanes; lanes; lanes &= lanes - 1) {
-        const uint32_t vertex = vertex_of(d, hits->first + (uint32_t)__builtin_ctz(lanes));
+    for (uint32_t lanes = mask->lanes; lanes; lanes &= lanes - 1) {
+        const uint32_t vertex = vertex_of(d, mask->first + (uint32_t)__builtin_ctz(lanes));
         __builtin_prefetch(&d->positions[vertex]);
         if (d->shades_again)
             __builtin_prefetch(inputs + (d->first_vertex + vertex) * step);
@@ -46,7 +46,7 @@ void FAST(ask_for_points)(const FastDraw *d, const FastHits *hits)
 static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count, SpriteBatch *batch)
 {
     const FastDraw *d = tile->draw;
-    const GpRect rect = FAST(tile_rect)(tile, d);
+    const GpRect rect = fast_tile_rect(tile, d);
     for (uint32_t lane = 0; lane < GP_LANES; lane++)
         batch->vertex[lane] = vertex_of(d, primitives[lane < count ? lane : count - 1]);
     Sprites s = place_sprites(d, batch->vertex, &rect);
@@ -76,15 +76,16 @@ GP_INLINE flt along(itg subpixel, int32_t start, float per_step)
     return flt_from_itg(subpixel - start) * per_step;
 }
 
-void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *d, const FastRecord *r, itg x,
-                              itg y, flt *in)
+void fast_interpolate_sprite(const Tile *tile, const FastDraw *d, const FastTriangleRecord *r,
+                             itg x, itg y, flt *in)
 {
-    const FastWide *wide = &tile->wide[r->wide];
+    const FastEdges64 *edges = &tile->edges64[r->edges64];
     for (int c = 0; c < d->modes.components; c++)
         in[c] = flt_set(r->corner[0][c]);
     if (d->modes.sprite >= 0) {
-        in[d->modes.sprite] = along(x * GP_SUBPIXELS, wide->sprite.left, wide->sprite.per_step);
-        in[d->modes.sprite + 1] = along(y * GP_SUBPIXELS, wide->sprite.top, wide->sprite.per_step);
+        in[d->modes.sprite] = along(x * GP_SUBPIXELS, edges->sprite.left, edges->sprite.per_step);
+        in[d->modes.sprite + 1] =
+            along(y * GP_SUBPIXELS, edges->sprite.top, edges->sprite.per_step);
     }
 }
 
@@ -92,9 +93,9 @@ static void set_packing(FastPacking *packing, int32_t wide)
 {
     packing->wide = wide;
     packing->rows = GP_LANES / wide;
-    packing->share = (1 << 16) / (uint32_t)packing->rows + 1;
-    packing->across = patch_columns(wide) * GP_SUBPIXELS;
-    packing->down = patch_rows(wide) * GP_SUBPIXELS;
+    packing->reciprocal = (1 << 16) / (uint32_t)packing->rows + 1;
+    packing->across = packet_columns(wide) * GP_SUBPIXELS;
+    packing->down = packet_rows(wide) * GP_SUBPIXELS;
 }
 
 /* A sprite on its way into the queue. */
@@ -108,29 +109,29 @@ typedef struct Queuer {
     const float *varying;
 } Queuer;
 
-/* Room in the queue for so many patches, of a block at most. */
-GP_INLINE void make_room(Tile *tile, int32_t patches)
+/* Room in the queue for so many packets, of a block at most. */
+GP_INLINE void make_room(Tile *tile, int32_t packets)
 {
-    if ((int32_t)tile->patch_count + patches > FAST_BLOCK)
-        FAST(flush_patches)(tile);
+    if ((int32_t)tile->packet_count + packets > FAST_BLOCK)
+        fast_flush_packets(tile);
 }
 
-/* A patch, where there is room for one, if any of its pixels pass the early tests. */
-GP_INLINE void queue_patch(const Queuer *q, int32_t x, int32_t y, int32_t wide, unsigned live)
+/* A packet, where there is room for one, if any of its pixels pass the early tests. */
+GP_INLINE void queue_packet(const Queuer *q, int32_t x, int32_t y, int32_t wide, unsigned live)
 {
     Tile *tile = q->tile;
-    FastPatch *patch = &tile->patches[tile->patch_count];
-    patch->record = q->record; /* piece by piece: a copy would wait for its parts */
-    patch->live = live;
-    patch->x = (uint8_t)x;
-    patch->y = (uint8_t)y;
-    patch->wide = (uint8_t)wide;
-    patch->mixed = false;
+    FastPacket *packet = &tile->packets[tile->packet_count];
+    packet->record = q->record; /* piece by piece: a copy would wait for its parts */
+    packet->live = live;
+    packet->x = (uint8_t)x;
+    packet->y = (uint8_t)y;
+    packet->wide = (uint8_t)wide;
+    packet->gathered = false;
     if (q->d->late_depth)
-        flt_store(tile->patch_depth + tile->patch_count * GP_LANES, flt_set(q->z));
+        flt_store(tile->packet_depth + tile->packet_count * GP_LANES, flt_set(q->z));
     else if (q->d->wants_depth)
-        patch->live = FAST(test_patch)(tile, q->d, patch, live, flt_set(q->z));
-    tile->patch_count += patch->live != 0;
+        packet->live = fast_test_packet(tile, q->d, packet, live, flt_set(q->z));
+    tile->packet_count += packet->live != 0;
 }
 
 GP_INLINE void repeat_ahead(flt *to, int stride, int count, flt value)
@@ -142,14 +143,14 @@ GP_INLINE void repeat_ahead(flt *to, int stride, int count, flt value)
     }
 }
 
-/* Inputs of the sprite's patches from number `first` of the queue on: of one shape, one below
+/* Inputs of the sprite's packets from number `first` of the queue on: of one shape, one below
  * the other, so that they share u. Places of the lanes are in sub-pixels. */
 GP_INLINE void set_inputs(const Queuer *q, uint32_t first, itg across, itg down)
 {
     Tile *tile = q->tile;
     const int stride = q->d->modes.components, sprite = q->d->modes.sprite;
-    const int count = (int)(tile->patch_count - first);
-    const FastPatch *patches = tile->patches + first;
+    const int count = (int)(tile->packet_count - first);
+    const FastPacket *packets = tile->packets + first;
     flt *const in = (flt *)(void *)tile->in + first * (uint32_t)stride;
     for (int c = 0; c < stride; c++) {
         if (c == sprite)
@@ -162,7 +163,7 @@ GP_INLINE void set_inputs(const Queuer *q, uint32_t first, itg across, itg down)
     flt *place = in + sprite;
     repeat_ahead(place, stride, count, along(across, q->left, q->per_step));
     for (int p = 0; p < count; p++, place += stride)
-        place[1] = along(down + patches[p].y * GP_SUBPIXELS, q->top, q->per_step);
+        place[1] = along(down + packets[p].y * GP_SUBPIXELS, q->top, q->per_step);
 }
 
 static void queue_packed(const Queuer *q, const FastPacking *packing)
@@ -173,11 +174,11 @@ static void queue_packed(const Queuer *q, const FastPacking *packing)
     const int32_t most = rows * FAST_BLOCK; /* rows of a full queue */
     for (int32_t top = box->y0; top <= box->y1; top += most) {
         const int32_t end = box->y1 < top + most ? box->y1 + 1 : top + most;
-        make_room(tile, (int32_t)((uint32_t)(end - top + rows - 1) * packing->share >> 16));
-        const uint32_t first = tile->patch_count;
+        make_room(tile, (int32_t)((uint32_t)(end - top + rows - 1) * packing->reciprocal >> 16));
+        const uint32_t first = tile->packet_count;
         for (int32_t y = top; y < end; y += rows) {
             const int32_t pixels = (end - y < rows ? end - y : rows) * wide;
-            queue_patch(q, box->x0, y, wide, (1u << pixels) - 1);
+            queue_packet(q, box->x0, y, wide, (1u << pixels) - 1);
         }
         set_inputs(q, first, packing->across + box->x0 * GP_SUBPIXELS, packing->down);
     }
@@ -190,16 +191,16 @@ static void queue_box(const Queuer *q)
     const bool quads = q->d->needs.quads;
     const int32_t across = quads ? QUADS_WIDE : GP_LANES, down = quads ? 2 : 1;
     const int32_t wide = quads ? 0 : GP_LANES;
-    const itg column = patch_columns(wide), row = patch_rows(wide);
+    const itg column = packet_columns(wide), row = packet_rows(wide);
     for (int32_t y = quads ? box->y0 & ~1 : box->y0; y <= box->y1; y += down)
         for (int32_t x = quads ? box->x0 & ~1 : box->x0; x <= box->x1; x += across) {
             const itg px = column + x, py = row + y;
             unsigned live = msk_bits((msk)(px >= box->x0) & (msk)(px <= box->x1) &
                                      (msk)(py >= box->y0) & (msk)(py <= box->y1));
             make_room(q->tile, 1);
-            const uint32_t first = q->tile->patch_count;
+            const uint32_t first = q->tile->packet_count;
             if (live)
-                queue_patch(q, x, y, wide, live);
+                queue_packet(q, x, y, wide, live);
             set_inputs(q, first, px * GP_SUBPIXELS, row * GP_SUBPIXELS);
         }
 }
@@ -227,33 +228,34 @@ static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, ui
     queue_packed(&queuer, &tile->packing);
 }
 
-/* --- seen, or only tested ------------------------------------------------------------------------- */
+/* --- visible, or only tested ------------------------------------------------------------------------- */
 
 static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
 {
     const FastDraw *d = tile->draw;
     const Sprites *s = &batch->at;
-    Filler filler = FAST(filler)(tile);
+    Filler filler = fast_filler(tile);
     filler.front = true;
-    if (d->route != FAST_DEPTH_ONLY) {
+    if (d->path != FAST_DEPTH_ONLY) {
         const float *varying = d->varyings + (size_t)batch->vertex[lane] * d->stride;
-        FAST(reserve_records)(tile, 1);
+        fast_reserve_records(tile, 1);
         filler.number = tile->record_count++;
-        FastWide *wide = &tile->wide[tile->wide_count];
-        tile->records[filler.number] = (FastRecord){ .face = 1.0f,
-                                                     .kind = FAST_SPRITE,
-                                                     .wide = tile->wide_count++,
-                                                     .corner = { varying, varying, varying } };
-        wide->sprite.left = s->left[lane];
-        wide->sprite.top = s->top[lane];
-        wide->sprite.per_step = batch->per_step[lane];
+        FastEdges64 *edges = &tile->edges64[tile->edges64_count];
+        tile->records[filler.number] =
+            (FastTriangleRecord){ .face = 1.0f,
+                                  .kind = FAST_SPRITE,
+                                  .edges64 = tile->edges64_count++,
+                                  .corner = { varying, varying, varying } };
+        edges->sprite.left = s->left[lane];
+        edges->sprite.top = s->top[lane];
+        edges->sprite.per_step = batch->per_step[lane];
     }
     for (int32_t y = s->y0[lane]; y <= s->y1[lane]; y++)
         for (int32_t x = s->x0[lane]; x <= s->x1[lane]; x += GP_LANES) {
             int32_t pixels = s->x1[lane] - x + 1;
             unsigned live = (1u << (pixels < GP_LANES ? pixels : GP_LANES)) - 1;
-            route_lanes(&filler, filler.early, d->route, false, x, y, mask_of(live),
-                        flt_set(s->z[lane]));
+            send_lanes(&filler, filler.early, d->path, false, x, y, mask_of(live),
+                       flt_set(s->z[lane]));
         }
 }
 
@@ -261,14 +263,14 @@ static void fill_batch(Tile *tile, const SpriteBatch *batch)
 {
     const FastDraw *d = tile->draw;
     uint32_t record = 0;
-    if (d->route == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
-        FAST(reserve_records)(tile, 1);
+    if (d->path == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
+        fast_reserve_records(tile, 1);
         record = tile->record_count++;
-        tile->records[record] = (FastRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+        tile->records[record] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
     }
     for (unsigned drawn = batch->at.drawn; drawn; drawn &= drawn - 1) {
         const uint32_t lane = (uint32_t)__builtin_ctz(drawn);
-        if (d->route == FAST_ORDERED)
+        if (d->path == FAST_ORDERED)
             queue_sprite(tile, batch, lane, record);
         else
             fill_rows(tile, batch, lane);
@@ -288,14 +290,14 @@ static uint32_t set_up_batches(const Tile *tile, const uint32_t *primitives, uin
     return batch;
 }
 
-void FAST(fill_sprites)(Tile *tile, const uint32_t *primitives, uint32_t count)
+void fast_fill_sprites(Tile *tile, const uint32_t *primitives, uint32_t count)
 {
     const uint32_t most = FAST_SPRITE_BATCHES * GP_LANES;
     SpriteBatch batches[FAST_SPRITE_BATCHES];
     for (uint32_t first = 0; first < count; first += most) {
         const uint32_t made = set_up_batches(tile, primitives + first, count - first, batches);
         if (tile->draw->packs_points)
-            FAST(pack_points)(tile, batches, made);
+            fast_pack_points(tile, batches, made);
         for (uint32_t i = 0; !tile->draw->packs_points && i < made; i++)
             fill_batch(tile, &batches[i]);
     }

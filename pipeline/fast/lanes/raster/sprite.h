@@ -59,10 +59,10 @@ GP_INLINE Sprites place_sprites(const FastDraw *d, const uint32_t vertex[GP_LANE
 
 /* Queues the fragments of sprites of a draw that packs points: of FAST_SPRITE_BATCHES batches at
  * most. */
-void FAST(pack_points)(Tile *tile, const SpriteBatch *batches, uint32_t count);
+void fast_pack_points(Tile *tile, const SpriteBatch *batches, uint32_t count);
 
 /* Inputs of a pixel shader inside the sprite of a record. */
-void FAST(interpolate_sprite)(const Tile *tile, const FastDraw *draw, const FastRecord *record,
-                              itg x, itg y, flt *in);
+void fast_interpolate_sprite(const Tile *tile, const FastDraw *draw,
+                             const FastTriangleRecord *record, itg x, itg y, flt *in);
 
 #endif

@@ -1,4 +1,4 @@
-/* Shading of mixes: the interpolants of every lane from its own triangle, in the model's operations. */
+/* Shading of gathered packets: the interpolants of every lane from its own triangle, in the model's operations. */
 #include "pipeline/fast/lanes/shade/mix.h"
 
 #include "pipeline/fast/lanes/shade/interpolate.h"
@@ -9,21 +9,21 @@
 enum { LANES_SHARE = GP_LANES > 4 };
 
 /* The first words of a record. */
-enum { EDGE, GAIN, INVERSE_AREA = 4, RATIO, KIND = 7 };
+enum { EDGE, STEP, INVERSE_AREA = 4, RATIO, KIND = 7 };
 
-/* Where in the runs the lanes of a mix find their values. */
+/* Where in the runs the lanes of a gathered packet find their values. */
 typedef struct Spread {
     uint32_t first;
     itg run; /* from there on */
 } Spread;
 
-/* The runs of a mix, behind those of the mixes before it. */
-static Spread add_runs(const FastMix *mix, FastLaneRuns *runs)
+/* The runs of a gathered packet, behind those of the gathered packets before it. */
+static Spread add_runs(const FastGathered *gathered, FastLaneRuns *runs)
 {
-    itg left = itg_shift_in(mix->record, 0);
-    unsigned starts = LANES_SHARE ? msk_bits(mix->record != left) | 1 : (1u << GP_LANES) - 1;
+    itg left = itg_shift_in(gathered->record, 0);
+    unsigned starts = LANES_SHARE ? msk_bits(gathered->record != left) | 1 : (1u << GP_LANES) - 1;
     Spread spread = { runs->count, itg_running_sum((itg)mask_of(starts) & 1) - 1 };
-    itg_compress(runs->record + runs->count, starts, mix->record);
+    itg_compress(runs->record + runs->count, starts, gathered->record);
     runs->count += (uint32_t)__builtin_popcount(starts);
     return spread;
 }
@@ -33,7 +33,7 @@ GP_INLINE void keep_lanes(void *to, itg lanes)
     __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
-static void fetch_words(const FastRecord *records, FastLaneRuns *runs)
+static void fetch_words(const FastTriangleRecord *records, FastLaneRuns *runs)
 {
     msk wide = itg_set(0);
     for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
@@ -46,13 +46,13 @@ static void fetch_words(const FastRecord *records, FastLaneRuns *runs)
         GP_UNROLL
         for (int i = 0; i < 8; i++)
             keep_lanes(runs->word[i] + at, word[i]);
-        wide |= (msk)(word[KIND] == FAST_WIDE);
+        wide |= (msk)(word[KIND] == FAST_EDGES_64);
     }
     runs->wide = msk_bits(wide);
 }
 
 /* Four or eight components of the corners, from `first` on, of which some are wanted. */
-GP_INLINE void fetch_components(const FastRecord *records, int first, int components,
+GP_INLINE void fetch_components(const FastTriangleRecord *records, int first, int components,
                                 unsigned wanted, FastLaneRuns *runs)
 {
     for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
@@ -79,7 +79,7 @@ GP_INLINE void fetch_components(const FastRecord *records, int first, int compon
     }
 }
 
-static void fetch_runs(const FastRecord *records, uint64_t wanted, FastLaneRuns *runs)
+static void fetch_runs(const FastTriangleRecord *records, uint64_t wanted, FastLaneRuns *runs)
 {
     keep_lanes(runs->record + runs->count, itg_set((int32_t)runs->record[0]));
     fetch_words(records, runs);
@@ -107,36 +107,36 @@ GP_INLINE flt spread_flt(const void *values, const Spread *spread)
 /* --- triangles ---------------------------------------------------------------------------------- */
 
 /* Edge values of triangles too large for 32 bits: exact, rounded once. */
-static void set_wide_edges(const Tile *tile, const FastMix *mix, flt edge[2])
+static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edge[2])
 {
     for (int lane = 0; lane < GP_LANES; lane++) {
-        const FastRecord *record = &tile->records[mix->record[lane]];
-        const FastWide *wide = &tile->wide[record->wide];
-        const int64_t x = mix->x[lane], y = mix->y[lane];
-        for (int i = 0; i < 2 && record->kind == FAST_WIDE; i++)
-            edge[i][lane] = (float)(wide->edge.c[i] + wide->edge.a[i] * x + wide->edge.b[i] * y);
+        const FastTriangleRecord *record = &tile->records[gathered->record[lane]];
+        const FastEdges64 *edges = &tile->edges64[record->edges64];
+        const int64_t x = gathered->x[lane], y = gathered->y[lane];
+        for (int i = 0; i < 2 && record->kind == FAST_EDGES_64; i++)
+            edge[i][lane] = (float)(edges->edge.c[i] + edges->edge.a[i] * x + edges->edge.b[i] * y);
     }
 }
 
-static void set_shares(const Tile *tile, const FastMix *mix, const Spread *spread, int p,
-                       BlockShares *shares)
+static void set_weights(const Tile *tile, const FastGathered *gathered, const Spread *spread, int p,
+                        BlockWeights *weights)
 {
     const FastLaneRuns *runs = &tile->lane_runs;
-    const itg place = mix->x | mix->y << 16;
+    const itg place = gathered->x | gathered->y << 16;
     flt edge[2];
     GP_UNROLL
     for (int i = 0; i < 2; i++) {
         itg first = spread_itg(runs->word[EDGE + 2 * i], spread);
-        itg gained = itg_dot2(spread_itg(runs->word[GAIN + 2 * i], spread), place);
-        edge[i] = flt_from_itg((itg)((utg)first + ((utg)gained << GP_SUBPIXEL_BITS)));
+        itg stepped = itg_dot2(spread_itg(runs->word[STEP + 2 * i], spread), place);
+        edge[i] = flt_from_itg((itg)((utg)first + ((utg)stepped << GP_SUBPIXEL_BITS)));
     }
     if (runs->wide)
-        set_wide_edges(tile, mix, edge);
+        set_edges_64(tile, gathered, edge);
     GP_UNROLL
     for (int i = 0; i < 2; i++)
-        shares->screen[i][p] = edge[i] * spread_flt(runs->word[INVERSE_AREA], spread);
-    correct_shares(shares, p, spread_flt(runs->word[RATIO], spread),
-                   spread_flt(runs->word[RATIO + 1], spread));
+        weights->screen[i][p] = edge[i] * spread_flt(runs->word[INVERSE_AREA], spread);
+    correct_weights(weights, p, spread_flt(runs->word[RATIO], spread),
+                    spread_flt(runs->word[RATIO + 1], spread));
 }
 
 /* v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
@@ -156,24 +156,24 @@ static void repeat_component(const float *corner, const Spread *spread, int coun
         in[p * stride] = spread_flt(corner, &spread[p]);
 }
 
-static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastMix *mixes, int count,
-                                  flt *in)
+static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastGathered *gathered,
+                                  int count, flt *in)
 {
     const int stride = d->modes.components;
     FastLaneRuns *runs = &tile->lane_runs;
     Spread spread[FAST_BLOCK];
-    BlockShares shares;
+    BlockWeights weights;
     runs->count = 0;
     for (int p = 0; p < count; p++)
-        spread[p] = add_runs(&mixes[p], runs);
+        spread[p] = add_runs(&gathered[p], runs);
     fetch_runs(tile->records, d->needs.varyings, runs);
     for (int p = 0; p < count; p++)
-        set_shares(tile, &mixes[p], &spread[p], p, &shares);
+        set_weights(tile, &gathered[p], &spread[p], p, &weights);
     for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
         const int c = __builtin_ctzll(left);
         const bool screen = d->modes.mode[c] == GP_LINEAR_SCREEN;
-        const flt *s1 = screen ? shares.screen[0] : shares.perspective[0];
-        const flt *s2 = screen ? shares.screen[1] : shares.perspective[1];
+        const flt *s1 = screen ? weights.screen[0] : weights.perspective[0];
+        const flt *s2 = screen ? weights.screen[1] : weights.perspective[1];
         if (d->modes.mode[c] == GP_FLAT)
             repeat_component(runs->corner[c][0], spread, count, stride, in + c);
         else
@@ -184,57 +184,58 @@ static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastMix *
 /* --- sprites ------------------------------------------------------------------------------------ */
 
 /* Rare among opaque draws: a lane at a time. */
-static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastMix *mix, flt *in)
+static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastGathered *gathered,
+                                flt *in)
 {
     for (int lane = 0; lane < GP_LANES; lane++) {
-        const FastRecord *record = &tile->records[mix->record[lane]];
-        const FastWide *wide = &tile->wide[record->wide];
+        const FastTriangleRecord *record = &tile->records[gathered->record[lane]];
+        const FastEdges64 *edges = &tile->edges64[record->edges64];
         for (int c = 0; c < d->modes.components; c++)
             in[c][lane] = record->corner[0][c];
         if (d->modes.sprite < 0)
             continue;
         flt *at = in + d->modes.sprite;
-        int32_t x = mix->x[lane] * GP_SUBPIXELS, y = mix->y[lane] * GP_SUBPIXELS;
-        at[0][lane] = (float)(x - wide->sprite.left) * wide->sprite.per_step;
-        at[1][lane] = (float)(y - wide->sprite.top) * wide->sprite.per_step;
+        int32_t x = gathered->x[lane] * GP_SUBPIXELS, y = gathered->y[lane] * GP_SUBPIXELS;
+        at[0][lane] = (float)(x - edges->sprite.left) * edges->sprite.per_step;
+        at[1][lane] = (float)(y - edges->sprite.top) * edges->sprite.per_step;
     }
 }
 
 /* --- shading ------------------------------------------------------------------------------------ */
 
-static void set_faces(const Tile *tile, const FastMix *mix, float *face)
+static void set_faces(const Tile *tile, const FastGathered *gathered, float *face)
 {
     for (int lane = 0; lane < GP_LANES; lane++)
-        face[lane] = tile->records[mix->record[lane]].face;
+        face[lane] = tile->records[gathered->record[lane]].face;
 }
 
-void FAST(interpolate_mixes)(Tile *tile, const FastDraw *d, const FastMix *mixes, int count,
-                             flt *in)
+void fast_interpolate_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
+                               int count, flt *in)
 {
     const int components = d->modes.components;
     if (d->draw->geometry.primitive == GP_POINTS) {
         for (int p = 0; p < count; p++)
-            interpolate_sprites(tile, d, &mixes[p], in + p * components);
+            interpolate_sprites(tile, d, &gathered[p], in + p * components);
         return;
     }
-    interpolate_triangles(tile, d, mixes, count, in);
+    interpolate_triangles(tile, d, gathered, count, in);
 }
 
-void FAST(shade_mixes)(Tile *tile, const FastDraw *d, const FastMix *mixes, int count)
+void fast_shade_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered, int count)
 {
     const GpProgram *program = d->draw->program;
     flt *pixel = (flt *)(void *)tile->pixel;
-    FAST(interpolate_mixes)(tile, d, mixes, count, (flt *)(void *)tile->in);
+    fast_interpolate_gathered(tile, d, gathered, count, (flt *)(void *)tile->in);
     for (int p = 0; p < count; p++) {
         if (program->uses_pixel) {
-            pixel[2 * p] = flt_from_itg(mixes[p].x + tile->x0);
-            pixel[2 * p + 1] = flt_from_itg(mixes[p].y + tile->y0);
+            pixel[2 * p] = flt_from_itg(gathered[p].x + tile->x0);
+            pixel[2 * p + 1] = flt_from_itg(gathered[p].y + tile->y0);
         }
         if (program->uses_face)
-            set_faces(tile, &mixes[p], tile->face + p * GP_LANES);
+            set_faces(tile, &gathered[p], tile->face + p * GP_LANES);
     }
-    FAST(run_pixel_shader)(tile, d, NULL, count);
+    fast_run_pixel_shader(tile, d, NULL, count);
     for (int p = 0; p < count; p++)
-        tile->fragments_shaded += (uint64_t)__builtin_popcount(mixes[p].live);
-    FAST(write_mixes)(tile, d, mixes, count, (const flt *)(const void *)tile->color);
+        tile->fragments_shaded += (uint64_t)__builtin_popcount(gathered[p].live);
+    fast_write_gathered(tile, d, gathered, count, (const flt *)(const void *)tile->color);
 }

@@ -1,4 +1,4 @@
-/* Patches: pixels of one triangle or point on their way through the shader, in order. */
+/* Packets: pixels of one triangle or point on their way through the shader, in order. */
 #include "pipeline/fast/lanes/shade/patch.h"
 
 #include "pipeline/resources/compare.h"
@@ -22,9 +22,9 @@ static bool fits_everywhere(int64_t c, int64_t a, int64_t b)
 
 /* The edges of a large triangle are often small in one tile, or have zeros at the end: those of
  * rectangles along the pixels have fifteen. */
-bool FAST(narrow_edge)(const FastWide *wide, int i, Edge *edge)
+bool fast_narrow_edge(const FastEdges64 *edges, int i, Edge *edge)
 {
-    int64_t c = wide->edge.c[i], a = wide->edge.a[i], b = wide->edge.b[i];
+    int64_t c = edges->edge.c[i], a = edges->edge.a[i], b = edges->edge.b[i];
     int zeros = c | a | b ? __builtin_ctzll((uint64_t)(c | a | b)) : 0;
     zeros = zeros < 24 ? zeros : 24;
     if (!fits_everywhere(c >> zeros, a >> zeros, b >> zeros))
@@ -35,31 +35,31 @@ bool FAST(narrow_edge)(const FastWide *wide, int i, Edge *edge)
 }
 
 /* Both edges in 32 bits, where they fit. */
-static bool narrow_edges(const Tile *tile, const FastRecord *r, Edge edge[2])
+static bool narrow_edges(const Tile *tile, const FastTriangleRecord *r, Edge edge[2])
 {
-    edge[0] = (Edge){ r->c1, fast_gain_right(r->gain1), fast_gain_down(r->gain1), 1 };
-    edge[1] = (Edge){ r->c2, fast_gain_right(r->gain2), fast_gain_down(r->gain2), 1 };
-    const FastWide *wide = &tile->wide[r->wide];
-    return r->kind == FAST_SMALL ||
-           (FAST(narrow_edge)(wide, 0, &edge[0]) && FAST(narrow_edge)(wide, 1, &edge[1]));
+    edge[0] = (Edge){ r->c1, fast_step_right(r->step1), fast_step_down(r->step1), 1 };
+    edge[1] = (Edge){ r->c2, fast_step_right(r->step2), fast_step_down(r->step2), 1 };
+    const FastEdges64 *edges = &tile->edges64[r->edges64];
+    return r->kind == FAST_EDGES_32 ||
+           (fast_narrow_edge(edges, 0, &edge[0]) && fast_narrow_edge(edges, 1, &edge[1]));
 }
 
 /* --- barycentrics -------------------------------------------------------------------------------- */
 
-GP_INLINE void set_shares(const FastRecord *r, bool perspective, int p, const flt screen[2],
-                          BlockShares *shares)
+GP_INLINE void set_weights(const FastTriangleRecord *r, bool perspective, int p,
+                           const flt screen[2], BlockWeights *weights)
 {
-    shares->screen[0][p] = screen[0];
-    shares->screen[1][p] = screen[1];
+    weights->screen[0][p] = screen[0];
+    weights->screen[1][p] = screen[1];
     if (perspective)
-        correct_shares(shares, p, flt_set(r->ratio1), flt_set(r->ratio2));
+        correct_weights(weights, p, flt_set(r->ratio1), flt_set(r->ratio2));
 }
 
 /* The scale is exact, so the product is that of the whole edge. */
-GP_INLINE void small_shares(const FastRecord *r, const Edge edge[2], bool perspective,
-                            const FastPatch *patches, int count, BlockShares *shares)
+GP_INLINE void weights_32(const FastTriangleRecord *r, const Edge edge[2], bool perspective,
+                          const FastPacket *packets, int count, BlockWeights *weights)
 {
-    const itg column = patch_columns(patches->wide), row = patch_rows(patches->wide);
+    const itg column = packet_columns(packets->wide), row = packet_rows(packets->wide);
     utg across[2];
     flt scale[2];
     GP_UNROLL
@@ -72,50 +72,50 @@ GP_INLINE void small_shares(const FastRecord *r, const Edge edge[2], bool perspe
         GP_UNROLL
         for (int i = 0; i < 2; i++) {
             const uint32_t first =
-                (uint32_t)edge[i].a * patches[p].x + (uint32_t)edge[i].b * patches[p].y;
+                (uint32_t)edge[i].a * packets[p].x + (uint32_t)edge[i].b * packets[p].y;
             screen[i] = flt_from_itg((itg)(across[i] + first)) * scale[i];
         }
-        set_shares(r, perspective, p, screen, shares);
+        set_weights(r, perspective, p, screen, weights);
     }
 }
 
 /* Edges that need more bits: exact in binary64, rounded once. */
-GP_INLINE void wide_shares(const FastRecord *r, const FastWide *wide, bool perspective,
-                           const FastPatch *patches, int count, BlockShares *shares)
+GP_INLINE void weights_64(const FastTriangleRecord *r, const FastEdges64 *edges, bool perspective,
+                          const FastPacket *packets, int count, BlockWeights *weights)
 {
-    const dbl column = dbl_from_itg(patch_columns(patches->wide));
-    const dbl row = dbl_from_itg(patch_rows(patches->wide));
+    const dbl column = dbl_from_itg(packet_columns(packets->wide));
+    const dbl row = dbl_from_itg(packet_rows(packets->wide));
     for (int p = 0; p < count; p++) {
         flt screen[2];
         GP_UNROLL
         for (int i = 0; i < 2; i++) {
-            const double a = (double)wide->edge.a[i], b = (double)wide->edge.b[i];
-            const double first = (double)wide->edge.c[i] + (a * patches[p].x + b * patches[p].y);
+            const double a = (double)edges->edge.a[i], b = (double)edges->edge.b[i];
+            const double first = (double)edges->edge.c[i] + (a * packets[p].x + b * packets[p].y);
             const dbl edge = first + (column * a + row * b);
             screen[i] = __builtin_convertvector(edge, flt) * r->inverse_area;
         }
-        set_shares(r, perspective, p, screen, shares);
+        set_weights(r, perspective, p, screen, weights);
     }
 }
 
-static void find_shares(const Tile *tile, const FastRecord *r, bool perspective,
-                        const FastPatch *patches, int count, BlockShares *shares)
+static void find_weights(const Tile *tile, const FastTriangleRecord *r, bool perspective,
+                         const FastPacket *packets, int count, BlockWeights *weights)
 {
     Edge edge[2];
     if (!narrow_edges(tile, r, edge))
-        wide_shares(r, &tile->wide[r->wide], perspective, patches, count, shares);
+        weights_64(r, &tile->edges64[r->edges64], perspective, packets, count, weights);
     else if (perspective)
-        small_shares(r, edge, true, patches, count, shares);
+        weights_32(r, edge, true, packets, count, weights);
     else
-        small_shares(r, edge, false, patches, count, shares);
+        weights_32(r, edge, false, packets, count, weights);
 }
 
 /* --- interpolation ------------------------------------------------------------------------------ */
 
-/* Up to four components of a run at once: more of them would leave no registers for shares. */
+/* Up to four components of a run at once: more of them would leave no registers for weights. */
 enum { AT_ONCE = 4 };
 
-GP_INLINE void blend_components(const FastRecord *r, const flt share[2][FAST_BLOCK],
+GP_INLINE void blend_components(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
                                 const uint8_t *component, int components, int count, int stride,
                                 flt *in)
 {
@@ -127,15 +127,15 @@ GP_INLINE void blend_components(const FastRecord *r, const flt share[2][FAST_BLO
         to2[i] = flt_set(r->corner[2][component[i]]) - v0[i];
     }
     for (int p = 0; p < count; p++, in += stride) {
-        const flt l1 = share[0][p], l2 = share[1][p];
+        const flt l1 = weight[0][p], l2 = weight[1][p];
         GP_UNROLL
         for (int i = 0; i < components; i++)
             in[component[i]] = v0[i] + (l1 * to1[i] + l2 * to2[i]);
     }
 }
 
-static void blend_run(const FastRecord *r, const flt share[2][FAST_BLOCK], uint64_t components,
-                      int count, int stride, flt *in)
+static void blend_run(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
+                      uint64_t components, int count, int stride, flt *in)
 {
     while (components) {
         uint8_t component[AT_ONCE];
@@ -143,17 +143,18 @@ static void blend_run(const FastRecord *r, const flt share[2][FAST_BLOCK], uint6
         for (; components && found < AT_ONCE; components &= components - 1)
             component[found++] = (uint8_t)__builtin_ctzll(components);
         if (found == 1)
-            blend_components(r, share, component, 1, count, stride, in);
+            blend_components(r, weight, component, 1, count, stride, in);
         else if (found == 2)
-            blend_components(r, share, component, 2, count, stride, in);
+            blend_components(r, weight, component, 2, count, stride, in);
         else if (found == 3)
-            blend_components(r, share, component, 3, count, stride, in);
+            blend_components(r, weight, component, 3, count, stride, in);
         else
-            blend_components(r, share, component, AT_ONCE, count, stride, in);
+            blend_components(r, weight, component, AT_ONCE, count, stride, in);
     }
 }
 
-static void repeat_run(const FastRecord *r, uint64_t components, int count, int stride, flt *in)
+static void repeat_run(const FastTriangleRecord *r, uint64_t components, int count, int stride,
+                       flt *in)
 {
     for (; components; components &= components - 1) {
         const int c = __builtin_ctzll(components);
@@ -162,72 +163,74 @@ static void repeat_run(const FastRecord *r, uint64_t components, int count, int 
     }
 }
 
-/* A run: patches of one triangle and one shape. What does not change in it is found once. */
-static void interpolate_run(const Tile *tile, const FastDraw *d, const FastPatch *patches,
+/* A run: packets of one triangle and one shape. What does not change in it is found once. */
+static void interpolate_run(const Tile *tile, const FastDraw *d, const FastPacket *packets,
                             int count, flt *in)
 {
-    const FastRecord *r = &tile->records[patches->record];
+    const FastTriangleRecord *r = &tile->records[packets->record];
     const int stride = d->modes.components;
-    /* where both ratios are 1, so is w, and the shares are the same */
+    /* where both ratios are 1, so is w, and the weights are the same */
     const bool flat_on = r->ratio1 == 1.0f && r->ratio2 == 1.0f;
     const uint64_t perspective = flat_on ? 0 : d->varyings_by[GP_PERSPECTIVE];
     const uint64_t screen =
         (d->varyings_by[GP_PERSPECTIVE] ^ perspective) | d->varyings_by[GP_LINEAR_SCREEN];
-    BlockShares shares;
-    find_shares(tile, r, perspective != 0, patches, count, &shares);
-    blend_run(r, (const flt(*)[FAST_BLOCK])shares.perspective, perspective, count, stride, in);
-    blend_run(r, (const flt(*)[FAST_BLOCK])shares.screen, screen, count, stride, in);
+    BlockWeights weights;
+    find_weights(tile, r, perspective != 0, packets, count, &weights);
+    blend_run(r, (const flt(*)[FAST_BLOCK])weights.perspective, perspective, count, stride, in);
+    blend_run(r, (const flt(*)[FAST_BLOCK])weights.screen, screen, count, stride, in);
     repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);
 }
 
-/* Patches from `first` on that share a triangle and a shape. */
-static int run_length(const FastPatch *first, int count)
+/* Packets from `first` on that share a triangle and a shape. */
+static int run_length(const FastPacket *first, int count)
 {
     int length = 1;
     while (length < count && first[length].record == first->record &&
-           first[length].wide == first->wide && !first[length].mixed)
+           first[length].wide == first->wide && !first[length].gathered)
         length++;
     return length;
 }
 
-static void interpolate_sprite(const Tile *tile, const FastDraw *d, const FastPatch *patch, flt *in)
+static void interpolate_sprite(const Tile *tile, const FastDraw *d, const FastPacket *packet,
+                               flt *in)
 {
-    const FastRecord *record = &tile->records[patch->record];
-    FAST(interpolate_sprite)(tile, d, record, patch_x(patch), patch_y(patch), in);
+    const FastTriangleRecord *record = &tile->records[packet->record];
+    fast_interpolate_sprite(tile, d, record, packet_x(packet), packet_y(packet), in);
 }
 
-static void interpolate_patches(Tile *tile, const FastDraw *d, const FastPatch *patches, int count)
+static void interpolate_packets(Tile *tile, const FastDraw *d, const FastPacket *packets, int count)
 {
     const int stride = d->modes.components;
     flt *in = (flt *)(void *)tile->in;
     for (int p = 0, length; p < count; p += length) {
         length = 1;
-        if (patches[p].mixed)
-            FAST(interpolate_mixes)(tile, d, &tile->mixes[p], 1, in + p * stride);
-        else if (tile->records[patches[p].record].kind == FAST_SPRITE)
-            interpolate_sprite(tile, d, &patches[p], in + p * stride);
+        if (packets[p].gathered)
+            fast_interpolate_gathered(tile, d, &tile->gathered[p], 1, in + p * stride);
+        else if (tile->records[packets[p].record].kind == FAST_SPRITE)
+            interpolate_sprite(tile, d, &packets[p], in + p * stride);
         else {
-            length = run_length(&patches[p], count - p);
-            interpolate_run(tile, d, &patches[p], length, in + p * stride);
+            length = run_length(&packets[p], count - p);
+            interpolate_run(tile, d, &packets[p], length, in + p * stride);
         }
     }
 }
 
 /* What the program asks of the pixels besides interpolants. */
-static void place_patches(Tile *tile, const GpProgram *program, const FastPatch *patches, int count)
+static void place_packets(Tile *tile, const GpProgram *program, const FastPacket *packets,
+                          int count)
 {
     flt *pixel = (flt *)(void *)tile->pixel;
     if (program->uses_pixel)
         for (int p = 0; p < count; p++) {
-            const FastMix *mix = &tile->mixes[p];
-            itg x = patches[p].mixed ? mix->x : patch_x(&patches[p]);
-            itg y = patches[p].mixed ? mix->y : patch_y(&patches[p]);
+            const FastGathered *gathered = &tile->gathered[p];
+            itg x = packets[p].gathered ? gathered->x : packet_x(&packets[p]);
+            itg y = packets[p].gathered ? gathered->y : packet_y(&packets[p]);
             pixel[2 * p] = flt_from_itg(x + tile->x0);
             pixel[2 * p + 1] = flt_from_itg(y + tile->y0);
         }
     if (program->uses_face)
         for (int p = 0; p < count; p++)
-            flt_store(tile->face + p * GP_LANES, flt_set(tile->records[patches[p].record].face));
+            flt_store(tile->face + p * GP_LANES, flt_set(tile->records[packets[p].record].face));
 }
 
 /* --- after the shader --------------------------------------------------------------------------- */
@@ -241,29 +244,29 @@ static msk compare_lanes(GpCompare test, flt a, float b)
     return accepted;
 }
 
-unsigned FAST(test_patch)(Tile *tile, const FastDraw *d, const FastPatch *patch, unsigned live,
+unsigned fast_test_packet(Tile *tile, const FastDraw *d, const FastPacket *packet, unsigned live,
                           flt z)
 {
-    uint32_t at = fast_at(patch->x, patch->y);
-    const bool front = tile->records[patch->record].face > 0;
-    if (!patch->wide || patch->wide == GP_LANES)
+    uint32_t at = fast_at(packet->x, packet->y);
+    const bool front = tile->records[packet->record].face > 0;
+    if (!packet->wide || packet->wide == GP_LANES)
         return msk_bits(
-            FAST(test_depth_stencil)(tile, d, at, !patch->wide, mask_of(live), z, front));
-    const itg row = lane_row(patch->wide);
+            fast_test_depth_stencil(tile, d, at, !packet->wide, mask_of(live), z, front));
+    const itg row = lane_row(packet->wide);
     msk passed = itg_set(0);
-    for (int r = 0; has_row(patch, r); r++, at += FAST_PITCH - patch->wide)
+    for (int r = 0; has_row(packet, r); r++, at += FAST_PITCH - packet->wide)
         passed |=
-            FAST(test_depth_stencil)(tile, d, at, false, (msk)(row == r) & mask_of(live), z, front);
+            fast_test_depth_stencil(tile, d, at, false, (msk)(row == r) & mask_of(live), z, front);
     return msk_bits(passed);
 }
 
-/* Lanes of shaded patch p that pass the tests which had to wait. */
-static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPatch *patch, int p,
+/* Lanes of shaded packet p that pass the tests which had to wait. */
+static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacket *packet, int p,
                            const float *depth)
 {
     const GpAlphaTest *alpha = &d->draw->state.alpha_test;
     const int targets = gp_program_targets(d->draw->program);
-    unsigned live = patch->live;
+    unsigned live = packet->live;
     if (d->draw->program->may_discard)
         live &= ~msk_bits((msk)flt_load((const float *)(const void *)tile->killed + p * GP_LANES));
     if (d->needs.alpha_test)
@@ -273,77 +276,77 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPatch *patch
     if (d->late_depth && live) {
         bool replaced = d->draw->program->writes_depth;
         flt z = flt_load((replaced ? tile->shader_depth : depth) + p * GP_LANES);
-        live = FAST(test_patch)(tile, d, patch, live, z);
+        live = fast_test_packet(tile, d, packet, live, z);
     }
     return live;
 }
 
-void FAST(shade_inputs)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
-                        const float *depths)
+void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacket *packets, int count,
+                       const float *depths)
 {
     unsigned live[FAST_BLOCK];
-    place_patches(tile, d->draw->program, patches, count);
-    FAST(run_pixel_shader)(tile, d, patches, count);
+    place_packets(tile, d->draw->program, packets, count);
+    fast_run_pixel_shader(tile, d, packets, count);
     const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
     uint32_t fragments = 0;
     for (int p = 0; p < count; p++) {
-        fragments += (uint32_t)__builtin_popcount(patches[p].live);
-        live[p] = late ? late_tests(tile, d, &patches[p], p, depths) : patches[p].live;
+        fragments += (uint32_t)__builtin_popcount(packets[p].live);
+        live[p] = late ? late_tests(tile, d, &packets[p], p, depths) : packets[p].live;
     }
     tile->fragments_shaded += fragments;
-    if (FAST(only_adds)(tile, d))
-        FAST(add_patches)(tile, d, patches, live, count, (const flt *)(const void *)tile->color);
+    if (fast_only_adds(tile, d))
+        fast_add_packets(tile, d, packets, live, count, (const flt *)(const void *)tile->color);
     else if (d->needs.color)
-        FAST(merge_patches)(tile, d, patches, live, count, (const flt *)(const void *)tile->color);
+        fast_blend_packets(tile, d, packets, live, count, (const flt *)(const void *)tile->color);
 }
 
-void FAST(shade_patches)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count,
-                         const float *depths)
+void fast_shade_packets(Tile *tile, const FastDraw *d, const FastPacket *packets, int count,
+                        const float *depths)
 {
-    interpolate_patches(tile, d, patches, count);
-    FAST(shade_inputs)(tile, d, patches, count, depths);
+    interpolate_packets(tile, d, packets, count);
+    fast_shade_inputs(tile, d, packets, count, depths);
 }
 
 /* --- the queue ---------------------------------------------------------------------------------- */
 
-FastPatch *FAST(new_patch)(Tile *tile)
+FastPacket *fast_new_packet(Tile *tile)
 {
-    if (tile->patch_count == FAST_BLOCK || tile->layer_count)
-        FAST(flush_patches)(tile);
-    return &tile->patches[tile->patch_count++];
+    if (tile->packet_count == FAST_BLOCK || tile->layer_count)
+        fast_flush_packets(tile);
+    return &tile->packets[tile->packet_count++];
 }
 
 static void queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, int32_t wide,
                   flt depth)
 {
-    FastPatch *patch = FAST(new_patch)(tile);
-    set_patch(patch, record, x, y, live, wide);
+    FastPacket *packet = fast_new_packet(tile);
+    set_packet(packet, record, x, y, live, wide);
     if (tile->draw->late_depth)
-        flt_store(tile->patch_depth + (patch - tile->patches) * GP_LANES, depth);
+        flt_store(tile->packet_depth + (packet - tile->packets) * GP_LANES, depth);
 }
 
-void FAST(queue_row)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
+void fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
 {
     queue(tile, record, x, y, live, GP_LANES, depth);
 }
 
-void FAST(queue_quads)(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
+void fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
 {
     queue(tile, record, x, y, live, 0, depth);
 }
 
-void FAST(flush_patches)(Tile *tile)
+void fast_flush_packets(Tile *tile)
 {
-    const int count = (int)tile->patch_count;
+    const int count = (int)tile->packet_count;
     if (!count && !tile->layer_count)
         return;
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
     if (tile->layer_count)
-        FAST(shade_layers)(tile);
+        fast_shade_layers(tile);
     else if (tile->draw->draw->geometry.primitive == GP_POINTS) /* come with their inputs */
-        FAST(shade_inputs)(tile, tile->draw, tile->patches, count, tile->patch_depth);
+        fast_shade_inputs(tile, tile->draw, tile->packets, count, tile->packet_depth);
     else
-        FAST(shade_patches)(tile, tile->draw, tile->patches, count, tile->patch_depth);
-    tile->patch_count = 0;
+        fast_shade_packets(tile, tile->draw, tile->packets, count, tile->packet_depth);
+    tile->packet_count = 0;
     fast_turn_to(tile, before);
 }

@@ -1,4 +1,4 @@
-/* Where the lanes of a patch are. */
+/* Where the lanes of a packet are. */
 #ifndef GP_FAST_PATCH_H
 #define GP_FAST_PATCH_H
 
@@ -6,96 +6,96 @@
 
 enum {
     ALL_LANES = (1 << GP_LANES) - 1,
-    QUADS_WIDE = GP_LANES / 2, /* pixels across a patch of quads */
+    QUADS_WIDE = GP_LANES / 2, /* pixels across a packet of quads */
 };
 
-/* Field by field: a patch put together elsewhere would be stored in bytes and copied in words, for
+/* Field by field: a packet put together elsewhere would be stored in bytes and copied in words, for
  * which a processor must wait. */
-GP_INLINE void set_patch(FastPatch *patch, uint32_t record, int32_t x, int32_t y, unsigned live,
-                         int32_t wide)
+GP_INLINE void set_packet(FastPacket *packet, uint32_t record, int32_t x, int32_t y, unsigned live,
+                          int32_t wide)
 {
-    patch->record = record;
-    patch->live = live;
-    patch->x = (uint8_t)x;
-    patch->y = (uint8_t)y;
-    patch->wide = (uint8_t)wide;
-    patch->mixed = false;
+    packet->record = record;
+    packet->live = live;
+    packet->x = (uint8_t)x;
+    packet->y = (uint8_t)y;
+    packet->wide = (uint8_t)wide;
+    packet->gathered = false;
 }
 
 /* Row of each lane where rows are `wide` pixels: lane / wide. Times 256 / wide and a bit more is the
  * same up to lane 15. */
 GP_INLINE itg lane_row(int32_t wide)
 {
-    static const uint16_t share[17] = { 0,  257, 129, 86, 65, 52, 43, 37, 33,
-                                        29, 26,  24,  22, 20, 19, 18, 17 };
-    return lane_numbers() * share[wide] >> 8;
+    static const uint16_t reciprocal[17] = { 0,  257, 129, 86, 65, 52, 43, 37, 33,
+                                             29, 26,  24,  22, 20, 19, 18, 17 };
+    return lane_numbers() * reciprocal[wide] >> 8;
 }
 
-/* Of each lane, from the patch's first pixel; `wide` as in FastPatch. Most are whole rows. */
-GP_INLINE itg patch_columns(int32_t wide)
+/* Of each lane, from the packet's first pixel; `wide` as in FastPatch. Most are whole rows. */
+GP_INLINE itg packet_columns(int32_t wide)
 {
     if (!wide || wide == GP_LANES)
         return lane_columns(!wide);
     return lane_numbers() - lane_row(wide) * wide;
 }
 
-GP_INLINE itg patch_rows(int32_t wide)
+GP_INLINE itg packet_rows(int32_t wide)
 {
     if (!wide || wide == GP_LANES)
         return lane_rows(!wide);
     return lane_row(wide);
 }
 
-GP_INLINE itg patch_x(const FastPatch *patch)
+GP_INLINE itg packet_x(const FastPacket *packet)
 {
-    return patch->x + patch_columns(patch->wide);
+    return packet->x + packet_columns(packet->wide);
 }
 
-GP_INLINE itg patch_y(const FastPatch *patch)
+GP_INLINE itg packet_y(const FastPacket *packet)
 {
-    return patch->y + patch_rows(patch->wide);
+    return packet->y + packet_rows(packet->wide);
 }
 
-/* Whether row r of a patch of rows has pixels that live. */
-GP_INLINE bool has_row(const FastPatch *patch, int r)
+/* Whether row r of a packet of rows has pixels that live. */
+GP_INLINE bool has_row(const FastPacket *packet, int r)
 {
-    return r * patch->wide < GP_LANES && patch->live >> r * patch->wide;
+    return r * packet->wide < GP_LANES && packet->live >> r * packet->wide;
 }
 
-/* The words of a plane under a patch; of its pixels that live, at least. Row r of a patch of rows is
+/* The words of a plane under a packet; of its pixels that live, at least. Row r of a packet of rows is
  * found in its lanes when the load starts so many lanes further left. */
-GP_INLINE itg load_patch(const void *plane, const FastPatch *patch)
+GP_INLINE itg load_packet(const void *plane, const FastPacket *packet)
 {
-    const uint32_t *from = (const uint32_t *)plane + fast_at(patch->x, patch->y);
-    itg words = load_lanes(from, !patch->wide);
-    if (!patch->wide || patch->wide == GP_LANES)
+    const uint32_t *from = (const uint32_t *)plane + fast_at(packet->x, packet->y);
+    itg words = load_lanes(from, !packet->wide);
+    if (!packet->wide || packet->wide == GP_LANES)
         return words;
-    const itg row = lane_row(patch->wide);
-    for (int r = 1; has_row(patch, r); r++) {
-        from += FAST_PITCH - patch->wide;
+    const itg row = lane_row(packet->wide);
+    for (int r = 1; has_row(packet, r); r++) {
+        from += FAST_PITCH - packet->wide;
         words = itg_select((msk)(row == r), load_lanes(from, false), words);
     }
     return words;
 }
 
-GP_INLINE void store_patch(void *plane, const FastPatch *patch, unsigned live, itg words)
+GP_INLINE void store_packet(void *plane, const FastPacket *packet, unsigned live, itg words)
 {
-    uint32_t *to = (uint32_t *)plane + fast_at(patch->x, patch->y);
-    if (!patch->wide || patch->wide == GP_LANES) {
+    uint32_t *to = (uint32_t *)plane + fast_at(packet->x, packet->y);
+    if (!packet->wide || packet->wide == GP_LANES) {
         if (live != ALL_LANES)
-            words = itg_select(mask_of(live), words, load_lanes(to, !patch->wide));
-        store_lanes(to, !patch->wide, words);
+            words = itg_select(mask_of(live), words, load_lanes(to, !packet->wide));
+        store_lanes(to, !packet->wide, words);
         return;
     }
-    const itg row = lane_row(patch->wide), alive = mask_of(live);
-    for (int r = 0; has_row(patch, r); r++, to += FAST_PITCH - patch->wide)
+    const itg row = lane_row(packet->wide), alive = mask_of(live);
+    for (int r = 0; has_row(packet, r); r++, to += FAST_PITCH - packet->wide)
         store_lanes(to, false, itg_select((msk)(row == r) & alive, words, load_lanes(to, false)));
 }
 
-/* Depth and stencil of a patch.
+/* Depth and stencil of a packet.
  * in      z: not clamped
  * returns the lanes of `live` that pass */
-unsigned FAST(test_patch)(Tile *tile, const FastDraw *draw, const FastPatch *patch, unsigned live,
+unsigned fast_test_packet(Tile *tile, const FastDraw *draw, const FastPacket *packet, unsigned live,
                           flt z);
 
 /* An edge function in this tile, in 32 bits, in units of `unit`, a power of two. */
@@ -105,13 +105,13 @@ typedef struct Edge {
 } Edge;
 
 /* Room at the end of the queue. */
-FastPatch *FAST(new_patch)(Tile *tile);
+FastPacket *fast_new_packet(Tile *tile);
 
 /* False where the edge needs more bits. */
-bool FAST(narrow_edge)(const FastWide *wide, int i, Edge *edge);
+bool fast_narrow_edge(const FastEdges64 *edges, int i, Edge *edge);
 
-/* Shades patches whose inputs are there. */
-void FAST(shade_inputs)(Tile *tile, const FastDraw *draw, const FastPatch *patches, int count,
-                        const float *depths);
+/* Shades packets whose inputs are there. */
+void fast_shade_inputs(Tile *tile, const FastDraw *draw, const FastPacket *packets, int count,
+                       const float *depths);
 
 #endif

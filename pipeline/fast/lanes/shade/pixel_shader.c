@@ -3,20 +3,20 @@
 
 #include "pipeline/fast/sampler.h"
 
-void FAST(run_pixel_shader)(Tile *tile, const FastDraw *d, const FastPatch *patches, int count)
+void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacket *packets, int count)
 {
     const GpProgram *program = d->draw->program;
-    tile->shaded = patches;
+    tile->shaded = packets;
     for (unsigned left = program->local_reads; left; left &= left - 1)
-        FAST(begin_local)(tile, d->draw->textures, __builtin_ctz(left));
+        fast_begin_fetch(tile, d->draw->textures, __builtin_ctz(left));
     GpShaderCall call = {
         .uniforms = d->draw->uniforms,
         .packets = count,
         .in = tile->in,
         .textures = d->draw->textures,
-        .read_texture = FAST(read_texture),
+        .read_texture = fast_read_texture,
         .executor = d->samplers,
-        .read_local = FAST(read_local),
+        .read_local = fast_fetch_framebuffer,
         .local = tile,
         .pixel = tile->pixel,
         .face = tile->face,

@@ -8,24 +8,24 @@
 #include <float.h>
 #include <string.h>
 
-enum { ONE = 256 }; /* the whole that shares are parts of */
+enum { ONE = 256 }; /* the whole that weights are parts of */
 
 /* Two 16-bit numbers in each lane. */
 typedef uint16_t halves __attribute__((vector_size(4 * GP_LANES)));
 
 /* What a read is compiled for: several kinds have code of their own, with these as constants. */
-typedef struct Route {
+typedef struct Variant {
     FastSampling sampling;
     GpFilter filter;
     GpAddress mode; /* of both axes; ANY_MODE: as the sampler says */
-} Route;
+} Variant;
 
 static const GpAddress ANY_MODE = GP_ADDRESSES;
 
 /* The two texels of one axis. */
 typedef struct Axis {
-    itg at[2]; /* inside the level also where the border counts */
-    itg share; /* of at[1], in 256ths */
+    itg at[2];  /* inside the level also where the border counts */
+    itg weight; /* of at[1], in 256ths */
     msk outside[2];
 } Axis;
 
@@ -36,7 +36,7 @@ typedef struct Footprint {
     bool adjacent; /* in all lanes right texels lie directly behind left ones in memory */
     itg offset[4]; /* bytes */
     msk border[4]; /* meaningful where the sampler has one */
-    itg share_x, share_y;
+    itg weight_x, weight_y;
 } Footprint;
 
 /* --- small arithmetic ------------------------------------------------------------------------- */
@@ -52,20 +52,20 @@ GP_INLINE itg nearest_integer(flt value)
     return (itg)(value + ROUND_TO_INTEGER) - ROUND_BITS;
 }
 
-/* The definition's mix; shares are the halved 256ths. Both products and the scaling are exact in
- * binary64, so it does not matter that the shares are scaled before and not the sum after. */
-GP_INLINE flt mix(flt a, flt b, itg share)
+/* The definition's mix: weights are the halved 256ths. Both products and the scaling are exact in
+ * binary64, so it does not matter that the weights are scaled before and not the sum after. */
+GP_INLINE flt lerp(flt a, flt b, itg weight)
 {
-    dbl part = __builtin_convertvector(flt_from_itg(share) * (1.0f / ONE), dbl);
+    dbl part = __builtin_convertvector(flt_from_itg(weight) * (1.0f / ONE), dbl);
     dbl sum =
         __builtin_convertvector(a, dbl) * (1.0 - part) + __builtin_convertvector(b, dbl) * part;
-    return flt_select(share == 0, a, __builtin_convertvector(sum, flt));
+    return flt_select(weight == 0, a, __builtin_convertvector(sum, flt));
 }
 
 /* --- addressing ------------------------------------------------------------------------------- */
 
 /* R42. The definition cuts clamping modes at 10 sizes; 1.5 give the same texels, since beyond that
- * both texels of the axis are the same one (or the border), whatever their shares: the left of them
+ * both texels of the axis are the same one (or the border), whatever their weights: the left of them
  * is at most floor(-1.5 n - 0.5) and the right of them one more, -1 or less, and -n or less when
  * mirrored, for every n >= 1. Numbers stay small enough for nearest_integer at 8192 texels. */
 GP_INLINE flt reduce(GpAddress mode, flt coordinate)
@@ -91,7 +91,7 @@ GP_INLINE void find_axis(GpAddress mode, GpFilter filter, flt coordinate, float 
     itg fixed = nearest_integer(filter == GP_LINEAR ? position - 128.0f : position);
     itg first = fixed >> 8, second = first + 1;
 
-    axis->share = fixed & (ONE - 1);
+    axis->weight = fixed & (ONE - 1);
     axis->outside[0] = axis->outside[1] = itg_set(0);
     if (mode == GP_WRAP) {
         axis->at[0] = filter == GP_LINEAR ? first + (first >> 31 & n) : first & ~(first == n);
@@ -128,26 +128,26 @@ GP_INLINE void find_any_axis(GpAddress mode, GpFilter filter, flt coordinate, fl
         find_axis(GP_MIRROR_ONCE, filter, coordinate, scale, n, axis);
 }
 
-GP_INLINE void find_texels(const FastSampler *s, const FastLevel *level, Route route,
+GP_INLINE void find_texels(const FastSampler *s, const FastLevel *level, Variant variant,
                            const float *coord, Footprint *f)
 {
     flt x = flt_load(coord), y = flt_load(coord + GP_LANES);
     Axis u, v;
-    if (route.mode == ANY_MODE) {
-        find_any_axis(s->address_u, route.filter, x, level->scale_u, level->width, &u);
-        find_any_axis(s->address_v, route.filter, y, level->scale_v, level->height, &v);
+    if (variant.mode == ANY_MODE) {
+        find_any_axis(s->address_u, variant.filter, x, level->scale_u, level->width, &u);
+        find_any_axis(s->address_v, variant.filter, y, level->scale_v, level->height, &v);
     } else {
-        find_axis(route.mode, route.filter, x, level->scale_u, level->width, &u);
-        find_axis(route.mode, route.filter, y, level->scale_v, level->height, &v);
+        find_axis(variant.mode, variant.filter, x, level->scale_u, level->width, &u);
+        find_axis(variant.mode, variant.filter, y, level->scale_v, level->height, &v);
     }
 
     f->texels = level->texels;
     f->offset[0] = v.at[0] * level->pitch + (u.at[0] << s->shift);
     f->border[0] = u.outside[0] | v.outside[0];
-    if (route.filter == GP_POINT)
+    if (variant.filter == GP_POINT)
         return;
-    f->share_x = u.share;
-    f->share_y = v.share;
+    f->weight_x = u.weight;
+    f->weight_y = v.weight;
     f->adjacent = !msk_bits(u.at[1] - u.at[0] != 1);
     f->offset[1] = v.at[0] * level->pitch + (u.at[1] << s->shift);
     f->offset[2] = v.at[1] * level->pitch + (u.at[0] << s->shift);
@@ -251,21 +251,21 @@ GP_INLINE void load_floats(const FastSampler *s, const Footprint *f, int tap, fl
 
 /* Even bytes of a row of the 2x2 texels, or odd ones: two codes in each lane, mixed, times 256. At
  * most 255 * 256, and what is between may wrap. */
-GP_INLINE utg mix_even(itg left, itg right, halves share)
+GP_INLINE utg lerp_even(itg left, itg right, halves weight)
 {
     halves difference = ((halves)right & 255) - ((halves)left & 255);
-    return (utg)(((halves)left << 8) + share * difference);
+    return (utg)(((halves)left << 8) + weight * difference);
 }
 
-GP_INLINE utg mix_odd(itg left, itg right, halves share)
+GP_INLINE utg lerp_odd(itg left, itg right, halves weight)
 {
     halves difference = ((halves)right >> 8) - ((halves)left >> 8);
-    return (utg)(((halves)left & 0xff00) + share * difference);
+    return (utg)(((halves)left & 0xff00) + weight * difference);
 }
 
 /* The column: products and sum are integers below 2^24, scaled by 2^-24; so the sum is the
  * definition's of codes and weights, scaled, and the division rounds it once. */
-GP_INLINE flt mix_rows(utg upper, utg lower, flt part_upper, flt part_lower)
+GP_INLINE flt lerp_rows(utg upper, utg lower, flt part_upper, flt part_lower)
 {
     flt sum = flt_from_itg((itg)upper) * part_upper + flt_from_itg((itg)lower) * part_lower;
     return sum / (255.0f / ONE);
@@ -289,17 +289,17 @@ GP_INLINE void filter_codes(const FastSampler *s, const Footprint *f, int taps, 
         rgba[2] = flt_from_unorm8(word[0] & 255);
         rgba[3] = flt_from_unorm8((itg)((utg)word[0] >> 24));
     } else {
-        halves share = (halves)(f->share_x | f->share_x << 16);
-        utg even_upper = mix_even(word[0], word[1], share);
-        utg even_lower = mix_even(word[2], word[3], share);
-        utg odd_upper = mix_odd(word[0], word[1], share);
-        utg odd_lower = mix_odd(word[2], word[3], share);
-        flt lower = flt_from_itg(f->share_y) * 0x1p-24f;
+        halves weight = (halves)(f->weight_x | f->weight_x << 16);
+        utg even_upper = lerp_even(word[0], word[1], weight);
+        utg even_lower = lerp_even(word[2], word[3], weight);
+        utg odd_upper = lerp_odd(word[0], word[1], weight);
+        utg odd_lower = lerp_odd(word[2], word[3], weight);
+        flt lower = flt_from_itg(f->weight_y) * 0x1p-24f;
         flt upper = 0x1p-16f - lower;
-        rgba[0] = mix_rows(even_upper >> 16, even_lower >> 16, upper, lower);
-        rgba[1] = mix_rows(odd_upper & 0xffff, odd_lower & 0xffff, upper, lower);
-        rgba[2] = mix_rows(even_upper & 0xffff, even_lower & 0xffff, upper, lower);
-        rgba[3] = mix_rows(odd_upper >> 16, odd_lower >> 16, upper, lower);
+        rgba[0] = lerp_rows(even_upper >> 16, even_lower >> 16, upper, lower);
+        rgba[1] = lerp_rows(odd_upper & 0xffff, odd_lower & 0xffff, upper, lower);
+        rgba[2] = lerp_rows(even_upper & 0xffff, even_lower & 0xffff, upper, lower);
+        rgba[3] = lerp_rows(odd_upper >> 16, odd_lower >> 16, upper, lower);
     }
     if (s->format == GP_R8) {
         rgba[0] = rgba[2];
@@ -320,9 +320,9 @@ GP_INLINE void filter_floats(const FastSampler *s, const Footprint *f, int taps,
     for (int c = 0; c < 4; c++)
         rgba[c] = flt_set(1);
     for (int c = 0; c < s->channels; c++) {
-        flt upper = mix(texel[0][c], texel[1][c], f->share_x);
-        flt lower = mix(texel[2][c], texel[3][c], f->share_x);
-        rgba[c] = mix(upper, lower, f->share_y);
+        flt upper = lerp(texel[0][c], texel[1][c], f->weight_x);
+        flt lower = lerp(texel[2][c], texel[3][c], f->weight_x);
+        rgba[c] = lerp(upper, lower, f->weight_y);
     }
 }
 
@@ -356,26 +356,26 @@ GP_INLINE void filter_compare(const FastSampler *s, const Footprint *f, int taps
     }
     itg sum = passed[0] & (ONE * ONE);
     if (taps == 4) {
-        itg left = ONE - f->share_x, right = f->share_x;
+        itg left = ONE - f->weight_x, right = f->weight_x;
         itg upper = (passed[0] & left) + (passed[1] & right);
         itg lower = (passed[2] & left) + (passed[3] & right);
-        sum = (upper << 8) + f->share_y * (lower - upper);
+        sum = (upper << 8) + f->weight_y * (lower - upper);
     }
     rgba[0] = rgba[1] = rgba[2] = rgba[3] = flt_from_itg(sum) * (1.0f / (ONE * ONE));
 }
 
 /* --- one level -------------------------------------------------------------------------------- */
 
-GP_INLINE void sample(const FastSampler *s, const FastLevel *level, Route route, const float *coord,
-                      float *texel)
+GP_INLINE void sample(const FastSampler *s, const FastLevel *level, Variant variant,
+                      const float *coord, float *texel)
 {
-    const int taps = route.filter == GP_LINEAR ? 4 : 1;
+    const int taps = variant.filter == GP_LINEAR ? 4 : 1;
     flt rgba[4];
     Footprint f;
-    find_texels(s, level, route, coord, &f);
-    if (route.sampling == FAST_CODES)
+    find_texels(s, level, variant, coord, &f);
+    if (variant.sampling == FAST_CODES)
         filter_codes(s, &f, taps, rgba);
-    else if (route.sampling == FAST_FLOATS)
+    else if (variant.sampling == FAST_FLOATS)
         filter_floats(s, &f, taps, rgba);
     else
         filter_compare(s, &f, taps, flt_load(coord + 2 * GP_LANES), rgba);
@@ -391,7 +391,7 @@ static void sample_level(const FastSampler *s, const FastLevel *level, GpFilter 
     const GpAddress mode = s->address_u == s->address_v ? s->address_u : ANY_MODE;
     /* clang-format off */
 #define SAMPLE(sampling, filter, mode)                                                             \
-    sample(s, level, (Route){ sampling, filter, mode }, coord, texel)
+    sample(s, level, (Variant){ sampling, filter, mode }, coord, texel)
     if (s->sampling == FAST_CODES && filter == GP_LINEAR) {
         if (mode == GP_WRAP)
             SAMPLE(FAST_CODES, GP_LINEAR, GP_WRAP);
@@ -461,12 +461,12 @@ GP_INLINE flt bias_lod(const FastSampler *s, flt lod)
 
 /* One level after the other: each is sampled once, for the lanes that use it as their finer level
  * and for those that use it as their coarser one. What is sampled for the other lanes is lost. */
-static void sample_mixed_levels(const FastSampler *s, itg first, itg share, GpFilter filter,
+static void sample_mixed_levels(const FastSampler *s, itg first, itg weight, GpFilter filter,
                                 const float *coord, flt fine[4], flt coarse[4])
 {
     uint32_t used = 0; /* bit i: level i */
     for (int lane = 0; lane < GP_LANES; lane++)
-        used |= (share[lane] ? 3u : 1u) << first[lane];
+        used |= (weight[lane] ? 3u : 1u) << first[lane];
 
     for (int c = 0; c < 4; c++)
         fine[c] = coarse[c] = flt_set(0);
@@ -490,7 +490,7 @@ static void sample_levels(const FastSampler *s, flt lod, GpFilter filter, const 
     itg detail = nearest_integer(math_between(lod, -128.0f, 128.0f - 1.0f / ONE) * (float)ONE);
     detail = itg_greater(itg_lesser(detail, itg_set(last)), itg_set(0));
     itg first = (blend ? detail : detail + ONE / 2) >> 8;
-    itg share = blend ? detail & (ONE - 1) : itg_set(0);
+    itg weight = blend ? detail & (ONE - 1) : itg_set(0);
 
     /* Mostly the same levels serve all lanes. Counting up to the finest lets the processor guess
      * it and go on, where taking it from `first` would wait for the logarithm. */
@@ -499,17 +499,17 @@ static void sample_levels(const FastSampler *s, flt lod, GpFilter filter, const 
     while (!msk_bits(first == number))
         number++;
     if (!msk_bits(first != number)) {
-        if (!msk_bits(share != 0)) {
+        if (!msk_bits(weight != 0)) {
             sample_level(s, &s->levels[number], filter, coord, texel);
             return;
         }
         sample_level(s, &s->levels[number], filter, coord, (float *)fine);
         sample_level(s, &s->levels[number + 1], filter, coord, (float *)coarse);
     } else {
-        sample_mixed_levels(s, first, share, filter, coord, fine, coarse);
+        sample_mixed_levels(s, first, weight, filter, coord, fine, coarse);
     }
     for (int c = 0; c < 4; c++)
-        flt_store(texel + c * GP_LANES, mix(fine[c], coarse[c], share));
+        flt_store(texel + c * GP_LANES, lerp(fine[c], coarse[c], weight));
 }
 
 static void sample_filtered(const FastSampler *s, flt lod, GpFilter filter, const float *coord,
@@ -542,7 +542,7 @@ static void sample_by_lod(const FastSampler *s, const GpTextureRead *read)
     }
 }
 
-void FAST(read_texture)(const GpShaderCall *call, const GpTextureRead *read)
+void fast_read_texture(const GpShaderCall *call, const GpTextureRead *read)
 {
     const FastSampler *s = (const FastSampler *)call->executor + read->slot;
 

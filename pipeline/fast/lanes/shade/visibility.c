@@ -1,25 +1,26 @@
-/* What is seen: after the last opaque draw, every pixel that shows a record is shaded, once. */
+/* The visibility buffer: after the last opaque draw, every pixel that shows a record is shaded, once. */
 #include "pipeline/fast/lanes/shade/mix.h"
 #include "pipeline/fast/lanes/shade/patch.h"
 
 #include <string.h>
 
 enum {
-    TOGETHER = FAST_BLOCK / 2, /* mixes: all that they go through fits into a core's first cache */
-    DENSE = GP_LANES * 5 / 8,  /* a part of the tile with so many pixels is shaded as it is */
+    /* gathered packets: all that they go through fits into a core's first cache */
+    TOGETHER = FAST_BLOCK / 2,
+    DENSE = GP_LANES * 5 / 8, /* a part of the tile with so many pixels is shaded as it is */
 
-    CELL_HIGH = 2, /* cells are GP_LANES pixels wide: two rows, or two patches of quads */
+    CELL_HIGH = 2, /* cells are GP_LANES pixels wide: two rows, or two packets of quads */
     CELLS_ACROSS = FAST_TILE / GP_LANES,
 };
 
 /* --- what waits for the shader ------------------------------------------------------------------- */
 
-/* Blocks that fill up with what is seen of one draw. */
+/* Blocks that fill up with what is visible of one draw. */
 typedef struct Collector {
     Tile *tile;
     const FastDraw *d;
-    int patches; /* of one triangle each */
-    int mixes;   /* of several */
+    int packets;  /* of one triangle each */
+    int gathered; /* of several */
 
     /* pixels of sparse parts, to be packed; a place is x, y << 8 and whether it lives */
     uint32_t sparse;
@@ -28,27 +29,27 @@ typedef struct Collector {
 
 enum { PLACE_LIVES = 1 << 16 };
 
-typedef enum MixShape { ROW, QUADS, PACKED } MixShape;
+typedef enum GatheredShape { ROW, QUADS, PACKED } GatheredShape;
 
-static void shade_collected_mixes(Collector *c)
+static void shade_collected_gathered(Collector *c)
 {
-    if (c->mixes)
-        FAST(shade_mixes)(c->tile, c->d, c->tile->mixes, c->mixes);
-    c->mixes = 0;
+    if (c->gathered)
+        fast_shade_gathered(c->tile, c->d, c->tile->gathered, c->gathered);
+    c->gathered = 0;
 }
 
 /* Field by field, as set_patch. */
-static void add_mix(Collector *c, itg record, itg x, itg y, unsigned live, MixShape shape)
+static void add_gathered(Collector *c, itg record, itg x, itg y, unsigned live, GatheredShape shape)
 {
-    if (c->mixes == TOGETHER)
-        shade_collected_mixes(c);
-    FastMix *mix = &c->tile->mixes[c->mixes++];
-    mix->record = record;
-    mix->x = x;
-    mix->y = y;
-    mix->live = live;
-    mix->packed = shape == PACKED;
-    mix->quads = shape == QUADS;
+    if (c->gathered == TOGETHER)
+        shade_collected_gathered(c);
+    FastGathered *gathered = &c->tile->gathered[c->gathered++];
+    gathered->record = record;
+    gathered->x = x;
+    gathered->y = y;
+    gathered->live = live;
+    gathered->packed = shape == PACKED;
+    gathered->quads = shape == QUADS;
 }
 
 GP_INLINE itg load_words(const uint32_t *from)
@@ -63,7 +64,7 @@ static void add_packed(Collector *c)
     itg record = itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0]));
     itg place = itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]));
     const unsigned live = msk_bits(filled & (msk)((place & PLACE_LIVES) != 0));
-    add_mix(c, record, place & 255, place >> 8 & 255, live, PACKED);
+    add_gathered(c, record, place & 255, place >> 8 & 255, live, PACKED);
 }
 
 static void pack(Collector *c, unsigned lanes, itg record, itg place)
@@ -79,34 +80,34 @@ static void pack(Collector *c, unsigned lanes, itg record, itg place)
     memcpy(c->place, c->place + GP_LANES, sizeof(itg));
 }
 
-static void shade_collected_patches(Collector *c)
+static void shade_collected_packets(Collector *c)
 {
-    if (c->patches)
-        FAST(shade_patches)(c->tile, c->d, c->tile->patches, c->patches, NULL);
-    c->patches = 0;
+    if (c->packets)
+        fast_shade_packets(c->tile, c->d, c->tile->packets, c->packets, NULL);
+    c->packets = 0;
 }
 
 /* The queue of ordered draws is empty here: its room serves. */
-static void add_patch(Collector *c, uint32_t record, const FastPatch *place)
+static void add_packet(Collector *c, uint32_t record, const FastPacket *place)
 {
-    if (c->patches == FAST_BLOCK)
-        shade_collected_patches(c);
-    set_patch(&c->tile->patches[c->patches++], record, place->x, place->y, ALL_LANES, place->wide);
+    if (c->packets == FAST_BLOCK)
+        shade_collected_packets(c);
+    set_packet(&c->tile->packets[c->packets++], record, place->x, place->y, ALL_LANES, place->wide);
 }
 
 /* --- collecting ---------------------------------------------------------------------------------- */
 
-static void collect_row(Collector *c, const FastPatch *row, itg seen, msk mine)
+static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine)
 {
     unsigned live = msk_bits(mine);
-    uint32_t some = c->tile->seen[fast_at(row->x + __builtin_ctz(live), row->y)];
-    if (msk_bits(seen == (int32_t)some) == ALL_LANES)
-        add_patch(c, some, row);
+    uint32_t some = c->tile->visibility[fast_at(row->x + __builtin_ctz(live), row->y)];
+    if (msk_bits(shown == (int32_t)some) == ALL_LANES)
+        add_packet(c, some, row);
     else if (__builtin_popcount(live) >= DENSE)
-        add_mix(c, itg_select(mine, seen, itg_set((int32_t)some)), patch_x(row), patch_y(row), live,
-                ROW);
+        add_gathered(c, itg_select(mine, shown, itg_set((int32_t)some)), packet_x(row),
+                     packet_y(row), live, ROW);
     else
-        pack(c, live, seen, patch_x(row) | patch_y(row) << 8 | PLACE_LIVES);
+        pack(c, live, shown, packet_x(row) | packet_y(row) << 8 | PLACE_LIVES);
 }
 
 /* In every lane the greatest of its quad. */
@@ -124,22 +125,22 @@ static void pack_quads(Collector *c, itg record, itg x, itg y, unsigned live)
 }
 
 /* Whole quads, for shaders that look at their neighbours: a quad is shaded once for every triangle
- * that is seen in it. */
-static void collect_quads(Collector *c, const FastPatch *quads, itg seen, msk mine)
+ * that is visible in it. */
+static void collect_quads(Collector *c, const FastPacket *quads, itg shown, msk mine)
 {
-    if (msk_bits(mine & (seen == seen[0])) == ALL_LANES) {
-        add_patch(c, (uint32_t)seen[0], quads);
+    if (msk_bits(mine & (shown == shown[0])) == ALL_LANES) {
+        add_packet(c, (uint32_t)shown[0], quads);
         return;
     }
-    const itg some = itg_set(seen[__builtin_ctz(msk_bits(mine))]);
-    const itg x = patch_x(quads), y = patch_y(quads);
-    for (itg left = seen & mine; msk_bits(left != 0); left &= ~mine) {
+    const itg some = itg_set(shown[__builtin_ctz(msk_bits(mine))]);
+    const itg x = packet_x(quads), y = packet_y(quads);
+    for (itg left = shown & mine; msk_bits(left != 0); left &= ~mine) {
         itg record = quad_greatest(left);
         mine = (left == record) & (left != 0);
         const bool dense = __builtin_popcount(msk_bits(record != 0)) >= DENSE;
         record = itg_select(record != 0, record, some);
         if (dense)
-            add_mix(c, record, x, y, msk_bits(mine), QUADS);
+            add_gathered(c, record, x, y, msk_bits(mine), QUADS);
         else
             pack_quads(c, record, x, y, msk_bits(mine));
     }
@@ -163,15 +164,16 @@ static void number_records(Tile *tile)
 }
 
 /* Lanes that do not show a record from first to end. */
-GP_INLINE itg without(itg seen, int32_t first, int32_t end)
+GP_INLINE itg without(itg shown, int32_t first, int32_t end)
 {
-    return seen & ((seen < first) | (seen >= end));
+    return shown & ((shown < first) | (shown >= end));
 }
 
 /* Adds a cell to every run that it shows. */
 static uint16_t sort_cell(Tile *tile, int32_t x, int32_t y, uint16_t count)
 {
-    const uint32_t *row[CELL_HIGH] = { tile->seen + fast_at(x, y), tile->seen + fast_at(x, y + 1) };
+    const uint32_t *row[CELL_HIGH] = { tile->visibility + fast_at(x, y),
+                                       tile->visibility + fast_at(x, y + 1) };
     itg upper = load_words(row[0]), lower = load_words(row[1]);
     for (;;) {
         const unsigned up = msk_bits(upper != 0), down = msk_bits(lower != 0);
@@ -201,18 +203,18 @@ static void sort_cells(Tile *tile)
             sort_cell(tile, cell % CELLS_ACROSS * GP_LANES, cell / CELLS_ACROSS * CELL_HIGH, count);
 }
 
-static void collect_part(Collector *c, const FastPatch *part, uint32_t run)
+static void collect_part(Collector *c, const FastPacket *part, uint32_t run)
 {
     const Tile *tile = c->tile;
-    itg seen = load_patch(tile->seen, part);
+    itg shown = load_packet(tile->visibility, part);
     msk mine =
-        (seen >= (int32_t)tile->runs[run].first_record) & (seen < (int32_t)run_end(tile, run));
+        (shown >= (int32_t)tile->runs[run].first_record) & (shown < (int32_t)run_end(tile, run));
     if (!msk_bits(mine))
         return;
     if (part->wide)
-        collect_row(c, part, seen, mine);
+        collect_row(c, part, shown, mine);
     else
-        collect_quads(c, part, seen, mine);
+        collect_quads(c, part, shown, mine);
 }
 
 static void shade_run(Tile *tile, uint32_t run)
@@ -222,26 +224,26 @@ static void shade_run(Tile *tile, uint32_t run)
     const int across = quads ? QUADS_WIDE : 0, down = quads ? 0 : 1;
     for (uint32_t at = tile->runs[run].cells; at; at = tile->cells[at].next)
         for (int i = 0; i < 2; i++) {
-            FastPatch part = { .x = (uint8_t)(tile->cells[at].x + i * across),
-                               .y = (uint8_t)(tile->cells[at].y + i * down),
-                               .wide = quads ? 0 : GP_LANES };
+            FastPacket part = { .x = (uint8_t)(tile->cells[at].x + i * across),
+                                .y = (uint8_t)(tile->cells[at].y + i * down),
+                                .wide = quads ? 0 : GP_LANES };
             collect_part(&c, &part, run);
         }
     if (c.sparse)
         add_packed(&c);
-    shade_collected_mixes(&c);
-    shade_collected_patches(&c);
+    shade_collected_gathered(&c);
+    shade_collected_packets(&c);
 }
 
 static bool is_visible(const Tile *tile, uint32_t run)
 {
-    return tile->pass->draws[tile->runs[run].draw].route == FAST_VISIBLE;
+    return tile->pass->draws[tile->runs[run].draw].path == FAST_VISIBLE;
 }
 
-void FAST(flush_seen)(Tile *tile)
+void fast_flush_visibility(Tile *tile)
 {
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
-    FAST(settle_backdrop)(tile);
+    fast_settle_occluder(tile);
     bool any = false;
     for (uint32_t run = 0; run < tile->run_count; run++)
         any |= is_visible(tile, run);
@@ -251,9 +253,9 @@ void FAST(flush_seen)(Tile *tile)
         for (uint32_t run = 0; run < tile->run_count; run++)
             if (tile->runs[run].cells)
                 shade_run(tile, run);
-        memset(tile->seen, 0, sizeof tile->seen);
+        memset(tile->visibility, 0, sizeof tile->visibility);
     }
     tile->record_count = FAST_NO_RECORD + 1;
-    tile->run_count = tile->wide_count = 0;
+    tile->run_count = tile->edges64_count = 0;
     fast_turn_to(tile, before);
 }
