@@ -13,7 +13,6 @@ typedef enum Attribute {
 } Attribute; /* in the order of a corner "v/vt/vn" */
 
 typedef struct ObjCheck {
-    const char *path;
     GpText text;
     int64_t total[ATTRIBUTES]; /* in the whole file */
     int64_t seen[ATTRIBUTES];  /* up to the present line: negative indices count back from here */
@@ -31,7 +30,7 @@ static const struct {
 
 /* The numbers after v, vt or vn. A vertex may have a weight (4 numbers), which is ignored, a colour
  * (6) or both (7), of which OpenMesh would make a wrong colour. */
-static GpResult check_numbers(ObjCheck *check, Attribute attribute, GpError *error)
+static GpResult check_numbers(ObjCheck *check, Attribute attribute)
 {
     size_t count = 0;
     GpWord word;
@@ -39,25 +38,23 @@ static GpResult check_numbers(ObjCheck *check, Attribute attribute, GpError *err
         char shown[44];
         float number;
         if (!gp_word_number(&word, &number))
-            return gp_fail(error, GP_ERROR_FORMAT,
-                           "%s: line %zu: expected a finite number, found '%s'", check->path,
-                           check->text.number, gp_word_show(&word, shown));
+            return gp_text_fail(&check->text, GP_ERROR_FORMAT,
+                                "expected a finite number, found '%s'", gp_word_show(&word, shown));
     }
     if (count < attributes[attribute].least || count > attributes[attribute].most ||
         (attribute == POSITION && count == 5))
-        return gp_fail(error, GP_ERROR_FORMAT, "%s: line %zu: a %s has no %zu numbers", check->path,
-                       check->text.number, attributes[attribute].name, count);
+        return gp_text_fail(&check->text, GP_ERROR_FORMAT, "a %s has no %zu numbers",
+                            attributes[attribute].name, count);
     if (attribute == POSITION && count == 7)
-        return gp_fail(error, GP_ERROR_UNSUPPORTED,
-                       "%s: line %zu: a vertex with weight and colour is not read", check->path,
-                       check->text.number);
+        return gp_text_fail(&check->text, GP_ERROR_UNSUPPORTED,
+                            "a vertex with weight and colour is not read");
     check->colors += attribute == POSITION && count == 6;
     check->total[attribute]++;
     return GP_OK;
 }
 
 /* One corner: v, v/vt, v//vn or v/vt/vn. */
-static GpResult check_corner(const ObjCheck *check, const GpWord *corner, GpError *error)
+static GpResult check_corner(const ObjCheck *check, const GpWord *corner)
 {
     const char *at = corner->text, *end = corner->text + corner->size;
     char shown[44];
@@ -70,36 +67,33 @@ static GpResult check_corner(const ObjCheck *check, const GpWord *corner, GpErro
             continue;
         int64_t index;
         if (attribute >= ATTRIBUTES || !gp_word_integer(&part, &index))
-            return gp_fail(error, GP_ERROR_FORMAT,
-                           "%s: line %zu: face %lld: expected a corner like 1, 1/1, 1//1 or 1/1/1, "
-                           "found '%s'",
-                           check->path, check->text.number, (long long)check->faces,
-                           gp_word_show(corner, shown));
+            return gp_text_fail(&check->text, GP_ERROR_FORMAT,
+                                "face %lld: expected a corner like 1, 1/1, 1//1 or 1/1/1, "
+                                "found '%s'",
+                                (long long)check->faces, gp_word_show(corner, shown));
         int64_t absolute = index < 0 ? check->seen[attribute] + index + 1 : index;
         if (absolute < 1 || absolute > check->total[attribute])
-            return gp_fail(
-                error, GP_ERROR_FORMAT,
-                "%s: line %zu: face %lld refers to %s %lld, but there are %lld", check->path,
-                check->text.number, (long long)check->faces, attributes[attribute].name,
-                (long long)index,
+            return gp_text_fail(
+                &check->text, GP_ERROR_FORMAT, "face %lld refers to %s %lld, but there are %lld",
+                (long long)check->faces, attributes[attribute].name, (long long)index,
                 (long long)(index < 0 ? check->seen[attribute] : check->total[attribute]));
     }
     return GP_OK;
 }
 
-static GpResult check_face(ObjCheck *check, GpError *error)
+static GpResult check_face(ObjCheck *check)
 {
     size_t corners = 0;
     GpWord word;
     for (; gp_text_word(&check->text, &word); corners++) {
-        GpResult result = check_corner(check, &word, error);
+        GpResult result = check_corner(check, &word);
         if (result != GP_OK)
             return result;
     }
     if (corners < 3)
-        return gp_fail(error, GP_ERROR_FORMAT,
-                       "%s: line %zu: face %lld has %zu corners, 3 or more are expected",
-                       check->path, check->text.number, (long long)check->faces, corners);
+        return gp_text_fail(&check->text, GP_ERROR_FORMAT,
+                            "face %lld has %zu corners, 3 or more are expected",
+                            (long long)check->faces, corners);
     check->faces++;
     return GP_OK;
 }
@@ -115,25 +109,23 @@ static bool is_continued(const GpText *text)
 
 /* First walk: count and check the numbers. Materials are blanked, since OpenMesh would open the
  * files that they name; a continued line is not known to it. */
-static GpResult check_attributes(ObjCheck *check, GpError *error)
+static GpResult check_attributes(ObjCheck *check)
 {
     while (gp_text_line(&check->text)) {
         if (is_continued(&check->text))
-            return gp_fail(error, GP_ERROR_UNSUPPORTED,
-                           "%s: line %zu: lines continued with \\ are not read", check->path,
-                           check->text.number);
+            return gp_text_fail(&check->text, GP_ERROR_UNSUPPORTED,
+                                "lines continued with \\ are not read");
         GpWord word = { .text = NULL, .size = 0 };
         gp_text_word(&check->text, &word);
         if (gp_word_is(&word, "mtllib") || gp_word_is(&word, "usemtl"))
             memset(word.text, ' ', (size_t)(check->text.line_end - word.text));
         if (gp_word_is(&word, "vc"))
-            return gp_fail(error, GP_ERROR_UNSUPPORTED,
-                           "%s: line %zu: colours apart from vertices (vc) are not read",
-                           check->path, check->text.number);
+            return gp_text_fail(&check->text, GP_ERROR_UNSUPPORTED,
+                                "colours apart from vertices (vc) are not read");
         for (int i = 0; i < ATTRIBUTES; i++) {
             if (!gp_word_is(&word, attributes[i].keyword))
                 continue;
-            GpResult result = check_numbers(check, (Attribute)i, error);
+            GpResult result = check_numbers(check, (Attribute)i);
             if (result != GP_OK)
                 return result;
         }
@@ -142,7 +134,7 @@ static GpResult check_attributes(ObjCheck *check, GpError *error)
 }
 
 /* Second walk: every index of every face. */
-static GpResult check_faces(ObjCheck *check, GpError *error)
+static GpResult check_faces(ObjCheck *check)
 {
     while (gp_text_line(&check->text)) {
         GpWord word = { .text = NULL, .size = 0 };
@@ -151,7 +143,7 @@ static GpResult check_faces(ObjCheck *check, GpError *error)
             check->seen[i] += gp_word_is(&word, attributes[i].keyword);
         if (!gp_word_is(&word, "f"))
             continue;
-        GpResult result = check_face(check, error);
+        GpResult result = check_face(check);
         if (result != GP_OK)
             return result;
     }
@@ -160,9 +152,9 @@ static GpResult check_faces(ObjCheck *check, GpError *error)
 
 GpResult gp_mesh_check_obj(GpMeshSource *source, GpError *error)
 {
-    GpText start = { .next = source->file.data, .end = source->file.data + source->file.size };
-    ObjCheck check = { .path = source->path, .text = start };
-    GpResult result = check_attributes(&check, error);
+    GpText start = gp_text_begin(source->path, source->file.data, source->file.size, error);
+    ObjCheck check = { .text = start };
+    GpResult result = check_attributes(&check);
     if (result != GP_OK)
         return result;
     if (check.total[POSITION] > GP_MESH_COUNT_MAX)
@@ -171,7 +163,7 @@ GpResult gp_mesh_check_obj(GpMeshSource *source, GpError *error)
         return gp_fail(error, GP_ERROR_FORMAT, "%s: only %lld of %lld vertices have a colour",
                        source->path, (long long)check.colors, (long long)check.total[POSITION]);
     check.text = start;
-    result = check_faces(&check, error);
+    result = check_faces(&check);
     if (result != GP_OK)
         return result;
     source->vertex_count = (size_t)check.total[POSITION];

@@ -267,9 +267,9 @@ GpResult gp_mesh_check_ply(GpMeshSource *source, GpError *error)
 
     GpBytes out = { .data = NULL };
     Walk walk = { .source = source, .header = &header, .error = error };
-    walk.text = (GpText){ .next = header.body,
-                          .end = source->file.data + source->file.size,
-                          .number = header.lines + 1 };
+    size_t before = (size_t)(header.body - source->file.data);
+    walk.text = gp_text_begin(source->path, header.body, source->file.size - before, error);
+    walk.text.number = header.lines + 1;
     if (!header.is_plain) {
         walk.out = &out;
         put_header(&out, source);

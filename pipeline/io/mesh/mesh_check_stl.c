@@ -95,7 +95,7 @@ static bool take_bracket(GpText *text, const char *keyword)
 
 static GpResult check_text(GpMeshSource *source, GpError *error)
 {
-    GpText text = { .next = source->file.data, .end = source->file.data + source->file.size };
+    GpText text = gp_text_begin(source->path, source->file.data, source->file.size, error);
     bool is_open = false;     /* between solid and endsolid */
     size_t line = 0;          /* of facet_lines, next to come */
     size_t previous_line = 0; /* of the file */
@@ -107,16 +107,14 @@ static GpResult check_text(GpMeshSource *source, GpError *error)
             continue;
         }
         if (!is_open || !follows || !line_matches(&text, facet_lines[line]))
-            return gp_fail(error, GP_ERROR_FORMAT, "%s: line %zu: face %zu: expected '%s'",
-                           source->path, text.number, source->face_count,
-                           is_open ? facet_lines[line] : "solid");
+            return gp_text_fail(&text, GP_ERROR_FORMAT, "face %zu: expected '%s'",
+                                source->face_count, is_open ? facet_lines[line] : "solid");
         line = (line + 1) % GP_COUNT(facet_lines);
         source->face_count += line == 0;
     }
     if (is_open)
-        return gp_fail(error, GP_ERROR_FORMAT,
-                       "%s: line %zu: the file ends inside a solid, after %zu faces", source->path,
-                       text.number, source->face_count);
+        return gp_text_fail(&text, GP_ERROR_FORMAT, "the file ends inside a solid, after %zu faces",
+                            source->face_count);
     source->vertex_count = 3 * source->face_count;
     return GP_OK;
 }
@@ -128,7 +126,7 @@ GpResult gp_mesh_check_stl(GpMeshSource *source, GpError *error)
     size_t size = source->file.size;
     if (size >= HEADER_SIZE && HEADER_SIZE + FACET_SIZE * gp_load_little(data + 80, 4) == size)
         return check_binary(source, error);
-    GpText text = { .next = source->file.data, .end = source->file.data + size };
+    GpText text = gp_text_begin(source->path, source->file.data, size, error);
     GpWord word = { .text = NULL, .size = 0 };
     gp_text_any_word(&text, &word);
     return gp_word_is_any_case(&word, "solid") ? check_text(source, error)

@@ -61,45 +61,41 @@ static bool find_type(const GpWord *word, PlyType *type)
     return false;
 }
 
-static GpResult fail(const GpMeshSource *source, const GpText *text, const char *expected,
-                     GpError *error)
+static GpResult fail(const GpText *text, const char *expected)
 {
-    return gp_fail(error, GP_ERROR_FORMAT, "%s: line %zu: expected %s", source->path, text->number,
-                   expected);
+    return gp_text_fail(text, GP_ERROR_FORMAT, "expected %s", expected);
 }
 
-static GpResult parse_format(const GpMeshSource *source, PlyHeader *header, GpText *text,
-                             GpError *error)
+static GpResult parse_format(PlyHeader *header, GpText *text)
 {
     static const char *const names[] = { "ascii", "binary_little_endian", "binary_big_endian" };
     GpWord word, version;
     if (!gp_text_line(text) || !gp_text_word(text, &word) || !gp_word_is(&word, "format") ||
         !gp_text_word(text, &word) || !gp_text_word(text, &version) || !gp_word_is(&version, "1.0"))
-        return fail(source, text, "'format', an encoding and '1.0'", error);
+        return fail(text, "'format', an encoding and '1.0'");
     for (size_t i = 0; i < GP_COUNT(names); i++) {
         if (gp_word_is(&word, names[i])) {
             header->encoding = (PlyEncoding)i;
             return GP_OK;
         }
     }
-    return fail(source, text, "ascii, binary_little_endian or binary_big_endian", error);
+    return fail(text, "ascii, binary_little_endian or binary_big_endian");
 }
 
-static GpResult parse_element(const GpMeshSource *source, PlyHeader *header, GpText *text,
-                              GpError *error)
+static GpResult parse_element(const GpMeshSource *source, PlyHeader *header, GpText *text)
 {
     GpWord name, count;
     int64_t number;
     if (!gp_text_word(text, &name) || !gp_text_word(text, &count) ||
         !gp_word_integer(&count, &number) || number < 0)
-        return fail(source, text, "an element's name and count", error);
+        return fail(text, "an element's name and count");
     if (number > GP_MESH_COUNT_MAX || number > (int64_t)source->file.size)
-        return gp_fail(error, GP_ERROR_FORMAT,
-                       "%s: line %zu: %lld elements are promised, but the file has %zu bytes",
-                       source->path, text->number, (long long)number, source->file.size);
+        return gp_text_fail(text, GP_ERROR_FORMAT,
+                            "%lld elements are promised, but the file has %zu bytes",
+                            (long long)number, source->file.size);
     if (header->element_count == GP_COUNT(header->element))
-        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: line %zu: more than %zu elements",
-                       source->path, text->number, GP_COUNT(header->element));
+        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "more than %zu elements",
+                            GP_COUNT(header->element));
     PlyKind kind = gp_word_is(&name, "vertex") ? PLY_VERTEX
                    : gp_word_is(&name, "face") ? PLY_FACE
                                                : PLY_OTHER;
@@ -107,11 +103,10 @@ static GpResult parse_element(const GpMeshSource *source, PlyHeader *header, GpT
     for (size_t i = 0; i < header->element_count; i++) {
         has_vertices |= header->element[i].kind == PLY_VERTEX;
         if (kind != PLY_OTHER && header->element[i].kind == kind)
-            return fail(source, text, "one element vertex and one element face", error);
+            return fail(text, "one element vertex and one element face");
     }
     if (kind == PLY_FACE && !has_vertices)
-        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: line %zu: faces before vertices",
-                       source->path, text->number);
+        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "faces before vertices");
     header->element[header->element_count++] = (PlyElement){ .kind = kind,
                                                              .count = (size_t)number,
                                                              .first = header->property_count,
@@ -152,8 +147,7 @@ static void assign_role(PlyHeader *header, PlyKind kind, const GpWord *name, Ply
     header->is_plain = header->is_plain && is_known;
 }
 
-static GpResult parse_property(const GpMeshSource *source, PlyHeader *header, GpText *text,
-                               GpError *error)
+static GpResult parse_property(PlyHeader *header, GpText *text)
 {
     PlyProperty property = { .role = PLY_IGNORED };
     GpWord word;
@@ -163,12 +157,12 @@ static GpResult parse_property(const GpMeshSource *source, PlyHeader *header, Gp
         is_valid = gp_text_word(text, &word) && find_type(&word, &property.count_type) &&
                    property.count_type < PLY_FLOAT32 && gp_text_word(text, &word);
     if (!is_valid || !find_type(&word, &property.type) || !gp_text_word(text, &word))
-        return fail(source, text, "a property's type and name", error);
+        return fail(text, "a property's type and name");
     if (header->element_count == 0)
-        return fail(source, text, "an element before its properties", error);
+        return fail(text, "an element before its properties");
     if (header->property_count == GP_COUNT(header->property))
-        return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: line %zu: more than %zu properties",
-                       source->path, text->number, GP_COUNT(header->property));
+        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "more than %zu properties",
+                            GP_COUNT(header->property));
     PlyElement *element = &header->element[header->element_count - 1];
     assign_role(header, element->kind, &word, &property);
     header->property[header->property_count++] = property;
@@ -196,7 +190,7 @@ static bool complete(PlyHeader *header, PlyRole first, PlyRole last)
     return all;
 }
 
-static GpResult finish(const GpMeshSource *source, PlyHeader *header, GpText *text, GpError *error)
+static GpResult finish(PlyHeader *header, GpText *text)
 {
     bool has_positions = complete(header, PLY_X, PLY_Z);
     complete(header, PLY_NX, PLY_NZ);
@@ -207,11 +201,11 @@ static GpResult finish(const GpMeshSource *source, PlyHeader *header, GpText *te
     for (size_t i = 0; i < header->element_count; i++) {
         const PlyElement *element = &header->element[i];
         if (element->count > 0 && element->first == element->end)
-            return fail(source, text, "properties for every element", error);
+            return fail(text, "properties for every element");
         if (element->kind == PLY_VERTEX && !has_positions)
-            return fail(source, text, "the vertex properties x, y and z", error);
+            return fail(text, "the vertex properties x, y and z");
         if (element->kind == PLY_FACE && element->count > 0 && !header->has[PLY_CORNERS])
-            return fail(source, text, "the face property list vertex_indices", error);
+            return fail(text, "the face property list vertex_indices");
     }
     return GP_OK;
 }
@@ -219,34 +213,34 @@ static GpResult finish(const GpMeshSource *source, PlyHeader *header, GpText *te
 GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *error)
 {
     char *begin = source->file.data;
-    GpText text = { .next = begin, .end = begin + source->file.size };
+    GpText text = gp_text_begin(source->path, begin, source->file.size, error);
     GpWord word = { .text = NULL, .size = 0 };
     *header = (PlyHeader){ .is_plain = true };
     bool is_magic = gp_text_line(&text) && gp_text_word(&text, &word) && gp_word_is(&word, "ply");
     if (!is_magic || word.text != begin)
         return gp_fail(error, GP_ERROR_FORMAT, "%s: line 1: expected 'ply'", source->path);
 
-    GpResult result = parse_format(source, header, &text, error);
+    GpResult result = parse_format(header, &text);
     bool after_comment = false; /* OpenMesh then starts one byte late in a binary body */
     while (result == GP_OK) {
         if (!gp_text_line(&text) || !gp_text_word(&text, &word))
-            return fail(source, &text, "'end_header', but the file ends", error);
+            return fail(&text, "'end_header', but the file ends");
         if (gp_word_is(&word, "end_header"))
             break;
         bool is_comment = gp_word_is(&word, "comment"), is_info = gp_word_is(&word, "obj_info");
         after_comment = is_comment;
         header->is_plain = header->is_plain && !is_info;
         if (gp_word_is(&word, "element"))
-            result = parse_element(source, header, &text, error);
+            result = parse_element(source, header, &text);
         else if (gp_word_is(&word, "property"))
-            result = parse_property(source, header, &text, error);
+            result = parse_property(header, &text);
         else if (!is_comment && !is_info)
-            result = fail(source, &text, "element, property, comment or end_header", error);
+            result = fail(&text, "element, property, comment or end_header");
         if (result == GP_OK && !is_comment && !is_info && gp_text_word(&text, &word))
-            result = fail(source, &text, "nothing more on this line", error);
+            result = fail(&text, "nothing more on this line");
     }
     if (result == GP_OK && text.line_end == text.end)
-        result = fail(source, &text, "a line end after 'end_header'", error);
+        result = fail(&text, "a line end after 'end_header'");
     if (result != GP_OK)
         return result;
 
@@ -260,5 +254,5 @@ GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *e
             header->is_plain = header->is_plain && at + 1 == header->body;
     }
     header->is_plain = header->is_plain && !after_comment;
-    return finish(source, header, &text, error);
+    return finish(header, &text);
 }

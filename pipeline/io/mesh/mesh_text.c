@@ -1,6 +1,8 @@
 #include "pipeline/io/mesh/mesh_text.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,6 +21,21 @@ static char *skip_space(char *at, const char *end)
     while (at < end && is_space(*at))
         at++;
     return at;
+}
+
+GpText gp_text_begin(const char *path, char *data, size_t size, GpError *error)
+{
+    return (GpText){ .path = path, .error = error, .next = data, .end = data + size };
+}
+
+GpResult gp_text_fail(const GpText *text, GpResult result, const char *format, ...)
+{
+    char reason[400];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(reason, sizeof reason, format, args);
+    va_end(args);
+    return gp_fail(text->error, result, "%s: line %zu: %s", text->path, text->number, reason);
 }
 
 bool gp_text_line(GpText *text)

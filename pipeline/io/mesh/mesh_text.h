@@ -11,12 +11,20 @@ typedef struct GpWord {
     size_t size;
 } GpWord;
 
-/* Walks through a text. Start with next and end set, everything else zero. */
+/* Walks through a text. */
 typedef struct GpText {
+    const char *path; /* for messages, which go to error */
+    GpError *error;
     char *next, *end; /* what was not yet walked over */
     char *line_end;   /* end of the present line, without its newline */
     size_t number;    /* of the present line, from 1 */
 } GpText;
+
+GpText gp_text_begin(const char *path, char *data, size_t size, GpError *error);
+
+/* "path: line 12: ..". returns result */
+GpResult gp_text_fail(const GpText *text, GpResult result, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Steps to the next line that holds more than white space, comments excluded: a line whose first
  * word starts with '#'. False at the end of the text. */
