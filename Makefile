@@ -307,8 +307,10 @@ bless: $(GOLDEN_TEST)
 format:
 	@find pipeline shaders_c apps tests -name '*.[ch]' -o -name '*.[ch]pp' | xargs clang-format -i
 
-lint:
-	@sh tests/tools/lint.sh
+# Circles show in the objects, which everything else needs as well.
+LINT_OBJECTS = $(CORE) $(IO) $(APPS) $(SHADERS) $(BUILD)/obj/apps/main.o
+lint: $(LINT_OBJECTS)
+	@CC='$(CC)' sh tests/tools/lint.sh $(BUILD) $^
 
 check: | packages
 	+@sh tests/tools/check.sh $(BUILD)
@@ -377,7 +379,7 @@ help:
 	@echo 'make             build out/bin/glasspipe and out/lib/libglasspipe.{a,so}'
 	@echo 'make run         install what is missing, build, draw scenes/default.json'
 	@echo 'make test        install what is missing, build, run every test'
-	@echo 'make lint        layers, format and words of the sources'
+	@echo 'make lint        floors, circles, sizes, format and words of the sources'
 	@echo 'make format      clang-format on all of them'
 	@echo 'make check       all of that with both compilers, -O0 to -O3, every lane width,'
 	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'

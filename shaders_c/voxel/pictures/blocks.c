@@ -69,3 +69,4 @@ program(voxel_block_rows_program, voxel_blocks_vs, voxel_block_rows_ps, BLOCKS_D
         .samplers = 1 << 0 | 1 << 1, .uses_pixel = true)
 program(voxel_blocks_program, voxel_blocks_vs, voxel_blocks_ps, BLOCKS_DECLARATIONS,
         .samplers = 1 << 0, .uses_pixel = true)
+/* clang-format on */

@@ -188,3 +188,4 @@ program(voxel_light_faces_program, voxel_light_vs, voxel_light_faces_ps, LIGHT_D
         .local_reads = 1 << 0, .may_discard = true)
 program(voxel_light_smooth_program, voxel_light_vs, voxel_light_smooth_ps, LIGHT_DECLARATIONS,
         .samplers = 1 << 1 | 1 << 2, .local_reads = 1 << 0, .may_discard = true)
+/* clang-format on */

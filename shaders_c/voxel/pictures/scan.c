@@ -123,3 +123,4 @@ program(voxel_scan_program, voxel_scan_vs, voxel_scan_ps, SCAN_DECLARATIONS,
         .samplers = 1 << 1 | 1 << 2)
 program(voxel_scan_mixed_program, voxel_scan_vs, voxel_scan_mixed_ps, SCAN_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1 | 1 << 2 | 1 << 3)
+/* clang-format on */

@@ -102,3 +102,4 @@ program(voxel_haze_program, voxel_view_vs, voxel_haze_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 3)
 program(voxel_haze_two_program, voxel_view_vs, voxel_haze_two_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1 | 1 << 3)
+/* clang-format on */
