@@ -1,7 +1,7 @@
 /* Speed against accuracy: every setting of a technique's sweep, timed and held against the truth.
  *
- * chart_run.c measures, chart_file.c writes and reads CSV and JSON, chart_plot.c lays out,
- * chart_svg.c draws, chart_page.c gathers all charts on one page.
+ * chart_run.c measures, chart_file.c writes and reads CSV and JSON, chart_layout.c lays out,
+ * chart_draw.c draws, chart_page.c gathers all charts on one page.
  */
 #ifndef APPS_CHARTS_CHART_H
 #define APPS_CHARTS_CHART_H

@@ -213,7 +213,7 @@ static void join(const Text *contents, const Text *sections, Text *page)
              "<title>glasspipe: speed against accuracy</title>\n<style>\n%s</style>\n</head>\n"
              "<body>\n<h1>Speed against accuracy</h1>\n"
              "<p>Each chart holds every setting of a technique against its exact result. "
-             "Tooltips tell all figures of a point.</p>\n<nav>\n%s</nav>\n%s</body>\n</html>\n",
+             "Tooltips tell all numbers of a point.</p>\n<nav>\n%s</nav>\n%s</body>\n</html>\n",
              style, contents->data ? contents->data : "", sections->data ? sections->data : "");
     page->failed |= contents->failed || sections->failed;
 }

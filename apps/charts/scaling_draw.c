@@ -1,17 +1,15 @@
 /* Scaling as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so
  * that powers are straight lines. */
 #include "apps/charts/scaling.h"
-#include "apps/charts/svg.h"
+#include "apps/charts/plot.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdio.h>
 #include <string.h>
 
 enum {
     WIDTH = 1240,
     HEIGHT = 730,
-    MARGIN = 32,
     LEGEND_Y = 106,
     NAME_LEFT = 66, /* of the time axis, from its box */
     STRIP = 52,     /* above the scale of times, for names of scenes */
@@ -21,6 +19,8 @@ enum {
 };
 
 static const PlotBox boxes[TECHNIQUE_PANELS] = { { 104, 158, 612, 630 }, { 700, 158, 1208, 630 } };
+
+enum { ANY_LINE = -1 };
 
 static const double letter_width = 6.6; /* about, of small words */
 static const double degrees = 180 / 3.14159265358979323846;
@@ -42,25 +42,21 @@ static bool has_place(const ScalingPoint *point)
 /* Times have one scale in all panels, so that they can be compared. */
 static Panel make_panel(const Scaling *scaling, int number)
 {
-    double x[2] = { HUGE_VAL, 0 }, y[2] = { HUGE_VAL, 0 };
+    PlotRange amounts = { 0 }, times = { 0 };
     for (uint32_t i = 0; i < scaling->count; i++) {
         const ScalingPoint *point = &scaling->points[i];
-        if (!has_place(point))
-            continue;
-        y[0] = fmin(y[0], point->ms);
-        y[1] = fmax(y[1], point->ms);
-        if (point->panel != number)
-            continue;
-        x[0] = fmin(x[0], point->amount);
-        x[1] = fmax(x[1], point->amount);
+        if (has_place(point))
+            plot_range_add(&times, point->ms);
+        if (has_place(point) && point->panel == number)
+            plot_range_add(&amounts, point->amount);
     }
     Panel panel = { .scaling = scaling,
                     .table = &scaling->technique->scaling->panels[number],
                     .number = number,
                     .box = boxes[number] };
-    panel.x = plot_scale(x[0], x[1], panel.box.left, panel.box.right);
+    panel.x = plot_scale(amounts, panel.box.left, panel.box.right);
     panel.x.doubles = panel.table->doubles;
-    panel.y = plot_scale(y[0], y[1], panel.box.bottom, panel.box.top + STRIP);
+    panel.y = plot_scale(times, panel.box.bottom, panel.box.top + STRIP);
     return panel;
 }
 
@@ -72,67 +68,53 @@ static int list_names(const TechniqueScaling *table, const char *names[MAX_NAMES
     int count = 0;
     for (int p = 0; p < TECHNIQUE_PANELS; p++)
         for (const TechniqueLine *line = table->panels[p].lines; line->name; line++) {
-            int known = 0;
-            while (known < count && strcmp(names[known], line->name) != 0)
-                known++;
-            GP_ASSERT(known < MAX_NAMES);
-            names[known] = line->name;
-            count = known == count ? count + 1 : count;
+            GP_ASSERT(count < MAX_NAMES);
+            plot_series(names, &count, line->name);
         }
     return count;
 }
 
-static int number_of_name(const Scaling *scaling, const char *name)
-{
-    const char *names[MAX_NAMES];
-    int count = list_names(scaling->technique->scaling, names), number = 0;
-    while (number < count - 1 && strcmp(names[number], name) != 0)
-        number++;
-    return number;
-}
-
-/* The next point of a line from index `i` on; the count of all where there is none. */
-static uint32_t next_of_line(const Panel *panel, int line, uint32_t i)
+/* The next point of a line, or of any; NULL where there is none. in point: NULL: the first */
+static const ScalingPoint *next_point(const Panel *panel, int line, const ScalingPoint *point)
 {
     const Scaling *scaling = panel->scaling;
-    while (i < scaling->count &&
-           (scaling->points[i].panel != panel->number || scaling->points[i].line != line ||
-            !has_place(&scaling->points[i])))
-        i++;
-    return i;
+    for (point = point ? point + 1 : scaling->points; point < scaling->points + scaling->count;
+         point++)
+        if (point->panel == panel->number && (line == ANY_LINE || point->line == line) &&
+            has_place(point))
+            return point;
+    return NULL;
 }
 
 static void add_tooltip(const Panel *panel, const ScalingPoint *point, Text *svg)
 {
     text_add(svg, "<title>");
-    text_add_escaped(svg, scaling_name(panel->scaling, point));
-    text_add(svg, "\n");
-    text_add_escaped(svg, point->scene);
-    text_add(svg, "\n");
-    text_add_escaped(svg, point->options);
-    text_add(svg, "\n%.10g ", point->amount);
-    text_add_escaped(svg, panel->table->axis);
-    text_add(svg, "\n%.3g ms (least %.3g, processor %.3g; %u frames)</title>", point->ms,
-             point->min_ms, point->cpu_ms, point->frames);
+    plot_tooltip_line(svg, panel->table->lines[point->line].name);
+    plot_tooltip_line(svg, point->scene);
+    plot_tooltip_line(svg, point->options);
+    text_add(svg, "%.10g ", point->amount);
+    plot_tooltip_line(svg, panel->table->axis);
+    plot_tooltip_times(svg, point->ms, point->min_ms, point->cpu_ms, point->frames);
+    text_add(svg, "</title>");
 }
 
 static void draw_line(const Panel *panel, int line, Text *svg)
 {
-    const Scaling *scaling = panel->scaling;
-    const int series = number_of_name(scaling, panel->table->lines[line].name);
-    uint32_t first = next_of_line(panel, line, 0);
-    text_add(svg, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" d=\"", svg_color(series));
-    for (uint32_t i = first; i < scaling->count; i = next_of_line(panel, line, i + 1))
-        text_add(svg, "%s%.1f %.1f", i == first ? "M" : "L",
-                 plot_place(&panel->x, scaling->points[i].amount),
-                 plot_place(&panel->y, scaling->points[i].ms));
+    const char *names[MAX_NAMES];
+    int count = list_names(panel->scaling->technique->scaling, names);
+    const int series = plot_series(names, &count, panel->table->lines[line].name);
+    const char *step = "M";
+    text_add(svg, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.8\" d=\"",
+             plot_color(series));
+    for (const ScalingPoint *point = NULL; (point = next_point(panel, line, point)); step = "L")
+        text_add(svg, "%s%.1f %.1f", step, plot_place(&panel->x, point->amount),
+                 plot_place(&panel->y, point->ms));
     text_add(svg, "\"/>\n");
-    for (uint32_t i = first; i < scaling->count; i = next_of_line(panel, line, i + 1)) {
-        const ScalingPoint *point = &scaling->points[i];
+    for (const ScalingPoint *point = NULL; (point = next_point(panel, line, point));) {
         text_add(svg, "<g>");
         add_tooltip(panel, point, svg);
-        svg_marker(svg, plot_place(&panel->x, point->amount), plot_place(&panel->y, point->ms),
-                   series, false);
+        plot_marker(svg, plot_place(&panel->x, point->amount), plot_place(&panel->y, point->ms),
+                    series, false);
         text_add(svg, "</g>\n");
     }
 }
@@ -143,10 +125,7 @@ static bool covers_point(const Panel *panel, const double end[2], const double a
                          double width)
 {
     const double below = 9, reach = 14;
-    for (uint32_t i = 0; i < panel->scaling->count; i++) {
-        const ScalingPoint *point = &panel->scaling->points[i];
-        if (point->panel != panel->number || !has_place(point))
-            continue;
+    for (const ScalingPoint *point = NULL; (point = next_point(panel, ANY_LINE, point));) {
         double x = plot_place(&panel->x, point->amount) - end[0];
         double y = plot_place(&panel->y, point->ms) - end[1];
         double back = -(x * along[0] + y * along[1]), aside = y * along[0] - x * along[1];
@@ -187,11 +166,8 @@ static void draw_slope(const Panel *panel, const TechniqueSlope *slope, Text *sv
  * setting. What finds no room is left out. */
 static void draw_scenes(const Panel *panel, Text *svg)
 {
-    const Scaling *scaling = panel->scaling;
     double used[STRIP_ROWS] = { 0 };
-    for (uint32_t i = next_of_line(panel, 0, 0); i < scaling->count;
-         i = next_of_line(panel, 0, i + 1)) {
-        const ScalingPoint *point = &scaling->points[i];
+    for (const ScalingPoint *point = NULL; (point = next_point(panel, 0, point));) {
         char name[64];
         int row = 0;
         text_stem(point->scene, name, sizeof name);
@@ -217,10 +193,8 @@ static void draw_panel(const Panel *panel, Text *svg)
     char name[96];
     text_add(svg, "<g fill=\"%s\">\n", svg_soft);
     snprintf(name, sizeof name, "%s (logarithmic)", panel->table->axis);
-    svg_axis_below(svg, &panel->x, box, name);
-    svg_axis_left(svg, &panel->y, box, box.left - NAME_LEFT,
-                  "time in milliseconds (median, logarithmic)");
-    svg_border(svg, box);
+    plot_axes(svg, box, &panel->x, name, &panel->y, "time in milliseconds (median, logarithmic)",
+              box.left - NAME_LEFT);
     for (const TechniqueSlope *slope = panel->table->slopes; slope->name; slope++)
         draw_slope(panel, slope, svg);
     draw_scenes(panel, svg);
@@ -235,9 +209,9 @@ static void draw_legend(const Scaling *scaling, Text *svg)
 {
     const char *names[MAX_NAMES];
     int count = list_names(scaling->technique->scaling, names);
-    double x = MARGIN + 8;
+    double x = PLOT_MARGIN + 8;
     for (int i = 0; i < count; i++) {
-        svg_marker(svg, x, LEGEND_Y - 4, i, false);
+        plot_marker(svg, x, LEGEND_Y - 4, i, false);
         svg_words(svg, x + 14, LEGEND_Y, "start", " font-size=\"13\"", names[i]);
         x += 50 + 1.1 * letter_width * (double)strlen(names[i]);
     }
@@ -245,19 +219,17 @@ static void draw_legend(const Scaling *scaling, Text *svg)
 
 void scaling_draw(const Scaling *scaling, Text *svg)
 {
-    char note[320];
+    char machine[PLOT_MACHINE];
     svg_begin(svg, WIDTH, HEIGHT, scaling->technique->scaling->title);
-    svg_words(svg, MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"",
-              scaling->technique->scaling->title);
-    snprintf(note, sizeof note, "Measured on %s, %s, %d thread%s.", scaling->machine, scaling->isa,
-             scaling->threads, scaling->threads == 1 ? "" : "s");
-    svg_words(svg, MARGIN, 74, "start", " font-size=\"13\"", note);
+    plot_heading(svg, scaling->technique->scaling->title);
+    plot_machine(scaling->machine, scaling->isa, scaling->threads, machine);
+    plot_note(svg, 0, "%s", machine);
     draw_legend(scaling, svg);
     for (int number = 0; number < TECHNIQUE_PANELS; number++) {
         Panel panel = make_panel(scaling, number);
         draw_panel(&panel, svg);
     }
-    svg_words(svg, MARGIN, HEIGHT - 18, "start", " font-size=\"13\" font-style=\"italic\"",
+    plot_foot(svg, HEIGHT,
               "How to read: low is better. A line that rises less steeply than a dotted one grows "
               "by less than that.");
     svg_end(svg);

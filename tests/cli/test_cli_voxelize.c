@@ -244,13 +244,13 @@ static void write_chart(const char *file, const char *technique, const Point *po
     int used = snprintf(
         text, sizeof text,
         "{ \"technique\": \"%s\", \"title\": \"made\", \"scene\": \"closed.off\",\n"
-        "  \"error_name\": \"thousandths\", \"figures\": [], \"machine\": \"none\",\n"
+        "  \"error_name\": \"thousandths\", \"metrics\": [], \"machine\": \"none\",\n"
         "  \"isa\": \"sse2\", \"threads\": 1, \"width\": 0, \"height\": 0, \"points\": [\n",
         technique);
     for (size_t i = 0; i < count; i++)
         used += snprintf(text + used, sizeof text - (size_t)used,
                          "%s{ \"method\": \"m\", \"options\": \"%s\", \"ms\": %g, \"min_ms\": %g, "
-                         "\"cpu_ms\": %g, \"frames\": 5, \"error\": %g, \"figures\": [], "
+                         "\"cpu_ms\": %g, \"frames\": 5, \"error\": %g, \"metrics\": [], "
                          "\"best\": false, \"picture\": \"\" }",
                          i ? ",\n" : "", points[i].options, points[i].ms, points[i].ms,
                          points[i].ms, points[i].error);

@@ -132,10 +132,10 @@ static void refused(const char *part, const char *by, const char *expected)
 {
     static const char good[] =
         "{\"technique\": \"t\", \"title\": \"t\", \"scene\": \"s\", \"error_name\": \"e\",\n"
-        " \"figures\": [\"f\"], \"machine\": \"m\", \"isa\": \"i\", \"threads\": 1, \"width\": 2,\n"
+        " \"metrics\": [\"f\"], \"machine\": \"m\", \"isa\": \"i\", \"threads\": 1, \"width\": 2,\n"
         " \"height\": 3, \"points\": [\n"
         "  {\"method\": \"m\", \"options\": \"o\", \"picture\": \"\", \"ms\": 1, \"min_ms\": 1,\n"
-        "   \"cpu_ms\": 1.5, \"frames\": 5, \"error\": \"nan\", \"figures\": [7], \"best\": "
+        "   \"cpu_ms\": 1.5, \"frames\": 5, \"error\": \"nan\", \"metrics\": [7], \"best\": "
         "true}]}\n";
     char text[2 * sizeof good + 256];
     const char *place = strstr(good, part);
@@ -170,8 +170,8 @@ static void files_that_are_no_charts_are_refused_with_their_line(void **state)
     refused("\"t\"", "\"t\"", NULL);
     refused("\"title\": \"t\", ", "", "1: title: missing");
     refused("\"s\"", "3", "1: scene: expected a string");
-    refused("[\"f\"]", "[]", "5: points[0].figures: expected 0 numbers");
-    refused("[\"f\"]", "[2]", "2: figures[0]: expected a string");
+    refused("[\"f\"]", "[]", "5: points[0].metrics: expected 0 numbers");
+    refused("[\"f\"]", "[2]", "2: metrics[0]: expected a string");
     refused("\"threads\": 1", "\"threads\": -1",
             "2: threads: expected a whole number in [0, 2147483647]");
     refused("\"height\": 3", "\"height\": 3, \"depth\": 4", "3: depth: unknown key");
@@ -179,8 +179,8 @@ static void files_that_are_no_charts_are_refused_with_their_line(void **state)
     refused("\"ms\": 1,", "", "4: points[0].ms: missing");
     refused("\"nan\"", "\"none\"", "5: points[0].error: expected one of nan, inf, -inf");
     refused("\"nan\"", "null", "5: points[0].error: expected a number in [-inf, inf]");
-    refused("[7]", "7", "5: points[0].figures: expected an array");
-    refused("[7]", "[7, 8]", "5: points[0].figures: expected 1 numbers");
+    refused("[7]", "7", "5: points[0].metrics: expected an array");
+    refused("[7]", "[7, 8]", "5: points[0].metrics: expected 1 numbers");
     refused("\"frames\": 5", "\"frames\": 5.5",
             "5: points[0].frames: expected a whole number in [0, 4294967295]");
     refused("true", "1", "5: points[0].best: expected true or false");

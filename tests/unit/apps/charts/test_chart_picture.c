@@ -1,5 +1,5 @@
-/* Pictures and the page of charts: well formed whatever the names and figures, and all in it. */
-#include "apps/charts/chart_plot.h"
+/* Pictures and the page of charts: well formed whatever the names and metrics, and all in it. */
+#include "apps/charts/chart_layout.h"
 #include "tests/support/folder.h"
 #include "tests/support/markup.h"
 

@@ -132,7 +132,7 @@ static void the_tables_of_techniques_are_whole(void **state)
     assert_non_null(voxel_technique.scaling);
 }
 
-/* --- figures without a clock ------------------------------------------------------------------ */
+/* --- numbers without a clock ------------------------------------------------------------------ */
 
 enum { POINTS = 7 };
 

@@ -1,9 +1,9 @@
 /* The geometry of a chart's picture: its points on their axes, and where labels find room. */
-#ifndef APPS_CHARTS_CHART_PLOT_H
-#define APPS_CHARTS_CHART_PLOT_H
+#ifndef APPS_CHARTS_CHART_LAYOUT_H
+#define APPS_CHARTS_CHART_LAYOUT_H
 
 #include "apps/charts/chart.h"
-#include "apps/charts/plot_scale.h"
+#include "apps/charts/axis.h"
 
 /* A point that has a place. */
 typedef struct PlotPoint {
@@ -26,9 +26,9 @@ typedef struct Plot {
     double zero_y;
     PlotPoint *points;
     uint32_t count, left_out; /* with a place; without: no numbers, or absurd ones */
-    const ChartPoint **best;  /* the front, the fastest first */
+    PlotPoint *best;          /* the front, the fastest first */
     uint32_t best_count;
-    char (*methods)[64];
+    const char **methods; /* names, the chart's */
     int method_count;
     PlotLabel *labels;
     uint32_t label_count;
@@ -37,8 +37,5 @@ typedef struct Plot {
 /* Lays out a chart in a box. errors GP_ERROR_MEMORY; owns: the caller, until plot_free */
 GpResult plot_create(const Chart *chart, PlotBox box, Plot *plot);
 void plot_free(Plot *plot);
-
-/* Place of an error; that of none is in the strip. */
-double plot_error_place(const Plot *plot, double error);
 
 #endif

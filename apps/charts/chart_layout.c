@@ -1,4 +1,6 @@
-#include "apps/charts/chart_plot.h"
+#include "apps/charts/chart_layout.h"
+
+#include "apps/charts/plot.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,45 +8,41 @@
 
 /* --- points ----------------------------------------------------------------------------------- */
 
-/* Figures that are numbers, and such as a measurement can give. */
+/* Time and error are numbers such as a measurement can give. */
 static bool has_place(const ChartPoint *point)
 {
     double ms = point->ms, error = point->measured.error;
     return ms >= 1e-6 && ms <= 1e9 && (error == 0 || (error >= 1e-12 && error <= 1e12));
 }
 
-static int number_of_method(Plot *plot, const char *method)
-{
-    for (int i = 0; i < plot->method_count; i++)
-        if (strcmp(plot->methods[i], method) == 0)
-            return i;
-    strcpy(plot->methods[plot->method_count], method);
-    return plot->method_count++;
-}
-
 static void make_scales(Plot *plot, const Chart *chart)
 {
     enum { ZERO_STRIP = 44 };
-    double ms[2] = { HUGE_VAL, 0 }, error[2] = { HUGE_VAL, 0 };
+    PlotRange ms = { 0 }, error = { 0 };
     for (uint32_t i = 0; i < chart->count; i++) {
         const ChartPoint *point = &chart->points[i];
         if (!has_place(point))
             continue;
-        ms[0] = fmin(ms[0], point->ms);
-        ms[1] = fmax(ms[1], point->ms);
-        plot->has_zero |= point->measured.error == 0;
-        error[0] = point->measured.error > 0 ? fmin(error[0], point->measured.error) : error[0];
-        error[1] = fmax(error[1], point->measured.error);
+        plot_range_add(&ms, point->ms);
+        if (point->measured.error > 0)
+            plot_range_add(&error, point->measured.error);
+        else
+            plot->has_zero = true;
     }
     double bottom = plot->box.bottom - (plot->has_zero ? ZERO_STRIP : 0);
-    plot->x = plot_scale(ms[0], ms[1], plot->box.left, plot->box.right);
-    plot->y = plot_scale(error[0], error[1], bottom, plot->box.top);
+    plot->x = plot_scale(ms, plot->box.left, plot->box.right);
+    plot->y = plot_scale(error, bottom, plot->box.top);
     plot->zero_y = plot->box.bottom - ZERO_STRIP / 2.0;
 }
 
-double plot_error_place(const Plot *plot, double error)
+/* A point that has a place; one without error is in the strip. */
+static PlotPoint place(Plot *plot, const ChartPoint *point)
 {
-    return error > 0 ? plot_place(&plot->y, error) : plot->zero_y;
+    const double error = point->measured.error;
+    return (PlotPoint){ .point = point,
+                        .x = plot_place(&plot->x, point->ms),
+                        .y = error > 0 ? plot_place(&plot->y, error) : plot->zero_y,
+                        .method = plot_series(plot->methods, &plot->method_count, point->method) };
 }
 
 /* --- labels ----------------------------------------------------------------------------------- */
@@ -107,12 +105,9 @@ static bool is_free(const Plot *plot, const PlotLabel *label)
             return false;
     }
     for (uint32_t i = 0; i + 1 < plot->best_count; i++) {
-        double x = plot_place(&plot->x, plot->best[i]->ms);
-        double y = plot_error_place(plot, plot->best[i]->measured.error);
-        double next_x = plot_place(&plot->x, plot->best[i + 1]->ms);
-        double next_y = plot_error_place(plot, plot->best[i + 1]->measured.error);
-        if (plot_overlap(box, (PlotBox){ x, y - 1, next_x, y + 1 }) ||
-            plot_overlap(box, (PlotBox){ next_x - 1, y, next_x + 1, next_y }))
+        const PlotPoint *a = &plot->best[i], *b = &plot->best[i + 1];
+        if (plot_overlap(box, (PlotBox){ a->x, a->y - 1, b->x, a->y + 1 }) ||
+            plot_overlap(box, (PlotBox){ b->x - 1, a->y, b->x + 1, b->y }))
             return false;
     }
     for (uint32_t i = 0; i < plot->label_count; i++)
@@ -150,50 +145,47 @@ static void place_label(Plot *plot, PlotLabel *label)
 static void make_labels(Plot *plot, const Chart *chart)
 {
     for (uint32_t i = 0; i < plot->best_count; i++) {
-        const ChartPoint *point = plot->best[i];
-        PlotLabel label = { .dot = { plot_place(&plot->x, point->ms),
-                                     plot_error_place(plot, point->measured.error) } };
-        short_text(chart, point, label.text);
+        PlotLabel label = { .dot = { plot->best[i].x, plot->best[i].y } };
+        short_text(chart, plot->best[i].point, label.text);
         place_label(plot, &label);
     }
 }
 
 /* --- all of it -------------------------------------------------------------------------------- */
 
-static void make_points(Plot *plot, const Chart *chart)
+static void make_points(Plot *plot, const Chart *chart, const ChartPoint **best)
 {
     for (uint32_t i = 0; i < chart->count; i++) {
-        const ChartPoint *point = &chart->points[i];
-        int method = number_of_method(plot, point->method);
-        if (has_place(point))
-            plot->points[plot->count++] =
-                (PlotPoint){ point, plot_place(&plot->x, point->ms),
-                             plot_error_place(plot, point->measured.error), method };
+        plot_series(plot->methods, &plot->method_count, chart->points[i].method);
+        if (has_place(&chart->points[i]))
+            plot->points[plot->count++] = place(plot, &chart->points[i]);
         else
             plot->left_out++;
     }
-    uint32_t kept = 0, count = chart_list_best(chart, plot->best);
+    uint32_t count = chart_list_best(chart, best);
     for (uint32_t i = 0; i < count; i++)
-        if (has_place(plot->best[i]))
-            plot->best[kept++] = plot->best[i];
-    plot->best_count = kept;
+        if (has_place(best[i]))
+            plot->best[plot->best_count++] = place(plot, best[i]);
 }
 
 GpResult plot_create(const Chart *chart, PlotBox box, Plot *plot)
 {
+    const ChartPoint **best = gp_alloc(chart->count, sizeof(const ChartPoint *));
     *plot = (Plot){ .box = box,
                     .points = gp_alloc(chart->count, sizeof *plot->points),
-                    .best = gp_alloc(chart->count, sizeof(const ChartPoint *)),
-                    .methods = gp_alloc(chart->count, sizeof *plot->methods),
+                    .best = gp_alloc(chart->count, sizeof *plot->best),
+                    .methods = gp_alloc(chart->count, sizeof(const char *)),
                     .labels = gp_alloc(chart->count, sizeof *plot->labels) };
-    if (!plot->points || !plot->best || !plot->methods || !plot->labels) {
+    const bool enough = best && plot->points && plot->best && plot->methods && plot->labels;
+    if (enough) {
+        make_scales(plot, chart);
+        make_points(plot, chart, best);
+        make_labels(plot, chart);
+    } else {
         plot_free(plot);
-        return GP_ERROR_MEMORY;
     }
-    make_scales(plot, chart);
-    make_points(plot, chart);
-    make_labels(plot, chart);
-    return GP_OK;
+    gp_free(best);
+    return enough ? GP_OK : GP_ERROR_MEMORY;
 }
 
 void plot_free(Plot *plot)

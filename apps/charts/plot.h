@@ -1,0 +1,30 @@
+/* What charts of all kinds have in common: series of points, and the words around a plot. */
+#ifndef APPS_CHARTS_PLOT_H
+#define APPS_CHARTS_PLOT_H
+
+#include "apps/charts/axis.h"
+
+enum { PLOT_MARGIN = 32, PLOT_MACHINE = 256 };
+
+/* The number of a name in a list, in which it is then, if it was not before. in names: room for it */
+int plot_series(const char **names, int *count, const char *name);
+
+/* The colour of a series, and its shape: the first fourteen differ in both. */
+const char *plot_color(int series);
+
+/* grey: without its colour */
+void plot_marker(Text *svg, double x, double y, int series, bool grey);
+
+/* The title of a picture, lines of notes below it, and one at the picture's lower edge. */
+void plot_heading(Text *svg, const char *title);
+void plot_note(Text *svg, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void plot_foot(Text *svg, int height, const char *words);
+
+/* "Measured on ..." */
+void plot_machine(const char *machine, const char *isa, int threads, char text[PLOT_MACHINE]);
+
+/* Lines of a tooltip, which is an element <title>. */
+void plot_tooltip_line(Text *svg, const char *words);
+void plot_tooltip_times(Text *svg, double ms, double min_ms, double cpu_ms, uint32_t frames);
+
+#endif
