@@ -81,6 +81,8 @@ GpGeometry bench_quads(Frame *frame, int count, GpSemantic semantic, BenchCorner
     static const uint32_t turns[6] = { 0, 1, 2, 0, 2, 3 };
     BenchCorner *corners = frame_alloc(frame, (size_t)count * 4, sizeof *corners);
     uint32_t *indices = frame_alloc(frame, (size_t)count * 6, sizeof *indices);
+    if (!corners || !indices)
+        return (GpGeometry){ .vertex_count = 0 };
     for (int i = 0; i < count * 4; i++) {
         const float *place = places[i % 4];
         corners[i] = (BenchCorner){ .position = { place[0], place[1], 0.5f } };
@@ -113,6 +115,8 @@ GpSurface *bench_noise(Frame *frame, bool mips)
 {
     const uint32_t size = 1024;
     GpSurface *surface = frame_surface(frame, GP_A8R8G8B8, size, size, mips ? GP_MAX_LEVELS : 1);
+    if (!surface->level[0].texels)
+        return surface;
     for (uint32_t y = 0; y < size; y++) {
         for (uint32_t x = 0; x < size; x++) {
             uint32_t fine = bench_hash(y * size + x);
@@ -133,7 +137,7 @@ GpSurface *bench_waves(Frame *frame)
 {
     const uint32_t size = 64;
     GpSurface *surface = frame_surface(frame, GP_A8R8G8B8, size, size, 1);
-    for (uint32_t y = 0; y < size; y++) {
+    for (uint32_t y = 0; surface->level[0].texels && y < size; y++) {
         for (uint32_t x = 0; x < size; x++) {
             uint32_t rgba[4] = { (uint32_t)(127.5 + 127.5 * bench_sine(x * 0.2)),
                                  (uint32_t)(127.5 + 127.5 * bench_sine(y * 0.3)), x * 4, y * 4 };

@@ -19,7 +19,7 @@ static const float *sphere_positions(Frame *frame)
 {
     const double golden = 180 * (3 - sqrt(5.0));
     float *positions = frame_alloc(frame, POINT_COUNT, 3 * sizeof *positions), *p = positions;
-    for (int i = 0; i < POINT_COUNT; i++, p += 3) {
+    for (int i = 0; positions && i < POINT_COUNT; i++, p += 3) {
         double y = 1 - 2 * (i + 0.5) / POINT_COUNT, radius = sqrt(1 - y * y), sine, cosine;
         angle_sincos(fmod(golden * i, 360), &sine, &cosine);
         p[0] = (float)(radius * cosine);
@@ -32,7 +32,6 @@ static const float *sphere_positions(Frame *frame)
 GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
-    (void)error;
     static const Camera camera = {
         .eye = { 0, 0, 3.1 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.5, .far = 10
     };
@@ -44,13 +43,12 @@ GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error
     bench_matrix(&camera, NULL, uniforms.mvp);
     GpGeometry points = bench_points(sphere_positions(frame), POINT_COUNT);
 
-    frame_reserve(frame, 1, 1);
     frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "points", frame->color, NULL, bench_black);
     GpDraw *draw = frame_draw(frame, &soft_sprite_program,
                               frame_copy(frame, &uniforms, sizeof uniforms), &points);
     draw->state.blend[0] = add_blend;
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- sheets -------------------------------------------------------------------------------------- */
@@ -61,7 +59,7 @@ static const float *sheet_positions(Frame *frame)
 {
     float *positions = frame_alloc(frame, SHEET_COUNT * SHEET_POINTS, 3 * sizeof *positions);
     const double pi = 3.14159265358979323846;
-    for (int i = 0; i < SHEET_COUNT * SHEET_POINTS; i++) {
+    for (int i = 0; positions && i < SHEET_COUNT * SHEET_POINTS; i++) {
         int sheet = i / SHEET_POINTS, cell = i % SHEET_POINTS;
         double half = 0.25 + 0.5 * bench_sine(pi * (sheet + 0.5) / SHEET_COUNT);
         uint32_t random = bench_hash((uint32_t)i);
@@ -79,11 +77,9 @@ static const float *sheet_positions(Frame *frame)
 GpResult bench_build_sheets(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
-    (void)error;
     static const SheetSpriteUniforms sprite = { .size = 5, .opacity = 0.02f };
     const float *positions = sheet_positions(frame);
     GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
-    frame_reserve(frame, 2 * SHEET_COUNT, 2 * SHEET_COUNT);
     GpSurface *sheet =
         frame_surface(frame, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
     frame->color = frame_surface(frame, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
@@ -98,7 +94,7 @@ GpResult bench_build_sheets(const BenchCase *bench, Frame *frame, GpError *error
         draw->state.blend[0] = under_blend;
         draw->textures[0].surface = sheet;
     }
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- depth peeling ------------------------------------------------------------------------------- */
@@ -135,11 +131,12 @@ GpResult bench_build_peel(const BenchCase *bench, Frame *frame, GpError *error)
     if (result)
         return result;
     GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
-    PeelUniforms *models = frame_alloc(frame, PEEL_MODELS, sizeof *models);
-    for (int i = 0; i < PEEL_MODELS; i++)
-        models[i] = peel_model(i);
+    const void *models[PEEL_MODELS];
+    for (int i = 0; i < PEEL_MODELS; i++) {
+        const PeelUniforms model = peel_model(i);
+        models[i] = frame_copy(frame, &model, sizeof model);
+    }
 
-    frame_reserve(frame, 2 * PEEL_LAYERS + 1, PEEL_LAYERS * (PEEL_MODELS + 1) + 1);
     GpSurface *color[2], *depth[2];
     for (int i = 0; i < 2; i++) {
         color[i] = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
@@ -151,7 +148,7 @@ GpResult bench_build_peel(const BenchCase *bench, Frame *frame, GpError *error)
         frame_pass(frame, "peel", color[now], depth[now], bench_black);
         for (int i = 0; i < PEEL_MODELS; i++) {
             const GpProgram *program = layer ? &peel_next_program : &peel_first_program;
-            GpDraw *draw = frame_draw(frame, program, &models[i], &teapot);
+            GpDraw *draw = frame_draw(frame, program, models[i], &teapot);
             draw->state.depth = bench_depth_less;
             draw->textures[0].surface = layer ? depth[!now] : NULL;
         }
@@ -164,5 +161,5 @@ GpResult bench_build_peel(const BenchCase *bench, Frame *frame, GpError *error)
     frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "over background", frame->color, NULL, bench_background);
     frame_draw(frame, &layer_background_program, &background, &quad)->textures[0].surface = layers;
-    return GP_OK;
+    return frame_result(frame, error);
 }

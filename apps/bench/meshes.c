@@ -46,6 +46,8 @@ static void normalize(GpMesh *mesh)
 static GpGeometry keep_mesh(Frame *frame, const GpMesh *mesh)
 {
     BenchVertex *vertices = frame_alloc(frame, mesh->vertex_count, sizeof *vertices);
+    if (!vertices)
+        return (GpGeometry){ .vertex_count = 0 };
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         memcpy(vertices[i].position, mesh->positions + 3 * i, sizeof vertices[i].position);
         memcpy(vertices[i].normal, mesh->normals + 3 * i, sizeof vertices[i].normal);
@@ -85,6 +87,8 @@ GpGeometry bench_torus(Frame *frame, int around, int across)
     uint32_t quads = (uint32_t)(around * across);
     BenchVertex *vertices = frame_alloc(frame, quads, sizeof *vertices), *vertex = vertices;
     uint32_t *indices = frame_alloc(frame, (size_t)quads * 6, sizeof *indices), *index = indices;
+    if (!vertices || !indices)
+        return (GpGeometry){ .vertex_count = 0 };
     for (int u = 0; u < around; u++) {
         double sin_u, cos_u;
         angle_sincos(360.0 * u / around, &sin_u, &cos_u);

@@ -64,13 +64,12 @@ GpResult bench_build_depth(const BenchCase *bench, Frame *frame, GpError *error)
     bench_matrix(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world,
                  uniforms.mvp);
 
-    frame_reserve(frame, 1, 1);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "depth", NULL, frame->depth, NULL);
     GpDraw *draw = frame_draw(frame, &depth_only_program,
                               frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
     draw->state.depth = bench_depth_less;
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* What all lit surfaces share. */
@@ -98,7 +97,6 @@ GpResult bench_build_lit(const BenchCase *bench, Frame *frame, GpError *error)
     TwoSidedUniforms uniforms =
         lit_by(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world);
 
-    frame_reserve(frame, 1, 1);
     frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "lit", frame->color, frame->depth, bench_background);
@@ -107,7 +105,7 @@ GpResult bench_build_lit(const BenchCase *bench, Frame *frame, GpError *error)
     draw->state.depth = bench_depth_less;
     if (bench->variant == MODEL_BUNNY_CULLED)
         draw->state.raster.cull = GP_CULL_CW; /* outsides turn counter-clockwise */
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
@@ -120,7 +118,6 @@ GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
     bench_matrix(&bunny_camera, NULL, uniforms.mvp);
 
-    frame_reserve(frame, 1, 1);
     frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     GpPass *pass = frame_pass(frame, "maps", frame->color, frame->depth, bench_background);
@@ -131,7 +128,7 @@ GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
     GpDraw *draw = frame_draw(frame, &surface_maps_program,
                               frame_copy(frame, &uniforms, sizeof uniforms), &bunny);
     draw->state.depth = bench_depth_less;
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- shadows ------------------------------------------------------------------------------------- */
@@ -177,7 +174,6 @@ GpResult bench_build_shadow(const BenchCase *bench, Frame *frame, GpError *error
     lit.bias = 0.002f;
     lit.map_size = BENCH_SIZE;
 
-    frame_reserve(frame, 2, 4);
     GpSurface *map = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
@@ -193,7 +189,7 @@ GpResult bench_build_shadow(const BenchCase *bench, Frame *frame, GpError *error
         draw->state.depth = bench_depth_less;
         draw->textures[0] = (GpTexture){ map, shadows[bench->variant].sampler };
     }
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- many small draws ---------------------------------------------------------------------------- */
@@ -214,22 +210,20 @@ static void place_small(uint32_t i, float place[4])
 GpResult bench_build_small(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
-    (void)error;
-    PlacedUniforms *uniforms = frame_alloc(frame, SMALL_DRAWS, sizeof *uniforms);
     GpGeometry torus = bench_torus(frame, 5, 5);
-    frame_reserve(frame, 1, SMALL_DRAWS);
     frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "small", frame->color, frame->depth, bench_background);
     for (uint32_t i = 0; i < SMALL_DRAWS; i++) {
-        uniforms[i] = (PlacedUniforms){ .light = BENCH_LIGHT,
-                                        .albedo = BENCH_ALBEDO,
-                                        .ambient = BENCH_AMBIENT };
-        bench_matrix(&small_camera, NULL, uniforms[i].mvp);
-        place_small(i, uniforms[i].place);
-        frame_draw(frame, &placed_program, &uniforms[i], &torus)->state.depth = bench_depth_less;
+        PlacedUniforms uniforms = { .light = BENCH_LIGHT,
+                                    .albedo = BENCH_ALBEDO,
+                                    .ambient = BENCH_AMBIENT };
+        bench_matrix(&small_camera, NULL, uniforms.mvp);
+        place_small(i, uniforms.place);
+        frame_draw(frame, &placed_program, frame_copy(frame, &uniforms, sizeof uniforms), &torus)
+            ->state.depth = bench_depth_less;
     }
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- voxels -------------------------------------------------------------------------------------- */
@@ -241,9 +235,7 @@ static const Camera voxel_camera = {
 GpResult bench_build_voxels(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
-    (void)error;
     GpGeometry torus = big_torus(frame);
-    frame_reserve(frame, 2, 2);
     for (int half = 0; half < 2; half++) {
         SlabBitsUniforms uniforms = { .first_slab = (float)(4 * half) };
         bench_matrix(&voxel_camera, NULL, uniforms.mvp);
@@ -257,8 +249,8 @@ GpResult bench_build_voxels(const BenchCase *bench, Frame *frame, GpError *error
             draw->state.blend[i] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
         }
     }
-    frame->color = frame->passes[0].color[0].surface;
-    return GP_OK;
+    frame->color = frame->arena.result ? NULL : frame->list.passes[0].color[0].surface;
+    return frame_result(frame, error);
 }
 
 /* Red and green: bits set in the column's nearer and farther half; blue: the sum of its bytes. */
@@ -269,7 +261,7 @@ void bench_show_voxels(const Frame *frame, uint8_t *rgba)
         memset(pixel, 0, 3);
         pixel[3] = 255;
         for (int slab = 0; slab < 8; slab++) {
-            const GpSurface *target = frame->passes[slab / 4].color[slab % 4].surface;
+            const GpSurface *target = frame->list.passes[slab / 4].color[slab % 4].surface;
             gp_texel_codes(target->format, target->level[0].texels + 4 * (size_t)i, code);
             for (int c = 0; c < 4; c++) {
                 pixel[slab / 4] = (uint8_t)(pixel[slab / 4] + __builtin_popcount(code[c]));

@@ -7,9 +7,8 @@
 #include "shaders_c/bench/scaled_color.h"
 
 /* One pass over an eight-bit target with a depth buffer. */
-static void begin_screen(Frame *frame, uint32_t draws)
+static void begin_screen(Frame *frame)
 {
-    frame_reserve(frame, 1, draws);
     frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "screen", frame->color, frame->depth, bench_background);
@@ -49,31 +48,28 @@ static const Fill fills[] = {
 
 GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    (void)error;
     const Fill *fill = &fills[bench->variant];
-    frame_reserve(frame, 1, 1);
     frame->color = frame_surface(frame, fill->format, BENCH_SIZE, BENCH_SIZE, 1);
     frame->depth = fill->depth ? frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
     frame_pass(frame, "fill", frame->color, frame->depth,
                fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
     if (!fill->quads)
-        return GP_OK;
+        return frame_result(frame, error);
 
     ScaledColorUniforms uniforms = { .scale = fill->scale };
     GpGeometry quads = bench_quads(frame, FILL_QUADS, GP_COLOR, bench_corner_color);
     GpDraw *draw = frame_draw(frame, &scaled_color_program,
                               frame_copy(frame, &uniforms, sizeof uniforms), &quads);
     draw->state.blend[0] = fill->blend;
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- textures ------------------------------------------------------------------------------------ */
 
 GpResult bench_build_texture(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    (void)error;
     bool mips = bench->variant == TEXTURE_TRILINEAR;
-    begin_screen(frame, 1);
+    begin_screen(frame);
     GpGeometry quads = bench_quads(frame, TEXTURE_QUADS, GP_TEXCOORD0,
                                    mips ? bench_corner_rotated : bench_corner_shifted);
     GpDraw *draw = frame_draw(frame, &blit_program, NULL, &quads);
@@ -83,7 +79,7 @@ GpResult bench_build_texture(const BenchCase *bench, Frame *frame, GpError *erro
                      .mag = GP_LINEAR,
                      .mip = mips ? GP_MIP_LINEAR : GP_MIP_NONE },
     };
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* From back to front, so that every quad is drawn where it is not cut out. */
@@ -96,9 +92,8 @@ static void corner_nearer(int quad, int corner, BenchCorner *out)
 
 GpResult bench_build_lookup(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    (void)error;
     bool dependent = bench->variant == LOOKUP_DEPENDENT;
-    begin_screen(frame, 1);
+    begin_screen(frame);
     GpGeometry quads = bench_quads(frame, LOOKUP_QUADS, GP_TEXCOORD0,
                                    dependent ? bench_corner_shifted : corner_nearer);
     GpDraw *draw = frame_draw(frame, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
@@ -108,14 +103,13 @@ GpResult bench_build_lookup(const BenchCase *bench, Frame *frame, GpError *error
                                          .sampler = { .min = GP_LINEAR, .mag = GP_LINEAR } };
     else
         draw->state.depth = bench_depth_less;
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 /* --- arithmetic ---------------------------------------------------------------------------------- */
 
 GpResult bench_build_arithmetic(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    (void)error;
     static const ArithmeticUniforms uniforms = {
         .factor = { 0.9990234375f, 0.998046875f, 0.99609375f, 0.9921875f },
         .addend = { 0.0009765625f, 0.0009765625f, 0.001953125f, 0.00390625f },
@@ -125,8 +119,8 @@ GpResult bench_build_arithmetic(const BenchCase *bench, Frame *frame, GpError *e
         [ARITHMETIC_FLAT] = &mad_flat_program,
         [ARITHMETIC_MANDELBROT] = &mandelbrot_program,
     };
-    begin_screen(frame, 1);
+    begin_screen(frame);
     GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
     frame_draw(frame, programs[bench->variant], &uniforms, &quad);
-    return GP_OK;
+    return frame_result(frame, error);
 }

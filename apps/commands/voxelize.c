@@ -162,8 +162,7 @@ static GpResult build(const TechniqueRun *run, const VoxelPair *pair, const GpVo
     const VoxelOptions *options = run->own;
     const VoxelSetting *setting = run->setting;
     const bool to_picture = is_picture(run->output);
-    GpResult result = voxel_pair_build(pair, setting, VOXEL_PICTURE_PASSES, VOXEL_PICTURE_DRAWS,
-                                       frame, made, error);
+    GpResult result = voxel_pair_build(pair, setting, frame, made, error);
     frame->color = made->result.texels;
     if (result || !to_picture)
         return result;

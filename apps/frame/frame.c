@@ -1,68 +1,75 @@
 #include "apps/frame/frame.h"
 
-#include "apps/commands/commands.h"
-#include "apps/commands/options.h"
-
-#include <stdlib.h>
 #include <string.h>
+
+GpResult frame_result(const Frame *frame, GpError *error)
+{
+    return arena_result(&frame->arena, error);
+}
+
+void frame_free(Frame *frame)
+{
+    arena_free(&frame->arena);
+    *frame = (Frame){ .color = NULL };
+}
 
 /* --- memory and surfaces --------------------------------------------------------------------- */
 
 void *frame_alloc(Frame *frame, size_t count, size_t size)
 {
-    GP_ASSERT(frame->block_count < FRAME_MAX_BLOCKS);
-    void *block = gp_alloc(count, size);
-    if (!block)
-        exit(report(EXIT_INTERNAL, "out of memory"));
-    frame->blocks[frame->block_count++] = block;
-    return block;
+    return arena_alloc(&frame->arena, count, size);
 }
 
 const void *frame_copy(Frame *frame, const void *data, size_t size)
 {
-    return memcpy(frame_alloc(frame, 1, size), data, size);
+    void *copy = frame_alloc(frame, 1, size);
+    return copy ? memcpy(copy, data, size) : NULL;
 }
 
 GpSurface *frame_surface(Frame *frame, GpFormat format, uint32_t width, uint32_t height,
                          uint32_t levels)
 {
-    GP_ASSERT(frame->surface_count < FRAME_MAX_SURFACES);
-    GpSurfaceDesc desc = { .format = format, .width = width, .height = height, .levels = levels };
-    GpSurface *surface;
-    GpError error = { "" };
-    if (gp_surface_create(&desc, &surface, &error))
-        exit(report(EXIT_INTERNAL, "%s", error.text));
-    frame->surfaces[frame->surface_count++] = surface;
-    return surface;
-}
-
-void frame_free(Frame *frame)
-{
-    for (int i = 0; i < frame->block_count; i++)
-        gp_free(frame->blocks[i]);
-    for (int i = 0; i < frame->surface_count; i++)
-        gp_surface_destroy(&frame->surfaces[i]);
-    *frame = (Frame){ .color = NULL };
+    const GpSurfaceDesc desc = {
+        .format = format, .width = width, .height = height, .levels = levels
+    };
+    GpSurface *surface = arena_surface(&frame->arena, &desc);
+    frame->no_surface = (GpSurface){ .format = format, .width = width, .height = height };
+    return surface ? surface : &frame->no_surface;
 }
 
 /* --- passes ---------------------------------------------------------------------------------- */
 
-void frame_reserve(Frame *frame, uint32_t passes, uint32_t draws)
+/* An array with room for one more item, which moves to twice the room where it has none; NULL
+ * without memory. */
+static void *make_room(Frame *frame, void *items, uint32_t count, uint32_t *room, size_t size)
 {
-    frame->passes = frame_alloc(frame, passes, sizeof *frame->passes);
-    frame->draws = frame_alloc(frame, draws, sizeof *frame->draws);
-    frame->pass_room = passes;
-    frame->draw_room = draws;
-    frame->list.passes = frame->passes;
+    if (count < *room)
+        return items;
+    const uint32_t twice = count ? 2 * count : 4;
+    void *moved = frame_alloc(frame, twice, size);
+    if (!moved)
+        return NULL;
+    if (count)
+        memcpy(moved, items, count * size);
+    *room = twice;
+    return moved;
+}
+
+static GpPass *add_pass(Frame *frame)
+{
+    GpPass *passes = make_room(frame, frame->passes, frame->list.pass_count, &frame->pass_room,
+                               sizeof *frame->passes);
+    if (!passes)
+        return memset(&frame->no_pass, 0, sizeof frame->no_pass);
+    frame->list.passes = frame->passes = passes;
+    return &passes[frame->list.pass_count++];
 }
 
 GpPass *frame_pass(Frame *frame, const char *name, GpSurface *color, GpSurface *depth,
                    const float clear_color[4])
 {
-    GP_ASSERT(frame->list.pass_count < frame->pass_room);
-    GpPass *pass = &frame->passes[frame->list.pass_count++];
+    GpPass *pass = add_pass(frame);
     pass->name = name;
-    pass->draws = frame->draws + frame->draw_count;
     if (color) {
         pass->color[0] = (GpColorTarget){ .surface = color, .clear = true };
         memcpy(pass->color[0].clear_color, clear_color, sizeof pass->color[0].clear_color);
@@ -72,12 +79,36 @@ GpPass *frame_pass(Frame *frame, const char *name, GpSurface *color, GpSurface *
     return pass;
 }
 
+/* Draws of all passes lie one behind the other. */
+static void move_draws(Frame *frame, GpDraw *draws)
+{
+    frame->draws = draws;
+    for (uint32_t i = 0; i < frame->list.pass_count; i++) {
+        frame->passes[i].draws = draws;
+        draws += frame->passes[i].draw_count;
+    }
+}
+
+static GpDraw *add_draw(Frame *frame)
+{
+    GpDraw *draws =
+        make_room(frame, frame->draws, frame->draw_count, &frame->draw_room, sizeof *frame->draws);
+    if (!draws || frame->arena.result)
+        return memset(&frame->no_draw, 0, sizeof frame->no_draw);
+    if (draws != frame->draws)
+        move_draws(frame, draws);
+    GP_ASSERT(frame->list.pass_count > 0);
+    GpPass *pass = &frame->passes[frame->list.pass_count - 1];
+    GpDraw *draw = &draws[frame->draw_count++];
+    if (pass->draw_count++ == 0)
+        pass->draws = draw;
+    return draw;
+}
+
 GpDraw *frame_draw(Frame *frame, const GpProgram *program, const void *uniforms,
                    const GpGeometry *geometry)
 {
-    GP_ASSERT(frame->list.pass_count > 0 && frame->draw_count < frame->draw_room);
-    GpDraw *draw = &frame->draws[frame->draw_count++];
-    frame->passes[frame->list.pass_count - 1].draw_count++;
+    GpDraw *draw = add_draw(frame);
     draw->program = program;
     draw->uniforms = uniforms;
     draw->geometry = *geometry;

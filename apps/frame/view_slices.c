@@ -124,6 +124,8 @@ GpGeometry view_slices_quads(Frame *frame, const ViewSlices *slices, bool neares
     const uint32_t slabs = view_slices_count(slices);
     SliceVertex *vertices = frame_alloc(frame, 4 * (size_t)slabs, sizeof *vertices);
     uint32_t *indices = frame_alloc(frame, 6 * (size_t)slabs, sizeof *indices), quads = 0;
+    if (!vertices || !indices)
+        return (GpGeometry){ .vertex_count = 0 };
     for (uint32_t i = 0; i < slabs; i++) {
         const uint32_t slab = nearest_first ? i : slabs - 1 - i;
         if (is_behind(slices, slab))

@@ -109,36 +109,53 @@ static size_t level_bytes(const GpLevel *level)
     return level->pitch * level->height;
 }
 
-static uint64_t hash_surfaces(const Frame *frame)
+/* What a list draws into, each once. */
+typedef struct Targets {
+    const GpSurface *surface[64];
+    uint8_t *before[64]; /* level 0 of it */
+    size_t count;
+} Targets;
+
+static void add_target(Targets *targets, const GpSurface *surface)
 {
-    uint64_t hash = 0;
-    for (int i = 0; i < frame->surface_count; i++)
-        hash = hash * 3 + gp_surface_hash(frame->surfaces[i]);
-    return hash;
+    for (size_t i = 0; i < targets->count; i++)
+        if (targets->surface[i] == surface)
+            return;
+    const GpLevel *level = &surface->level[0];
+    uint8_t *before = gp_alloc(level_bytes(level), 1);
+    assert_true(targets->count < GP_COUNT(targets->surface) && before && surface->levels == 1);
+    memcpy(before, level->texels, level_bytes(level));
+    targets->before[targets->count] = before;
+    targets->surface[targets->count++] = surface;
+}
+
+static void find_targets(const GpList *list, Targets *targets)
+{
+    for (uint32_t p = 0; p < list->pass_count; p++) {
+        const GpPass *pass = &list->passes[p];
+        for (int t = 0; t < GP_MAX_TARGETS && pass->color[t].surface; t++)
+            add_target(targets, pass->color[t].surface);
+        if (pass->depth.surface)
+            add_target(targets, pass->depth.surface);
+    }
 }
 
 void run_everywhere(const Frame *frame)
 {
-    uint8_t *before[FRAME_MAX_SURFACES] = { NULL };
+    Targets targets = { .count = 0 };
     uint64_t first = 0;
-    for (int i = 0; i < frame->surface_count; i++) {
-        const GpLevel *level = &frame->surfaces[i]->level[0];
-        assert_int_equal(frame->surfaces[i]->levels, 1);
-        before[i] = gp_alloc(level_bytes(level), 1);
-        assert_non_null(before[i]);
-        memcpy(before[i], level->texels, level_bytes(level));
-    }
+    find_targets(&frame->list, &targets);
     for (size_t d = 0; device_here(d); d++) {
-        for (int i = 0; i < frame->surface_count; i++) {
-            const GpLevel *level = &frame->surfaces[i]->level[0];
-            memcpy(level->texels, before[i], level_bytes(level));
+        for (size_t i = 0; i < targets.count; i++) {
+            const GpLevel *level = &targets.surface[i]->level[0];
+            memcpy(level->texels, targets.before[i], level_bytes(level));
         }
         run_list_on(device_here(d), &frame->list);
-        const uint64_t hash = hash_surfaces(frame);
+        const uint64_t hash = hash_targets(&frame->list);
         first = d == 0 ? hash : first;
         if (hash != first)
             fail_msg("%s draws other bits", device_name(device_here(d)));
     }
-    for (int i = 0; i < frame->surface_count; i++)
-        gp_free(before[i]);
+    for (size_t i = 0; i < targets.count; i++)
+        gp_free(targets.before[i]);
 }

@@ -6,12 +6,9 @@
 
 #include <math.h>
 
-enum { MORE = 2 }; /* passes and draws beside a picture's own */
-
 void view_case_begin(Frame *frame)
 {
     *frame = (Frame){ .color = NULL };
-    frame_reserve(frame, VOXEL_VIEW_PASSES + MORE, VOXEL_VIEW_DRAWS + MORE);
 }
 
 void view_case_put(const FlatTexture *sheet, uint32_t x, uint32_t y, uint32_t z)

@@ -135,9 +135,6 @@ static void draw_volume(VoxelDraw *draw, const void *context, uint32_t size, uin
                         bool everywhere, uint8_t *voxels)
 {
     Frame frame = { .color = NULL };
-    uint32_t passes, draws;
-    voxel_room(&(VoxelSetting){ .size = size }, &passes, &draws);
-    frame_reserve(&frame, passes, draws);
     const FlatTexture sheet = flat_texture_make(&frame, size, bits);
     draw(context, &frame, &sheet);
     if (everywhere)

@@ -20,11 +20,6 @@ enum {
 
 static const float nothing[4] = { 0 };
 
-uint32_t shadow_tile_draws(uint32_t objects)
-{
-    return objects + 1 + MAX_TILES * objects;
-}
-
 /* --- asking ----------------------------------------------------------------------------------- */
 
 static GpSurface *draw_request(const ShadowBuild *build, const ShadowLight *light)
@@ -34,12 +29,13 @@ static GpSurface *draw_request(const ShadowBuild *build, const ShadowLight *ligh
     uint32_t width = (build->scene->picture->width + REQUEST_SHARE - 1) / REQUEST_SHARE;
     uint32_t height = (build->scene->picture->height + REQUEST_SHARE - 1) / REQUEST_SHARE;
     GpSurface *request = frame_surface(frame, GP_R32F, width, height, 1);
-    ShadowTilesUniforms *uniforms = frame_alloc(frame, scene->draw_count, sizeof *uniforms);
     frame_pass(frame, "request", request, frame_surface(frame, GP_D32F, width, height, 1), nothing);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
-        shadow_set_uniforms(build, light, object, &uniforms[i]);
-        GpDraw *draw = frame_draw(frame, &shadow_request_program, &uniforms[i], &object->geometry);
+        ShadowTilesUniforms uniforms = { .tiles = 0 };
+        shadow_set_uniforms(build, light, object, &uniforms);
+        GpDraw *draw = frame_draw(frame, &shadow_request_program,
+                                  frame_copy(frame, &uniforms, sizeof uniforms), &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
@@ -57,7 +53,7 @@ static GpSurface *draw_marks(const ShadowBuild *build, const GpSurface *request)
     GpSurface *marks = frame_surface(frame, GP_A8R8G8B8, TILES, TILES, 1);
     uint32_t count = request->width * request->height;
     float(*pixel)[2] = frame_alloc(frame, count, sizeof *pixel);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; pixel && i < count; i++) {
         pixel[i][0] = ((float)(i % request->width) + 0.5f) / (float)request->width;
         pixel[i][1] = ((float)(i / request->width) + 0.5f) / (float)request->height;
     }
@@ -102,7 +98,7 @@ static uint32_t find_marked(const GpSurface *marks, uint32_t room, uint32_t tile
 
 static void fill_table(const uint32_t tiles[], uint32_t count, ShadowLight *light)
 {
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; light->table->level[0].texels && i < count; i++)
         *texel(light->table, tiles[i]) =
             0xff000000 | (i % light->columns) << 16 | (i / light->columns) << 8;
 }
@@ -158,20 +154,21 @@ static void draw_tiles(const ShadowBuild *build, ShadowLight *light, const uint3
 {
     const GpPass *scene = &build->scene->list.passes[0];
     Bounds *boxes = frame_alloc(build->frame, scene->draw_count, sizeof *boxes);
-    float(*clip)[4][4] = frame_alloc(build->frame, count, sizeof *clip);
     float size = (float)light->tile;
-    for (uint32_t i = 0; i < scene->draw_count; i++)
+    for (uint32_t i = 0; boxes && i < scene->draw_count; i++)
         boxes[i] = draw_bounds(&scene->draws[i]);
-    for (uint32_t slot = 0, length; slot < count; slot += length) {
+    for (uint32_t slot = 0, length; boxes && slot < count; slot += length) {
+        float clip[4][4];
         length = run_length(light, tiles, slot, count);
-        crop(light->view[0].clip, tiles[slot], length, clip[slot]);
+        crop(light->view[0].clip, tiles[slot], length, clip);
+        const void *uniforms = frame_copy(build->frame, clip, sizeof clip);
         const GpViewport viewport = { .x = (float)(slot % light->columns) * size,
                                       .y = (float)(slot / light->columns) * size,
                                       .width = (float)length * size,
                                       .height = size };
         for (uint32_t i = 0; i < scene->draw_count; i++)
-            if (may_see(clip[slot], &boxes[i]))
-                shadow_draw_caster(build, light, i, clip[slot], &viewport, true);
+            if (may_see(clip, &boxes[i]))
+                shadow_draw_caster(build, light, i, uniforms, &viewport, true);
     }
 }
 
@@ -180,7 +177,9 @@ GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLight *light, GpError
     Frame *frame = build->frame;
     uint32_t first = frame->list.pass_count - 1;
     const GpSurface *marks = draw_marks(build, draw_request(build, light));
-    GpResult result = run(frame, first, error);
+    GpResult result = frame_result(frame, error);
+    if (!result)
+        result = run(frame, first, error);
     if (result)
         return result;
 

@@ -4,10 +4,6 @@
 
 #include "apps/techniques/shadow/light.h"
 
-/* Passes and draws that a light's tiles take at most. */
-enum { SHADOW_TILE_PASSES = 3 };
-uint32_t shadow_tile_draws(uint32_t objects);
-
 /* After the pass that draws the map: passes that ask for finer tiles of it, and one that draws those.
  * To know which, it runs the passes up to there, on a device of its own.
  * out  light->table and what follows

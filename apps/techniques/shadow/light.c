@@ -64,7 +64,7 @@ static const bool *find_casts(const ShadowBuild *build, const SceneLight *source
 {
     const GpPass *scene = &build->scene->list.passes[0];
     bool *casts = frame_alloc(build->frame, scene->draw_count, sizeof *casts);
-    for (uint32_t i = 0; i < scene->draw_count; i++)
+    for (uint32_t i = 0; casts && i < scene->draw_count; i++)
         casts[i] = build->setting->fit == LIGHT_FIT_LIGHT ||
                    !only_receives(build->scene, source, &scene->draws[i]);
     return casts;
@@ -79,7 +79,7 @@ void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint
     };
     const ShadowSetting *setting = build->setting;
     const GpDraw *caster = &build->scene->list.passes[0].draws[object];
-    if (!light->casts[object])
+    if (!light->casts || !light->casts[object])
         return;
     bool plain = setting->method == SHADOW_PLAIN;
     GpDraw *draw = frame_draw(build->frame, plain ? &shadow_map_program : &depth_only_program, clip,

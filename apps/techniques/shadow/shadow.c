@@ -45,15 +45,15 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
     GpPass *pass = frame_pass(frame, "lit", frame->color, frame->depth, build->scene->background);
     pass->color[0].clear_color[3] = 0;
     pass->color[0].clear = pass->depth.clear_depth = first;
-    ShadowTilesUniforms *uniforms = frame_alloc(frame, scene->draw_count, sizeof *uniforms);
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
         bool textured = object->program == &textured_phong_program;
-        shadow_set_uniforms(build, light, object, &uniforms[i]);
+        ShadowTilesUniforms uniforms = { .tiles = 0 };
+        shadow_set_uniforms(build, light, object, &uniforms);
         if (!first)
-            memcpy(uniforms[i].shadow.ambient, black, sizeof uniforms[i].shadow.ambient);
-        GpDraw *draw = frame_draw(frame, choose_program(build, light, textured), &uniforms[i],
-                                  &object->geometry);
+            memcpy(uniforms.shadow.ambient, black, sizeof uniforms.shadow.ambient);
+        GpDraw *draw = frame_draw(frame, choose_program(build, light, textured),
+                                  frame_copy(frame, &uniforms, sizeof uniforms), &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = first ? nearer : same;
@@ -80,13 +80,6 @@ GpResult shadow_build(const Scene *scene, const ShadowSetting *setting, Frame *f
         return result;
     const ShadowBuild build = { scene, setting, frame };
     bool adaptive = setting->fit == LIGHT_FIT_ADAPTIVE;
-    uint32_t objects = scene->list.passes[0].draw_count;
-    uint32_t passes = 2, draws = 7 * objects; /* of a light, at most */
-    if (adaptive) {
-        passes += SHADOW_TILE_PASSES;
-        draws += shadow_tile_draws(objects);
-    }
-    frame_reserve(frame, scene->light_count * passes, scene->light_count * draws);
     frame->color =
         frame_surface(frame, GP_A8R8G8B8, scene->picture->width, scene->picture->height, 1);
     frame->depth = frame_surface(frame, GP_D32F, scene->picture->width, scene->picture->height, 1);
@@ -98,5 +91,5 @@ GpResult shadow_build(const Scene *scene, const ShadowSetting *setting, Frame *f
         }
         draw_lit(&build, &light, i == 0);
     }
-    return GP_OK;
+    return frame_result(frame, error);
 }

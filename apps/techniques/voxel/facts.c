@@ -72,9 +72,6 @@ static GpResult find_solid(const VoxelModel *model, uint32_t size, GpDevice *dev
     };
     Frame frame = { .color = NULL };
     FlatTexture sheet;
-    uint32_t passes, draws;
-    voxel_room(&setting, &passes, &draws);
-    frame_reserve(&frame, passes, draws);
     GpResult result = voxel_build(model, &setting, &frame, &sheet, error);
     if (!result)
         result = gp_device_run(device, &frame.list, error);

@@ -50,7 +50,6 @@ static GpResult time_picture(const TechniqueClock *clock, const FlatTexture *she
     Timing timing;
     VoxelView view = voxel_view_defaults;
     view.camera = camera_for(sheet->size);
-    frame_reserve(&frame, VOXEL_VIEW_PASSES, VOXEL_VIEW_DRAWS);
     GpResult result = voxel_view_build(sheet, &view, PICTURE, PICTURE, &frame, error);
     if (!result)
         result = run_first(clock->device, &frame.list, &statistics, error);

@@ -104,20 +104,16 @@ static GpResult build(void *opened, const void *chosen, Frame *frame, GpError *e
     GpResult result = flat_texture_check(setting->size, setting->bits, error);
     if (result)
         return result;
-    uint32_t passes, draws;
-    VoxelMade *made = frame_alloc(frame, 1, sizeof *made);
-    made->setting = *setting;
-    made->box = voxel_scene_box(&study->scene, setting->size);
-    made->sheet = flat_texture_make(frame, setting->size, setting->bits);
-    voxel_scene_room(setting, &made->sheet, &passes, &draws);
-    frame_reserve(frame, passes, draws);
-    result = voxel_scene_draw(&study->scene, setting, &made->box, frame, &made->sheet, error);
+    const VoxelMade made = { .setting = *setting,
+                             .box = voxel_scene_box(&study->scene, setting->size),
+                             .sheet = flat_texture_make(frame, setting->size, setting->bits) };
+    frame->made = frame_copy(frame, &made, sizeof made);
+    result = voxel_scene_draw(&study->scene, setting, &made.box, frame, &made.sheet, error);
     if (result) {
         frame_free(frame);
         return result;
     }
-    frame->color = made->sheet.texels;
-    frame->made = made;
+    frame->color = made.sheet.texels;
     return GP_OK;
 }
 

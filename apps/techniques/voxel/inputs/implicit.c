@@ -15,12 +15,6 @@ _Static_assert((int)VOXEL_FUNCTION_DEGREE == (int)POLYNOMIAL_DEGREE, "one degree
 
 enum { CORNERS = 8 };
 
-uint32_t voxel_input_draws(const FlatTexture *sheet)
-{
-    const uint32_t draws = sheet->slabs * (CORNERS + 1);
-    return draws > SHAPE_TEAPOT_PATCHES ? draws : SHAPE_TEAPOT_PATCHES;
-}
-
 GpResult voxel_function_parse(const char *text, VoxelFunction *function, GpError *error)
 {
     static const char quartic[] = "x^4 - 5x^2 + y^4 - 5y^2 + z^4 - 5z^2 + 11.8 = 0";
@@ -47,8 +41,6 @@ typedef struct Sampling {
     const VoxelBox *box;
     Frame *frame;
     const FlatTexture *sheet;
-    VoxelImplicitUniforms *next_polynomial; /* one for each draw */
-    VoxelFieldUniforms *next_field;
     GpSurface *field;   /* of a callback */
     FlatTexture layout; /* the field's patches */
 } Sampling;
@@ -63,42 +55,41 @@ static void bound_samples(const FlatTexture *sheet, uint32_t slab, float inside[
 /* Draws the samples of a slab at a place in its voxels. */
 static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const float place[3])
 {
-    VoxelImplicitUniforms *u = s->next_polynomial++;
     const double scale = 1 / s->box->scale;
-    *u = (VoxelImplicitUniforms){
+    VoxelImplicitUniforms u = {
         .size = (float)s->sheet->size,
         .first = { place[0], place[1], (float)(slab * s->sheet->per_texel) + place[2] },
         .scale = (float)scale,
     };
     for (int k = 0; k < 3; k++)
-        u->offset[k] = (float)(-s->box->offset[k] * scale);
-    bound_samples(s->sheet, slab, u->inside);
+        u.offset[k] = (float)(-s->box->offset[k] * scale);
+    bound_samples(s->sheet, slab, u.inside);
     for (int i = 0; i < POLYNOMIAL_SIDE; i++)
         for (int j = 0; j < POLYNOMIAL_SIDE; j++)
             for (int k = 0; k < POLYNOMIAL_SIDE; k++)
-                u->coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
+                u.coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
     return flat_texture_draw(s->frame,
-                             corner ? &voxel_implicit_corner_program : &voxel_implicit_program, u,
-                             s->sheet, slab);
+                             corner ? &voxel_implicit_corner_program : &voxel_implicit_program,
+                             frame_copy(s->frame, &u, sizeof u), s->sheet, slab);
 }
 
 static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
 {
-    VoxelFieldUniforms *u = s->next_field++;
-    *u = (VoxelFieldUniforms){ .size = (float)s->sheet->size,
+    VoxelFieldUniforms u = { .size = (float)s->sheet->size,
                                .texel = { 1.0f / (float)s->field->width,
                                           1.0f / (float)s->field->height },
                                .next = corner ? place[2] : 0 };
-    bound_samples(s->sheet, slab, u->inside);
+    bound_samples(s->sheet, slab, u.inside);
     for (uint32_t i = 0; i < VOXEL_FIELD_PATCHES; i++) {
         const uint32_t last = s->layout.slabs - 1;
         const uint32_t patch = slab * (s->sheet->per_texel / s->layout.per_texel) + i;
         const GpViewport v = flat_texture_patch(&s->layout, patch < last ? patch : last);
-        u->origin[i][0] = v.x + (corner ? place[0] : 0);
-        u->origin[i][1] = v.y + (corner ? place[1] : 0);
+        u.origin[i][0] = v.x + (corner ? place[0] : 0);
+        u.origin[i][1] = v.y + (corner ? place[1] : 0);
     }
-    GpDraw *draw = flat_texture_draw(
-        s->frame, corner ? &voxel_field_corner_program : &voxel_field_program, u, s->sheet, slab);
+    GpDraw *draw =
+        flat_texture_draw(s->frame, corner ? &voxel_field_corner_program : &voxel_field_program,
+                          frame_copy(s->frame, &u, sizeof u), s->sheet, slab);
     draw->textures[0].surface = s->field;
     return draw;
 }
@@ -155,7 +146,7 @@ static void fill_field(Sampling *s, float place)
     const uint32_t rows = (layout->slabs + layout->columns - 1) / layout->columns;
     s->field = frame_surface(s->frame, GP_A32B32G32R32F, layout->columns * layout->size,
                              rows * layout->size, 1);
-    for (uint32_t z = 0; z < layout->size; z++)
+    for (uint32_t z = 0; s->field->level[0].texels && z < layout->size; z++)
         fill_layer(s, z, place);
 }
 
@@ -197,16 +188,12 @@ GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int 
     GP_ASSERT(sheet->bits == 1);
     const bool solid = kind == VOXEL_SOLID;
     Sampling s = { .function = function, .box = box, .frame = frame, .sheet = sheet };
-    const uint32_t draws = sheet->slabs * (solid ? 1 : CORNERS);
     if (function->evaluate) {
         GpResult result = plan_field(sheet->size + !solid, &s.layout, error);
         if (result)
             return result;
         fill_field(&s, solid ? 0.5f : 0);
-        s.next_field = frame_alloc(frame, draws, sizeof *s.next_field);
-    } else {
-        s.next_polynomial = frame_alloc(frame, draws, sizeof *s.next_polynomial);
     }
     (solid ? draw_solid : draw_surface)(&s);
-    return GP_OK;
+    return frame_result(frame, error);
 }

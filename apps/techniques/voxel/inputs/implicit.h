@@ -1,17 +1,11 @@
 /* Volumes of what is no mesh: functions, parametric surfaces and points. Each appends passes that
- * draw into a flat texture of one bit a voxel, in a work with room for VOXEL_INPUT_PASSES and
- * voxel_input_draws.
+ * draw into a flat texture of one bit a voxel.
  */
 #ifndef APPS_TECHNIQUES_VOXEL_INPUTS_IMPLICIT_H
 #define APPS_TECHNIQUES_VOXEL_INPUTS_IMPLICIT_H
 
 #include "apps/base/polynomial.h"
 #include "apps/techniques/voxel/methods/voxelize.h"
-
-enum { VOXEL_INPUT_PASSES = 2 };
-
-/* Upper bound of the draws that any of these appends. */
-uint32_t voxel_input_draws(const FlatTexture *sheet);
 
 /* --- implicit surfaces ------------------------------------------------------------------------ */
 

@@ -73,18 +73,6 @@ static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpErro
     return flat_texture_check(setting->size, setting->bits, error);
 }
 
-static void reserve(const VoxelPair *pair, const VoxelSetting *setting, const FlatTexture *sheet,
-                    uint32_t more_passes, uint32_t more_draws, Frame *frame)
-{
-    uint32_t passes, draws;
-    voxel_scene_room(setting, sheet, &passes, &draws);
-    if (pair->scenes[1]) {
-        passes = 2 * passes + VOXEL_COMBINE_PASSES;
-        draws = 2 * draws + voxel_combine_draws(sheet);
-    }
-    frame_reserve(frame, passes + more_passes, draws + more_draws);
-}
-
 static GpResult draw_model(const VoxelPair *pair, int which, const VoxelSetting *setting,
                            const VoxelBox *box, Frame *frame, VoxelPairMade *made, GpError *error)
 {
@@ -120,8 +108,8 @@ static void combine(const VoxelPair *pair, const VoxelRange ranges[2], Frame *fr
         voxel_combine(frame, first, second, (VoxelCombine)pair->combine, &made->result);
 }
 
-GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, uint32_t more_passes,
-                          uint32_t more_draws, Frame *frame, VoxelPairMade *made, GpError *error)
+GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Frame *frame,
+                          VoxelPairMade *made, GpError *error)
 {
     GpResult result = check(pair, setting, error);
     if (result)
@@ -135,7 +123,6 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, ui
     *made = (VoxelPairMade){ .box = boxes[0] };
     for (int i = 0; i <= two; i++)
         made->sheets[i] = flat_texture_make(frame, setting->size, setting->bits);
-    reserve(pair, setting, &made->sheets[0], more_passes, more_draws, frame);
     VoxelRange ranges[2];
     for (int i = 0; i <= two && !result; i++) {
         result = draw_model(pair, i, setting, &boxes[i], frame, made, error);
@@ -147,5 +134,5 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, ui
     made->range = made->around = ranges[0];
     if (two)
         combine(pair, ranges, frame, made);
-    return GP_OK;
+    return frame_result(frame, error);
 }

@@ -31,9 +31,8 @@ typedef struct VoxelPairMade {
 
 /* Makes flat textures and appends the passes of models and of what becomes of them. Two models lie in the
  * box of both, unless the first is placed.
- * in     work: without passes; more_passes, more_draws: room for those that the caller appends
  * errors those of voxel_scene_draw; GP_ERROR_INVALID: voxels of so many bits cannot be combined so */
-GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, uint32_t more_passes,
-                          uint32_t more_draws, Frame *frame, VoxelPairMade *made, GpError *error);
+GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Frame *frame,
+                          VoxelPairMade *made, GpError *error);
 
 #endif

@@ -91,7 +91,7 @@ static void draw_grid(Frame *frame, const GpProgram *program,
     const uint32_t columns = (uint32_t)points_along(slope[0], step, box);
     const uint32_t rows = (uint32_t)points_along(slope[1], step, box);
     float(*uv)[2] = frame_alloc(frame, (size_t)columns * rows, sizeof *uv);
-    for (uint32_t row = 0; row < rows; row++)
+    for (uint32_t row = 0; uv && row < rows; row++)
         for (uint32_t column = 0; column < columns; column++) {
             float *point = uv[(size_t)row * columns + column];
             point[0] = (float)(column / (columns - 1.0));
@@ -100,7 +100,7 @@ static void draw_grid(Frame *frame, const GpProgram *program,
     const GpGeometry grid = { .primitive = GP_POINTS,
                               .vertex_count = columns * rows,
                               .streams = { [GP_TEXCOORD0] = { uv, 0, 2, GP_FLOAT32 } } };
-    frame_draw(frame, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
+    frame_draw(frame, program, frame_copy(frame, uniforms, sizeof *uniforms), &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 
 static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *sheet)
@@ -153,14 +153,13 @@ static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame,
     GpResult result = check_points(points, step, error);
     if (result)
         return result;
-    VoxelParametricUniforms *uniforms = frame_alloc(frame, SHAPE_TEAPOT_PATCHES, sizeof *uniforms);
     flat_texture_pass(frame, "patches", sheet);
     for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
-        uniforms[i].place = place_points(box, sheet);
-        memcpy(uniforms[i].control, control[i], sizeof control[i]);
-        draw_grid(frame, &voxel_bezier_program, &uniforms[i], slope[i], step, box);
+        VoxelParametricUniforms uniforms = { .place = place_points(box, sheet) };
+        memcpy(uniforms.control, control[i], sizeof control[i]);
+        draw_grid(frame, &voxel_bezier_program, &uniforms, slope[i], step, box);
     }
-    return GP_OK;
+    return frame_result(frame, error);
 }
 
 GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Frame *frame,
@@ -175,13 +174,12 @@ GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Fr
     GpResult result = check_points(points_of(surface->slope, step, box), step, error);
     if (result)
         return result;
-    VoxelParametricUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
-    uniforms->place = place_points(box, sheet);
-    uniforms->radius = surface->radius;
-    uniforms->width = surface->width;
+    const VoxelParametricUniforms uniforms = { .place = place_points(box, sheet),
+                                               .radius = surface->radius,
+                                               .width = surface->width };
     flat_texture_pass(frame, surface->name, sheet);
-    draw_grid(frame, surface->program, uniforms, surface->slope, step, box);
-    return GP_OK;
+    draw_grid(frame, surface->program, &uniforms, surface->slope, step, box);
+    return frame_result(frame, error);
 }
 
 /* --- points ----------------------------------------------------------------------------------- */
@@ -192,13 +190,13 @@ GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *bo
     GP_ASSERT(sheet->bits == 1);
     if (count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
-    VoxelPointsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
-    *uniforms = place_points(box, sheet);
+    const VoxelPointsUniforms uniforms = place_points(box, sheet);
     const GpGeometry points = { .primitive = GP_POINTS,
                                 .vertex_count = count,
                                 .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };
     flat_texture_pass(frame, "points", sheet);
-    frame_draw(frame, &voxel_points_program, uniforms, &points)->state.blend[0].op =
-        GP_BLEND_LOGIC_OR;
-    return GP_OK;
+    frame_draw(frame, &voxel_points_program, frame_copy(frame, &uniforms, sizeof uniforms), &points)
+        ->state.blend[0]
+        .op = GP_BLEND_LOGIC_OR;
+    return frame_result(frame, error);
 }

@@ -143,14 +143,6 @@ VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box)
                          .motion = voxel_still(box) };
 }
 
-void voxel_scene_room(const VoxelSetting *setting, const FlatTexture *sheet, uint32_t *passes,
-                      uint32_t *draws)
-{
-    voxel_room(setting, passes, draws);
-    *passes += VOXEL_INPUT_PASSES;
-    *draws += voxel_input_draws(sheet);
-}
-
 /* What a setting asks of an input that is no mesh. */
 static GpResult check_input(const VoxelScene *scene, const VoxelSetting *setting, GpError *error)
 {

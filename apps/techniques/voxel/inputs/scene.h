@@ -51,10 +51,6 @@ VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box);
 /* The mesh of a scene as voxel_draw takes it, borrowed and not twisted. */
 VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);
 
-/* Upper bounds of the passes and draws that voxel_scene_draw appends, for frame_reserve. */
-void voxel_scene_room(const VoxelSetting *setting, const FlatTexture *sheet, uint32_t *passes,
-                      uint32_t *draws);
-
 /* Appends the passes of a model in its box.
  * in     sheet: of the setting's size and bits, which flat_texture_check lets pass
  * errors those of voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with

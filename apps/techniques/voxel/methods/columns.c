@@ -66,7 +66,7 @@ static GpGeometry make_points(const VoxelModel *model, Frame *frame, const uint3
                               uint32_t count)
 {
     float *corners = frame_alloc(frame, (size_t)count * CORNERS, sizeof *corners);
-    for (uint32_t i = 0; i < count; i++)
+    for (uint32_t i = 0; corners && i < count; i++)
         copy_corners(model, list[i], corners + (size_t)i * CORNERS);
     GpGeometry points = { .primitive = GP_POINTS, .vertex_count = count };
     bind_corners(&points, corners, CORNERS * sizeof *corners);
@@ -81,7 +81,7 @@ static GpGeometry make_rectangles(const VoxelModel *model, Frame *frame, const u
     static const uint32_t halves[6] = { 0, 1, 2, 0, 2, 3 };
     float *vertices = frame_alloc(frame, (size_t)count * 4 * FLOATS, sizeof *vertices);
     uint32_t *indices = frame_alloc(frame, (size_t)count * 6, sizeof *indices);
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; vertices && indices && i < count; i++) {
         for (uint32_t j = 0; j < 4; j++) {
             float *vertex = vertices + ((size_t)i * 4 + j) * FLOATS;
             copy_corners(model, list[i], vertex);
@@ -106,6 +106,8 @@ static void add_draw(const VoxelModel *model, Frame *frame, const FlatTexture *s
                      const GpProgram *program, uint32_t step, const GpGeometry *geometry)
 {
     VoxelColumnsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
+    if (!uniforms)
+        return;
     *uniforms = (VoxelColumnsUniforms){ .sheet = flat_texture_layout(sheet), .step = (float)step };
     voxel_set_motion(model, frame, &uniforms->motion);
     frame_draw(frame, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
@@ -151,9 +153,7 @@ void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Frame *
     const bool thin = setting->method == VOXEL_THIN;
     const Share *shares = thin ? sampled : touched;
     const size_t share_count = thin ? GP_COUNT(sampled) : GP_COUNT(touched);
-    VoxelExtent *extents = frame_alloc(frame, model->triangle_count, sizeof *extents);
-    voxel_extents(model, extents);
-
+    const VoxelExtent *extents = voxel_extents(model, frame);
     flat_texture_pass(frame, thin ? "sampled" : "touched", sheet);
     for (size_t i = 0; i < share_count; i++) {
         VoxelList list = { NULL, model->triangle_count };

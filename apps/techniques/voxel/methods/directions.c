@@ -12,7 +12,7 @@ const GpSurface *voxel_table(Frame *frame, uint32_t width, uint32_t height, uint
 {
     GpSurface *table = frame_surface(frame, GP_A8R8G8B8, width, height, 1);
     uint8_t *texel = table->level[0].texels;
-    for (uint32_t i = 0; i < width * height; i++, texel += 4) { /* bytes are B G R A */
+    for (uint32_t i = 0; texel && i < width * height; i++, texel += 4) { /* bytes are B G R A */
         texel[2] = codes[i * channels];
         texel[1] = channels > 1 ? codes[i * channels + 1] : 0;
     }
@@ -110,14 +110,14 @@ static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int 
     for (int i = 0; i < GP_MAX_TARGETS; i++)
         pass->color[i] = (GpColorTarget){ .surface = targets->of[i].texels, .clear = true };
 
-    VoxelSheetsUniforms *uniforms = frame_alloc(frame, sort->groups, sizeof *uniforms);
     for (uint32_t g = 0; g < sort->groups; g++) {
         GpGeometry list = list_of(model, sort, (uint32_t)axis * sort->groups + g);
         if (list.index_count == 0)
             continue;
-        uniforms[g] = describe_axis(model, setting, axis);
-        uniforms[g].first_slab = (float)(GP_MAX_TARGETS * g);
-        GpDraw *draw = frame_draw(frame, choose_program(setting), &uniforms[g], &list);
+        VoxelSheetsUniforms uniforms = describe_axis(model, setting, axis);
+        uniforms.first_slab = (float)(GP_MAX_TARGETS * g);
+        GpDraw *draw = frame_draw(frame, choose_program(setting),
+                                  frame_copy(frame, &uniforms, sizeof uniforms), &list);
         draw->viewport = flat_texture_patch(&targets->of[0], g);
         if (setting->bits == 1)
             draw->textures[0] = voxel_texels(powers);
@@ -130,15 +130,14 @@ static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int 
 static void gather(Frame *frame, const Targets *from, const FlatTexture *to)
 {
     flat_texture_pass(frame, "gather", to);
-    SheetCopyUniforms *uniforms = frame_alloc(frame, to->slabs, sizeof *uniforms);
     for (uint32_t slab = 0; slab < to->slabs; slab++) {
         const FlatTexture *target = &from->of[slab % GP_MAX_TARGETS];
         const float width = (float)target->texels->width, height = (float)target->texels->height;
         GpViewport patch = flat_texture_patch(target, slab / GP_MAX_TARGETS);
-        uniforms[slab] =
-            (SheetCopyUniforms){ .origin = { patch.x / width, patch.y / height },
-                                 .extent = { patch.width / width, patch.height / height } };
-        GpDraw *draw = flat_texture_draw(frame, &sheet_copy_program, &uniforms[slab], to, slab);
+        const SheetCopyUniforms uniforms = { { patch.x / width, patch.y / height },
+                                             { patch.width / width, patch.height / height } };
+        GpDraw *draw = flat_texture_draw(frame, &sheet_copy_program,
+                                         frame_copy(frame, &uniforms, sizeof uniforms), to, slab);
         draw->textures[0] = voxel_texels(target->texels);
     }
 }
@@ -162,7 +161,10 @@ void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting,
                        .groups = groups,
                        .group_depth = GP_MAX_TARGETS * (double)z->per_texel,
                        .spans = frame_alloc(frame, model->triangle_count, sizeof(VoxelSpans)) };
-    sort.indices = frame_alloc(frame, voxel_sort_count(model, &sort) + 1, sizeof(uint32_t));
+    if (sort.spans)
+        sort.indices = frame_alloc(frame, voxel_sort_count(model, &sort) + 1, sizeof(uint32_t));
+    if (!sort.indices)
+        return;
     voxel_sort_fill(model, &sort);
 
     static const uint8_t codes[8] = { 1, 2, 4, 8, 16, 32, 64, 128 };

@@ -14,13 +14,14 @@ static void draw_faces(const VoxelModel *model, uint32_t size, Frame *frame,
     static const char *const names[FACES] = { "face -x", "face +x", "face -y",
                                               "face +y", "face -z", "face +z" };
     const GpGeometry geometry = voxel_model_geometry(model);
-    DepthOnlyUniforms *uniforms = frame_alloc(frame, FACES, sizeof *uniforms);
     for (int i = 0; i < FACES; i++) {
         faces[i] = frame_surface(frame, GP_D32F, size, size, 1);
         const VoxelModel along = voxel_model_along(model, i / 2);
-        voxel_model_view(&along, size, i % 2, uniforms[i].mvp);
+        DepthOnlyUniforms uniforms;
+        voxel_model_view(&along, size, i % 2, uniforms.mvp);
         frame_pass(frame, names[i], NULL, faces[i], NULL);
-        GpDraw *draw = frame_draw(frame, &depth_only_program, &uniforms[i], &geometry);
+        GpDraw *draw = frame_draw(frame, &depth_only_program,
+                                  frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     }
 }
@@ -31,11 +32,10 @@ void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Frame *fr
     GpSurface *faces[FACES];
     draw_faces(model, setting->size, frame, faces);
 
-    FlatTextureSlab *uniforms = frame_alloc(frame, sheet->slabs, sizeof *uniforms);
     flat_texture_pass(frame, "faces to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        uniforms[slab] = flat_texture_slab(sheet, slab);
-        GpDraw *draw = flat_texture_draw(frame, &voxel_faces_program, &uniforms[slab], sheet, slab);
+        GpDraw *draw = flat_texture_draw(frame, &voxel_faces_program,
+                                         flat_texture_slab(frame, sheet, slab), sheet, slab);
         for (int i = 0; i < FACES; i++)
             draw->textures[i].surface = faces[i];
     }

@@ -13,8 +13,9 @@ static void peel(const VoxelModel *model, uint32_t size, Frame *frame,
     static const float no_layer[4] = { VOXEL_NO_LAYER };
     const GpGeometry geometry = voxel_model_geometry(model);
     GpSurface *depth = frame_surface(frame, GP_D32F, size, size, 1);
-    VoxelPeelUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
-    voxel_model_view(model, size, false, uniforms->to_clip);
+    VoxelPeelUniforms view;
+    voxel_model_view(model, size, false, view.to_clip);
+    const void *uniforms = frame_copy(frame, &view, sizeof view);
     for (int i = 0; i < VOXEL_LAYERS; i++) {
         layers[i] = frame_surface(frame, GP_R32F, size, size, 1);
         frame_pass(frame, "layer", layers[i], depth, no_layer);
@@ -44,15 +45,14 @@ void voxel_layered_depth(const VoxelModel *model, const VoxelSetting *setting, F
     GpSurface *layers[VOXEL_LAYERS];
     peel(model, setting->size, frame, layers);
 
-    FlatTextureSlab *uniforms = frame_alloc(frame, sheet->slabs, sizeof *uniforms);
     flat_texture_pass(frame, "layers to voxels", sheet);
     for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        uniforms[slab] = flat_texture_slab(sheet, slab);
+        const FlatTextureSlab *uniforms = flat_texture_slab(frame, sheet, slab);
         if (setting->kind == VOXEL_SOLID)
             for (int i = 0; i + 1 < VOXEL_LAYERS; i += 2)
-                fill_patch(frame, sheet, slab, &uniforms[slab], layers[i], layers[i + 1]);
+                fill_patch(frame, sheet, slab, uniforms, layers[i], layers[i + 1]);
         else
             for (int i = 0; i < VOXEL_LAYERS; i++)
-                fill_patch(frame, sheet, slab, &uniforms[slab], layers[i], NULL);
+                fill_patch(frame, sheet, slab, uniforms, layers[i], NULL);
     }
 }

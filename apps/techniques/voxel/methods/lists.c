@@ -47,19 +47,23 @@ static VoxelExtent still_extent(double q[3][3])
                           in_one(low[X], high[X]) && in_one(low[Y], high[Y]), centres >= 2 };
 }
 
-void voxel_extents(const VoxelModel *model, VoxelExtent *extents)
+const VoxelExtent *voxel_extents(const VoxelModel *model, Frame *frame)
 {
-    for (uint32_t i = 0; i < model->triangle_count; i++) {
+    VoxelExtent *extents = frame_alloc(frame, model->triangle_count, sizeof *extents);
+    for (uint32_t i = 0; extents && i < model->triangle_count; i++) {
         double q[3][3];
         voxel_model_corners(model, i, q);
         extents[i] = model->motions ? any_extent(model, q) : still_extent(q);
     }
+    return extents;
 }
 
 VoxelList voxel_choose(Frame *frame, const VoxelExtent *extents, VoxelList from,
                        VoxelChoice *choice, float about)
 {
     uint32_t *chosen = frame_alloc(frame, (size_t)from.count + 1, sizeof *chosen), count = 0;
+    if (!chosen || !extents)
+        return (VoxelList){ NULL, 0 };
     for (uint32_t i = 0; i < from.count; i++) {
         const uint32_t triangle = from.triangles ? from.triangles[i] : i;
         chosen[count] = triangle;

@@ -14,8 +14,8 @@ typedef struct VoxelExtent {
     bool meets_lines; /* the box may hold a line's two centres: others have no sample */
 } VoxelExtent;
 
-/* out  extents: [model->triangle_count] */
-void voxel_extents(const VoxelModel *model, VoxelExtent *extents);
+/* Of all triangles; NULL without memory. */
+const VoxelExtent *voxel_extents(const VoxelModel *model, Frame *frame);
 
 typedef bool VoxelChoice(const VoxelExtent *extent, float about);
 
@@ -26,7 +26,7 @@ typedef struct VoxelList {
 } VoxelList;
 
 /* Those of a list that a choice takes.
- * owns   work */
+ * owns   the frame; none without memory */
 VoxelList voxel_choose(Frame *frame, const VoxelExtent *extents, VoxelList from,
                        VoxelChoice *choice, float about);
 

@@ -25,9 +25,9 @@ void voxel_move(const VoxelMotions *motions, const VoxelMotion *motion)
 void voxel_set_motion(const VoxelModel *model, Frame *frame, VoxelMotion *motion)
 {
     *motion = model->motion;
-    if (!model->motions)
+    VoxelMotionPlace *place = model->motions ? frame_alloc(frame, 1, sizeof *place) : NULL;
+    if (!place)
         return;
-    VoxelMotionPlace *place = frame_alloc(frame, 1, sizeof *place);
     *place = (VoxelMotionPlace){ motion, model->motions->first };
     model->motions->first = place;
 }

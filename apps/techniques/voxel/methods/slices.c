@@ -32,12 +32,13 @@ void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Frame *f
                   const FlatTexture *sheet)
 {
     const GpGeometry geometry = voxel_model_geometry(model);
-    UnlitUniforms *uniforms = frame_alloc(frame, setting->size, sizeof *uniforms);
     flat_texture_pass(frame, "slices", sheet);
     for (uint32_t slice = 0; slice < setting->size; slice++) {
-        voxel_model_view(model, setting->size, false, uniforms[slice].mvp);
-        color_of_bit(slice % sheet->per_texel, uniforms[slice].color);
-        GpDraw *draw = frame_draw(frame, &unlit_program, &uniforms[slice], &geometry);
+        UnlitUniforms uniforms;
+        voxel_model_view(model, setting->size, false, uniforms.mvp);
+        color_of_bit(slice % sheet->per_texel, uniforms.color);
+        GpDraw *draw = frame_draw(frame, &unlit_program,
+                                  frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
         draw->viewport = flat_texture_patch(sheet, slice / sheet->per_texel);
         draw->state.blend[0].op =
             setting->kind == VOXEL_SOLID ? GP_BLEND_LOGIC_XOR : GP_BLEND_LOGIC_OR;

@@ -43,13 +43,13 @@ static void scan_rows(Frame *frame, const Scan *scan, const FlatTexture *crossin
                       const FlatTexture *inside)
 {
     const float width = (float)crossings->texels->width, height = (float)crossings->texels->height;
-    VoxelRowsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
-    uniforms->sheet = flat_texture_layout(crossings);
+    VoxelRowsUniforms rows = { .sheet = flat_texture_layout(crossings) };
     for (uint32_t slab = 0; slab < crossings->slabs; slab++) {
         const GpViewport patch = flat_texture_patch(crossings, slab);
-        uniforms->origin[slab][0] = patch.x / width;
-        uniforms->origin[slab][1] = patch.y / height;
+        rows.origin[slab][0] = patch.x / width;
+        rows.origin[slab][1] = patch.y / height;
     }
+    const VoxelRowsUniforms *uniforms = frame_copy(frame, &rows, sizeof rows);
     frame_pass(frame, "row ends", scan->ends, NULL, (const float[4]){ 0, 0, 0, 0 });
     draw_scan(frame, &voxel_row_ends_program, scan, uniforms, crossings);
     flat_texture_pass(frame, "rows", inside);

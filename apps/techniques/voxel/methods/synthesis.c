@@ -15,13 +15,14 @@ static const GpSurface *make_places(Frame *frame, const FlatTexture *sheet)
 {
     GpSurface *table = frame_surface(frame, GP_A32B32G32R32F, sheet->size, 1, 1);
     const uint32_t bytes = sheet->bits / 8;
-    for (uint32_t depth = 0; depth < sheet->size; depth++) {
+    uint8_t *texel = table->level[0].texels;
+    for (uint32_t depth = 0; texel && depth < sheet->size; depth++) {
         const GpViewport patch = flat_texture_patch(sheet, depth / sheet->per_texel);
         const uint32_t part = depth % sheet->per_texel;
         const float row = ((float)(part % 8) + 0.5f) / 8;
         const float place[4] = { patch.x, patch.y, bytes ? (float)part : row,
                                  (float)(bytes ? part * bytes : part / 8) };
-        memcpy(table->level[0].texels + depth * sizeof place, place, sizeof place);
+        memcpy(texel + depth * sizeof place, place, sizeof place);
     }
     return table;
 }

@@ -4,12 +4,6 @@
 
 const VoxelSetting voxel_defaults = { .size = 128, .bits = 1, .blend = VOXEL_ADD, .axes = 3 };
 
-void voxel_room(const VoxelSetting *setting, uint32_t *passes, uint32_t *draws)
-{
-    *passes = 64 + 4 * setting->size;
-    *draws = 256 + 8 * setting->size;
-}
-
 static VoxelSetting complete(const VoxelSetting *setting)
 {
     VoxelSetting full = *setting;
@@ -55,7 +49,7 @@ GpResult voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame 
     GpResult result = check(model, &full, error);
     if (!result)
         methods[full.method](model, &full, frame, volume);
-    return result;
+    return result ? result : frame_result(frame, error);
 }
 
 GpResult voxel_build(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,

@@ -8,9 +8,9 @@
 
 extern const VoxelSetting voxel_defaults;
 
-/* Appends the passes of a setting to a frame in which there is room (voxel_room).
+/* Appends the passes of a setting.
  * in     volume: of the setting's size and bits; its texels are right once the list has run
- * errors GP_ERROR_INVALID: the setting contradicts itself, with the reason */
+ * errors GP_ERROR_INVALID: the setting contradicts itself, with the reason; GP_ERROR_MEMORY */
 GpResult voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
                     const FlatTexture *volume, GpError *error);
 
@@ -18,8 +18,5 @@ GpResult voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame 
  * errors also those of flat_texture_check */
 GpResult voxel_build(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
                      FlatTexture *volume, GpError *error);
-
-/* Upper bounds of the passes and draws that a setting appends, for frame_reserve. */
-void voxel_room(const VoxelSetting *setting, uint32_t *passes, uint32_t *draws);
 
 #endif

@@ -29,7 +29,7 @@ static GpGeometry choose_triangles(const VoxelModel *model, Frame *frame,
     const VoxelList all = { NULL, model->triangle_count };
     const VoxelList list = voxel_choose(frame, extents, all, top ? rises_above : crosses, floor);
     uint32_t *indices = frame_alloc(frame, 3 * (size_t)list.count + 1, sizeof *indices);
-    for (uint32_t i = 0; i < list.count; i++)
+    for (uint32_t i = 0; indices && i < list.count; i++)
         memcpy(indices + 3 * (size_t)i, model->indices + 3 * (size_t)list.triangles[i],
                3 * sizeof *indices);
     geometry.indices = indices;
@@ -42,6 +42,8 @@ static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent 
 {
     const bool top = group + 1 == groups;
     VoxelParityUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
+    if (!uniforms)
+        return;
     *uniforms = (VoxelParityUniforms){ .size = (float)size,
                                        .patch = (float)group,
                                        .patches = (float)groups,
@@ -64,10 +66,10 @@ static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent 
 static void copy_slab(Frame *frame, GpSurface *const *targets, const FlatTexture *sheet,
                       uint32_t slab, uint32_t groups)
 {
-    VoxelParityResolveUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
-    *uniforms =
-        (VoxelParityResolveUniforms){ .patch = (float)(slab / TARGETS), .patches = (float)groups };
-    GpDraw *draw = flat_texture_draw(frame, &voxel_parity_resolve_program, uniforms, sheet, slab);
+    const VoxelParityResolveUniforms uniforms = { .patch = (float)(slab / TARGETS),
+                                                  .patches = (float)groups };
+    GpDraw *draw = flat_texture_draw(frame, &voxel_parity_resolve_program,
+                                     frame_copy(frame, &uniforms, sizeof uniforms), sheet, slab);
     draw->textures[0].surface = targets[slab % TARGETS];
     draw->textures[1].surface = targets[0];
 }
@@ -76,9 +78,7 @@ void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Frame *fram
                const FlatTexture *sheet)
 {
     const uint32_t size = setting->size, groups = (size + DEPTH - 1) / DEPTH;
-    VoxelExtent *extents = frame_alloc(frame, model->triangle_count, sizeof *extents);
-    voxel_extents(model, extents);
-
+    const VoxelExtent *extents = voxel_extents(model, frame);
     GpSurface *targets[TARGETS];
     for (int i = 0; i < TARGETS; i++)
         targets[i] = frame_surface(frame, GP_A8R8G8B8, size, groups * size, 1);

@@ -43,13 +43,12 @@ static GpResult add_scan(const GpVolume *scan, uint32_t size, Frame *frame, Voxe
         spacing[k] = scan->spacing[k] * size / longest;
     const FlatTexture sheet = voxel_scan(frame, bytes, scan->dims, spacing, size);
     gp_free(bytes);
-    FlatTexture *slopes = frame_alloc(frame, 1, sizeof *slopes);
-    *slopes = voxel_scan_slopes(frame, &sheet);
-    view->scan = slopes;
-    uint8_t(*transfer)[4] = frame_alloc(frame, VOLUME_VALUES, sizeof *transfer);
+    const FlatTexture slopes = voxel_scan_slopes(frame, &sheet);
+    uint8_t transfer[VOLUME_VALUES][4];
     volume_transfer(stops, GP_COUNT(stops), size, transfer);
-    view->transfer = transfer[0];
-    return GP_OK;
+    view->scan = frame_copy(frame, &slopes, sizeof slopes);
+    view->transfer = frame_copy(frame, transfer, sizeof transfer);
+    return frame_result(frame, error);
 }
 
 /* --- the picture ------------------------------------------------------------------------------ */

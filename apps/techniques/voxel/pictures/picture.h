@@ -17,9 +17,6 @@ typedef struct VoxelPicture {
 
 extern const VoxelPicture voxel_picture_defaults;
 
-/* Room for what voxel_picture_build appends. */
-enum { VOXEL_PICTURE_PASSES = VOXEL_VIEW_PASSES + 1, VOXEL_PICTURE_DRAWS = VOXEL_VIEW_DRAWS + 1 };
-
 /* Appends the passes of a picture behind those that make its volumes.
  * in     made: of one bit a voxel
  *        scan: NULL: none; else of any type, whose longest side fills the volume and whose values

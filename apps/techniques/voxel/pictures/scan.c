@@ -59,7 +59,7 @@ FlatTexture voxel_scan(Frame *frame, const uint8_t *samples, const uint32_t dims
     }
     uint32_t at[3], before[3];
     double past[3];
-    for (at[2] = 0; at[2] < size; at[2]++)
+    for (at[2] = 0; sheet.texels->level[0].texels && at[2] < size; at[2]++)
         for (at[1] = 0; at[1] < size; at[1]++)
             for (at[0] = 0; at[0] < size; at[0]++) {
                 bool inside = true;

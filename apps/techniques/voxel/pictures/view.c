@@ -114,7 +114,7 @@ static GpSurface *make_run_table(Frame *frame)
 {
     GpSurface *table =
         frame_surface(frame, GP_A16B16G16R16F, VOXEL_RUN_PATTERNS, VOXEL_RUN_ROWS, 1);
-    for (uint32_t row = 0; row < VOXEL_RUN_ROWS; row++)
+    for (uint32_t row = 0; table->level[0].texels && row < VOXEL_RUN_ROWS; row++)
         for (uint32_t pattern = 0; pattern < VOXEL_RUN_PATTERNS; pattern++) {
             float density = 0, slope = 0;
             for (int k = 0; k < VOXEL_RUN; k++) {
@@ -189,7 +189,7 @@ static void light_found(const ViewBuild *build)
 static GpSurface *make_ramp(Frame *frame, const uint8_t *transfer)
 {
     GpSurface *ramp = frame_surface(frame, GP_A8R8G8B8, RAMP, 1, 1);
-    for (uint32_t i = 0; i < RAMP; i++) {
+    for (uint32_t i = 0; ramp->level[0].texels && i < RAMP; i++) {
         float rgba[4];
         for (int c = 0; c < 4; c++)
             rgba[c] = (float)transfer[4 * i + (uint32_t)c] / 255;
@@ -289,5 +289,5 @@ GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint3
         light_found(&build);
     if (view->mode == VOXEL_TRANSPARENT || view->scan)
         draw_haze(&build);
-    return GP_OK;
+    return frame_result(frame, error);
 }

@@ -48,7 +48,4 @@ uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double
 GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint32_t width,
                           uint32_t height, Frame *frame, GpError *error);
 
-/* Upper bounds of the passes and draws, for frame_reserve. */
-enum { VOXEL_VIEW_PASSES = 8, VOXEL_VIEW_DRAWS = 8 };
-
 #endif

@@ -57,11 +57,6 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
                a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
 }
 
-uint32_t voxel_combine_draws(const FlatTexture *sheet)
-{
-    return 2 * sheet->slabs;
-}
-
 /* --- collision -------------------------------------------------------------------------------- */
 
 /* The range's rectangle on the patch of a slab. */

@@ -29,8 +29,4 @@ void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
 /* How many voxels of a range a sheet of 1 bit has. */
 uint64_t voxel_count_range(const FlatTexture *sheet, const VoxelRange *range);
 
-/* Upper bounds of the passes and draws of either, for frame_reserve. */
-enum { VOXEL_COMBINE_PASSES = 3 };
-uint32_t voxel_combine_draws(const FlatTexture *sheet);
-
 #endif

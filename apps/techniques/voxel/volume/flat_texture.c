@@ -76,10 +76,11 @@ FlatTextureLayout flat_texture_layout(const FlatTexture *sheet)
                                 .height = (float)sheet->texels->height };
 }
 
-FlatTextureSlab flat_texture_slab(const FlatTexture *sheet, uint32_t slab)
+const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *sheet, uint32_t slab)
 {
-    return (FlatTextureSlab){ .size = (float)sheet->size,
-                              .base = (float)(slab * sheet->per_texel) };
+    const FlatTextureSlab uniforms = { .size = (float)sheet->size,
+                                       .base = (float)(slab * sheet->per_texel) };
+    return frame_copy(frame, &uniforms, sizeof uniforms);
 }
 
 GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *sheet)

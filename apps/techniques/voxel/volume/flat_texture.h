@@ -46,7 +46,7 @@ GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *un
 
 /* What shaders need to know of it. */
 FlatTextureLayout flat_texture_layout(const FlatTexture *sheet);
-FlatTextureSlab flat_texture_slab(const FlatTexture *sheet, uint32_t slab);
+const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *sheet, uint32_t slab);
 
 /* Appends a pass that draws into it, cleared to 0. The caller adds the draws. */
 GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *sheet);

@@ -261,7 +261,6 @@ static void interpolated_depth_is_the_depth_buffers(void **state)
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
     bench_matrix(&camera, NULL, uniforms.mvp);
     GpGeometry torus = bench_torus(&frame, 60, 30);
-    frame_reserve(&frame, 1, 1);
     GpSurface *depth = frame_surface(&frame, GP_D32F, size, size, 1);
     GpSurface *targets[GP_MAX_TARGETS];
     GpPass *pass = frame_pass(&frame, "maps", NULL, depth, NULL);

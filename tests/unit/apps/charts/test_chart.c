@@ -69,7 +69,6 @@ static GpResult build_light(void *scene, const void *setting, Frame *frame, GpEr
         return gp_fail(error, GP_ERROR_INVALID, "not with %u layers", light->layers);
     ScaledColorUniforms uniforms = { .scale =
                                          (float)(light->scale / (light->method == 1 ? 2 : 1)) };
-    frame_reserve(frame, 1, 1);
     frame->color = frame_surface(frame, GP_A8R8G8B8, opened->width, opened->height, 1);
     frame_pass(frame, "light", frame->color, NULL, bench_black);
     GpGeometry quads = bench_quads(frame, (int)light->layers, GP_COLOR, corner_white);

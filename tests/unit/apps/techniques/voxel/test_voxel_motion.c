@@ -103,16 +103,6 @@ static void add_mover(const char *shape, const VoxelSetting *setting, double mos
         fail_msg("%s", error.text);
 }
 
-static void reserve(Frame *frame, int movers)
-{
-    const VoxelSetting setting = { .size = SIZE };
-    uint32_t passes, draws;
-    *frame = (Frame){ .color = NULL };
-    voxel_room(&setting, &passes, &draws);
-    frame_reserve(frame, (uint32_t)movers * passes + VOXEL_COMBINE_PASSES,
-                  (uint32_t)movers * draws + 8);
-}
-
 static void draw_frame(GpDevice *device, const Frame *frame, const FlatTexture *sheet,
                        uint8_t *voxels)
 {
@@ -167,7 +157,7 @@ static void a_twisting_model_is_exact_in_every_frame(void **state)
     static Mover mover;
     for (size_t i = 0; i < GP_COUNT(twists); i++) {
         Frame frame;
-        reserve(&frame, 1);
+        frame = (Frame){ .color = NULL };
         add_mover(twists[i].shape, &twists[i].setting, most_twist, &frame, &mover);
         GpDevice *device = device_open(&(GpDeviceDesc){ .threads = 2 });
         for (int step = 0; step < FRAMES; step++) {
@@ -193,7 +183,7 @@ static void frames_have_the_same_bits_everywhere(void **state)
     static Mover mover;
     for (size_t i = 0; i < GP_COUNT(twists); i++) {
         Frame frame;
-        reserve(&frame, 1);
+        frame = (Frame){ .color = NULL };
         add_mover(twists[i].shape, &twists[i].setting, most_twist, &frame, &mover);
         const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, FRAMES - 1);
         voxel_move(&mover.motions, &motion);
@@ -246,8 +236,7 @@ static void moving_objects_collide_where_they_do(void **state)
     static uint8_t voxels[BYTES];
     const VoxelSetting setting = { .size = SIZE, .bits = 1, .method = VOXEL_CONSERVATIVE };
     const VoxelRange whole = voxel_range_whole(SIZE);
-    Frame frame;
-    reserve(&frame, 2);
+    Frame frame = { .color = NULL };
     add_mover("torus", &setting, 0, &frame, &a);
     add_mover("knot", &setting, 0, &frame, &b);
     const FlatTexture hits = flat_texture_make(&frame, SIZE, 1);

@@ -29,7 +29,7 @@ static void draw(const VoxelPair *pair, const VoxelSetting *setting, Frame *fram
     GpError error = { "" };
     GpDevice *device = NULL;
     *frame = (Frame){ .color = NULL };
-    if (voxel_pair_build(pair, setting, 0, 0, frame, made, &error))
+    if (voxel_pair_build(pair, setting, frame, made, &error))
         fail_msg("%s", error.text);
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, &error), GP_OK);
     if (gp_device_run(device, &frame->list, &error))
@@ -187,7 +187,7 @@ static void what_cannot_be_combined_is_refused(void **state)
         GpError error = { "" };
         setting.size = SIZE;
         a.twist = cases[i].twist;
-        assert_int_equal(voxel_pair_build(&pair, &setting, 0, 0, &frame, &made, &error),
+        assert_int_equal(voxel_pair_build(&pair, &setting, &frame, &made, &error),
                          GP_ERROR_INVALID);
         if (!strstr(error.text, cases[i].part))
             fail_msg("case %zu: %s", i, error.text);

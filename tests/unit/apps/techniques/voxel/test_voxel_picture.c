@@ -8,11 +8,10 @@
 
 enum { SIZE = 24, MOST_PIXELS = 96 };
 
-/* An empty volume, in a work with room for a picture. */
+/* An empty volume. */
 static void begin(Frame *frame, VoxelPairMade *made)
 {
     *frame = (Frame){ .color = NULL };
-    frame_reserve(frame, VOXEL_PICTURE_PASSES, VOXEL_PICTURE_DRAWS);
     *made = (VoxelPairMade){ .range = voxel_range_whole(SIZE), .around = voxel_range_whole(SIZE) };
     for (int i = 0; i < 2; i++)
         made->sheets[i] = flat_texture_make(frame, SIZE, 1);

@@ -28,7 +28,6 @@ typedef struct Scan {
 static void scan_begin(const VoxelCase *given, Scan *scan)
 {
     *scan = (Scan){ .merged = { .texels = NULL } };
-    frame_reserve(&scan->draws, 16, 64);
     scan->crossings = voxel_directions_make(&solid, &scan->draws, NULL);
     voxel_directions_draw(&given->model, &solid, VOXEL_ALONG_ALL, &scan->draws, &scan->crossings);
     run_list(&scan->draws.list);
@@ -36,7 +35,6 @@ static void scan_begin(const VoxelCase *given, Scan *scan)
 
 static void scan_end(Scan *scan)
 {
-    frame_reserve(&scan->rows, 32, 64);
     scan->merged = flat_texture_make(&scan->rows, SIZE, 1);
     scan->solids = voxel_row_scan(&solid, &scan->rows, &scan->crossings, &scan->merged);
     run_list(&scan->rows.list);

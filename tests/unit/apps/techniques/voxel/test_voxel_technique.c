@@ -283,7 +283,7 @@ static void what_contradicts_itself_is_refused(void **state)
         if (technique_stage_draw(&stage, wrong[i], &frame, &error) != GP_ERROR_INVALID)
             fail_msg("%s is not refused", wrong[i]);
         assert_true(error.text[0]);
-        assert_int_equal(frame.block_count + frame.surface_count, 0);
+        assert_int_equal(frame.arena.calls, 0);
     }
     technique_stage_close(&stage);
 }

@@ -1,0 +1,111 @@
+#include "apps/frame/arena.h"
+
+enum { CHUNK_BYTES = 1 << 16, ALIGNMENT = 64 };
+
+typedef struct ArenaChunk {
+    struct ArenaChunk *next;
+    size_t used, size; /* with this header */
+} ArenaChunk;
+
+/* What has an owner of its own; one of both is not NULL. */
+typedef struct ArenaItem {
+    struct ArenaItem *next;
+    void *memory;
+    GpSurface *surface;
+} ArenaItem;
+
+static void *fail(Arena *arena, GpResult result, const char *reason)
+{
+    if (!arena->result)
+        arena->result = gp_fail(&arena->error, result, "%s", reason);
+    return NULL;
+}
+
+/* Large blocks are chunks of their own, behind the one that small blocks are cut from. */
+static ArenaChunk *add_chunk(Arena *arena, size_t bytes)
+{
+    const size_t size = ALIGNMENT + (bytes < CHUNK_BYTES ? CHUNK_BYTES : bytes);
+    ArenaChunk *chunk = gp_alloc(1, size);
+    if (!chunk)
+        return fail(arena, GP_ERROR_MEMORY, "out of memory");
+    ArenaChunk **link = arena->chunks && bytes >= CHUNK_BYTES ? &arena->chunks->next : &arena->chunks;
+    *chunk = (ArenaChunk){ *link, ALIGNMENT, size };
+    *link = chunk;
+    return chunk;
+}
+
+void *arena_alloc(Arena *arena, size_t count, size_t size)
+{
+    const bool too_many = size > 0 && count > SIZE_MAX / 2 / size;
+    if (too_many || ++arena->calls == arena->fails)
+        return fail(arena, GP_ERROR_MEMORY, "out of memory");
+    if (arena->result)
+        return NULL;
+    const size_t bytes = (count * size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+    ArenaChunk *chunk = arena->chunks;
+    if (!chunk || chunk->size - chunk->used < bytes)
+        chunk = add_chunk(arena, bytes);
+    if (!chunk)
+        return NULL;
+    chunk->used += bytes;
+    return (char *)chunk + chunk->used - bytes;
+}
+
+static ArenaItem *add_item(Arena *arena)
+{
+    ArenaItem *item = arena_alloc(arena, 1, sizeof *item);
+    if (item) {
+        item->next = arena->items;
+        arena->items = item;
+    }
+    return item;
+}
+
+void *arena_own(Arena *arena, void *memory)
+{
+    if (!memory)
+        return fail(arena, GP_ERROR_MEMORY, "out of memory");
+    ArenaItem *item = add_item(arena);
+    if (item)
+        item->memory = memory;
+    else
+        gp_free(memory);
+    return item ? memory : NULL;
+}
+
+GpSurface *arena_own_surface(Arena *arena, GpSurface *surface)
+{
+    ArenaItem *item = add_item(arena);
+    if (item)
+        item->surface = surface;
+    else
+        gp_surface_destroy(&surface);
+    return surface;
+}
+
+GpSurface *arena_surface(Arena *arena, const GpSurfaceDesc *desc)
+{
+    GpSurface *surface;
+    GpError error = { "" };
+    GpResult result = arena->result ? arena->result : gp_surface_create(desc, &surface, &error);
+    return result ? fail(arena, result, error.text) : arena_own_surface(arena, surface);
+}
+
+GpResult arena_result(const Arena *arena, GpError *error)
+{
+    return arena->result ? gp_fail(error, arena->result, "%s", arena->error.text) : GP_OK;
+}
+
+void arena_free(Arena *arena)
+{
+    for (ArenaItem *item = arena->items; item; item = item->next) {
+        gp_free(item->memory);
+        gp_surface_destroy(&item->surface);
+    }
+    while (arena->chunks) {
+        ArenaChunk *chunk = arena->chunks;
+        arena->chunks = chunk->next;
+        gp_free(chunk);
+    }
+    *arena = (Arena){ .result = GP_OK };
+}
