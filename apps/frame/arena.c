@@ -28,7 +28,8 @@ static ArenaChunk *add_chunk(Arena *arena, size_t bytes)
     ArenaChunk *chunk = gp_alloc(1, size);
     if (!chunk)
         return fail(arena, GP_ERROR_MEMORY, "out of memory");
-    ArenaChunk **link = arena->chunks && bytes >= CHUNK_BYTES ? &arena->chunks->next : &arena->chunks;
+    ArenaChunk **link =
+        arena->chunks && bytes >= CHUNK_BYTES ? &arena->chunks->next : &arena->chunks;
     *chunk = (ArenaChunk){ *link, ALIGNMENT, size };
     *link = chunk;
     return chunk;

@@ -76,9 +76,9 @@ static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const fl
 static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
 {
     VoxelFieldUniforms u = { .size = (float)s->sheet->size,
-                               .texel = { 1.0f / (float)s->field->width,
-                                          1.0f / (float)s->field->height },
-                               .next = corner ? place[2] : 0 };
+                             .texel = { 1.0f / (float)s->field->width,
+                                        1.0f / (float)s->field->height },
+                             .next = corner ? place[2] : 0 };
     bound_samples(s->sheet, slab, u.inside);
     for (uint32_t i = 0; i < VOXEL_FIELD_PATCHES; i++) {
         const uint32_t last = s->layout.slabs - 1;

@@ -100,7 +100,9 @@ static void draw_grid(Frame *frame, const GpProgram *program,
     const GpGeometry grid = { .primitive = GP_POINTS,
                               .vertex_count = columns * rows,
                               .streams = { [GP_TEXCOORD0] = { uv, 0, 2, GP_FLOAT32 } } };
-    frame_draw(frame, program, frame_copy(frame, uniforms, sizeof *uniforms), &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
+    frame_draw(frame, program, frame_copy(frame, uniforms, sizeof *uniforms), &grid)
+        ->state.blend[0]
+        .op = GP_BLEND_LOGIC_OR;
 }
 
 static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *sheet)

@@ -48,6 +48,8 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
         [VOXEL_DIFFERENCE] = { &texel_complement_program, GP_BLEND_LOGIC_AND, GP_BLEND_MIN },
     };
     const bool in_place = a->texels == result->texels;
+    if (frame_result(frame, NULL))
+        return;
     GP_ASSERT(a->bits != 16 && are_alike(a, b) && are_alike(a, result));
     GP_ASSERT(b->texels != result->texels);
     begin_result(frame, "combine", a, b, result);
@@ -75,6 +77,8 @@ static void cut_to_slab(GpRasterState *raster, const FlatTexture *sheet, const V
 void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
                    const VoxelRange *common, const FlatTexture *result)
 {
+    if (frame_result(frame, NULL))
+        return;
     GP_ASSERT(a->bits == 1 && are_alike(a, b) && are_alike(a, result));
     GP_ASSERT(b->texels != result->texels);
     if (voxel_range_is_empty(common))
