@@ -1,7 +1,7 @@
 /* glasspipe explain: which units every draw needs, and what its shaders cost. */
 #include "apps/commands/commands.h"
 #include "apps/base/json.h"
-#include "apps/commands/limits.h"
+#include "apps/commands/shader_limits.h"
 #include "apps/commands/options.h"
 #include "apps/frame/passes.h"
 #include "apps/scene/scene.h"
@@ -82,9 +82,11 @@ static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number
         return object;
     GpShaderCounts vertex = { 0 }, pixel = { 0 };
     program->count(&vertex, &pixel);
-    json_object_set_new(object, "vertex_shader", limits_json(program->vertex_profile, &vertex));
+    json_object_set_new(object, "vertex_shader",
+                        shader_limits_json(program->vertex_profile, &vertex));
     if (program->code[0]->pixel)
-        json_object_set_new(object, "pixel_shader", limits_json(program->pixel_profile, &pixel));
+        json_object_set_new(object, "pixel_shader",
+                            shader_limits_json(program->pixel_profile, &pixel));
     return object;
 }
 
@@ -103,7 +105,8 @@ static void print_draw(const json_t *draw)
     json_array_foreach(json_object_get(draw, "units"), i, line)
         printf("    %s\n", json_string_value(line));
 
-    limits_print(json_object_get(draw, "vertex_shader"), json_object_get(draw, "pixel_shader"));
+    shader_limits_print(json_object_get(draw, "vertex_shader"),
+                        json_object_get(draw, "pixel_shader"));
     const json_t *problem = json_object_get(draw, "problem");
     if (json_is_string(problem))
         printf("    exceeds its profile: %s\n", json_string_value(problem));

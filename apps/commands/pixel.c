@@ -1,6 +1,7 @@
 /* glasspipe pixel: the history of one pixel, from the clear to the stored value. */
 #include "apps/commands/commands.h"
-#include "apps/commands/history.h"
+#include "apps/commands/pixel_json.h"
+#include "apps/commands/pixel_text.h"
 #include "apps/base/json.h"
 #include "apps/commands/options.h"
 #include "apps/frame/passes.h"
@@ -75,7 +76,7 @@ static const struct argp parser = {
 typedef struct Watch {
     const GpList *list;
     uint32_t width, height; /* of the passes to follow */
-    HistoryText *text;      /* one of these two */
+    PixelText *text;        /* one of these two */
     json_t *events;
 } Watch;
 
@@ -88,9 +89,9 @@ static void watch_event(void *user, const GpTraceEvent *event)
     if (width != watch->width || height != watch->height)
         return;
     if (watch->text)
-        history_text_event(watch->text, event);
+        pixel_text_event(watch->text, event);
     else
-        json_array_append_new(watch->events, history_json_event(event));
+        json_array_append_new(watch->events, pixel_json_event(event));
 }
 
 /* Runs the list under the trace, and prints. */
@@ -110,7 +111,7 @@ static int tell(const Pixel *pixel, const Watch *watch, GpTrace trace)
     if (result)
         code = report(exit_of_run(result), "%s: %s", pixel->arguments[0], error.text);
     else if (watch->text)
-        history_text_end(watch->text);
+        pixel_text_end(watch->text);
     else
         json_print(json_pack("{s:I, s:I, s:I, s:I, s:O}", "x", (json_int_t)pixel->x, "y",
                              (json_int_t)pixel->y, "width", (json_int_t)watch->width, "height",
@@ -122,7 +123,7 @@ static int tell(const Pixel *pixel, const Watch *watch, GpTrace trace)
 static int follow(const Pixel *pixel, const Scene *scene)
 {
     const GpList *list = &scene->list;
-    HistoryText text = { .file = stdout, .color = stdout_wants_color(), .list = list };
+    PixelText text = { .file = stdout, .color = stdout_wants_color(), .list = list };
     Watch watch = { .list = list,
                     .width = scene->picture->width,
                     .height = scene->picture->height,

@@ -1,15 +1,13 @@
-/* The history of one pixel, told from the reference executor's trace: as text for a person, or as
- * JSON for a program. */
-#ifndef APPS_COMMANDS_HISTORY_H
-#define APPS_COMMANDS_HISTORY_H
+/* The history of one pixel as text, told from the reference executor's trace. */
+#ifndef APPS_COMMANDS_PIXEL_TEXT_H
+#define APPS_COMMANDS_PIXEL_TEXT_H
 
 #include "pipeline/glasspipe.h"
 
-#include <jansson.h>
 #include <stdio.h>
 
 /* Text: numbers with six digits, one block a fragment. */
-typedef struct HistoryText {
+typedef struct PixelText {
     FILE *file;
     bool color; /* verdicts in colour */
     const GpList *list;
@@ -18,16 +16,12 @@ typedef struct HistoryText {
     uint32_t pass;              /* of the previous event */
     uint32_t fragments, stored, rejected;
     bool alive; /* the open fragment has failed no test */
-} HistoryText;
+} PixelText;
 
 /* Prints one event of the list's run. Events come in the trace's order. */
-void history_text_event(HistoryText *history, const GpTraceEvent *event);
+void pixel_text_event(PixelText *history, const GpTraceEvent *event);
 
 /* Ends the last block and sums up. */
-void history_text_end(HistoryText *history);
-
-/* The same event as an object: kind, pass, draw, primitive, names, and the members of the event's
- * struct in pipeline/list/trace.h under their own names. The caller owns it. */
-json_t *history_json_event(const GpTraceEvent *event);
+void pixel_text_end(PixelText *history);
 
 #endif

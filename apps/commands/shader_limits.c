@@ -1,4 +1,4 @@
-#include "apps/commands/limits.h"
+#include "apps/commands/shader_limits.h"
 
 #include "pipeline/shader/profile.h"
 
@@ -28,7 +28,7 @@ static int number_at(const void *numbers, size_t offset)
     return *(const int *)((const char *)numbers + offset);
 }
 
-json_t *limits_json(GpProfile profile, const GpShaderCounts *counts)
+json_t *shader_limits_json(GpProfile profile, const GpShaderCounts *counts)
 {
     json_t *object = json_pack("{s:s, s:b}", "profile", gp_profile_name(profile), "gradients",
                                counts->gradients);
@@ -57,7 +57,7 @@ static void print_cell(const json_t *shader, const char *key, int width)
     printf("  %*s", -width, text);
 }
 
-void limits_print(const json_t *vertex, const json_t *pixel)
+void shader_limits_print(const json_t *vertex, const json_t *pixel)
 {
     const json_t *shaders[] = { vertex, pixel };
     if (!vertex && !pixel) {

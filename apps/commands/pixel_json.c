@@ -1,4 +1,4 @@
-#include "apps/commands/history.h"
+#include "apps/commands/pixel_json.h"
 
 #include "apps/base/json.h"
 
@@ -148,7 +148,7 @@ static json_t *members(const GpTraceEvent *event)
     }
 }
 
-json_t *history_json_event(const GpTraceEvent *event)
+json_t *pixel_json_event(const GpTraceEvent *event)
 {
     json_t *object = json_pack("{s:s, s:I, s:o}", "kind", gp_trace_kind_names[event->kind], "pass",
                                (json_int_t)event->pass, "pass_name", json_text(event->pass_name));

@@ -1,6 +1,6 @@
 /* What shaders use, beside what their profiles allow. */
-#ifndef APPS_COMMANDS_LIMITS_H
-#define APPS_COMMANDS_LIMITS_H
+#ifndef APPS_COMMANDS_SHADER_LIMITS_H
+#define APPS_COMMANDS_SHADER_LIMITS_H
 
 #include "pipeline/shader/program.h"
 
@@ -8,9 +8,9 @@
 
 /* An object: profile (name), gradients, and for each resource {used, limit}; limit null where the
  * profile has none. The caller owns it. */
-json_t *limits_json(GpProfile profile, const GpShaderCounts *counts);
+json_t *shader_limits_json(GpProfile profile, const GpShaderCounts *counts);
 
 /* Prints two such objects as one table, "used of limit"; NULL leaves a column out. */
-void limits_print(const json_t *vertex, const json_t *pixel);
+void shader_limits_print(const json_t *vertex, const json_t *pixel);
 
 #endif
