@@ -1,6 +1,7 @@
 /* Frames grow, and memory that runs short is told at the end, wherever it ran short. */
 #include "apps/bench/cases.h"
 #include "apps/techniques/technique.h"
+#include "apps/techniques/voxel/pictures/picture.h"
 #include "tests/support/technique_case.h"
 #include "tests/support/unit.h"
 
@@ -117,9 +118,6 @@ static void a_frame_without_memory_is_refused_wherever_it_ends(void **state)
         { "voxelize", "builtin:cube", "--size 8 --method slices" },
         { "voxelize", "builtin:cube", "--size 40 --method ldi" },
         { "voxelize", "builtin:cube", "--size 40 --method faces --kind solid" },
-        { "voxelize", "implicit:quartic", "--size 40" },
-        { "voxelize", "parametric:teapot", "--size 8" },
-        { "voxelize", "parametric:torus", "--size 8" },
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         TechniqueStage stage;
@@ -129,6 +127,43 @@ static void a_frame_without_memory_is_refused_wherever_it_ends(void **state)
             fail_msg("%s: %s", cases[i].scene, error.text);
         fail_at_each(technique, stage.scene, cases[i].options);
         technique_stage_close(&stage);
+    }
+}
+
+/* Two models, what they have in common, and a picture of both. */
+static GpResult build_pair(VoxelScene scenes[2], Frame *frame, GpError *error)
+{
+    const VoxelSetting setting = { .size = 16, .bits = 1, .axes = 3 };
+    const VoxelPair pair = { .scenes = { &scenes[0], &scenes[1] },
+                             .names = { "first", "second" },
+                             .combine = VOXEL_TOUCHING };
+    VoxelPicture picture = voxel_picture_defaults;
+    VoxelPairMade made;
+    picture.width = picture.height = 16;
+    picture.shows_both = true;
+    GpResult result = voxel_pair_build(&pair, &setting, frame, &made, error);
+    return result ? result : voxel_picture_build(&picture, &made, NULL, frame, error);
+}
+
+static void a_picture_of_volumes_without_memory_is_refused(void **state)
+{
+    (void)state;
+    static const char *const names[][2] = { { "implicit:quartic", "builtin:cube" },
+                                            { "parametric:teapot", "parametric:torus" } };
+    for (size_t i = 0; i < GP_COUNT(names); i++) {
+        VoxelScene scenes[2];
+        GpResult result = GP_ERROR_MEMORY;
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(voxel_scene_open(names[i][k], &scenes[k], NULL), GP_OK);
+        for (uint32_t n = 1; result; n++) {
+            Frame frame = { .arena = { .fails = n } };
+            result = build_pair(scenes, &frame, NULL);
+            assert_true(result == GP_OK || result == GP_ERROR_MEMORY);
+            assert_true(result || frame.arena.calls < n);
+            frame_free(&frame);
+        }
+        for (int k = 0; k < 2; k++)
+            voxel_scene_close(&scenes[k]);
     }
 }
 
@@ -163,6 +198,7 @@ int main(void)
         cmocka_unit_test(an_arena_keeps_its_first_failure),
         cmocka_unit_test(a_list_has_any_number_of_passes_and_draws),
         cmocka_unit_test(a_frame_without_memory_is_refused_wherever_it_ends),
+        cmocka_unit_test(a_picture_of_volumes_without_memory_is_refused),
         cmocka_unit_test(benchmark_cases_without_memory_are_refused),
     };
     return cmocka_run_group_tests_name("frame", tests, NULL, NULL);
