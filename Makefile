@@ -263,13 +263,17 @@ GOLDEN_RESULTS = $(foreach width,$(WIDTHS),$(GOLDEN_TEST:%=%.$(width).tap))
 OTHER_PROCESSORS := Nehalem:4 Haswell-noTSX:4,8
 OTHER_RESULTS := $(if $(filter x86_64,$(ARCH)),$(if $(EMULATOR)$(SANITIZE),,$(patsubst %, \
     $(BUILD)/test/as.%.tap,$(foreach p,$(OTHER_PROCESSORS),$(firstword $(subst :, ,$(p)))))))
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(OTHER_RESULTS) $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
+PICTURE_RESULT := $(BUILD)/test/pictures.tap
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(OTHER_RESULTS) $(PICTURE_RESULT) $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
 	$(call say,TEST,$(*F))$(RUN_TEST) $@ $*
 $(GOLDEN_RESULTS): $(GOLDEN_TEST) always
 	$(call say,TEST,$(@F:.tap=))GP_ISA=$(patsubst golden.%.tap,%,$(@F)) $(RUN_TEST) $@ $<
+
+$(PICTURE_RESULT): $(PROGRAM) always
+	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/golden_pictures.sh $<
 
 # Run here, and emulated inside.
 $(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTIAL_TEST) \
@@ -300,9 +304,11 @@ $(BUILD)/test/%.scenes: $(PROGRAM) always
 	@mkdir -p $(@D)
 	$(call say,TEST,$(@F))GP_ISA=$* EMULATOR='$(EMULATOR)' sh tests/tools/scene_hashes.sh $(PROGRAM) >$@
 
-bless: $(GOLDEN_TEST)
+# CASE: a golden frame's name, or the arguments that stand in tests/golden/pictures.txt.
+bless: $(GOLDEN_TEST) $(PROGRAM)
 	@test -n '$(CASE)' || { echo 'usage: make bless CASE=name' >&2; exit 2; }
-	@GP_ISA=lanes4 $(GOLDEN_TEST) --bless '$(CASE)'
+	@$(if $(word 2,$(CASE)),sh tests/tools/golden_pictures.sh $(PROGRAM) '$(CASE)', \
+	    GP_ISA=lanes4 $(GOLDEN_TEST) --bless '$(CASE)')
 
 format:
 	@find pipeline shaders_c apps tests -name '*.[ch]' -o -name '*.[ch]pp' | xargs clang-format -i

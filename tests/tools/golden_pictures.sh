@@ -1,0 +1,87 @@
+#!/bin/sh
+# Stored hashes of what the program draws, case by case:
+#
+#   golden_pictures.sh PROGRAM            compares every case of tests/golden/pictures.txt, as TAP
+#   golden_pictures.sh PROGRAM CASE       writes that case's line anew, or adds it
+#
+# A line is "ARGUMENTS = WHAT IS PRINTED". Every scene is there, and every name that an option of a
+# technique takes, by the program's own words: one that is missing is a failure. A case whose data is
+# not here ($GLASSPIPE_DATA) is skipped.
+program=$1
+cases=tests/golden/pictures.txt
+data=${GLASSPIPE_DATA:-../shared/data}
+number=0 failed=0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# What a case prints, in one line; pictures where it says so, or where they are all there is.
+draw() {
+    case $1 in
+    *--picture* | render* | shadow*) output=$scratch/picture.ppm ;;
+    *) output=$scratch/volume.nrrd ;;
+    esac
+    # shellcheck disable=SC2086 # arguments of several words, none with blanks
+    ${EMULATOR:-} "$program" $1 -q -o "$output" 2>&1 | tr '\n' ' ' | sed 's/ $//'
+}
+
+result() {
+    number=$((number + 1))
+    echo "$1 $number - $2"
+    [ "$1" = ok ] || failed=1
+}
+
+lacks_data() {
+    [ ! -d "$data" ] && grep -qE '"(meshes|images|points|volumes)/' "$1"
+}
+
+# The names that an option takes, from the refusal of another; none for numbers.
+names_of() {
+    "$program" "$1" none.json "--$2" '?' 2>&1 |
+        sed -n "s/.*: expected \\(.*\\), not '?'\$/\\1/p" | grep -v number | sed 's/,//g; s/ or / /'
+}
+
+check_scenes() {
+    for scene in scenes/*.json; do
+        grep -q "^render $scene " "$cases" || result "not ok" "no case draws $scene"
+    done
+}
+
+check_names() {
+    for option in $("$program" "$1" --help | sed -n 's/^ *\(-., \)\?--\([a-z-]*\)=.*/\2/p'); do
+        for name in $(names_of "$1" "$option"); do
+            grep -qE "^$1 .*--$option $name( |\$)" "$cases" ||
+                result "not ok" "no case of $1 has --$option $name"
+        done
+    done
+}
+
+if [ -n "$2" ]; then
+    line="$2 = $(draw "$2")"
+    awk -v wanted="$2" -v line="$line" -F ' = ' '$1 == wanted { print line; found = 1; next }
+        { print } END { if (!found) print line }' "$cases" >"$scratch/cases" &&
+        cp "$scratch/cases" "$cases" && echo "$line"
+    exit
+fi
+
+while IFS= read -r line; do
+    arguments=${line%% = *}
+    # shellcheck disable=SC2086 # its first two words
+    set -- $arguments
+    if [ -f "$2" ] && lacks_data "$2"; then
+        result ok "$arguments # SKIP no data"
+        continue
+    fi
+    drawn=$(draw "$arguments")
+    if [ "$line" = "$arguments = $drawn" ]; then
+        result ok "$arguments"
+    else
+        result "not ok" "$arguments"
+        printf '#   drawn  %s\n#   stored %s\n' "$drawn" "${line#* = }"
+    fi
+done <"$cases"
+check_scenes
+for technique in shadow voxelize; do
+    check_names "$technique"
+done
+echo "1..$number"
+exit "$failed"
