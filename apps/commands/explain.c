@@ -3,7 +3,7 @@
 #include "apps/base/json.h"
 #include "apps/commands/shader_limits.h"
 #include "apps/commands/options.h"
-#include "apps/frame/passes.h"
+#include "apps/commands/pass_list.h"
 #include "apps/scene/scene.h"
 
 #include <stdio.h>
@@ -133,7 +133,7 @@ static void print_pass(const json_t *pass)
  * that is the answer, not an error. */
 static int explain_list(const Explain *explain, const GpList *list)
 {
-    json_t *passes = passes_json(list);
+    json_t *passes = pass_list_json(list);
     if (!passes)
         return report(EXIT_INTERNAL, "out of memory");
     int code = EXIT_DONE;

@@ -3,6 +3,7 @@
 #include "apps/base/json.h"
 #include "apps/commands/options.h"
 #include "apps/commands/output.h"
+#include "apps/commands/pass_list.h"
 #include "apps/frame/passes.h"
 #include "apps/frame/picture.h"
 #include "apps/scene/scene.h"
@@ -85,7 +86,7 @@ static int render_scene(const Render *render, const char *output, GpDevice *devi
     if (render->dump) {
         uint32_t pass;
         if (passes_find_target(&list, render->dump, &surface, &pass, &error))
-            return report(EXIT_USAGE, "--dump %s", error.text);
+            return report(EXIT_USAGE, "--dump %s; see --list-passes", error.text);
         list.pass_count = pass + 1;
     }
     return output_frame(&render->options, render->scene, output, device, &list, surface, false,
@@ -94,14 +95,14 @@ static int render_scene(const Render *render, const char *output, GpDevice *devi
 
 static int list_passes(const Render *render, const GpList *list)
 {
-    json_t *passes = passes_json(list);
+    json_t *passes = pass_list_json(list);
     if (!passes)
         return report(EXIT_INTERNAL, "out of memory");
     if (render->options.json) {
         json_print(json_pack("{s:o}", "passes", passes));
         return EXIT_DONE;
     }
-    passes_print(passes);
+    pass_list_print(passes);
     json_decref(passes);
     return EXIT_DONE;
 }

@@ -38,73 +38,12 @@ GpResult passes_find_target(const GpList *list, const char *target, GpSurface **
         index = passes_find(list, name);
     }
     if (index == list->pass_count)
-        return gp_fail(error, GP_ERROR_INVALID,
-                       "%s: the scene has no pass of this name or number; see --list-passes",
+        return gp_fail(error, GP_ERROR_INVALID, "%s: the scene has no pass of this name or number",
                        target);
     GpSurface *found = target_of(&list->passes[index], suffix);
     if (!found)
-        return gp_fail(error, GP_ERROR_INVALID, "%s: pass %u has no such target; see --list-passes",
-                       target, index);
+        return gp_fail(error, GP_ERROR_INVALID, "%s: pass %u has no such target", target, index);
     *surface = found;
     *pass = index;
     return GP_OK;
-}
-
-/* --- the table
- * ------------------------------------------------------------------------------------ */
-
-static json_t *formats_of(const GpPass *pass)
-{
-    json_t *formats = json_array();
-    for (int i = 0; i < GP_MAX_TARGETS + 1; i++) {
-        const GpSurface *surface =
-            i < GP_MAX_TARGETS ? pass->color[i].surface : pass->depth.surface;
-        if (surface)
-            json_array_append_new(formats, json_string(gp_format_info(surface->format)->name));
-    }
-    return formats;
-}
-
-json_t *passes_json(const GpList *list)
-{
-    uint32_t *group = gp_alloc(list->pass_count, sizeof *group);
-    if (!group)
-        return NULL;
-    gp_list_groups(list, group);
-    json_t *passes = json_array();
-    for (uint32_t p = 0; p < list->pass_count; p++) {
-        const GpPass *pass = &list->passes[p];
-        uint32_t width, height;
-        gp_pass_size(pass, &width, &height);
-        json_array_append_new(
-            passes, json_pack("{s:I, s:s, s:I, s:I, s:I, s:I, s:o}", "pass", (json_int_t)p, "name",
-                              pass->name ? pass->name : "", "width", (json_int_t)width, "height",
-                              (json_int_t)height, "draws", (json_int_t)pass->draw_count, "group",
-                              (json_int_t)group[p], "targets", formats_of(pass)));
-    }
-    gp_free(group);
-    return passes;
-}
-
-static long long integer(const json_t *object, const char *key)
-{
-    return (long long)json_integer_value(json_object_get(object, key));
-}
-
-void passes_print(const json_t *passes)
-{
-    printf("pass  %-20s %-10s %5s  %5s  targets\n", "name", "size", "draws", "group");
-    size_t p, t;
-    const json_t *pass, *target;
-    json_array_foreach(passes, p, pass)
-    {
-        char size[32];
-        snprintf(size, sizeof size, "%lldx%lld", integer(pass, "width"), integer(pass, "height"));
-        printf("%4lld  %-20s %-10s %5lld  %5lld ", integer(pass, "pass"),
-               json_string_value(json_object_get(pass, "name")), size, integer(pass, "draws"),
-               integer(pass, "group"));
-        json_array_foreach(json_object_get(pass, "targets"), t, target)
-            printf(" %s", json_string_value(target));
-        putchar('\n');
-    }
 }
