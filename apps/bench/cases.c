@@ -36,13 +36,13 @@ const BenchCase bench_cases[] = {
     { "sheets", bench_build_sheets, 0, 0, (double)SHEET_COUNT * SHEET_POINTS, 0, NULL },
     { "small_draws", bench_build_small, 0, 0, 50 * SMALL_DRAWS, 0, NULL },
     { "vox_add", bench_build_voxels, 0, 0, 2e6, 0, bench_show_voxels },
-    { "volume_conservative", bench_build_volume, VOLUME_CONSERVATIVE, 0, 73054, 0, NULL },
-    { "volume_thin", bench_build_volume, VOLUME_THIN, 0, 73008, 0, NULL },
-    { "volume_solid", bench_build_volume, VOLUME_SOLID, 0, 98100, 0, NULL },
-    { "volume_twisted", bench_build_volume, VOLUME_TWISTED, 0, 2 * BUNNY_TRIANGLES, 0, NULL },
-    { "volume_million", bench_build_volume, VOLUME_MILLION, 0, 1098119, 0, NULL },
-    { "volume_union", bench_build_combine, COMBINE_UNION, 1, 1, 0, NULL },
-    { "volume_collide", bench_build_combine, COMBINE_COLLISION, 1, 8, 0, NULL },
+    { "voxel_conservative", bench_build_voxelize, VOXELIZE_CONSERVATIVE, 0, 73054, 0, NULL },
+    { "voxel_thin", bench_build_voxelize, VOXELIZE_THIN, 0, 73008, 0, NULL },
+    { "voxel_solid", bench_build_voxelize, VOXELIZE_SOLID, 0, 98100, 0, NULL },
+    { "voxel_twisted", bench_build_voxelize, VOXELIZE_TWISTED, 0, 2 * BUNNY_TRIANGLES, 0, NULL },
+    { "voxel_million", bench_build_voxelize, VOXELIZE_MILLION, 0, 1098119, 0, NULL },
+    { "voxel_union", bench_build_combine, COMBINE_UNION, 1, 1, 0, NULL },
+    { "voxel_collide", bench_build_combine, COMBINE_COLLISION, 1, 8, 0, NULL },
 };
 /* clang-format on */
 const size_t bench_case_count = GP_COUNT(bench_cases);

@@ -53,7 +53,7 @@ BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_
 BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
 BenchBuild bench_build_small, bench_build_voxels;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
-BenchBuild bench_build_volume, bench_build_combine;
+BenchBuild bench_build_voxelize, bench_build_combine;
 
 void bench_show_voxels(const Frame *frame, uint8_t *rgba);
 
@@ -64,7 +64,7 @@ enum { ARITHMETIC_LOOP, ARITHMETIC_FLAT, ARITHMETIC_MANDELBROT };
 enum { LOOKUP_DEPENDENT, LOOKUP_DISCARD };
 enum { MODEL_BUNNY, MODEL_BUNNY_CULLED, MODEL_TORUS };
 enum { SHADOW_COMPARE, SHADOW_NEAREST, SHADOW_PCF };
-enum { VOLUME_CONSERVATIVE, VOLUME_THIN, VOLUME_SOLID, VOLUME_TWISTED, VOLUME_MILLION };
+enum { VOXELIZE_CONSERVATIVE, VOXELIZE_THIN, VOXELIZE_SOLID, VOXELIZE_TWISTED, VOXELIZE_MILLION };
 enum { COMBINE_UNION, COMBINE_COLLISION };
 
 /* Amounts that the table of cases and the builders share. */

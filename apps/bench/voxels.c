@@ -28,25 +28,25 @@ static GpResult read_model(const char *name, Frame *frame, VoxelModel *model, Gp
     return GP_OK;
 }
 
-GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error)
+GpResult bench_build_voxelize(const BenchCase *bench, Frame *frame, GpError *error)
 {
     static const struct {
         const char *mesh;
         int kind, method; /* VoxelKind, VoxelMethod */
         float twist;      /* radians a voxel, by a motion that may change from frame to frame */
     } volumes[] = {
-        [VOLUME_CONSERVATIVE] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0 },
-        [VOLUME_THIN] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_THIN, 0 },
-        [VOLUME_SOLID] = { "meshes/horse.ply", VOXEL_SOLID, VOXEL_XOR, 0 },
-        [VOLUME_TWISTED] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0.01f },
-        [VOLUME_MILLION] = { "meshes/happy_buddha.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0 },
+        [VOXELIZE_CONSERVATIVE] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0 },
+        [VOXELIZE_THIN] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_THIN, 0 },
+        [VOXELIZE_SOLID] = { "meshes/horse.ply", VOXEL_SOLID, VOXEL_XOR, 0 },
+        [VOXELIZE_TWISTED] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0.01f },
+        [VOXELIZE_MILLION] = { "meshes/happy_buddha.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0 },
     };
     const VoxelSetting setting = { .kind = volumes[bench->variant].kind,
                                    .method = volumes[bench->variant].method,
                                    .size = SIZE,
                                    .bits = 1 };
     VoxelModel model;
-    FlatTexture sheet;
+    FlatTexture flat;
     GpResult result = read_model(volumes[bench->variant].mesh, frame, &model, error);
     if (result)
         return result;
@@ -54,8 +54,8 @@ GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error
         model.motion.twist = model.most_twist = volumes[bench->variant].twist;
         model.motions = frame_alloc(frame, 1, sizeof *model.motions);
     }
-    result = voxel_build(&model, &setting, frame, &sheet, error);
-    frame->color = sheet.texels;
+    result = voxel_build(&model, &setting, frame, &flat, error);
+    frame->color = flat.texels;
     return result;
 }
 

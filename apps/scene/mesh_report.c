@@ -149,10 +149,10 @@ static void count_edge(uint64_t ways[2], MeshReport *report)
 {
     uint64_t triangles = ways[0] + ways[1];
     report->edges++;
-    report->open_edges += triangles == 1;
-    report->crowded_edges += triangles > 2;
+    report->boundary_edges += triangles == 1;
+    report->non_manifold_edges += triangles > 2;
     report->odd_edges += triangles % 2;
-    report->turned_edges += triangles == 2 && ways[0] != 1;
+    report->inconsistent_edges += triangles == 2 && ways[0] != 1;
 }
 
 static void count_edges(const Groups *groups, MeshReport *report)
@@ -239,8 +239,8 @@ GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32
     gp_free(list.values);
     if (result)
         return result;
-    found.is_closed =
-        found.edges > 0 && !found.open_edges && !found.crowded_edges && !found.turned_edges;
+    found.is_closed = found.edges > 0 && !found.boundary_edges && !found.non_manifold_edges &&
+                      !found.inconsistent_edges;
     found.is_inside_out = found.is_closed && found.volume < 0;
     *report = found;
     return GP_OK;
@@ -251,14 +251,14 @@ void mesh_report_faults(const MeshReport *report, char *text, size_t size)
     const struct {
         uint64_t count;
         const char *what;
-    } faults[] = { { report->open_edges, "of one triangle" },
-                   { report->crowded_edges, "of three or more triangles" },
-                   { report->turned_edges, "between triangles turned against each other" } };
+    } faults[] = { { report->boundary_edges, "boundary" },
+                   { report->non_manifold_edges, "non-manifold" },
+                   { report->inconsistent_edges, "inconsistently oriented" } };
     size_t used = 0;
     snprintf(text, size, "no triangle with three corners");
     for (size_t i = 0; i < GP_COUNT(faults) && used < size; i++)
         if (faults[i].count > 0)
-            used += (size_t)snprintf(text + used, size - used, "%s%llu edge%s %s", used ? ", " : "",
-                                     (unsigned long long)faults[i].count,
-                                     faults[i].count == 1 ? "" : "s", faults[i].what);
+            used += (size_t)snprintf(text + used, size - used, "%s%llu %s edge%s", used ? ", " : "",
+                                     (unsigned long long)faults[i].count, faults[i].what,
+                                     faults[i].count == 1 ? "" : "s");
 }

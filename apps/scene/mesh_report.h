@@ -1,7 +1,7 @@
 /* Facts about a mesh that decide what its inside is.
  *
  * A line that crosses a closed surface goes in as often as it comes out. Where a surface has an
- * open edge, or three triangles at one, a line beside that edge may cross an odd number of
+ * boundary, or three triangles at one edge, a line beside that edge may cross an odd number of
  * triangles, and whatever fills insides by counting fills the rest of the line.
  */
 #ifndef APPS_SCENE_MESH_REPORT_H
@@ -13,15 +13,16 @@
  * corners. */
 typedef struct MeshReport {
     uint64_t edges;
-    uint64_t open_edges;    /* of one triangle */
-    uint64_t crowded_edges; /* of three or more */
-    uint64_t odd_edges;     /* of an odd number: open ones among them */
-    uint64_t turned_edges; /* of two triangles that run along it the same way: one is turned over */
-    uint64_t duplicates;   /* triangles with the corners of an earlier one, in any order */
-    uint64_t degenerate;   /* triangles without area */
-    bool is_closed;        /* each edge has two triangles, which run along it in opposite ways */
-    bool is_inside_out;    /* closed, and its triangles are seen clockwise from outside */
-    double volume;         /* enclosed, in the file's unit; negative: inside out. Of a mesh that is
+    uint64_t boundary_edges;     /* of one triangle */
+    uint64_t non_manifold_edges; /* of three or more */
+    uint64_t odd_edges;          /* of an odd number: open ones among them */
+    uint64_t
+        inconsistent_edges; /* of two triangles that run along it the same way: one is turned over */
+    uint64_t duplicates;    /* triangles with the corners of an earlier one, in any order */
+    uint64_t degenerate;    /* triangles without area */
+    bool is_closed;         /* each edge has two triangles, which run along it in opposite ways */
+    bool is_inside_out;     /* closed, and its triangles are seen clockwise from outside */
+    double volume;          /* enclosed, in the file's unit; negative: inside out. Of a mesh that is
                                not closed it depends on where its first vertex lies */
 } MeshReport;
 
@@ -30,8 +31,7 @@ typedef struct MeshReport {
 GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32_t *indices,
                      uint32_t triangle_count, MeshReport *report);
 
-/* What a mesh that is not closed lacks, as words: "223 edges of one triangle, 1 edge of three or
- * more triangles". */
+/* What a mesh that is not closed lacks, as words: "223 boundary edges, 1 non-manifold edge". */
 void mesh_report_faults(const MeshReport *report, char *text, size_t size);
 
 #endif

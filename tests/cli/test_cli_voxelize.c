@@ -190,7 +190,7 @@ static void json_has_the_volume_its_times_and_the_report(void **state)
                         "--size 24 --kind solid");
     assert_true(json_is_true(json_object_get(told, "closed")));
     assert_true(json_is_false(json_object_get(told, "inside_out")));
-    assert_int_equal(json_integer_value(json_object_get(told, "open_edges")), 0);
+    assert_int_equal(json_integer_value(json_object_get(told, "boundary_edges")), 0);
     assert_int_equal(json_integer_value(json_object_get(told, "odd_columns_z")), 0);
     assert_non_null(json_object_get(told, "disagreeing_voxels"));
     json_decref(object);
@@ -207,13 +207,13 @@ static void a_solid_of_an_open_mesh_warns(void **state)
     assert_int_equal(shell("glasspipe voxelize -q open.off -n 16"), 0);
     assert_string_equal(err, "");
     assert_int_equal(shell("glasspipe voxelize -q open.off -n 16 --kind solid"), 0);
-    expect_contains(err, "warning: open.off is not closed: 3 edges of one triangle");
+    expect_contains(err, "warning: open.off is not closed: 3 boundary edges");
     expect_contains(err, "odd number of triangles");
     assert_int_equal(shell("glasspipe voxelize -q turned.off -n 16 --kind solid --json"), 0);
     expect_contains(err, "turned.off is not closed: 3 edges between triangles turned");
     json_t *object = parse_output(), *told = json_object_get(object, "report");
     assert_true(json_is_false(json_object_get(told, "closed")));
-    assert_int_equal(json_integer_value(json_object_get(told, "turned_edges")), 3);
+    assert_int_equal(json_integer_value(json_object_get(told, "inconsistently_oriented_edges")), 3);
     assert_int_equal(json_integer_value(json_object_get(told, "odd_columns_z")), 0);
     json_decref(object);
 }
@@ -227,7 +227,7 @@ static void the_report_tells_what_is_open(void **state)
     assert_null(strstr(out, "odd columns"));
     assert_int_equal(shell("glasspipe voxelize -q open.off -n 16 --kind solid --report"), 0);
     expect_matches(out, "\nclosed +no\n");
-    expect_matches(out, "\nopen edges +3\n");
+    expect_matches(out, "\nboundary edges +3\n");
     expect_matches(out, "\nodd columns z +[1-9][0-9]*\n");
     expect_matches(out, "\ndisagreeing voxels +[1-9][0-9]*\n");
 }

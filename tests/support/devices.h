@@ -1,13 +1,13 @@
-/* The devices that exist here, on which a list must have the same bits: executors, numbers of threads,
- * and every lane width that the build has and the processor runs. */
+/* The devices that exist here, on which a list must have the same bits: executors, numbers of
+ * threads, and every lane width that the build has and the processor runs. */
 #ifndef TESTS_DEVICES_H
 #define TESTS_DEVICES_H
 
 #include "apps/frame/frame.h"
 
-/* One device after the other: the reference executor first, with which the others are compared; NULL
- * after the last. The first call says as a TAP comment which there are, and which widths are not
- * here. */
+/* One device after the other: the reference executor first, with which the others are compared;
+ * NULL after the last. The first call says as a TAP comment which there are, and which widths are
+ * not here. */
 const GpDeviceDesc *device_here(size_t number);
 
 /* "fast lanes8 x3", executor, width and threads; valid until the next call. */

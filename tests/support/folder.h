@@ -1,5 +1,5 @@
-/* A folder of its own for every test, emptied afterwards; files are put there by plain stdio, so that
- * the code under test has no part in it. */
+/* A folder of its own for every test, emptied afterwards; files are put there by plain stdio, so
+ * that the code under test has no part in it. */
 #ifndef TESTS_FOLDER_H
 #define TESTS_FOLDER_H
 

@@ -15,8 +15,8 @@ extern const uint32_t pyramid_indices[12];
 /* A facet twice, one beside it and one without area: a text of odd case, a name that misleads. */
 extern const char mesh_stl_text[];
 
-/* The pyramid as OpenMesh 9 writes it: half-edges, normals 0 0 1, colours 1 2 3, texture coordinates
- * i/4 and 1/2. */
+/* The pyramid as OpenMesh 9 writes it: half-edges, normals 0 0 1, colours 1 2 3, texture
+ * coordinates i/4 and 1/2. */
 enum { OM_SIZE = 257 };
 extern const unsigned char mesh_om_bytes[OM_SIZE];
 

@@ -1,5 +1,5 @@
-/* The built binary, run in an empty directory of each test's own, and judged by its exit code, its two
- * outputs and the files that it leaves.
+/* The built binary, run in an empty directory of each test's own, and judged by its exit code, its
+ * two outputs and the files that it leaves.
  *
  * GLASSPIPE_BIN names the binary (default out/bin/glasspipe), GLASSPIPE_MAN the directory of the
  * man pages (default apps/man), EMULATOR the command that runs it. */

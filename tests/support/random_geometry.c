@@ -37,7 +37,7 @@ static uint32_t *make_indices(uint32_t count, GpGeometry *geometry)
     return index;
 }
 
-/* --- soups -------------------------------------------------------------------------------------- */
+/* --- soups ------------------------------------------------------------------------------------ */
 
 /* A clip-space position: mostly inside, sometimes far out, behind the eye, or no number. */
 static void random_position(Random *r, float p[4])
@@ -81,7 +81,7 @@ static bool make_soup(Random *r, GpGeometry *geometry, float **vertices, uint32_
     return index != NULL;
 }
 
-/* --- meshes: a sheet of cells, shaken ----------------------------------------------------------- */
+/* --- meshes: a sheet of cells, shaken --------------------------------------------------------- */
 
 static void mesh_vertex(Random *r, const float center[4], const float step[3], int column, int row,
                         float *p)
@@ -124,7 +124,7 @@ static bool make_mesh(Random *r, GpGeometry *geometry, float **vertices, uint32_
     return true;
 }
 
-/* --- layers of quads that fill the screen, or nearly -------------------------------------------- */
+/* --- layers of quads that fill the screen, or nearly ------------------------------------------ */
 
 static bool make_layers(Random *r, GpGeometry *geometry, float **vertices, uint32_t **indices)
 {
@@ -147,7 +147,7 @@ static bool make_layers(Random *r, GpGeometry *geometry, float **vertices, uint3
     return true;
 }
 
-/* --- clouds ------------------------------------------------------------------------------------- */
+/* --- clouds ----------------------------------------------------------------------------------- */
 
 static bool make_cloud(Random *r, GpGeometry *geometry, float **vertices)
 {

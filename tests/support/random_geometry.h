@@ -1,5 +1,5 @@
-/* Random geometry: soups of triangles of any size, dense meshes of small ones, layers of full-screen
- * quads, clouds of points. */
+/* Random geometry: soups of triangles of any size, dense meshes of small ones, layers of
+ * full-screen quads, clouds of points. */
 #ifndef TESTS_RANDOM_GEOMETRY_H
 #define TESTS_RANDOM_GEOMETRY_H
 

@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* --- surfaces ----------------------------------------------------------------------------------- */
+/* --- surfaces --------------------------------------------------------------------------------- */
 
 static const GpFormat color_formats[] = { GP_A8R8G8B8,      GP_R8,   GP_G16R16F,
                                           GP_A16B16G16R16F, GP_R32F, GP_A32B32G32R32F };
@@ -48,7 +48,7 @@ static GpSurface *add_texture(RandomList *random, Random *r)
     return s;
 }
 
-/* --- state -------------------------------------------------------------------------------------- */
+/* --- state ------------------------------------------------------------------------------------ */
 
 /* What techniques use, and executors may have short ways for. */
 static GpBlend usual_blend(Random *r)
@@ -191,7 +191,7 @@ static GpSampler random_sampler(Random *r)
     return s;
 }
 
-/* --- draws and passes --------------------------------------------------------------------------- */
+/* --- draws and passes ------------------------------------------------------------------------- */
 
 /* A program that the pass can run: by the number of its targets, and reading in place only where an
  * earlier pass of the same size is there to be read. */

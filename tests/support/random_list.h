@@ -1,5 +1,6 @@
-/* Random lists of passes from a seed: every state, format, primitive and program in turn, odd sizes,
- * degenerate and huge triangles, NaN positions, passes that read earlier ones or draw on them. */
+/* Random lists of passes from a seed: every state, format, primitive and program in turn, odd
+ * sizes, degenerate and huge triangles, NaN positions, passes that read earlier ones or draw on
+ * them. */
 #ifndef TESTS_RANDOM_LIST_H
 #define TESTS_RANDOM_LIST_H
 

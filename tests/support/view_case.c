@@ -11,26 +11,26 @@ void view_case_begin(Frame *frame)
     *frame = (Frame){ .color = NULL };
 }
 
-void view_case_put(const FlatTexture *sheet, uint32_t x, uint32_t y, uint32_t z)
+void view_case_put(const FlatTexture *flat, uint32_t x, uint32_t y, uint32_t z)
 {
-    uint8_t *texel = flat_texture_texel(sheet, z / 32, x, y);
+    uint8_t *texel = flat_texture_texel(flat, z / 32, x, y);
     texel[z % 32 / 8] = (uint8_t)(texel[z % 32 / 8] | 1u << z % 8);
 }
 
-bool view_case_get(const FlatTexture *sheet, const uint32_t voxel[3])
+bool view_case_get(const FlatTexture *flat, const uint32_t voxel[3])
 {
-    const uint8_t *texel = flat_texture_texel(sheet, voxel[2] / 32, voxel[0], voxel[1]);
+    const uint8_t *texel = flat_texture_texel(flat, voxel[2] / 32, voxel[0], voxel[1]);
     return texel[voxel[2] % 32 / 8] >> voxel[2] % 8 & 1;
 }
 
 FlatTexture view_case_random(Frame *frame, uint32_t size, int32_t rarity, uint64_t seed)
 {
-    const FlatTexture sheet = flat_texture_make(frame, size, 1);
+    const FlatTexture flat = flat_texture_make(frame, size, 1);
     Random random = { seed };
     for (uint32_t i = 0; i < size * size * size; i++)
         if (random_int(&random, 1, rarity) == 1)
-            view_case_put(&sheet, i % size, i / size % size, i / size / size);
-    return sheet;
+            view_case_put(&flat, i % size, i / size % size, i / size / size);
+    return flat;
 }
 
 Camera view_case_camera(uint32_t size, double x, double y, double z, double distance, double fovy)
@@ -48,10 +48,10 @@ Camera view_case_camera(uint32_t size, double x, double y, double z, double dist
     return camera;
 }
 
-void view_case_draw(Frame *frame, const FlatTexture *sheet, const VoxelView *view)
+void view_case_draw(Frame *frame, const FlatTexture *flat, const VoxelView *view)
 {
     GpError error = { "" };
-    if (voxel_view_build(sheet, view, VIEW_CASE_SIDE, VIEW_CASE_SIDE, frame, &error))
+    if (voxel_view_build(flat, view, VIEW_CASE_SIDE, VIEW_CASE_SIDE, frame, &error))
         fail_msg("%s", error.text);
     run_list(&frame->list);
 }

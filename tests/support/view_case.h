@@ -6,12 +6,12 @@
 
 enum { VIEW_CASE_SIDE = 64 }; /* pixels */
 
-/* An empty work with room for a picture. */
+/* An empty frame with room for a picture. */
 void view_case_begin(Frame *frame);
 
 /* Voxels of flat textures of one bit. */
-void view_case_put(const FlatTexture *sheet, uint32_t x, uint32_t y, uint32_t z);
-bool view_case_get(const FlatTexture *sheet, const uint32_t voxel[3]);
+void view_case_put(const FlatTexture *flat, uint32_t x, uint32_t y, uint32_t z);
+bool view_case_get(const FlatTexture *flat, const uint32_t voxel[3]);
 
 /* One voxel in so many. */
 FlatTexture view_case_random(Frame *frame, uint32_t size, int32_t rarity, uint64_t seed);
@@ -21,7 +21,7 @@ FlatTexture view_case_random(Frame *frame, uint32_t size, int32_t rarity, uint64
 Camera view_case_camera(uint32_t size, double x, double y, double z, double distance, double fovy);
 
 /* Builds a picture, and draws all of the work's list. */
-void view_case_draw(Frame *frame, const FlatTexture *sheet, const VoxelView *view);
+void view_case_draw(Frame *frame, const FlatTexture *flat, const VoxelView *view);
 
 /* A pixel of the target of a pass. */
 void view_case_pixel(const Frame *frame, const char *pass, int x, int y, float rgba[4]);

@@ -135,15 +135,15 @@ static void draw_volume(VoxelDraw *draw, const void *context, uint32_t size, uin
                         bool everywhere, uint8_t *voxels)
 {
     Frame frame = { .color = NULL };
-    const FlatTexture sheet = flat_texture_make(&frame, size, bits);
-    draw(context, &frame, &sheet);
+    const FlatTexture flat = flat_texture_make(&frame, size, bits);
+    draw(context, &frame, &flat);
     if (everywhere)
         run_everywhere(&frame);
     else
         run_list(&frame.list);
-    flat_texture_read(&sheet, voxels);
+    flat_texture_read(&flat, voxels);
     /* none beyond its end */
-    assert_int_equal(flat_texture_count(&sheet), count_voxels(voxels, size, bits));
+    assert_int_equal(flat_texture_count(&flat), count_voxels(voxels, size, bits));
     frame_free(&frame);
 }
 
@@ -157,11 +157,11 @@ typedef struct Build {
     const VoxelSetting *setting;
 } Build;
 
-static void build(const void *context, Frame *frame, const FlatTexture *sheet)
+static void build(const void *context, Frame *frame, const FlatTexture *flat)
 {
     const Build *b = context;
     GpError error = { "" };
-    if (voxel_draw(b->model, b->setting, frame, sheet, &error))
+    if (voxel_draw(b->model, b->setting, frame, flat, &error))
         fail_msg("%s", error.text);
 }
 
@@ -181,11 +181,11 @@ uint8_t *voxel_case_volume(const VoxelCase *c, const VoxelSetting *setting)
     return voxels;
 }
 
-uint8_t *voxel_read(const FlatTexture *sheet)
+uint8_t *voxel_read(const FlatTexture *flat)
 {
-    uint8_t *voxels = gp_alloc(flat_texture_bytes(sheet), 1);
+    uint8_t *voxels = gp_alloc(flat_texture_bytes(flat), 1);
     assert_non_null(voxels);
-    flat_texture_read(sheet, voxels);
+    flat_texture_read(flat, voxels);
     return voxels;
 }
 

@@ -28,8 +28,8 @@ void voxel_case_free(VoxelCase *c);
 
 /* --- volumes ---------------------------------------------------------------------------------- */
 
-/* Appends the passes of a volume to a work in which there is room. */
-typedef void VoxelDraw(const void *context, Frame *frame, const FlatTexture *sheet);
+/* Appends the passes of a volume to a frame in which there is room. */
+typedef void VoxelDraw(const void *context, Frame *frame, const FlatTexture *flat);
 
 /* Draws a volume of one bit a voxel; fails the running test where the list does not run, or sets
  * bits beyond the volume's end.
@@ -46,7 +46,7 @@ void voxel_case_draw(const VoxelCase *c, const VoxelSetting *setting, bool every
 uint8_t *voxel_case_volume(const VoxelCase *c, const VoxelSetting *setting);
 
 /* The voxels of a flat texture; the caller frees them with gp_free. */
-uint8_t *voxel_read(const FlatTexture *sheet);
+uint8_t *voxel_read(const FlatTexture *flat);
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 

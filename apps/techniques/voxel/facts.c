@@ -71,12 +71,12 @@ static GpResult find_solid(const VoxelModel *model, uint32_t size, GpDevice *dev
         .kind = VOXEL_SOLID, .method = VOXEL_XOR, .size = size, .bits = 1, .axes = 3
     };
     Frame frame = { .color = NULL };
-    FlatTexture sheet;
-    GpResult result = voxel_build(model, &setting, &frame, &sheet, error);
+    FlatTexture flat;
+    GpResult result = voxel_build(model, &setting, &frame, &flat, error);
     if (!result)
         result = gp_device_run(device, &frame.list, error);
     if (!result)
-        flat_texture_read(&sheet, bits);
+        flat_texture_read(&flat, bits);
     frame_free(&frame);
     return result;
 }
@@ -128,10 +128,10 @@ static int list_counts(const VoxelFacts *facts, Count *counts)
     const MeshReport *mesh = &facts->mesh;
     const Count all[MAX_COUNTS] = {
         { "edges", mesh->edges },
-        { "open_edges", mesh->open_edges },
-        { "crowded_edges", mesh->crowded_edges },
+        { "boundary_edges", mesh->boundary_edges },
+        { "non_manifold_edges", mesh->non_manifold_edges },
         { "odd_edges", mesh->odd_edges },
-        { "turned_edges", mesh->turned_edges },
+        { "inconsistently_oriented_edges", mesh->inconsistent_edges },
         { "duplicate_triangles", mesh->duplicates },
         { "degenerate_triangles", mesh->degenerate },
         { "odd_columns_x", facts->odd_columns[0] },
@@ -148,15 +148,15 @@ void voxel_facts_print(const VoxelFacts *facts)
 {
     Count counts[MAX_COUNTS];
     int count = list_counts(facts, counts);
-    printf("%-22s %s\n", "closed", facts->mesh.is_closed ? "yes" : "no");
-    printf("%-22s %s\n", "inside out", facts->mesh.is_inside_out ? "yes" : "no");
-    printf("%-22s %.9g\n", "enclosed volume", facts->mesh.volume);
+    printf("%-30s %s\n", "closed", facts->mesh.is_closed ? "yes" : "no");
+    printf("%-30s %s\n", "inside out", facts->mesh.is_inside_out ? "yes" : "no");
+    printf("%-30s %.9g\n", "enclosed volume", facts->mesh.volume);
     for (int i = 0; i < count; i++) {
-        char name[32];
+        char name[40];
         snprintf(name, sizeof name, "%s", counts[i].name);
         for (char *c = name; *c; c++)
             *c = *c == '_' ? ' ' : *c;
-        printf("%-22s %" PRIu64 "\n", name, counts[i].value);
+        printf("%-30s %" PRIu64 "\n", name, counts[i].value);
     }
 }
 

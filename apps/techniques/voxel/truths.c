@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* --- at a size ---------------------------------------------------------------------------------- */
+/* --- at a size -------------------------------------------------------------------------------- */
 
 static const double surface_margin = 1e-3, solid_margin = 1.0 / 128; /* voxels */
 
@@ -101,7 +101,7 @@ void voxel_truth_compare(const VoxelTruth *truth, const uint8_t *bits, uint64_t 
     }
 }
 
-/* --- at no size -------------------------------------------------------------------------------- */
+/* --- at no size ------------------------------------------------------------------------------- */
 
 static const VoxelSpace model_space = { .scale = 1 };
 

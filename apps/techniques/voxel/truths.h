@@ -36,8 +36,8 @@ typedef struct VoxelTruths {
 const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
                                     VoxelTruthKind kind, uint32_t size);
 
-/* How far a volume of `size` is from the model's surface, and the surface from it: the larger of both
- * (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In
+/* How far a volume of `size` is from the model's surface, and the surface from it: the larger of
+ * both (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In
  * thousandths, of the model's longest side and of its enclosed volume. NaN without memory. */
 double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
                              const uint8_t *bits);

@@ -6,7 +6,7 @@
 #include "shaders_c/voxel/volume/flat_texture.h"
 
 typedef struct VoxelPointsUniforms {
-    FlatTextureLayout sheet;
+    FlatTextureLayout flat;
     float scale, offset[3]; /* voxels = scale * position + offset */
 } VoxelPointsUniforms;
 

@@ -13,14 +13,14 @@ typedef struct PointVarying {
 GP_INLINE float4 set_voxel(const VoxelPointsUniforms *c, float3 position, PointVarying *out,
                            flt *point_size)
 {
-    const FlatTextureLayout *sheet = &c->sheet;
+    const FlatTextureLayout *flat = &c->flat;
     float3 voxel = floor_(mad(position, c->scale, u3(c->offset)));
     flt slab = floor_(voxel.z * (1.0f / 32)), bit = voxel.z - slab * 32.0f;
     flt low = min(min(voxel.x, voxel.y), voxel.z), high = max(max(voxel.x, voxel.y), voxel.z);
-    *point_size = sge(low, 0) * slt(high, sheet->size);
+    *point_size = sge(low, 0) * slt(high, flat->size);
     out->bit = bits_between(bit, bit + 1.0f);
-    float2 origin = patch_origin(sheet, slab);
-    return sheet_position(sheet, vec2(origin.x + voxel.x + 0.5f, origin.y + voxel.y + 0.5f));
+    float2 origin = patch_origin(flat, slab);
+    return flat_position(flat, vec2(origin.x + voxel.x + 0.5f, origin.y + voxel.y + 0.5f));
 }
 
 /* clang-format off */

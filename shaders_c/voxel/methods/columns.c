@@ -6,18 +6,18 @@
 
 /* --- vertices --------------------------------------------------------------------------------- */
 
-/* A square over the columns. Where they are wider than high, or higher than wide, it is too large, and
- * finds nothing in its other pixels. */
-GP_INLINE float4 square_centre(const FlatTextureLayout *sheet, const Placed *triangle)
+/* A square over the columns. Where they are wider than high, or higher than wide, it is too large,
+ * and finds nothing in its other pixels. */
+GP_INLINE float4 square_centre(const FlatTextureLayout *flat, const Placed *triangle)
 {
-    return sheet_position(sheet, add(triangle->first, triangle->side * 0.5f));
+    return flat_position(flat, add(triangle->first, triangle->side * 0.5f));
 }
 
 vertex_shader(voxel_touched_vs, VoxelColumnsUniforms, Vertex, Varying)
 {
     Placed triangle = place_touched(c, in, out);
     describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
-    *position = square_centre(&c->sheet, &triangle);
+    *position = square_centre(&c->flat, &triangle);
     *point_size = triangle.side;
 }
 
@@ -25,7 +25,7 @@ vertex_shader(voxel_sampled_vs, VoxelColumnsUniforms, Vertex, Varying)
 {
     Placed triangle = place_sampled(c, in, out);
     describe_triangle(&triangle, 0, out);
-    *position = square_centre(&c->sheet, &triangle);
+    *position = square_centre(&c->flat, &triangle);
     *point_size = triangle.side;
 }
 
@@ -34,8 +34,7 @@ vertex_shader(voxel_sampled_vs, VoxelColumnsUniforms, Vertex, Varying)
  * DEVIATES: Hasselgren, Akenine-Moller and Ohlsson, "Conservative rasterization", GPU Gems 2, 2005,
  * ch. 42, move the triangle's own corners out, to infinity where it is a sliver. What a rectangle
  * has too much, the pixel shader cuts off, as theirs does outside the triangle's box. */
-GP_INLINE float4 rectangle_corner(const FlatTextureLayout *sheet, const Placed *triangle,
-                                  flt number)
+GP_INLINE float4 rectangle_corner(const FlatTextureLayout *flat, const Placed *triangle, flt number)
 {
     float3 a = triangle->a, b = triangle->b, d = triangle->c;
     flt ab = square_length(a, b), bc = square_length(b, d), ca = square_length(d, a);
@@ -53,7 +52,7 @@ GP_INLINE float4 rectangle_corner(const FlatTextureLayout *sheet, const Placed *
     flt u = sel(high, max(height, 0) + rim, min(height, 0) - rim);
     float2 corner = vec2(begin.x + 0.5f + along.x * t - along.y * u,
                          begin.y + 0.5f + along.y * t + along.x * u);
-    float4 placed = sheet_position(sheet, add(triangle->first, corner));
+    float4 placed = flat_position(flat, add(triangle->first, corner));
     return sel(triangle->side > 0.0f, placed, vec4(2, 2, 0, 1)); /* 2: outside */
 }
 
@@ -61,14 +60,14 @@ vertex_shader(voxel_touched_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Va
 {
     Placed triangle = place_touched(c, &in->triangle, out);
     describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
-    *position = rectangle_corner(&c->sheet, &triangle, in->corner);
+    *position = rectangle_corner(&c->flat, &triangle, in->corner);
 }
 
 vertex_shader(voxel_sampled_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
 {
     Placed triangle = place_touched(c, &in->triangle, out); /* slots: 512 are not enough for more */
     describe_triangle(&triangle, 0, out);
-    *position = rectangle_corner(&c->sheet, &triangle, in->corner);
+    *position = rectangle_corner(&c->flat, &triangle, in->corner);
 }
 
 /* clang-format off */
@@ -120,7 +119,7 @@ vertex_shader(voxel_column_vs, VoxelColumnsUniforms, Vertex, RunVarying)
     Varying triangle_out;
     Placed triangle = place_touched(c, in, &triangle_out);
     out->run = touched_run(triangle_out.ends.x, triangle_out.ends.y);
-    *position = sheet_position(&c->sheet, add(triangle.first, 0.5f));
+    *position = flat_position(&c->flat, add(triangle.first, 0.5f));
     *point_size = min(triangle.side, 1);
 }
 

@@ -8,7 +8,7 @@
 #include "shaders_c/voxel/volume/flat_texture.h"
 
 typedef struct VoxelColumnsUniforms {
-    FlatTextureLayout sheet;
+    FlatTextureLayout flat;
     VoxelMotion motion;
     float step; /* a triangle is drawn into the slab so many above its lowest */
 } VoxelColumnsUniforms;

@@ -26,7 +26,7 @@ typedef struct CornerVertex {
 
 /* In voxels, x and y from the centre of the first column, z from the slab's floor. */
 typedef struct Varying {
-    float4 place;  /* of the first column, in texels of the sheet; and how many columns, x and y */
+    float4 place;  /* of the first column, in texels; and how many columns, x and y */
     float4 ends;   /* lowest and highest z; mirrors of the views along y and x, see View */
     float4 plane;  /* z in the centre of the first column; rise a column in x and y; half its rise
                       over a column, with what rounding adds */
@@ -202,18 +202,18 @@ GP_INLINE Triangle triangle_in_voxels(const VoxelColumnsUniforms *c, const Verte
 /* The triangle in the slab that it is drawn into. */
 typedef struct Placed {
     float3 a, b, c; /* corners, as in Varying */
-    float2 first;   /* column, in texels of the sheet */
+    float2 first;   /* column, in texels of the flat texture */
     flt side;       /* columns, where a square is to hold them; 0: none in this slab */
 } Placed;
 
 GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Triangle *t, Range columns,
                                 Range rows, Varying *out)
 {
-    flt highest = min(t->high.z, c->sheet.size - 0.5f);
+    flt highest = min(t->high.z, c->flat.size - 0.5f);
     flt slab = floor_(max(t->low.z - VOXEL_MARGIN, 0) * (1.0f / 32)) + c->step;
     flt floor = slab * 32.0f;
 
-    float2 origin = patch_origin(&c->sheet, slab);
+    float2 origin = patch_origin(&c->flat, slab);
     float2 first = vec2(origin.x + columns.first, origin.y + rows.first);
     float3 centre = vec3(columns.first + 0.5f, rows.first + 0.5f, floor);
     msk there = (msk)(floor <= highest + VOXEL_MARGIN) & (msk)(columns.count > 0.0f) &
@@ -231,7 +231,7 @@ GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Triangle *t
 GP_INLINE Placed place_touched(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
 {
     Triangle t = triangle_in_voxels(c, in);
-    const float last = c->sheet.size - 1;
+    const float last = c->flat.size - 1;
     return place_triangle(c, &t, range_touched(t.low.x, t.high.x, last),
                           range_touched(t.low.y, t.high.y, last), out);
 }
@@ -241,7 +241,7 @@ GP_INLINE Placed place_touched(const VoxelColumnsUniforms *c, const Vertex *in, 
 GP_INLINE Placed place_sampled(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
 {
     Triangle t = triangle_in_voxels(c, in);
-    const float last = c->sheet.size - 1;
+    const float last = c->flat.size - 1;
     Range x = range_sampled(t.low.x, t.high.x, last), y = range_sampled(t.low.y, t.high.y, last);
     Range z = range_sampled(t.low.z, t.high.z, last);
     msk along_x = (msk)(y.count > 0.0f) & (msk)(z.count > 0.0f);

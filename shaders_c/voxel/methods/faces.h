@@ -5,8 +5,8 @@
 #include "pipeline/shader/program.h"
 #include "shaders_c/voxel/volume/flat_texture.h"
 
-/* Covers a patch, with FlatTextureSlab for uniforms. Slot 2 a: depth seen along axis a, 2 a + 1: seen
- * the other way, from there. */
+/* Covers a patch, with FlatTextureSlab for uniforms. Slot 2 a: depth seen along axis a, 2 a + 1:
+ * seen the other way, from there. */
 extern const GpProgram voxel_faces_program;
 
 #endif

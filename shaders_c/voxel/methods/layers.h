@@ -18,8 +18,8 @@ extern const GpProgram voxel_peel_next_program;
 /* Where there is no surface any more: beyond all depths. */
 #define VOXEL_NO_LAYER 2.0f
 
-/* Covers a patch, with FlatTextureSlab for uniforms, blended with GP_BLEND_LOGIC_OR: the voxel of the
- * depth in slot 0; those whose centres lie between slots 0 and 1, none where slot 1 has no
+/* Covers a patch, with FlatTextureSlab for uniforms, blended with GP_BLEND_LOGIC_OR: the voxel of
+ * the depth in slot 0; those whose centres lie between slots 0 and 1, none where slot 1 has no
  * layer. */
 extern const GpProgram voxel_layer_program;
 extern const GpProgram voxel_between_program;

@@ -42,9 +42,9 @@ program(voxel_row_ends_program, voxel_rows_vs, voxel_row_ends_ps, .vertex_profil
 
 pixel_shader(voxel_rows_ps, VoxelRowsUniforms, CoverVarying)
 {
-    float3 at = texel_column(&c->sheet, vpos());
+    float3 at = texel_column(&c->flat, vpos());
     float2 place =
-        vec2((at.x + 0.5f) * (1.0f / c->sheet.width), (at.y + 0.5f) * (1.0f / c->sheet.height));
+        vec2((at.x + 0.5f) * (1.0f / c->flat.width), (at.y + 0.5f) * (1.0f / c->flat.height));
     flt odd = bcast(0);
     for (int i = 0; i < VOXEL_ROWS_SLABS - 1 && any(at.z > (float)i); i++) {
         float2 below = add(place, u2(c->origin[i]));
@@ -54,7 +54,7 @@ pixel_shader(voxel_rows_ps, VoxelRowsUniforms, CoverVarying)
     float4 here = texldl(0, vec4(in->place.x, in->place.y, 0, 0));
     float4 blue = scan(gp, here.z, state), green = scan(gp, here.y, blue.y);
     float4 red = scan(gp, here.x, green.y), alpha = scan(gp, here.w, red.y);
-    flt left = c->sheet.size - at.z * 32.0f;
+    flt left = c->flat.size - at.z * 32.0f;
     return vec4(keep(red.x, left - 16.0f), keep(green.x, left - 8.0f), keep(blue.x, left),
                 keep(alpha.x, left - 24.0f));
 }

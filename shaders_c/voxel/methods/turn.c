@@ -1,5 +1,5 @@
-/* The synthesis of flat textures: what belongs at a texel stands in as many texels of the other sheet
- * as a texel has voxels, one below, or beside, the other.
+/* The synthesis of flat textures: what belongs at a texel stands in as many texels of the
+ * other one as a texel has voxels, one below, or beside, the other.
  * source Dong et al., Pacific Graphics 2004: lookup tables for places and for bits. DEVIATES:
  *        theirs is a map of every place to every place; ours has an entry for each depth, since
  *        what is left is a turn. */
@@ -24,12 +24,12 @@ typedef struct Column {
 GP_INLINE Column find_column(GpInvocation *gp, const VoxelTurnUniforms *c, flt depth, flt other,
                              flt z)
 {
-    const FlatTextureLayout *sheet = &c->sheet;
-    float4 place = texldl(1, vec4((depth + 0.5f) * (1.0f / sheet->size), 0.5f, 0, 0));
-    float2 texel = vec2(1.0f / sheet->width, 1.0f / sheet->height);
+    const FlatTextureLayout *flat = &c->flat;
+    float4 place = texldl(1, vec4((depth + 0.5f) * (1.0f / flat->size), 0.5f, 0, 0));
+    float2 texel = vec2(1.0f / flat->width, 1.0f / flat->height);
     float2 from = add(mul(u2(c->aside), other), mul(u2(c->down), z));
     return (Column){ mul(add(add(xy(place), from), 0.5f), texel), mul(u2(c->down), texel), place.z,
-                     place.w, sheet->size - z };
+                     place.w, flat->size - z };
 }
 
 /* The column that belongs at a texel. */
@@ -37,7 +37,7 @@ GP_INLINE Column column_here(GpInvocation *gp, const VoxelTurnUniforms *c, float
 {
     float2 place = vec2(at.x, at.y);
     return find_column(gp, c, dp2(place, u2(c->depth)), dp2(place, u2(c->across)),
-                       at.z * c->sheet.per_texel);
+                       at.z * c->flat.per_texel);
 }
 
 GP_INLINE float4 read_voxel(GpInvocation *gp, const Column *column, int k)
@@ -75,12 +75,12 @@ program(voxel_found_program, voxel_turn_vs, voxel_found_ps, .vertex_profile = GP
 /* Most of a surface's volume is empty: there no bits are looked for. */
 pixel_shader(voxel_turn_bits_ps, VoxelTurnUniforms, CoverVarying)
 {
-    float3 at = texel_column(&c->sheet, vpos());
+    float3 at = texel_column(&c->flat, vpos());
     Column column = column_here(gp, c, at);
     flt octet = at.z * c->octets + floor_(dp2(vec2(at.x, at.y), u2(c->depth)) * (1.0f / 8));
     float4 found = texldl(
         3, vec4((octet + 0.5f) * (1.0f / (c->octets * c->slabs)),
-                (dp2(vec2(at.x, at.y), u2(c->across)) + 0.5f) * (1.0f / c->sheet.size), 0, 0));
+                (dp2(vec2(at.x, at.y), u2(c->across)) + 0.5f) * (1.0f / c->flat.size), 0, 0));
     const flt any_of[4] = { found.x, found.y, found.z, found.w };
     float4 mask = byte_mask(column.byte);
     flt byte[4];
@@ -101,7 +101,7 @@ program(voxel_turn_bits_program, voxel_turn_vs, voxel_turn_bits_ps, .vertex_prof
 
 pixel_shader(voxel_turn_bytes_ps, VoxelTurnUniforms, CoverVarying)
 {
-    Column column = column_here(gp, c, texel_column(&c->sheet, vpos()));
+    Column column = column_here(gp, c, texel_column(&c->flat, vpos()));
     float4 mask = byte_mask(column.byte);
     return vec4(dp4(read_voxel(gp, &column, 2), mask), dp4(read_voxel(gp, &column, 1), mask),
                 dp4(read_voxel(gp, &column, 0), mask), dp4(read_voxel(gp, &column, 3), mask));
@@ -113,7 +113,7 @@ program(voxel_turn_bytes_program, voxel_turn_vs, voxel_turn_bytes_ps, .vertex_pr
 
 pixel_shader(voxel_turn_pairs_ps, VoxelTurnUniforms, CoverVarying)
 {
-    Column column = column_here(gp, c, texel_column(&c->sheet, vpos()));
+    Column column = column_here(gp, c, texel_column(&c->flat, vpos()));
     float4 first = read_voxel(gp, &column, 0), second = read_voxel(gp, &column, 1);
     msk upper = column.byte == 2.0f; /* red and alpha; else blue and green */
     return vec4(sel(upper, second.x, second.z), sel(upper, first.w, first.y),

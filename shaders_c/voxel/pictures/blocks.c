@@ -1,5 +1,5 @@
-/* Blocks of voxels: the greatest byte of ten columns. A byte of a flat texture of bits is eight voxels
- * along z, and not 0 where any of them is there. */
+/* Blocks of voxels: the greatest byte of ten columns. A byte of a flat texture of bits is eight
+ * voxels along z, and not 0 where any of them is there. */
 #include "pipeline/shader.h"
 #include "shaders_c/voxel/pictures/blocks.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
@@ -21,7 +21,7 @@ vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms, Vertex, Nothing)
 GP_INLINE flt tenth(const VoxelBlocksUniforms *c, flt block, int i)
 {
     flt voxel = block * (float)VOXEL_BLOCK + (float)(i - 1);
-    return min(max(voxel, 0), c->sheet.size - 1);
+    return min(max(voxel, 0), c->flat.size - 1);
 }
 
 enum { TEN = VOXEL_BLOCK + 2 };
@@ -30,12 +30,12 @@ pixel_shader(voxel_block_rows_ps, VoxelBlocksUniforms, Nothing)
 {
     float2 at = vpos();
     flt slab = whole_part(at.x, c->columns), block = at.x - slab * c->columns;
-    float2 origin = patch_origin(&c->sheet, slab);
-    flt y = (origin.y + at.y + 0.5f) * (1.0f / c->sheet.height);
+    float2 origin = patch_origin(&c->flat, slab);
+    flt y = (origin.y + at.y + 0.5f) * (1.0f / c->flat.height);
     float4 most = sp4(bcast(0));
     for (int i = 0; i < TEN; i++) {
         flt x = origin.x + tenth(c, block, i) + 0.5f;
-        float2 texel = vec2(x * (1.0f / c->sheet.width), y);
+        float2 texel = vec2(x * (1.0f / c->flat.width), y);
         most = max(most, max(texld(0, texel), texld(1, texel)));
     }
     return most;

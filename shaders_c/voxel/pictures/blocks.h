@@ -12,7 +12,7 @@
 enum { VOXEL_BLOCK = 8 };
 
 typedef struct VoxelBlocksUniforms {
-    FlatTextureLayout sheet;
+    FlatTextureLayout flat;
     float columns;       /* blocks a side */
     float width, height; /* of what the second reads */
 } VoxelBlocksUniforms;

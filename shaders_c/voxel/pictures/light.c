@@ -61,9 +61,9 @@ typedef struct Weights {
 } Weights;
 
 /* In: numbers of the first voxels; how far the place lies past the third ones' centres. */
-GP_INLINE Weights weigh_six(const FlatTextureLayout *sheet, float2 first, float2 past)
+GP_INLINE Weights weigh_six(const FlatTextureLayout *flat, float2 first, float2 past)
 {
-    const float last_from_centre = (sheet->size - 1) * 0.5f;
+    const float last_from_centre = (flat->size - 1) * 0.5f;
     float2 from_centre = sub(first, last_from_centre);
     Weights weights;
     for (int k = 0; k < VOXEL_RUN; k++) {
@@ -104,8 +104,8 @@ GP_INLINE RunPlace place_run(const VoxelLightUniforms *c, float3 first, flt past
     flt lowest = max(slab, 0), above = min(slab + 1.0f, c->slabs - 1.0f);
     flt exists = sge(slab, bcast(0)), next = sge(bcast(c->slabs - 1.5f), slab);
     flt scale = exp_(8.0f * byte - first.z) * (1.0f / (float)VOXEL_RUN_PATTERNS);
-    float2 low = patch_origin(&c->sheet, lowest);
-    float2 high = patch_origin(&c->sheet, sel(shared, above, lowest));
+    float2 low = patch_origin(&c->flat, lowest);
+    float2 high = patch_origin(&c->flat, sel(shared, above, lowest));
     float4 texels =
         add(vec4(low.x, low.y, high.x, high.y), vec4(first.x, first.y, first.x, first.y));
     return (RunPlace){ .words = mul(add(texels, 0.5f), add(u4(c->across), u4(c->down))),
@@ -129,7 +129,7 @@ GP_INLINE float3 density_slope(GpInvocation *gp, const VoxelLightUniforms *c, fl
     float3 centre = sub(place, 0.5f), third = floor_(centre), past = sub(centre, third);
     float3 first = sub(third, 2.0f);
     RunPlace run = place_run(c, first, past.z);
-    Weights weights = weigh_six(&c->sheet, vec2(first.x, first.y), vec2(past.x, past.y));
+    Weights weights = weigh_six(&c->flat, vec2(first.x, first.y), vec2(past.x, past.y));
     float3 slope = sp3(bcast(0));
     for (int i = 0; i < VOXEL_RUN; i++) {
         float4 words = run.words;

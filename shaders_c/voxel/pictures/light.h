@@ -5,8 +5,8 @@
 #include "shaders_c/voxel/pictures/view.h"
 
 typedef struct VoxelLightUniforms {
-    FlatTextureLayout sheet;
-    float slabs;              /* of the sheet */
+    FlatTextureLayout flat;
+    float slabs;              /* of the flat texture */
     float across[4], down[4]; /* to the next texel, in texture coordinates: u, v, u, v */
     float eye[3], at[3];      /* of the ray in the picture's centre: origin, direction */
     float right[3], up[3];    /* from there to the picture's edges */
@@ -18,7 +18,7 @@ typedef struct VoxelLightUniforms {
 
 /* One triangle around the target, in clip space; slot 0: what voxel_first drew, in place. */
 extern const GpProgram voxel_light_faces_program; /* faces of cubes */
-/* Normals by the slope of a smoothed volume: slot 1 is the flat texture, slot 2 the table of runs. */
+/* Normals by the slope of a smoothed volume: slot 1: the flat texture, 2: the table of runs. */
 extern const GpProgram voxel_light_smooth_program;
 
 /* The table: column b, row f hold the smoothed density of six voxels in a row, of which bit k of b

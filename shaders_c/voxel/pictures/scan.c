@@ -66,13 +66,13 @@ vertex_shader(voxel_scan_vs, VoxelScanUniforms, SlabVertex, Varying)
 }
 
 /* A texel of one layer's patch, linear between four; at the patch's edge they stay inside it. */
-GP_INLINE float4 layer_at(GpInvocation *gp, const FlatTextureLayout *sheet, float3 place, flt layer)
+GP_INLINE float4 layer_at(GpInvocation *gp, const FlatTextureLayout *flat, float3 place, flt layer)
 {
-    flt inside = bcast(sheet->size - 0.5f);
-    float2 origin = patch_origin(sheet, min(max(layer, 0), sheet->size - 1));
+    flt inside = bcast(flat->size - 0.5f);
+    float2 origin = patch_origin(flat, min(max(layer, 0), flat->size - 1));
     flt x = min(max(place.x, 0.5f), inside), y = min(max(place.y, 0.5f), inside);
     return texld(
-        1, vec2((origin.x + x) * (1.0f / sheet->width), (origin.y + y) * (1.0f / sheet->height)));
+        1, vec2((origin.x + x) * (1.0f / flat->width), (origin.y + y) * (1.0f / flat->height)));
 }
 
 /* What a slab of the scan adds, one sample for all of it, linear between eight. */

@@ -12,7 +12,7 @@ enum { VOXEL_KIND_FIRST = 1, VOXEL_KIND_SECOND, VOXEL_KIND_BOTH, VOXEL_KINDS };
 
 /* Places are (u, v, w): w goes across the slices, u and v are the two other axes. */
 typedef struct VoxelViewUniforms {
-    FlatTextureLayout sheet;
+    FlatTextureLayout flat;
     float block_columns, blocks_width, blocks_height; /* of voxel_blocks */
     float to_clip[4][4];                              /* from (u, v, w) */
     float axes[3][3];                                 /* x, y, z of (u, v, w) */

@@ -13,14 +13,14 @@ typedef struct VoxelPlace {
 } VoxelPlace;
 
 /* Of whole numbers. */
-GP_INLINE VoxelPlace place_of_voxel(const FlatTextureLayout *sheet, float3 voxel)
+GP_INLINE VoxelPlace place_of_voxel(const FlatTextureLayout *flat, float3 voxel)
 {
-    flt slab = whole_part(voxel.z, sheet->per_texel);
-    float2 origin = patch_origin(sheet, slab);
+    flt slab = whole_part(voxel.z, flat->per_texel);
+    float2 origin = patch_origin(flat, slab);
     return (VoxelPlace){
-        .coord = vec2((origin.x + voxel.x + 0.5f) * (1.0f / sheet->width),
-                      (origin.y + voxel.y + 0.5f) * (1.0f / sheet->height)),
-        .bit = voxel.z - slab * sheet->per_texel,
+        .coord = vec2((origin.x + voxel.x + 0.5f) * (1.0f / flat->width),
+                      (origin.y + voxel.y + 0.5f) * (1.0f / flat->height)),
+        .bit = voxel.z - slab * flat->per_texel,
     };
 }
 
@@ -95,9 +95,9 @@ GP_INLINE float3 voxel_at(const VoxelViewUniforms *c, float2 across, flt layer)
 GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 across, flt layer,
                       bool two)
 {
-    float2 from_centre = abs_(sub(across, (c->sheet.size - 1) * 0.5f));
-    msk inside = max(from_centre.x, from_centre.y) < c->sheet.size * 0.5f;
-    VoxelPlace place = place_of_voxel(&c->sheet, voxel_at(c, across, layer));
+    float2 from_centre = abs_(sub(across, (c->flat.size - 1) * 0.5f));
+    msk inside = max(from_centre.x, from_centre.y) < c->flat.size * 0.5f;
+    VoxelPlace place = place_of_voxel(&c->flat, voxel_at(c, across, layer));
     flt kind = sel(has_bit(texld(0, place.coord), place.bit), bcast(VOXEL_KIND_FIRST), 0);
     if (two)
         kind = kind + sel(has_bit(texld(1, place.coord), place.bit), bcast(VOXEL_KIND_SECOND), 0);
@@ -107,7 +107,7 @@ GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 acros
 /* Whether the way through a slab may meet a voxel: its block has any, or a neighbour. */
 GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
 {
-    float2 inside = min(max(floor_(ray->start), 0.0f), c->sheet.size - 1);
+    float2 inside = min(max(floor_(ray->start), 0.0f), c->flat.size - 1);
     float3 block = floor_(mul(voxel_at(c, inside, ray->layer), 1.0f / (float)VOXEL_BLOCK));
     flt slab = floor_(block.z * 0.25f), byte = block.z - slab * 4.0f;
     float4 blocks =

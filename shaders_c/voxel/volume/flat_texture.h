@@ -1,4 +1,4 @@
-/* A volume as a flat texture: the flat texture.
+/* A volume as a flat 3D texture, which the thesis calls a worksheet.
  *
  * A volume of size^3 voxels is cut into slabs of per_texel voxels along z. A slab is a patch of
  * size x size texels; patches lie in rows of `columns`, slab 0 at the top left. Texel (x, y) of a
@@ -15,7 +15,7 @@ typedef struct FlatTextureLayout {
     float size;          /* voxels a side of the volume, texels a side of a patch */
     float per_texel;     /* voxels: 32, 4 or 2 */
     float columns;       /* patches in a row */
-    float width, height; /* texels of the whole sheet */
+    float width, height; /* texels of the whole flat texture */
 } FlatTextureLayout;
 
 /* One slab of it, for programs that cover a patch. */

@@ -12,25 +12,25 @@ GP_INLINE flt whole_part(flt a, float b)
 }
 
 /* Top left texel of a slab's patch. */
-GP_INLINE float2 patch_origin(const FlatTextureLayout *sheet, flt slab)
+GP_INLINE float2 patch_origin(const FlatTextureLayout *flat, flt slab)
 {
-    flt row = whole_part(slab, sheet->columns);
-    return vec2((slab - row * sheet->columns) * sheet->size, row * sheet->size);
+    flt row = whole_part(slab, flat->columns);
+    return vec2((slab - row * flat->columns) * flat->size, row * flat->size);
 }
 
-/* Slab, and place in it, of a texel of the sheet. */
-GP_INLINE float3 texel_column(const FlatTextureLayout *sheet, float2 texel)
+/* Slab, and place in it, of a texel of the flat texture. */
+GP_INLINE float3 texel_column(const FlatTextureLayout *flat, float2 texel)
 {
-    flt column = whole_part(texel.x, sheet->size), row = whole_part(texel.y, sheet->size);
-    return vec3(texel.x - column * sheet->size, texel.y - row * sheet->size,
-                row * sheet->columns + column);
+    flt column = whole_part(texel.x, flat->size), row = whole_part(texel.y, flat->size);
+    return vec3(texel.x - column * flat->size, texel.y - row * flat->size,
+                row * flat->columns + column);
 }
 
-/* A place in texels of the sheet, in clip space. */
-GP_INLINE float4 sheet_position(const FlatTextureLayout *sheet, float2 texel)
+/* A place in texels of the flat texture, in clip space. */
+GP_INLINE float4 flat_position(const FlatTextureLayout *flat, float2 texel)
 {
-    return vec4(texel.x * (2.0f / sheet->width) - 1.0f, 1.0f - texel.y * (2.0f / sheet->height),
-                0.5f, 1);
+    return vec4(texel.x * (2.0f / flat->width) - 1.0f, 1.0f - texel.y * (2.0f / flat->height), 0.5f,
+                1);
 }
 
 /* Bits below `end` of each byte of a word, plus 1: 1 to 256. */

@@ -40,16 +40,16 @@ typedef struct Sampling {
     const VoxelFunction *function;
     const VoxelBox *box;
     Frame *frame;
-    const FlatTexture *sheet;
+    const FlatTexture *flat;
     GpSurface *field;   /* of a callback */
     FlatTexture layout; /* the field's patches */
 } Sampling;
 
 /* Bounds below which samples of a slab are inside; none is past the end. */
-static void bound_samples(const FlatTexture *sheet, uint32_t slab, float inside[])
+static void bound_samples(const FlatTexture *flat, uint32_t slab, float inside[])
 {
-    for (uint32_t k = 0; k < sheet->per_texel; k++)
-        inside[k] = slab * sheet->per_texel + k < sheet->size ? 0 : -INFINITY;
+    for (uint32_t k = 0; k < flat->per_texel; k++)
+        inside[k] = slab * flat->per_texel + k < flat->size ? 0 : -INFINITY;
 }
 
 /* Draws the samples of a slab at a place in its voxels. */
@@ -57,39 +57,39 @@ static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const fl
 {
     const double scale = 1 / s->box->scale;
     VoxelImplicitUniforms u = {
-        .size = (float)s->sheet->size,
-        .first = { place[0], place[1], (float)(slab * s->sheet->per_texel) + place[2] },
+        .size = (float)s->flat->size,
+        .first = { place[0], place[1], (float)(slab * s->flat->per_texel) + place[2] },
         .scale = (float)scale,
     };
     for (int k = 0; k < 3; k++)
         u.offset[k] = (float)(-s->box->offset[k] * scale);
-    bound_samples(s->sheet, slab, u.inside);
+    bound_samples(s->flat, slab, u.inside);
     for (int i = 0; i < POLYNOMIAL_SIDE; i++)
         for (int j = 0; j < POLYNOMIAL_SIDE; j++)
             for (int k = 0; k < POLYNOMIAL_SIDE; k++)
                 u.coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
     return flat_texture_draw(s->frame,
                              corner ? &voxel_implicit_corner_program : &voxel_implicit_program,
-                             frame_copy(s->frame, &u, sizeof u), s->sheet, slab);
+                             frame_copy(s->frame, &u, sizeof u), s->flat, slab);
 }
 
 static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
 {
-    VoxelFieldUniforms u = { .size = (float)s->sheet->size,
+    VoxelFieldUniforms u = { .size = (float)s->flat->size,
                              .texel = { 1.0f / (float)s->field->width,
                                         1.0f / (float)s->field->height },
                              .next = corner ? place[2] : 0 };
-    bound_samples(s->sheet, slab, u.inside);
+    bound_samples(s->flat, slab, u.inside);
     for (uint32_t i = 0; i < VOXEL_FIELD_PATCHES; i++) {
         const uint32_t last = s->layout.slabs - 1;
-        const uint32_t patch = slab * (s->sheet->per_texel / s->layout.per_texel) + i;
+        const uint32_t patch = slab * (s->flat->per_texel / s->layout.per_texel) + i;
         const GpViewport v = flat_texture_patch(&s->layout, patch < last ? patch : last);
         u.origin[i][0] = v.x + (corner ? place[0] : 0);
         u.origin[i][1] = v.y + (corner ? place[1] : 0);
     }
     GpDraw *draw =
         flat_texture_draw(s->frame, corner ? &voxel_field_corner_program : &voxel_field_program,
-                          frame_copy(s->frame, &u, sizeof u), s->sheet, slab);
+                          frame_copy(s->frame, &u, sizeof u), s->flat, slab);
     draw->textures[0].surface = s->field;
     return draw;
 }
@@ -155,41 +155,41 @@ static void fill_field(Sampling *s, float place)
 static void draw_solid(Sampling *s)
 {
     static const float centre[3] = { 0.5f, 0.5f, 0.5f };
-    flat_texture_pass(s->frame, "inside", s->sheet);
-    for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
+    flat_texture_pass(s->frame, "inside", s->flat);
+    for (uint32_t slab = 0; slab < s->flat->slabs; slab++)
         draw_samples(s, slab, false, centre);
 }
 
 static void draw_surface(Sampling *s)
 {
-    const GpSurface *sheet = s->sheet->texels;
-    GpSurface *all = frame_surface(s->frame, sheet->format, sheet->width, sheet->height, 1);
-    GpPass *pass = flat_texture_pass(s->frame, "corners", s->sheet);
+    const GpSurface *flat = s->flat->texels;
+    GpSurface *all = frame_surface(s->frame, flat->format, flat->width, flat->height, 1);
+    GpPass *pass = flat_texture_pass(s->frame, "corners", s->flat);
     pass->color[1] =
         (GpColorTarget){ .surface = all, .clear = true, .clear_color = { 1, 1, 1, 1 } };
-    for (uint32_t slab = 0; slab < s->sheet->slabs; slab++)
+    for (uint32_t slab = 0; slab < s->flat->slabs; slab++)
         for (int i = 0; i < CORNERS; i++) {
             const float corner[3] = { (float)(i & 1), (float)(i >> 1 & 1), (float)(i >> 2) };
             GpDraw *draw = draw_samples(s, slab, true, corner);
             draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
             draw->state.blend[1].op = GP_BLEND_LOGIC_AND;
         }
-    flat_texture_pass(s->frame, "not all corners", s->sheet)->color[0].clear = false;
-    for (uint32_t slab = 0; slab < s->sheet->slabs; slab++) {
-        GpDraw *draw = flat_texture_draw(s->frame, &texel_copy_program, NULL, s->sheet, slab);
+    flat_texture_pass(s->frame, "not all corners", s->flat)->color[0].clear = false;
+    for (uint32_t slab = 0; slab < s->flat->slabs; slab++) {
+        GpDraw *draw = flat_texture_draw(s->frame, &texel_copy_program, NULL, s->flat, slab);
         draw->state.blend[0].op = GP_BLEND_LOGIC_XOR;
         draw->textures[0].surface = all;
     }
 }
 
 GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
-                        const FlatTexture *sheet, GpError *error)
+                        const FlatTexture *flat, GpError *error)
 {
-    GP_ASSERT(sheet->bits == 1);
+    GP_ASSERT(flat->bits == 1);
     const bool solid = kind == VOXEL_SOLID;
-    Sampling s = { .function = function, .box = box, .frame = frame, .sheet = sheet };
+    Sampling s = { .function = function, .box = box, .frame = frame, .flat = flat };
     if (function->evaluate) {
-        GpResult result = plan_field(sheet->size + !solid, &s.layout, error);
+        GpResult result = plan_field(flat->size + !solid, &s.layout, error);
         if (result)
             return result;
         fill_field(&s, solid ? 0.5f : 0);

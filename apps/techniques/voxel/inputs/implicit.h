@@ -30,7 +30,7 @@ VoxelBox voxel_box_of_cube(double reach, uint32_t size);
  * errors GP_ERROR_INVALID: a callback's samples do not fit a texture
  * note   the callback is called here, once for each centre or corner, x fastest */
 GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
-                        const FlatTexture *sheet, GpError *error);
+                        const FlatTexture *flat, GpError *error);
 
 /* --- parametric surfaces ---------------------------------------------------------------------- */
 
@@ -51,7 +51,7 @@ GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, Gp
  * errors GP_ERROR_INVALID: no such surface; more points than VOXEL_PARAMETRIC_MAX_POINTS */
 enum { VOXEL_PARAMETRIC_MAX_POINTS = 1 << 26 };
 GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Frame *frame,
-                          const FlatTexture *sheet, GpError *error);
+                          const FlatTexture *flat, GpError *error);
 
 /* --- points ----------------------------------------------------------------------------------- */
 
@@ -59,6 +59,6 @@ GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Fr
  * in     positions: [3 * count], borrowed
  * errors GP_ERROR_INVALID: no points */
 GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Frame *frame,
-                      const FlatTexture *sheet, GpError *error);
+                      const FlatTexture *flat, GpError *error);
 
 #endif

@@ -78,7 +78,7 @@ static GpResult draw_model(const VoxelPair *pair, int which, const VoxelSetting 
 {
     GpError reason;
     GpResult result =
-        voxel_scene_draw(pair->scenes[which], setting, box, frame, &made->sheets[which], &reason);
+        voxel_scene_draw(pair->scenes[which], setting, box, frame, &made->volumes[which], &reason);
     return result ? gp_fail(error, result, "%.100s: %s", pair->names[which], reason.text) : GP_OK;
 }
 
@@ -95,7 +95,7 @@ static VoxelRange range_around(const VoxelRange *a, const VoxelRange *b)
 static void combine(const VoxelPair *pair, const VoxelRange ranges[2], Frame *frame,
                     VoxelPairMade *made)
 {
-    const FlatTexture *first = &made->sheets[0], *second = &made->sheets[1];
+    const FlatTexture *first = &made->volumes[0], *second = &made->volumes[1];
     const VoxelRange common = voxel_range_common(&ranges[0], &ranges[1]);
     made->around = range_around(&ranges[0], &ranges[1]);
     made->range = pair->combine == VOXEL_UNION        ? made->around
@@ -122,7 +122,7 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Fr
         boxes[0] = place_one(pair, setting->size);
     *made = (VoxelPairMade){ .box = boxes[0] };
     for (int i = 0; i <= two; i++)
-        made->sheets[i] = flat_texture_make(frame, setting->size, setting->bits);
+        made->volumes[i] = flat_texture_make(frame, setting->size, setting->bits);
     VoxelRange ranges[2];
     for (int i = 0; i <= two && !result; i++) {
         result = draw_model(pair, i, setting, &boxes[i], frame, made, error);
@@ -130,7 +130,7 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Fr
     }
     if (result)
         return result;
-    made->result = made->sheets[0];
+    made->result = made->volumes[0];
     made->range = made->around = ranges[0];
     if (two)
         combine(pair, ranges, frame, made);

@@ -1,4 +1,5 @@
-/* One model in a volume, or two: where each of them lies, and what becomes of the voxels they share. */
+/* One model in a volume, or two: where each of them lies, and what becomes of the voxels they
+ * share. */
 #ifndef APPS_TECHNIQUES_VOXEL_INPUTS_PAIR_H
 #define APPS_TECHNIQUES_VOXEL_INPUTS_PAIR_H
 
@@ -22,16 +23,17 @@ typedef struct VoxelPair {
 } VoxelPair;
 
 typedef struct VoxelPairMade {
-    FlatTexture sheets[2]; /* of each model */
-    FlatTexture result;    /* of both; of one model its own */
-    VoxelRange range;      /* what the result may lie in */
-    VoxelRange around;     /* what the models may lie in */
-    VoxelBox box;          /* of the first model */
+    FlatTexture volumes[2]; /* of each model */
+    FlatTexture result;     /* of both; of one model its own */
+    VoxelRange range;       /* what the result may lie in */
+    VoxelRange around;      /* what the models may lie in */
+    VoxelBox box;           /* of the first model */
 } VoxelPairMade;
 
-/* Makes flat textures and appends the passes of models and of what becomes of them. Two models lie in the
- * box of both, unless the first is placed.
- * errors those of voxel_scene_draw; GP_ERROR_INVALID: voxels of so many bits cannot be combined so */
+/* Makes flat textures and appends the passes of models and of what becomes of them. Two models lie
+ * in the box of both, unless the first is placed.
+ * errors those of voxel_scene_draw; GP_ERROR_INVALID: voxels of so many bits cannot be combined so
+ *        */
 GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Frame *frame,
                           VoxelPairMade *made, GpError *error);
 

@@ -105,10 +105,10 @@ static void draw_grid(Frame *frame, const GpProgram *program,
         .op = GP_BLEND_LOGIC_OR;
 }
 
-static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *sheet)
+static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *flat)
 {
     return (VoxelPointsUniforms){
-        .sheet = flat_texture_layout(sheet),
+        .flat = flat_texture_layout(flat),
         .scale = (float)box->scale,
         .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
     };
@@ -142,8 +142,8 @@ static GpResult check_points(double points, double step, GpError *error)
                    step, VOXEL_PARAMETRIC_MAX_POINTS);
 }
 
-static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame,
-                            const FlatTexture *sheet, GpError *error)
+static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame, const FlatTexture *flat,
+                            GpError *error)
 {
     float control[SHAPE_TEAPOT_PATCHES][4][4][3];
     double slope[SHAPE_TEAPOT_PATCHES][2], points = 0;
@@ -155,9 +155,9 @@ static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame,
     GpResult result = check_points(points, step, error);
     if (result)
         return result;
-    flat_texture_pass(frame, "patches", sheet);
+    flat_texture_pass(frame, "patches", flat);
     for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
-        VoxelParametricUniforms uniforms = { .place = place_points(box, sheet) };
+        VoxelParametricUniforms uniforms = { .place = place_points(box, flat) };
         memcpy(uniforms.control, control[i], sizeof control[i]);
         draw_grid(frame, &voxel_bezier_program, &uniforms, slope[i], step, box);
     }
@@ -165,21 +165,21 @@ static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame,
 }
 
 GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Frame *frame,
-                          const FlatTexture *sheet, GpError *error)
+                          const FlatTexture *flat, GpError *error)
 {
-    GP_ASSERT(sheet->bits == 1 && step > 0);
+    GP_ASSERT(flat->bits == 1 && step > 0);
     if (strcmp(name, teapot) == 0)
-        return draw_teapot(step, box, frame, sheet, error);
+        return draw_teapot(step, box, frame, flat, error);
     const Surface *surface = find_surface(name);
     if (!surface)
         return refuse_name(name, error);
     GpResult result = check_points(points_of(surface->slope, step, box), step, error);
     if (result)
         return result;
-    const VoxelParametricUniforms uniforms = { .place = place_points(box, sheet),
+    const VoxelParametricUniforms uniforms = { .place = place_points(box, flat),
                                                .radius = surface->radius,
                                                .width = surface->width };
-    flat_texture_pass(frame, surface->name, sheet);
+    flat_texture_pass(frame, surface->name, flat);
     draw_grid(frame, surface->program, &uniforms, surface->slope, step, box);
     return frame_result(frame, error);
 }
@@ -187,16 +187,16 @@ GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Fr
 /* --- points ----------------------------------------------------------------------------------- */
 
 GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *box, Frame *frame,
-                      const FlatTexture *sheet, GpError *error)
+                      const FlatTexture *flat, GpError *error)
 {
-    GP_ASSERT(sheet->bits == 1);
+    GP_ASSERT(flat->bits == 1);
     if (count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
-    const VoxelPointsUniforms uniforms = place_points(box, sheet);
+    const VoxelPointsUniforms uniforms = place_points(box, flat);
     const GpGeometry points = { .primitive = GP_POINTS,
                                 .vertex_count = count,
                                 .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };
-    flat_texture_pass(frame, "points", sheet);
+    flat_texture_pass(frame, "points", flat);
     frame_draw(frame, &voxel_points_program, frame_copy(frame, &uniforms, sizeof uniforms), &points)
         ->state.blend[0]
         .op = GP_BLEND_LOGIC_OR;

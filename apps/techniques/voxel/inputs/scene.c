@@ -184,7 +184,7 @@ static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Frame 
 }
 
 static GpResult draw_mesh(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
-                          Frame *frame, const FlatTexture *sheet, GpError *error)
+                          Frame *frame, const FlatTexture *flat, GpError *error)
 {
     VoxelModel model = voxel_scene_model(scene, box);
     if (scene->twist != 0) {
@@ -192,20 +192,20 @@ static GpResult draw_mesh(const VoxelScene *scene, const VoxelSetting *setting, 
         if (result)
             return result;
     }
-    return voxel_draw(&model, setting, frame, sheet, error);
+    return voxel_draw(&model, setting, frame, flat, error);
 }
 
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
-                          Frame *frame, const FlatTexture *sheet, GpError *error)
+                          Frame *frame, const FlatTexture *flat, GpError *error)
 {
     if (scene->input == VOXEL_MESH)
-        return draw_mesh(scene, setting, box, frame, sheet, error);
+        return draw_mesh(scene, setting, box, frame, flat, error);
     GpResult result = check_input(scene, setting, error);
     if (result)
         return result;
     if (scene->input == VOXEL_FUNCTION)
-        return voxel_implicit(&scene->function, box, setting->kind, frame, sheet, error);
+        return voxel_implicit(&scene->function, box, setting->kind, frame, flat, error);
     if (scene->input == VOXEL_PARAMETRIC)
-        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_STEP, box, frame, sheet, error);
-    return voxel_points(scene->mesh.positions, scene->mesh.vertex_count, box, frame, sheet, error);
+        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_STEP, box, frame, flat, error);
+    return voxel_points(scene->mesh.positions, scene->mesh.vertex_count, box, frame, flat, error);
 }

@@ -30,16 +30,17 @@ typedef struct VoxelScene {
     char surface[16];
 } VoxelScene;
 
-/* Reads a mesh file, looked for as data is (gp_data_find), whose vertices are points where it has no
- * faces; or makes builtin:NAME (apps/scene/shapes.h), implicit:FUNCTION (voxel_function_parse) or
- * parametric:NAME (voxel_parametric_names).
- * errors those of gp_data_find, gp_mesh_read and voxel_function_parse; GP_ERROR_INVALID: no such name
+/* Reads a mesh file, looked for as data is (gp_data_find), whose vertices are points where it has
+ * no faces; or makes builtin:NAME (apps/scene/shapes.h), implicit:FUNCTION (voxel_function_parse)
+ * or parametric:NAME (voxel_parametric_names).
+ * errors those of gp_data_find, gp_mesh_read and voxel_function_parse; GP_ERROR_INVALID: no such
+ *        name
  * owns   the caller, until voxel_scene_close */
 GpResult voxel_scene_open(const char *path, VoxelScene *scene, GpError *error);
 void voxel_scene_close(VoxelScene *scene); /* a zeroed one is fine */
 
-/* The box of all that may be set. Of a function it is the cube that is looked at; of a twisted mesh it
- * has room for every angle. */
+/* The box of all that may be set. Of a function it is the cube that is looked at; of a twisted mesh
+ * it has room for every angle. */
 Bounds voxel_scene_bounds(const VoxelScene *scene);
 
 /* Where a volume of `size` voxels a side lies in the model's space. */
@@ -52,10 +53,10 @@ VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box);
 VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);
 
 /* Appends the passes of a model in its box.
- * in     sheet: of the setting's size and bits, which flat_texture_check lets pass
+ * in     flat: of the setting's size and bits, which flat_texture_check lets pass
  * errors those of voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with
  *        what the model is */
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
-                          Frame *frame, const FlatTexture *sheet, GpError *error);
+                          Frame *frame, const FlatTexture *flat, GpError *error);
 
 #endif

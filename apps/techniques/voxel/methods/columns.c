@@ -102,13 +102,13 @@ static GpGeometry make_rectangles(const VoxelModel *model, Frame *frame, const u
 
 /* --- draws ------------------------------------------------------------------------------------ */
 
-static void add_draw(const VoxelModel *model, Frame *frame, const FlatTexture *sheet,
+static void add_draw(const VoxelModel *model, Frame *frame, const FlatTexture *flat,
                      const GpProgram *program, uint32_t step, const GpGeometry *geometry)
 {
     VoxelColumnsUniforms *uniforms = frame_alloc(frame, 1, sizeof *uniforms);
     if (!uniforms)
         return;
-    *uniforms = (VoxelColumnsUniforms){ .sheet = flat_texture_layout(sheet), .step = (float)step };
+    *uniforms = (VoxelColumnsUniforms){ .flat = flat_texture_layout(flat), .step = (float)step };
     voxel_set_motion(model, frame, &uniforms->motion);
     frame_draw(frame, program, uniforms, geometry)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
@@ -134,7 +134,7 @@ static const Share sampled[] = {
     { in_rectangle, &voxel_sampled_rectangle_program, true },
 };
 
-static void draw_list(const VoxelModel *model, Frame *frame, const FlatTexture *sheet,
+static void draw_list(const VoxelModel *model, Frame *frame, const FlatTexture *flat,
                       const Share *share, VoxelList list, uint32_t step)
 {
     const uint32_t room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
@@ -143,24 +143,24 @@ static void draw_list(const VoxelModel *model, Frame *frame, const FlatTexture *
         const uint32_t next = list.count - done < room ? list.count - done : room;
         GpGeometry geometry = share->is_rectangles ? make_rectangles(model, frame, from, next)
                                                    : make_points(model, frame, from, next);
-        add_draw(model, frame, sheet, share->program, step, &geometry);
+        add_draw(model, frame, flat, share->program, step, &geometry);
     }
 }
 
 void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-                   const FlatTexture *sheet)
+                   const FlatTexture *flat)
 {
     const bool thin = setting->method == VOXEL_THIN;
     const Share *shares = thin ? sampled : touched;
     const size_t share_count = thin ? GP_COUNT(sampled) : GP_COUNT(touched);
     const VoxelExtent *extents = voxel_extents(model, frame);
-    flat_texture_pass(frame, thin ? "sampled" : "touched", sheet);
+    flat_texture_pass(frame, thin ? "sampled" : "touched", flat);
     for (size_t i = 0; i < share_count; i++) {
         VoxelList list = { NULL, model->triangle_count };
-        for (uint32_t step = 0; list.count && step < sheet->slabs; step++) {
+        for (uint32_t step = 0; list.count && step < flat->slabs; step++) {
             /* what reaches so far has reached all slabs before */
             list = voxel_choose(frame, extents, list, shares[i].choice, (float)step);
-            draw_list(model, frame, sheet, &shares[i], list, step);
+            draw_list(model, frame, flat, &shares[i], list, step);
         }
     }
 }

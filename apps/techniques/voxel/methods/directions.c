@@ -1,6 +1,6 @@
 #include "apps/techniques/voxel/methods/directions.h"
 
-#include "shaders_c/voxel/volume/sheet_copy.h"
+#include "shaders_c/voxel/volume/patch_copy.h"
 #include "shaders_c/voxel/methods/sheets.h"
 
 #include <string.h>
@@ -134,9 +134,9 @@ static void gather(Frame *frame, const Targets *from, const FlatTexture *to)
         const FlatTexture *target = &from->of[slab % GP_MAX_TARGETS];
         const float width = (float)target->texels->width, height = (float)target->texels->height;
         GpViewport patch = flat_texture_patch(target, slab / GP_MAX_TARGETS);
-        const SheetCopyUniforms uniforms = { { patch.x / width, patch.y / height },
+        const PatchCopyUniforms uniforms = { { patch.x / width, patch.y / height },
                                              { patch.width / width, patch.height / height } };
-        GpDraw *draw = flat_texture_draw(frame, &sheet_copy_program,
+        GpDraw *draw = flat_texture_draw(frame, &patch_copy_program,
                                          frame_copy(frame, &uniforms, sizeof uniforms), to, slab);
         draw->textures[0] = voxel_texels(target->texels);
     }

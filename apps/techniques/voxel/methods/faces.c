@@ -27,15 +27,15 @@ static void draw_faces(const VoxelModel *model, uint32_t size, Frame *frame,
 }
 
 void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-                 const FlatTexture *sheet)
+                 const FlatTexture *flat)
 {
     GpSurface *faces[FACES];
     draw_faces(model, setting->size, frame, faces);
 
-    flat_texture_pass(frame, "faces to voxels", sheet);
-    for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
+    flat_texture_pass(frame, "faces to voxels", flat);
+    for (uint32_t slab = 0; slab < flat->slabs; slab++) {
         GpDraw *draw = flat_texture_draw(frame, &voxel_faces_program,
-                                         flat_texture_slab(frame, sheet, slab), sheet, slab);
+                                         flat_texture_slab(frame, flat, slab), flat, slab);
         for (int i = 0; i < FACES; i++)
             draw->textures[i].surface = faces[i];
     }

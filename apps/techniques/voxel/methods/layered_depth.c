@@ -28,31 +28,31 @@ static void peel(const VoxelModel *model, uint32_t size, Frame *frame,
 }
 
 /* Draws a patch from one layer, or from two. */
-static void fill_patch(Frame *frame, const FlatTexture *sheet, uint32_t slab,
+static void fill_patch(Frame *frame, const FlatTexture *flat, uint32_t slab,
                        const FlatTextureSlab *uniforms, const GpSurface *entry,
                        const GpSurface *exit)
 {
     const GpProgram *program = exit ? &voxel_between_program : &voxel_layer_program;
-    GpDraw *draw = flat_texture_draw(frame, program, uniforms, sheet, slab);
+    GpDraw *draw = flat_texture_draw(frame, program, uniforms, flat, slab);
     draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
     draw->textures[0].surface = entry;
     draw->textures[1].surface = exit;
 }
 
 void voxel_layered_depth(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-                         const FlatTexture *sheet)
+                         const FlatTexture *flat)
 {
     GpSurface *layers[VOXEL_LAYERS];
     peel(model, setting->size, frame, layers);
 
-    flat_texture_pass(frame, "layers to voxels", sheet);
-    for (uint32_t slab = 0; slab < sheet->slabs; slab++) {
-        const FlatTextureSlab *uniforms = flat_texture_slab(frame, sheet, slab);
+    flat_texture_pass(frame, "layers to voxels", flat);
+    for (uint32_t slab = 0; slab < flat->slabs; slab++) {
+        const FlatTextureSlab *uniforms = flat_texture_slab(frame, flat, slab);
         if (setting->kind == VOXEL_SOLID)
             for (int i = 0; i + 1 < VOXEL_LAYERS; i += 2)
-                fill_patch(frame, sheet, slab, uniforms, layers[i], layers[i + 1]);
+                fill_patch(frame, flat, slab, uniforms, layers[i], layers[i + 1]);
         else
             for (int i = 0; i < VOXEL_LAYERS; i++)
-                fill_patch(frame, sheet, slab, uniforms, layers[i], NULL);
+                fill_patch(frame, flat, slab, uniforms, layers[i], NULL);
     }
 }

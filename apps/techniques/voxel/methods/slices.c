@@ -29,17 +29,17 @@ static void cut(GpRasterState *raster, int kind, float size, float slice)
 }
 
 void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-                  const FlatTexture *sheet)
+                  const FlatTexture *flat)
 {
     const GpGeometry geometry = voxel_model_geometry(model);
-    flat_texture_pass(frame, "slices", sheet);
+    flat_texture_pass(frame, "slices", flat);
     for (uint32_t slice = 0; slice < setting->size; slice++) {
         UnlitUniforms uniforms;
         voxel_model_view(model, setting->size, false, uniforms.mvp);
-        color_of_bit(slice % sheet->per_texel, uniforms.color);
+        color_of_bit(slice % flat->per_texel, uniforms.color);
         GpDraw *draw = frame_draw(frame, &unlit_program,
                                   frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
-        draw->viewport = flat_texture_patch(sheet, slice / sheet->per_texel);
+        draw->viewport = flat_texture_patch(flat, slice / flat->per_texel);
         draw->state.blend[0].op =
             setting->kind == VOXEL_SOLID ? GP_BLEND_LOGIC_XOR : GP_BLEND_LOGIC_OR;
         cut(&draw->state.raster, setting->kind, (float)setting->size, (float)slice);

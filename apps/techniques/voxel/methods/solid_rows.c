@@ -2,7 +2,7 @@
 #include "apps/techniques/voxel/methods/solid_rows.h"
 
 #include "apps/techniques/voxel/methods/synthesis.h"
-#include "shaders_c/voxel/volume/sheet_copy.h"
+#include "shaders_c/voxel/volume/patch_copy.h"
 #include "shaders_c/voxel/methods/rows.h"
 
 /* Eight voxels of a row at once (shaders_c/voxel/methods/rows.h). */
@@ -43,7 +43,7 @@ static void scan_rows(Frame *frame, const Scan *scan, const FlatTexture *crossin
                       const FlatTexture *inside)
 {
     const float width = (float)crossings->texels->width, height = (float)crossings->texels->height;
-    VoxelRowsUniforms rows = { .sheet = flat_texture_layout(crossings) };
+    VoxelRowsUniforms rows = { .flat = flat_texture_layout(crossings) };
     for (uint32_t slab = 0; slab < crossings->slabs; slab++) {
         const GpViewport patch = flat_texture_patch(crossings, slab);
         rows.origin[slab][0] = patch.x / width;
@@ -56,11 +56,11 @@ static void scan_rows(Frame *frame, const Scan *scan, const FlatTexture *crossin
     draw_scan(frame, &voxel_rows_program, scan, uniforms, crossings);
 }
 
-/* A whole sheet onto another. */
-static void draw_sheet(Frame *frame, const FlatTexture *from, GpBlendOp op)
+/* A whole flat texture onto another. */
+static void draw_whole(Frame *frame, const FlatTexture *from, GpBlendOp op)
 {
-    static const SheetCopyUniforms all = { .extent = { 1, 1 } };
-    GpDraw *draw = frame_draw(frame, &sheet_copy_program, &all, &flat_texture_cover);
+    static const PatchCopyUniforms all = { .extent = { 1, 1 } };
+    GpDraw *draw = frame_draw(frame, &patch_copy_program, &all, &flat_texture_cover);
     draw->textures[0] = voxel_texels(from->texels);
     draw->state.blend[0].op = op;
 }
@@ -86,12 +86,12 @@ VoxelDirections voxel_row_scan(const VoxelSetting *setting, Frame *frame,
     scan_rows(frame, &scan, both, &z);
 
     flat_texture_pass(frame, "both", both);
-    draw_sheet(frame, x, GP_BLEND_OFF);
-    draw_sheet(frame, y, GP_BLEND_LOGIC_AND);
+    draw_whole(frame, x, GP_BLEND_OFF);
+    draw_whole(frame, y, GP_BLEND_LOGIC_AND);
     flat_texture_pass(frame, "majority", solid); /* ((x | y) & z) | (x & y) */
-    draw_sheet(frame, x, GP_BLEND_OFF);
-    draw_sheet(frame, y, GP_BLEND_LOGIC_OR);
-    draw_sheet(frame, &z, GP_BLEND_LOGIC_AND);
-    draw_sheet(frame, both, GP_BLEND_LOGIC_OR);
+    draw_whole(frame, x, GP_BLEND_OFF);
+    draw_whole(frame, y, GP_BLEND_LOGIC_OR);
+    draw_whole(frame, &z, GP_BLEND_LOGIC_AND);
+    draw_whole(frame, both, GP_BLEND_LOGIC_OR);
     return (VoxelDirections){ .along = { *x, *y, z } };
 }

@@ -5,20 +5,20 @@
 
 #include <string.h>
 
-static uint32_t count_octets(const FlatTexture *sheet)
+static uint32_t count_octets(const FlatTexture *flat)
 {
-    return (sheet->size + 7) / 8;
+    return (flat->size + 7) / 8;
 }
 
-/* For each depth its patch's origin, and where in a texel it is (shaders_c/voxel/methods/turn.h). */
-static const GpSurface *make_places(Frame *frame, const FlatTexture *sheet)
+/* For each depth its patch's origin, and where in a texel it is (methods/turn.h). */
+static const GpSurface *make_places(Frame *frame, const FlatTexture *flat)
 {
-    GpSurface *table = frame_surface(frame, GP_A32B32G32R32F, sheet->size, 1, 1);
-    const uint32_t bytes = sheet->bits / 8;
+    GpSurface *table = frame_surface(frame, GP_A32B32G32R32F, flat->size, 1, 1);
+    const uint32_t bytes = flat->bits / 8;
     uint8_t *texel = table->level[0].texels;
-    for (uint32_t depth = 0; texel && depth < sheet->size; depth++) {
-        const GpViewport patch = flat_texture_patch(sheet, depth / sheet->per_texel);
-        const uint32_t part = depth % sheet->per_texel;
+    for (uint32_t depth = 0; texel && depth < flat->size; depth++) {
+        const GpViewport patch = flat_texture_patch(flat, depth / flat->per_texel);
+        const uint32_t part = depth % flat->per_texel;
         const float row = ((float)(part % 8) + 0.5f) / 8;
         const float place[4] = { patch.x, patch.y, bytes ? (float)part : row,
                                  (float)(bytes ? part * bytes : part / 8) };
@@ -37,13 +37,13 @@ static const GpSurface *make_bits(Frame *frame)
     return voxel_table(frame, 256, 8, 1, codes[0]);
 }
 
-VoxelTables voxel_tables_make(Frame *frame, const FlatTexture *sheet)
+VoxelTables voxel_tables_make(Frame *frame, const FlatTexture *flat)
 {
-    VoxelTables tables = { .places = make_places(frame, sheet) };
-    if (sheet->bits == 1) {
+    VoxelTables tables = { .places = make_places(frame, flat) };
+    if (flat->bits == 1) {
         tables.bits = make_bits(frame);
         tables.found =
-            frame_surface(frame, GP_A8R8G8B8, count_octets(sheet) * sheet->slabs, sheet->size, 1);
+            frame_surface(frame, GP_A8R8G8B8, count_octets(flat) * flat->slabs, flat->size, 1);
     }
     return tables;
 }
@@ -51,7 +51,7 @@ VoxelTables voxel_tables_make(Frame *frame, const FlatTexture *sheet)
 static void draw_turned(int axis, const FlatTexture *from, const VoxelTables *tables,
                         const GpProgram *program, const GpBlend *blend, Frame *frame)
 {
-    VoxelTurnUniforms uniforms = { .sheet = flat_texture_layout(from),
+    VoxelTurnUniforms uniforms = { .flat = flat_texture_layout(from),
                                    .octets = (float)count_octets(from),
                                    .slabs = (float)from->slabs };
     uniforms.depth[axis] = uniforms.across[1 - axis] = 1;

@@ -63,19 +63,19 @@ static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent 
     draw->state.raster.scissor_y1 = (int32_t)((group + 1) * size);
 }
 
-static void copy_slab(Frame *frame, GpSurface *const *targets, const FlatTexture *sheet,
+static void copy_slab(Frame *frame, GpSurface *const *targets, const FlatTexture *flat,
                       uint32_t slab, uint32_t groups)
 {
     const VoxelParityResolveUniforms uniforms = { .patch = (float)(slab / TARGETS),
                                                   .patches = (float)groups };
     GpDraw *draw = flat_texture_draw(frame, &voxel_parity_resolve_program,
-                                     frame_copy(frame, &uniforms, sizeof uniforms), sheet, slab);
+                                     frame_copy(frame, &uniforms, sizeof uniforms), flat, slab);
     draw->textures[0].surface = targets[slab % TARGETS];
     draw->textures[1].surface = targets[0];
 }
 
 void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
-               const FlatTexture *sheet)
+               const FlatTexture *flat)
 {
     const uint32_t size = setting->size, groups = (size + DEPTH - 1) / DEPTH;
     const VoxelExtent *extents = voxel_extents(model, frame);
@@ -88,7 +88,7 @@ void voxel_xor(const VoxelModel *model, const VoxelSetting *setting, Frame *fram
     for (uint32_t group = 0; group < groups; group++)
         draw_group(model, frame, extents, size, group, groups);
 
-    flat_texture_pass(frame, "solid", sheet);
-    for (uint32_t slab = 0; slab < sheet->slabs; slab++)
-        copy_slab(frame, targets, sheet, slab, groups);
+    flat_texture_pass(frame, "solid", flat);
+    for (uint32_t slab = 0; slab < flat->slabs; slab++)
+        copy_slab(frame, targets, flat, slab, groups);
 }

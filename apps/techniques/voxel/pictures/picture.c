@@ -41,9 +41,9 @@ static GpResult add_scan(const GpVolume *scan, uint32_t size, Frame *frame, Voxe
         longest = fmax(longest, scan->dims[k] * scan->spacing[k]);
     for (int k = 0; k < 3; k++)
         spacing[k] = scan->spacing[k] * size / longest;
-    const FlatTexture sheet = voxel_scan(frame, bytes, scan->dims, spacing, size);
+    const FlatTexture flat = voxel_scan(frame, bytes, scan->dims, spacing, size);
     gp_free(bytes);
-    const FlatTexture slopes = voxel_scan_slopes(frame, &sheet);
+    const FlatTexture slopes = voxel_scan_slopes(frame, &flat);
     uint8_t transfer[VOLUME_VALUES][4];
     volume_transfer(stops, GP_COUNT(stops), size, transfer);
     view->scan = frame_copy(frame, &slopes, sizeof slopes);
@@ -85,7 +85,7 @@ GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *m
         view.paint.opacity = view.second_paint.opacity =
             (float)volume_opacity(SOLID_DENSITY / size);
     if (picture->shows_both) {
-        view.second = &made->sheets[1];
+        view.second = &made->volumes[1];
         view.range = made->around;
     }
     if (scan) {
@@ -98,6 +98,6 @@ GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *m
     const bool anywhere = scan || voxel_range_is_empty(&view.range);
     const VoxelRange seen = anywhere ? voxel_range_whole(size) : view.range;
     view.camera = place_camera(picture, &seen);
-    return voxel_view_build(picture->shows_both ? &made->sheets[0] : &made->result, &view,
+    return voxel_view_build(picture->shows_both ? &made->volumes[0] : &made->result, &view,
                             picture->width, picture->height, frame, error);
 }

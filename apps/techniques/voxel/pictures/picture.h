@@ -21,7 +21,7 @@ extern const VoxelPicture voxel_picture_defaults;
  * in     made: of one bit a voxel
  *        scan: NULL: none; else of any type, whose longest side fills the volume and whose values
  *        from the least to the greatest are seen from not at all to as bone
- * out    work->color: A8R8G8B8
+ * out    frame->color: A8R8G8B8
  * errors those of voxel_view_build; GP_ERROR_INVALID: a scan in a volume that is too large, or more
  *        than one bit a voxel; GP_ERROR_MEMORY */
 GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *made,

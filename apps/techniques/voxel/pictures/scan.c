@@ -42,16 +42,16 @@ static uint32_t sample_linear(const Samples *s, const uint32_t before[3], const 
     return (uint32_t)(sum + 0.5);
 }
 
-static void put_voxel(const FlatTexture *sheet, const uint32_t at[3], uint32_t value)
+static void put_voxel(const FlatTexture *flat, const uint32_t at[3], uint32_t value)
 {
-    flat_texture_texel(sheet, at[2] / sheet->per_texel, at[0], at[1])[at[2] % sheet->per_texel] =
+    flat_texture_texel(flat, at[2] / flat->per_texel, at[0], at[1])[at[2] % flat->per_texel] =
         (uint8_t)value;
 }
 
 FlatTexture voxel_scan(Frame *frame, const uint8_t *samples, const uint32_t dims[3],
                        const double spacing[3], uint32_t size)
 {
-    const FlatTexture sheet = flat_texture_make(frame, size, 8);
+    const FlatTexture flat = flat_texture_make(frame, size, 8);
     Samples s = { .values = samples, .dims = dims };
     for (int k = 0; k < 3; k++) {
         s.spacing[k] = spacing ? spacing[k] : 1;
@@ -59,16 +59,16 @@ FlatTexture voxel_scan(Frame *frame, const uint8_t *samples, const uint32_t dims
     }
     uint32_t at[3], before[3];
     double past[3];
-    for (at[2] = 0; sheet.texels->level[0].texels && at[2] < size; at[2]++)
+    for (at[2] = 0; flat.texels->level[0].texels && at[2] < size; at[2]++)
         for (at[1] = 0; at[1] < size; at[1]++)
             for (at[0] = 0; at[0] < size; at[0]++) {
                 bool inside = true;
                 for (int k = 2; k >= 0 && inside; k--)
                     inside = find_samples(&s, k, at[k], &before[k], &past[k]);
                 if (inside)
-                    put_voxel(&sheet, at, sample_linear(&s, before, past));
+                    put_voxel(&flat, at, sample_linear(&s, before, past));
             }
-    return sheet;
+    return flat;
 }
 
 uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3])

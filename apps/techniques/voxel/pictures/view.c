@@ -18,7 +18,7 @@ const VoxelView voxel_view_defaults = {
 
 /* What the passes of one picture share. */
 typedef struct ViewBuild {
-    const FlatTexture *sheet;
+    const FlatTexture *flat;
     const VoxelView *view;
     Frame *frame;
     uint32_t width, height;
@@ -47,20 +47,20 @@ uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double
 static void find_blocks(ViewBuild *build)
 {
     Frame *frame = build->frame;
-    const FlatTexture *sheet = build->sheet, *second = build->view->second;
-    const uint32_t columns = (sheet->size + VOXEL_BLOCK - 1) / VOXEL_BLOCK;
-    const uint32_t width = columns * sheet->slabs;
-    GpSurface *rows = frame_surface(frame, GP_A8R8G8B8, width, sheet->size, 1);
+    const FlatTexture *flat = build->flat, *second = build->view->second;
+    const uint32_t columns = (flat->size + VOXEL_BLOCK - 1) / VOXEL_BLOCK;
+    const uint32_t width = columns * flat->slabs;
+    GpSurface *rows = frame_surface(frame, GP_A8R8G8B8, width, flat->size, 1);
     build->blocks = frame_surface(frame, GP_A8R8G8B8, width, columns, 1);
-    const VoxelBlocksUniforms uniforms = { .sheet = flat_texture_layout(sheet),
+    const VoxelBlocksUniforms uniforms = { .flat = flat_texture_layout(flat),
                                            .columns = (float)columns,
                                            .width = (float)width,
-                                           .height = (float)sheet->size };
+                                           .height = (float)flat->size };
     const void *own = frame_copy(frame, &uniforms, sizeof uniforms);
     frame_pass(frame, "rows of blocks", rows, NULL, nothing);
     GpDraw *draw = frame_draw(frame, &voxel_block_rows_program, own, &flat_texture_cover);
-    draw->textures[0].surface = sheet->texels;
-    draw->textures[1].surface = second ? second->texels : sheet->texels;
+    draw->textures[0].surface = flat->texels;
+    draw->textures[1].surface = second ? second->texels : flat->texels;
     frame_pass(frame, "blocks", build->blocks, NULL, nothing);
     frame_draw(frame, &voxel_blocks_program, own, &flat_texture_cover)->textures[0].surface = rows;
 }
@@ -72,7 +72,7 @@ static VoxelViewUniforms slices_uniforms(const ViewBuild *build)
     const VoxelView *view = build->view;
     const VoxelPaint *paints[3] = { &view->paint, &view->second_paint, &view->hit_paint };
     VoxelViewUniforms uniforms = view_slices_uniforms(&build->slices, build->aspect);
-    uniforms.sheet = flat_texture_layout(build->sheet);
+    uniforms.flat = flat_texture_layout(build->flat);
     uniforms.block_columns = (float)build->blocks->height;
     uniforms.blocks_width = (float)build->blocks->width;
     uniforms.blocks_height = (float)build->blocks->height;
@@ -91,7 +91,7 @@ static GpDraw *draw_slices(const ViewBuild *build, const GpProgram *one, const G
     const GpGeometry quads = view_slices_quads(build->frame, &build->slices, nearest_first);
     GpDraw *draw = frame_draw(build->frame, build->view->second ? two : one,
                               frame_copy(build->frame, &uniforms, sizeof uniforms), &quads);
-    draw->textures[0].surface = build->sheet->texels;
+    draw->textures[0].surface = build->flat->texels;
     draw->textures[3].surface = build->blocks;
     if (build->view->second)
         draw->textures[1].surface = build->view->second->texels;
@@ -150,14 +150,14 @@ static void set_ray(const ViewBuild *build, VoxelLightUniforms *uniforms)
 }
 
 /* Lights the voxels of one kind, all of which a volume has. */
-static void light_voxels(const ViewBuild *build, const FlatTexture *sheet, const VoxelPaint *paint,
+static void light_voxels(const ViewBuild *build, const FlatTexture *flat, const VoxelPaint *paint,
                          float kind, const GpSurface *table)
 {
     const VoxelView *view = build->view;
     const bool smooth = view->shading == VOXEL_SMOOTH;
-    const float across = 1 / (float)sheet->texels->width, down = 1 / (float)sheet->texels->height;
-    VoxelLightUniforms uniforms = { .sheet = flat_texture_layout(sheet),
-                                    .slabs = (float)sheet->slabs,
+    const float across = 1 / (float)flat->texels->width, down = 1 / (float)flat->texels->height;
+    VoxelLightUniforms uniforms = { .flat = flat_texture_layout(flat),
+                                    .slabs = (float)flat->slabs,
                                     .across = { across, 0, across, 0 },
                                     .down = { 0, down, 0, down },
                                     .kind = kind };
@@ -169,7 +169,7 @@ static void light_voxels(const ViewBuild *build, const FlatTexture *sheet, const
     draw->textures[0].surface = build->found;
     if (!smooth)
         return;
-    draw->textures[1].surface = sheet->texels;
+    draw->textures[1].surface = flat->texels;
     draw->textures[2].surface = table;
 }
 
@@ -177,10 +177,10 @@ static void light_found(const ViewBuild *build)
 {
     const VoxelView *view = build->view;
     const GpSurface *table = view->shading == VOXEL_SMOOTH ? make_run_table(build->frame) : NULL;
-    light_voxels(build, build->sheet, &view->paint, VOXEL_KIND_FIRST, table);
+    light_voxels(build, build->flat, &view->paint, VOXEL_KIND_FIRST, table);
     if (!view->second)
         return;
-    light_voxels(build, build->sheet, &view->hit_paint, VOXEL_KIND_BOTH, table);
+    light_voxels(build, build->flat, &view->hit_paint, VOXEL_KIND_BOTH, table);
     light_voxels(build, view->second, &view->second_paint, VOXEL_KIND_SECOND, table);
 }
 
@@ -218,7 +218,7 @@ static GpDraw *draw_scan(const ViewBuild *build)
     GpDraw *draw = frame_draw(build->frame, mixed ? &voxel_scan_mixed_program : &voxel_scan_program,
                               frame_copy(build->frame, &uniforms, sizeof uniforms), &quads);
     if (mixed) {
-        draw->textures[0].surface = build->sheet->texels;
+        draw->textures[0].surface = build->flat->texels;
         draw->textures[3].surface = build->blocks;
     }
     draw->textures[1] = (GpTexture){ view->scan->texels, linear };
@@ -245,27 +245,27 @@ static void draw_haze(const ViewBuild *build)
     draw->state.blend[0] = over;
 }
 
-static GpResult check_view(const FlatTexture *sheet, const VoxelView *view, GpError *error)
+static GpResult check_view(const FlatTexture *flat, const VoxelView *view, GpError *error)
 {
     const FlatTexture *second = view->second, *scan = view->scan;
-    if (sheet->bits != 1)
+    if (flat->bits != 1)
         return gp_fail(error, GP_ERROR_INVALID, "slices show volumes of 1 bit a voxel, not %u",
-                       sheet->bits);
-    if (second && (second->size != sheet->size || second->bits != sheet->bits))
+                       flat->bits);
+    if (second && (second->size != flat->size || second->bits != flat->bits))
         return gp_fail(error, GP_ERROR_INVALID, "volumes of %u and %u voxels a side in one picture",
-                       sheet->size, second->size);
-    if (scan && scan->size != sheet->size)
+                       flat->size, second->size);
+    if (scan && scan->size != flat->size)
         return gp_fail(error, GP_ERROR_INVALID, "a scan of %u voxels a side around %u", scan->size,
-                       sheet->size);
+                       flat->size);
     if (scan && second && view->mode == VOXEL_TRANSPARENT)
         return gp_fail(error, GP_ERROR_INVALID, "a scan with two transparent volumes in it");
     return GP_OK;
 }
 
-GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint32_t width,
+GpResult voxel_view_build(const FlatTexture *flat, const VoxelView *view, uint32_t width,
                           uint32_t height, Frame *frame, GpError *error)
 {
-    ViewBuild build = { .sheet = sheet,
+    ViewBuild build = { .flat = flat,
                         .view = view,
                         .frame = frame,
                         .width = width,
@@ -274,8 +274,8 @@ GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint3
     const float background[4] = { view->background[0], view->background[1], view->background[2],
                                   1 };
     const bool anywhere = view->scan || voxel_range_is_empty(&view->range);
-    const VoxelRange range = anywhere ? voxel_range_whole(sheet->size) : view->range;
-    GpResult result = check_view(sheet, view, error);
+    const VoxelRange range = anywhere ? voxel_range_whole(flat->size) : view->range;
+    GpResult result = check_view(flat, view, error);
     if (!result)
         result = view_slices_find(&range, &view->camera, build.aspect, &build.slices, error);
     if (result)

@@ -41,11 +41,11 @@ uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double
  * by the way in them. A scan fades it too, by samples linear between voxels; opaque voxels stand in
  * it, and transparent ones are mixed with it. The eye may be inside the volume; of the slab that it
  * is in, nothing is drawn.
- * in     sheet: 1 bit a voxel; borrowed, as are the view's, until the list has run
- * out    work->color: A8R8G8B8
+ * in     flat: 1 bit a voxel; borrowed, as are the view's, until the list has run
+ * out    frame->color: A8R8G8B8
  * errors GP_ERROR_INVALID: more bits, a view too wide for slices across one axis, volumes of
  *        different sizes, a scan with two transparent volumes in it */
-GpResult voxel_view_build(const FlatTexture *sheet, const VoxelView *view, uint32_t width,
+GpResult voxel_view_build(const FlatTexture *flat, const VoxelView *view, uint32_t width,
                           uint32_t height, Frame *frame, GpError *error);
 
 #endif

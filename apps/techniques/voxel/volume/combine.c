@@ -4,9 +4,9 @@
 
 #include <string.h>
 
-static void begin_pass(Frame *frame, const char *name, const FlatTexture *sheet)
+static void begin_pass(Frame *frame, const char *name, const FlatTexture *flat)
 {
-    flat_texture_pass(frame, name, sheet)->color[0].clear = false;
+    flat_texture_pass(frame, name, flat)->color[0].clear = false;
 }
 
 /* Begins the pass that draws the result. Passes without draws come before, to make the operands
@@ -21,11 +21,11 @@ static void begin_result(Frame *frame, const char *name, const FlatTexture *a, c
     begin_pass(frame, name, result);
 }
 
-static GpDraw *draw_sheet(Frame *frame, const GpProgram *program, const FlatTexture *sheet,
+static GpDraw *draw_whole(Frame *frame, const GpProgram *program, const FlatTexture *flat,
                           GpBlendOp blend)
 {
     GpDraw *draw = frame_draw(frame, program, NULL, &flat_texture_cover);
-    draw->textures[0].surface = sheet->texels;
+    draw->textures[0].surface = flat->texels;
     draw->state.blend[0].op = blend;
     return draw;
 }
@@ -54,18 +54,18 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
     GP_ASSERT(b->texels != result->texels);
     begin_result(frame, "combine", a, b, result);
     if (!in_place)
-        draw_sheet(frame, &texel_copy_program, a, GP_BLEND_OFF);
-    draw_sheet(frame, ways[operation].program, b,
+        draw_whole(frame, &texel_copy_program, a, GP_BLEND_OFF);
+    draw_whole(frame, ways[operation].program, b,
                a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
 }
 
 /* --- collision -------------------------------------------------------------------------------- */
 
 /* The range's rectangle on the patch of a slab. */
-static void cut_to_slab(GpRasterState *raster, const FlatTexture *sheet, const VoxelRange *range,
+static void cut_to_slab(GpRasterState *raster, const FlatTexture *flat, const VoxelRange *range,
                         uint32_t slab)
 {
-    const GpViewport patch = flat_texture_patch(sheet, slab);
+    const GpViewport patch = flat_texture_patch(flat, slab);
     const int32_t left = (int32_t)patch.x, top = (int32_t)patch.y;
     raster->scissor = true;
     raster->scissor_x0 = left + (int32_t)range->low[0];
@@ -87,18 +87,18 @@ void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
     for (uint32_t slab = common->low[2] / 32; slab * 32 < common->end[2]; slab++) {
         GpDraw *draw;
         if (a->texels != result->texels) {
-            draw = draw_sheet(frame, &texel_copy_program, a, GP_BLEND_OFF);
+            draw = draw_whole(frame, &texel_copy_program, a, GP_BLEND_OFF);
             cut_to_slab(&draw->state.raster, result, common, slab);
         }
-        draw = draw_sheet(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
+        draw = draw_whole(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
         cut_to_slab(&draw->state.raster, result, common, slab);
     }
 }
 
-uint64_t voxel_count_range(const FlatTexture *sheet, const VoxelRange *range)
+uint64_t voxel_count_range(const FlatTexture *flat, const VoxelRange *range)
 {
     uint64_t count = 0;
-    GP_ASSERT(sheet->bits == 1);
+    GP_ASSERT(flat->bits == 1);
     if (voxel_range_is_empty(range))
         return 0;
     for (uint32_t slab = range->low[2] / 32; slab * 32 < range->end[2]; slab++) {
@@ -106,7 +106,7 @@ uint64_t voxel_count_range(const FlatTexture *sheet, const VoxelRange *range)
         const uint32_t end = range->end[2] - slab * 32;
         const uint32_t mask = (end < 32 ? (1u << end) - 1 : ~0u) & ~0u << first;
         for (uint32_t y = range->low[1]; y < range->end[1]; y++)
-            count += flat_texture_count_words(flat_texture_texel(sheet, slab, range->low[0], y),
+            count += flat_texture_count_words(flat_texture_texel(flat, slab, range->low[0], y),
                                               range->end[0] - range->low[0], mask);
     }
     return count;

@@ -22,11 +22,12 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
  * two objects meet nowhere else, what lies outside is neither looked at nor changed, but for voxels
  * that share a texel with others inside.
  * in   a, b, result: of one layout, 1 bit; b is not the result. Where a is the result, as a moving
- *      object's sheet may be once the picture is drawn, it is changed in place, by half the work */
+ *      object's flat texture may be once the picture is drawn, it is changed in place, by half the
+ *      work */
 void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
                    const VoxelRange *common, const FlatTexture *result);
 
-/* How many voxels of a range a sheet of 1 bit has. */
-uint64_t voxel_count_range(const FlatTexture *sheet, const VoxelRange *range);
+/* How many voxels of a range a flat texture of 1 bit has. */
+uint64_t voxel_count_range(const FlatTexture *flat, const VoxelRange *range);
 
 #endif

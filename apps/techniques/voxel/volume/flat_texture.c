@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Patches in a row: as near to a square as makes a sheet of up to 2048 texels wide where one is
- * enough, as the printed ones are, and wider where it is not. */
+/* Patches in a row: as near to a square as makes a flat texture of up to 2048 texels wide where one
+ * is enough, as the printed ones are, and wider where it is not. */
 static uint32_t choose_columns(uint32_t size, uint32_t slabs)
 {
     uint32_t width = 2048;
@@ -31,11 +31,11 @@ GpResult flat_texture_check(uint32_t size, uint32_t bits, GpError *error)
 
 FlatTexture flat_texture_make_slabs(Frame *frame, uint32_t size, uint32_t bits, uint32_t slabs)
 {
-    FlatTexture sheet = { .size = size, .bits = bits, .per_texel = 32 / bits, .slabs = slabs };
-    sheet.columns = choose_columns(size, slabs);
-    uint32_t rows = (slabs + sheet.columns - 1) / sheet.columns;
-    sheet.texels = frame_surface(frame, GP_A8R8G8B8, sheet.columns * size, rows * size, 1);
-    return sheet;
+    FlatTexture flat = { .size = size, .bits = bits, .per_texel = 32 / bits, .slabs = slabs };
+    flat.columns = choose_columns(size, slabs);
+    uint32_t rows = (slabs + flat.columns - 1) / flat.columns;
+    flat.texels = frame_surface(frame, GP_A8R8G8B8, flat.columns * size, rows * size, 1);
+    return flat;
 }
 
 FlatTexture flat_texture_make(Frame *frame, uint32_t size, uint32_t bits)
@@ -51,57 +51,57 @@ const GpGeometry flat_texture_cover = {
     .streams = { [GP_POSITION] = { .data = corners, .components = 2 } },
 };
 
-GpViewport flat_texture_patch(const FlatTexture *sheet, uint32_t slab)
+GpViewport flat_texture_patch(const FlatTexture *flat, uint32_t slab)
 {
-    return (GpViewport){ .x = (float)(slab % sheet->columns * sheet->size),
-                         .y = (float)(slab / sheet->columns * sheet->size),
-                         .width = (float)sheet->size,
-                         .height = (float)sheet->size };
+    return (GpViewport){ .x = (float)(slab % flat->columns * flat->size),
+                         .y = (float)(slab / flat->columns * flat->size),
+                         .width = (float)flat->size,
+                         .height = (float)flat->size };
 }
 
 GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
-                          const FlatTexture *sheet, uint32_t slab)
+                          const FlatTexture *flat, uint32_t slab)
 {
     GpDraw *draw = frame_draw(frame, program, uniforms, &flat_texture_cover);
-    draw->viewport = flat_texture_patch(sheet, slab);
+    draw->viewport = flat_texture_patch(flat, slab);
     return draw;
 }
 
-FlatTextureLayout flat_texture_layout(const FlatTexture *sheet)
+FlatTextureLayout flat_texture_layout(const FlatTexture *flat)
 {
-    return (FlatTextureLayout){ .size = (float)sheet->size,
-                                .per_texel = (float)sheet->per_texel,
-                                .columns = (float)sheet->columns,
-                                .width = (float)sheet->texels->width,
-                                .height = (float)sheet->texels->height };
+    return (FlatTextureLayout){ .size = (float)flat->size,
+                                .per_texel = (float)flat->per_texel,
+                                .columns = (float)flat->columns,
+                                .width = (float)flat->texels->width,
+                                .height = (float)flat->texels->height };
 }
 
-const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *sheet, uint32_t slab)
+const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *flat, uint32_t slab)
 {
-    const FlatTextureSlab uniforms = { .size = (float)sheet->size,
-                                       .base = (float)(slab * sheet->per_texel) };
+    const FlatTextureSlab uniforms = { .size = (float)flat->size,
+                                       .base = (float)(slab * flat->per_texel) };
     return frame_copy(frame, &uniforms, sizeof uniforms);
 }
 
-GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *sheet)
+GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *flat)
 {
-    return frame_pass(frame, name, sheet->texels, NULL, (const float[4]){ 0, 0, 0, 0 });
+    return frame_pass(frame, name, flat->texels, NULL, (const float[4]){ 0, 0, 0, 0 });
 }
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
 const int flat_texture_channel[4] = { 2, 1, 0, 3 };
 
-uint8_t *flat_texture_texel(const FlatTexture *sheet, uint32_t slab, uint32_t x, uint32_t y)
+uint8_t *flat_texture_texel(const FlatTexture *flat, uint32_t slab, uint32_t x, uint32_t y)
 {
-    return gp_surface_texel(&sheet->texels->level[0], sizeof(uint32_t),
-                            slab % sheet->columns * sheet->size + x,
-                            slab / sheet->columns * sheet->size + y);
+    return gp_surface_texel(&flat->texels->level[0], sizeof(uint32_t),
+                            slab % flat->columns * flat->size + x,
+                            slab / flat->columns * flat->size + y);
 }
 
-size_t flat_texture_bytes(const FlatTexture *sheet)
+size_t flat_texture_bytes(const FlatTexture *flat)
 {
-    return ((size_t)sheet->size * sheet->size * sheet->size * sheet->bits + 7) / 8;
+    return ((size_t)flat->size * flat->size * flat->size * flat->bits + 7) / 8;
 }
 
 static void put_voxel(uint8_t *voxels, size_t index, uint32_t bits, uint32_t value)
@@ -115,16 +115,16 @@ static void put_voxel(uint8_t *voxels, size_t index, uint32_t bits, uint32_t val
     }
 }
 
-void flat_texture_read(const FlatTexture *sheet, uint8_t *voxels)
+void flat_texture_read(const FlatTexture *flat, uint8_t *voxels)
 {
-    const uint32_t size = sheet->size, bits = sheet->bits;
+    const uint32_t size = flat->size, bits = flat->bits;
     const uint32_t mask = bits == 16 ? 0xffff : (1u << bits) - 1;
-    memset(voxels, 0, flat_texture_bytes(sheet));
-    for (uint32_t slab = 0; slab < sheet->slabs; slab++)
+    memset(voxels, 0, flat_texture_bytes(flat));
+    for (uint32_t slab = 0; slab < flat->slabs; slab++)
         for (uint32_t y = 0; y < size; y++)
             for (uint32_t x = 0; x < size; x++) {
-                uint32_t word, z = slab * sheet->per_texel;
-                memcpy(&word, flat_texture_texel(sheet, slab, x, y), sizeof word);
+                uint32_t word, z = slab * flat->per_texel;
+                memcpy(&word, flat_texture_texel(flat, slab, x, y), sizeof word);
                 for (; word && z < size; z++, word >>= bits)
                     if (word & mask)
                         put_voxel(voxels, x + size * (y + (size_t)size * z), bits, word & mask);
@@ -155,11 +155,11 @@ uint64_t flat_texture_count_words(const uint8_t *texels, uint32_t words, uint32_
     return count + count_bits(one & mask);
 }
 
-uint64_t flat_texture_count(const FlatTexture *sheet)
+uint64_t flat_texture_count(const FlatTexture *flat)
 {
-    const uint32_t bits = sheet->bits, mask = bits == 16 ? 0xffff : (1u << bits) - 1;
+    const uint32_t bits = flat->bits, mask = bits == 16 ? 0xffff : (1u << bits) - 1;
     uint64_t count = 0;
-    const GpLevel *level = &sheet->texels->level[0];
+    const GpLevel *level = &flat->texels->level[0];
     for (uint32_t y = 0; y < level->height; y++) {
         const uint8_t *row = gp_surface_texel(level, sizeof(uint32_t), 0, y);
         if (bits == 1)

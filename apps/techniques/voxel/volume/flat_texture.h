@@ -1,6 +1,6 @@
-/* Volumes as flat textures: flat textures that passes draw into and shaders read
- * (shaders_c/voxel/flat texture.h tells the layout). Every method of voxelization ends in one; CSG,
- * collision and pictures begin with one. */
+/* Volumes as flat 3D textures (the thesis's "worksheets"), which passes draw into and shaders read;
+ * shaders_c/voxel/volume/flat_texture.h tells the layout. Every method of voxelization ends in one;
+ * CSG, collision and pictures begin with one. */
 #ifndef APPS_TECHNIQUES_VOXEL_VOLUME_FLAT_TEXTURE_H
 #define APPS_TECHNIQUES_VOXEL_VOLUME_FLAT_TEXTURE_H
 
@@ -8,7 +8,7 @@
 #include "shaders_c/voxel/volume/flat_texture.h"
 
 typedef struct FlatTexture {
-    GpSurface *texels;       /* A8R8G8B8; belongs to the work it was made for */
+    GpSurface *texels;       /* A8R8G8B8; belongs to the frame it was made for */
     uint32_t size;           /* voxels a side */
     uint32_t bits;           /* a voxel: 1, 8 or 16 */
     uint32_t per_texel;      /* 32 / bits */
@@ -27,42 +27,42 @@ FlatTexture flat_texture_make(Frame *frame, uint32_t size, uint32_t bits);
 FlatTexture flat_texture_make_slabs(Frame *frame, uint32_t size, uint32_t bits, uint32_t slabs);
 
 /* The patch of a slab as a viewport, which keeps what is drawn inside it. */
-GpViewport flat_texture_patch(const FlatTexture *sheet, uint32_t slab);
+GpViewport flat_texture_patch(const FlatTexture *flat, uint32_t slab);
 
 /* The word of the column (x, y) of a slab. */
-uint8_t *flat_texture_texel(const FlatTexture *sheet, uint32_t slab, uint32_t x, uint32_t y);
+uint8_t *flat_texture_texel(const FlatTexture *flat, uint32_t slab, uint32_t x, uint32_t y);
 
 /* The channel, from red 0 to alpha 3, of each byte of a word; also the byte of each channel, since
  * red and blue change places. */
 extern const int flat_texture_channel[4];
 
-/* A triangle that covers the viewport: shaders_c/common/cover_shared.h. One, so that no tile is cut by a
- * diagonal. */
+/* A triangle that covers the viewport: shaders_c/common/cover_shared.h. One, so that no tile is cut
+ * by a diagonal. */
 extern const GpGeometry flat_texture_cover;
 
 /* A draw over a slab's patch. */
 GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
-                          const FlatTexture *sheet, uint32_t slab);
+                          const FlatTexture *flat, uint32_t slab);
 
 /* What shaders need to know of it. */
-FlatTextureLayout flat_texture_layout(const FlatTexture *sheet);
-const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *sheet, uint32_t slab);
+FlatTextureLayout flat_texture_layout(const FlatTexture *flat);
+const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *flat, uint32_t slab);
 
 /* Appends a pass that draws into it, cleared to 0. The caller adds the draws. */
-GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *sheet);
+GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *flat);
 
 /* Bytes of the volume as voxels in order, x fastest, then y, then z: 1 bit each from the low end of
  * bytes (.bits), or 1 or 2 bytes. */
-size_t flat_texture_bytes(const FlatTexture *sheet);
+size_t flat_texture_bytes(const FlatTexture *flat);
 
 /* Copies the voxels out.
- * out  voxels: [flat_texture_bytes(sheet)] */
-void flat_texture_read(const FlatTexture *sheet, uint8_t *voxels);
+ * out  voxels: [flat_texture_bytes(flat)] */
+void flat_texture_read(const FlatTexture *flat, uint8_t *voxels);
 
 /* Bits that are set in texels of one bit a voxel: of each, those in the mask. */
 uint64_t flat_texture_count_words(const uint8_t *texels, uint32_t words, uint32_t mask);
 
 /* Voxels that are not 0. */
-uint64_t flat_texture_count(const FlatTexture *sheet);
+uint64_t flat_texture_count(const FlatTexture *flat);
 
 #endif

@@ -56,8 +56,8 @@ static void cases_are_those_of_the_peers(void **state)
         "clear fill fill_nozs fill_blend fill_blend16f fill_blend32f fill_tex_bi fill_tex_tri "
         "bunny_depth bunny_phong bunny_phong_cull grid_big grid_depth mrt4 shadow_hw shadow_near "
         "shadow_pcf4 points peel alu_mad alu_flat mandel dep_tex discard_tex sheets small_draws "
-        "vox_add volume_conservative volume_thin volume_solid volume_twisted volume_million "
-        "volume_union volume_collide ";
+        "vox_add voxel_conservative voxel_thin voxel_solid voxel_twisted voxel_million "
+        "voxel_union voxel_collide ";
     char all[sizeof names] = "";
     for (size_t i = 0; i < bench_case_count; i++) {
         strncat(all, bench_cases[i].name, sizeof all - strlen(all) - 1);

@@ -73,7 +73,7 @@ static Edge edge_of(const float *from, const float *to)
 }
 
 /* Number of edges that no other triangle has in the opposite direction, by the bits of their ends. */
-static uint32_t open_edges(const Shape *shape)
+static uint32_t boundary_edges(const Shape *shape)
 {
     Edge *edges = calloc(shape->index_count, sizeof *edges);
     uint32_t open = 0;
@@ -136,7 +136,7 @@ static void solids_are_closed_and_have_their_volume(void **state)
     };
     for (size_t i = 0; i < GP_COUNT(solids); i++) {
         Shape shape = make(solids[i].name);
-        assert_int_equal(open_edges(&shape), 0);
+        assert_int_equal(boundary_edges(&shape), 0);
         /* flat triangles lie inside: somewhat less than the round solid, never more */
         double share = volume(&shape) / solids[i].volume;
         if (!(share > 0.985 && share < 1.000001))
@@ -157,7 +157,7 @@ static void the_knot_is_a_closed_tube(void **state)
     }
     length *= 0.28 * 2 * pi / 100000;
     double share = volume(&shape) / (length * pi * 0.16 * 0.16);
-    assert_int_equal(open_edges(&shape), 0);
+    assert_int_equal(boundary_edges(&shape), 0);
     if (!(share > 0.98 && share < 1))
         fail_msg("%g of the volume", share);
     shape_free(&shape);
@@ -223,7 +223,7 @@ static void the_teapot_is_open_only_where_newells_patches_end(void **state)
 {
     (void)state;
     Shape shape = make("teapot");
-    assert_int_equal(open_edges(&shape), 2 * 48 + 4 * 24);
+    assert_int_equal(boundary_edges(&shape), 2 * 48 + 4 * 24);
     shape_free(&shape);
 }
 

@@ -65,8 +65,8 @@ static void every_step_takes_time(void **state)
     tear_down(&stage);
 }
 
-/* At 64 voxels a side: three flat textures of 64 x 128 texels, four targets of one patch, and, for the
- * turns, 8 octets a row of each of 2 slabs. */
+/* At 64 voxels a side: three flat textures of 64 x 128 texels, four targets of one patch, and, for
+ * the turns, 8 octets a row of each of 2 slabs. */
 static void memory_is_that_of_all_surfaces_once(void **state)
 {
     (void)state;

@@ -13,7 +13,7 @@ enum { N = 48, FULL = N * N * N / 8 };
 /* A turn by no special angle (voxel_case_open). */
 static const double askew = 0.7;
 
-/* Appends to a work what makes a volume. */
+/* Appends to a frame what makes a volume. */
 typedef void Method(const VoxelModel *, const VoxelSetting *, Frame *, const FlatTexture *);
 
 typedef struct Drawing {
@@ -22,11 +22,11 @@ typedef struct Drawing {
     int kind;
 } Drawing;
 
-static void append(const void *context, Frame *frame, const FlatTexture *sheet)
+static void append(const void *context, Frame *frame, const FlatTexture *flat)
 {
     const Drawing *d = context;
-    const VoxelSetting setting = { .kind = d->kind, .size = sheet->size, .bits = 1 };
-    d->method(d->model, &setting, frame, sheet);
+    const VoxelSetting setting = { .kind = d->kind, .size = flat->size, .bits = 1 };
+    d->method(d->model, &setting, frame, flat);
 }
 
 static void draw(Method *method, const VoxelCase *c, int kind, uint8_t *bits)

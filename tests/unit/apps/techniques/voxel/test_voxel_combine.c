@@ -12,9 +12,9 @@ enum { MOST_BYTES = 64 * 64 * 64 };
 
 static uint8_t voxels_a[MOST_BYTES], voxels_b[MOST_BYTES], voxels_result[MOST_BYTES];
 
-static void fill_sheet(const FlatTexture *sheet, Random *random)
+static void fill_flat(const FlatTexture *flat, Random *random)
 {
-    const GpLevel *level = &sheet->texels->level[0];
+    const GpLevel *level = &flat->texels->level[0];
     for (size_t i = 0; i < level->pitch * level->height; i++)
         level->texels[i] = (uint8_t)random_bits(random);
 }
@@ -44,8 +44,8 @@ static void check_case(const Case *c)
     const FlatTexture b = flat_texture_make(&frame, c->size, c->bits);
     const FlatTexture other = flat_texture_make(&frame, c->size, c->bits);
     const FlatTexture *result = c->in_place ? &a : &other;
-    fill_sheet(&a, &random);
-    fill_sheet(&b, &random);
+    fill_flat(&a, &random);
+    fill_flat(&b, &random);
     flat_texture_read(&a, voxels_a);
     flat_texture_read(&b, voxels_b);
     voxel_combine(&frame, &a, &b, c->operation, result);
@@ -60,7 +60,7 @@ static void check_case(const Case *c)
     frame_free(&frame);
 }
 
-static void sheets_combine_as_their_voxels_do(void **state)
+static void volumes_combine_as_their_voxels_do(void **state)
 {
     (void)state;
     for (size_t s = 0; s < GP_COUNT(sizes); s++)
@@ -82,9 +82,9 @@ static void operands_may_be_results_of_the_same_list(void **state)
                       b = flat_texture_make(&frame, SIZE, 1);
     const FlatTexture c = flat_texture_make(&frame, SIZE, 1),
                       result = flat_texture_make(&frame, SIZE, 1);
-    fill_sheet(&a, &random);
-    fill_sheet(&b, &random);
-    fill_sheet(&c, &random);
+    fill_flat(&a, &random);
+    fill_flat(&b, &random);
+    fill_flat(&c, &random);
     flat_texture_read(&a, voxels_a);
     flat_texture_read(&b, voxels_b);
     flat_texture_read(&c, voxels_c);
@@ -123,8 +123,8 @@ static void check_collision(uint32_t size, const VoxelRange *range, bool in_plac
                       b = flat_texture_make(&frame, size, 1);
     const FlatTexture other = flat_texture_make(&frame, size, 1);
     const FlatTexture *result = in_place ? &a : &other;
-    fill_sheet(&a, &random);
-    fill_sheet(&b, &random);
+    fill_flat(&a, &random);
+    fill_flat(&b, &random);
     flat_texture_read(&a, voxels_a);
     flat_texture_read(&b, voxels_b);
     voxel_collide(&frame, &a, &b, range, result);
@@ -185,7 +185,7 @@ static void ranges_hold_their_models(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sheets_combine_as_their_voxels_do),
+        cmocka_unit_test(volumes_combine_as_their_voxels_do),
         cmocka_unit_test(operands_may_be_results_of_the_same_list),
         cmocka_unit_test(collisions_are_found_inside_the_range),
         cmocka_unit_test(ranges_hold_their_models),

@@ -80,7 +80,7 @@ static void closed_shapes_are_closed_and_hold_their_volume(void **state)
             report.volume > closed[i].high)
             fail_msg("%s: closed %d, volume %g", closed[i].name, report.is_closed, report.volume);
         assert_int_equal(report.edges, mesh.triangle_count / 2 * 3); /* Euler: 2 edges = 3 faces */
-        assert_int_equal(report.open_edges + report.odd_edges + report.duplicates, 0);
+        assert_int_equal(report.boundary_edges + report.odd_edges + report.duplicates, 0);
         for (uint32_t t = 0; t < mesh.triangle_count; t++)
             turn_over(&mesh, t);
         MeshReport turned = report_of(&mesh);
@@ -90,7 +90,7 @@ static void closed_shapes_are_closed_and_hold_their_volume(void **state)
     }
 }
 
-static void open_shapes_have_their_rim_as_open_edges(void **state)
+static void open_shapes_have_their_rim_as_boundary_edges(void **state)
 {
     (void)state;
     Mesh quad = make("quad");
@@ -98,7 +98,7 @@ static void open_shapes_have_their_rim_as_open_edges(void **state)
     assert_int_equal(quad.triangle_count, 2);
     assert_false(report.is_closed);
     assert_int_equal(report.edges, 5);
-    assert_int_equal(report.open_edges, 4);
+    assert_int_equal(report.boundary_edges, 4);
     assert_int_equal(report.odd_edges, 4);
     release(&quad);
 
@@ -106,11 +106,11 @@ static void open_shapes_have_their_rim_as_open_edges(void **state)
     cube.triangle_count -= 2;
     report = report_of(&cube);
     assert_false(report.is_closed);
-    assert_int_equal(report.open_edges, 4);
-    assert_int_equal(report.crowded_edges + report.turned_edges, 0);
+    assert_int_equal(report.boundary_edges, 4);
+    assert_int_equal(report.non_manifold_edges + report.inconsistent_edges, 0);
     char faults[100];
     mesh_report_faults(&report, faults, sizeof faults);
-    assert_string_equal(faults, "4 edges of one triangle");
+    assert_string_equal(faults, "4 boundary edges");
     release(&cube);
 
     Mesh teapot = make("teapot");
@@ -118,7 +118,7 @@ static void open_shapes_have_their_rim_as_open_edges(void **state)
     release(&teapot);
 }
 
-static void a_triangle_turned_over_has_three_turned_edges(void **state)
+static void a_triangle_turned_over_has_three_inconsistent_edges(void **state)
 {
     (void)state;
     Mesh mesh = make("sphere");
@@ -126,8 +126,8 @@ static void a_triangle_turned_over_has_three_turned_edges(void **state)
     MeshReport report = report_of(&mesh);
     assert_false(report.is_closed);
     assert_false(report.is_inside_out);
-    assert_int_equal(report.turned_edges, 3);
-    assert_int_equal(report.open_edges + report.crowded_edges + report.odd_edges, 0);
+    assert_int_equal(report.inconsistent_edges, 3);
+    assert_int_equal(report.boundary_edges + report.non_manifold_edges + report.odd_edges, 0);
     release(&mesh);
 }
 
@@ -140,12 +140,12 @@ static void duplicates_crowd_their_edges(void **state)
     MeshReport report = report_of(&mesh);
     assert_false(report.is_closed);
     assert_int_equal(report.duplicates, 1);
-    assert_int_equal(report.crowded_edges, 3);
+    assert_int_equal(report.non_manifold_edges, 3);
     assert_int_equal(report.odd_edges, 3);
     add_triangle(&mesh, first[2], first[1], first[0]); /* and turned over */
     report = report_of(&mesh);
     assert_int_equal(report.duplicates, 2);
-    assert_int_equal(report.crowded_edges, 3);
+    assert_int_equal(report.non_manifold_edges, 3);
     assert_int_equal(report.odd_edges, 0);
     assert_false(report.is_closed);
     release(&mesh);
@@ -160,7 +160,7 @@ static void triangles_without_area_are_counted_and_have_edges_where_they_have_co
     assert_int_equal(mesh_report(positions, 4, indices, 3, &report), GP_OK);
     assert_int_equal(report.degenerate, 3);
     assert_int_equal(report.edges, 3); /* the second has one corner twice: 0 and -0 are one place */
-    assert_int_equal(report.open_edges, 3);
+    assert_int_equal(report.boundary_edges, 3);
     assert_int_equal(mesh_report(positions, 4, indices + 3, 2, &report), GP_OK);
     assert_int_equal(report.edges, 0);
     assert_false(report.is_closed);
@@ -232,9 +232,11 @@ static void files_have_the_faults_that_are_known(void **state)
                                      mesh.triangle_count, &report),
                          GP_OK);
         assert_int_equal(mesh.triangle_count, known[i].triangles);
-        const uint64_t found[] = { report.edges,     report.open_edges,   report.crowded_edges,
-                                   report.odd_edges, report.turned_edges, report.duplicates,
-                                   report.degenerate };
+        const uint64_t found[] = {
+            report.edges,     report.boundary_edges,     report.non_manifold_edges,
+            report.odd_edges, report.inconsistent_edges, report.duplicates,
+            report.degenerate
+        };
         assert_memory_equal(found, &known[i].edges, sizeof found);
         assert_false(report.is_closed);
         gp_mesh_free(&mesh);
@@ -356,8 +358,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closed_shapes_are_closed_and_hold_their_volume),
-        cmocka_unit_test(open_shapes_have_their_rim_as_open_edges),
-        cmocka_unit_test(a_triangle_turned_over_has_three_turned_edges),
+        cmocka_unit_test(open_shapes_have_their_rim_as_boundary_edges),
+        cmocka_unit_test(a_triangle_turned_over_has_three_inconsistent_edges),
         cmocka_unit_test(duplicates_crowd_their_edges),
         cmocka_unit_test(triangles_without_area_are_counted_and_have_edges_where_they_have_corners),
         cmocka_unit_test(vertices_at_one_place_are_one),

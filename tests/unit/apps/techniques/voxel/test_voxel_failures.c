@@ -1,6 +1,7 @@
-/* How voxelization fails, and what mends it: each failure of the thesis's chapter 2 as a pair of rows,
- * in voxels of volumes of 64 a side. What is extra no triangle touches, or lies outside; what is missing
- * some triangle touches, or lies inside. */
+/* How voxelization fails, and what mends it: each failure of the thesis's chapter 2 as a pair of
+ * rows,
+ * in voxels of volumes of 64 a side. What is extra no triangle touches, or lies outside; what is
+ * missing some triangle touches, or lies inside. */
 #include "apps/techniques/voxel/technique.h"
 #include "tests/support/technique_case.h"
 #include "tests/support/unit.h"

@@ -20,12 +20,12 @@ typedef struct Implicit {
     int kind;
 } Implicit;
 
-static void append_implicit(const void *context, Frame *frame, const FlatTexture *sheet)
+static void append_implicit(const void *context, Frame *frame, const FlatTexture *flat)
 {
     const Implicit *i = context;
-    const VoxelBox box = voxel_box_of_cube(i->reach, sheet->size);
+    const VoxelBox box = voxel_box_of_cube(i->reach, flat->size);
     GpError error = { "" };
-    if (voxel_implicit(&i->function, &box, i->kind, frame, sheet, &error))
+    if (voxel_implicit(&i->function, &box, i->kind, frame, flat, &error))
         fail_msg("%s", error.text);
 }
 
@@ -157,11 +157,11 @@ static void too_many_samples_are_refused(void **state)
 {
     (void)state;
     const VoxelFunction function = { .evaluate = quartic_again };
-    const FlatTexture sheet = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
-    const VoxelBox box = voxel_box_of_cube(3, sheet.size);
+    const FlatTexture flat = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
+    const VoxelBox box = voxel_box_of_cube(3, flat.size);
     Frame frame = { .color = NULL };
     GpError error = { "" };
-    assert_int_equal(voxel_implicit(&function, &box, VOXEL_SURFACE, &frame, &sheet, &error),
+    assert_int_equal(voxel_implicit(&function, &box, VOXEL_SURFACE, &frame, &flat, &error),
                      GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "1025 samples a side"));
     assert_int_equal(frame.arena.calls, 0);
@@ -175,10 +175,10 @@ typedef struct Points {
     VoxelBox box;
 } Points;
 
-static void append_points(const void *context, Frame *frame, const FlatTexture *sheet)
+static void append_points(const void *context, Frame *frame, const FlatTexture *flat)
 {
     const Points *p = context;
-    assert_int_equal(voxel_points(p->positions, p->count, &p->box, frame, sheet, NULL), GP_OK);
+    assert_int_equal(voxel_points(p->positions, p->count, &p->box, frame, flat, NULL), GP_OK);
 }
 
 /* The same in plain floats. */
@@ -220,8 +220,8 @@ static void points_set_their_voxels(void **state)
     Frame frame = { .color = NULL };
     GpError error = { "" };
     const VoxelBox box = voxel_box_of_cube(1, 64);
-    const FlatTexture sheet = { .bits = 1 };
-    assert_int_equal(voxel_points(positions, 0, &box, &frame, &sheet, &error), GP_ERROR_INVALID);
+    const FlatTexture flat = { .bits = 1 };
+    assert_int_equal(voxel_points(positions, 0, &box, &frame, &flat, &error), GP_ERROR_INVALID);
 }
 
 static void a_scanned_point_set_sets_its_voxels(void **state)

@@ -1,5 +1,5 @@
-/* Models that move: built once, moved between frames, and each frame held against the model that the
- * processor has moved, in double. */
+/* Models that move: built once, moved between frames, and each frame held against the model that
+ * the processor has moved, in double. */
 #include "apps/techniques/voxel/volume/combine.h"
 #include "tests/support/unit.h"
 #include "tests/support/devices.h"
@@ -13,7 +13,7 @@ enum { SIZE = 48, BYTES = SIZE * SIZE * SIZE / 8, FRAMES = 5 };
  * more than one that stands still. */
 static const double surface_margin = 2e-3, solid_margin = 1.0 / 128;
 
-/* --- the processor's part ----------------------------------------------------------------------- */
+/* --- the processor's part --------------------------------------------------------------------- */
 
 static void move_point(const VoxelMotion *motion, const float *p, double q[3])
 {
@@ -82,13 +82,13 @@ static void check_between(const char *name, int frame, const Certainty *bounds,
                  (unsigned long)extra);
 }
 
-/* --- frames ------------------------------------------------------------------------------------- */
+/* --- frames ----------------------------------------------------------------------------------- */
 
-/* A moving model's volume, in a work. */
+/* A moving model's volume, in a frame. */
 typedef struct Mover {
     VoxelCase c;
     VoxelMotions motions;
-    FlatTexture sheet;
+    FlatTexture flat;
 } Mover;
 
 static void add_mover(const char *shape, const VoxelSetting *setting, double most_twist,
@@ -99,17 +99,17 @@ static void add_mover(const char *shape, const VoxelSetting *setting, double mos
     mover->motions.first = NULL;
     mover->c.model.motions = &mover->motions;
     mover->c.model.most_twist = (float)most_twist;
-    if (voxel_build(&mover->c.model, setting, frame, &mover->sheet, &error))
+    if (voxel_build(&mover->c.model, setting, frame, &mover->flat, &error))
         fail_msg("%s", error.text);
 }
 
-static void draw_frame(GpDevice *device, const Frame *frame, const FlatTexture *sheet,
+static void draw_frame(GpDevice *device, const Frame *frame, const FlatTexture *flat,
                        uint8_t *voxels)
 {
     GpError error = { "" };
     if (gp_device_run(device, &frame->list, &error))
         fail_msg("%s", error.text);
-    flat_texture_read(sheet, voxels);
+    flat_texture_read(flat, voxels);
 }
 
 /* Smaller by a factor, about the volume's centre, so that it has room to turn. */
@@ -122,7 +122,7 @@ static void shrink(VoxelMotion *motion, float factor)
     }
 }
 
-/* --- twists ------------------------------------------------------------------------------------- */
+/* --- twists ----------------------------------------------------------------------------------- */
 
 static const struct {
     const char *name, *shape;
@@ -164,7 +164,7 @@ static void a_twisting_model_is_exact_in_every_frame(void **state)
             const VoxelMotion motion = twist_of_frame(&mover.c, twists[i].factor, step);
             voxel_move(&mover.motions, &motion);
             memcpy(before, voxels, sizeof voxels);
-            draw_frame(device, &frame, &mover.sheet, voxels);
+            draw_frame(device, &frame, &mover.flat, voxels);
             find_bounds(&mover.c, &motion, twists[i].setting.method, &bounds);
             check_between(twists[i].name, step, &bounds, voxels);
             assert_true(voxel_count(voxels, SIZE) > 500);
@@ -189,7 +189,7 @@ static void frames_have_the_same_bits_everywhere(void **state)
         voxel_move(&mover.motions, &motion);
         for (size_t d = 0; device_here(d); d++) {
             GpDevice *device = device_open(device_here(d));
-            draw_frame(device, &frame, &mover.sheet, voxels);
+            draw_frame(device, &frame, &mover.flat, voxels);
             if (d == 0)
                 memcpy(first, voxels, sizeof first);
             assert_memory_equal(voxels, first, sizeof first);
@@ -200,7 +200,7 @@ static void frames_have_the_same_bits_everywhere(void **state)
     }
 }
 
-/* --- two rigid objects -------------------------------------------------------------------------- */
+/* --- two rigid objects ------------------------------------------------------------------------ */
 
 /* Half as large, turned about x, and so many voxels beside the centre along x. */
 static VoxelMotion rigid_motion(const VoxelCase *c, double angle, double aside)
@@ -240,7 +240,7 @@ static void moving_objects_collide_where_they_do(void **state)
     add_mover("torus", &setting, 0, &frame, &a);
     add_mover("knot", &setting, 0, &frame, &b);
     const FlatTexture hits = flat_texture_make(&frame, SIZE, 1);
-    voxel_collide(&frame, &a.sheet, &b.sheet, &whole, &hits);
+    voxel_collide(&frame, &a.flat, &b.flat, &whole, &hits);
     GpDevice *device = device_open(&(GpDeviceDesc){ .threads = 2 });
     bool apart = false, touching = false;
     for (int step = 0; step < STEPS; step++) {

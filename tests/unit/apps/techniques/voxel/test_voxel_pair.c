@@ -94,8 +94,8 @@ static void results_are_what_their_models_have(void **state)
             Frame frame;
             VoxelPairMade made;
             draw(&pair, &solid, &frame, &made);
-            flat_texture_read(&made.sheets[0], bits[0]);
-            flat_texture_read(&made.sheets[1], bits[1]);
+            flat_texture_read(&made.volumes[0], bits[0]);
+            flat_texture_read(&made.volumes[1], bits[1]);
             flat_texture_read(&made.result, bits[2]);
             for (int k = 0; k < BYTES; k++)
                 assert_int_equal(bits[2][k], combine == VOXEL_UNION ? bits[0][k] | bits[1][k]

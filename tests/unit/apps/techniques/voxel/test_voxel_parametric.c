@@ -12,13 +12,13 @@ typedef struct Parametric {
     double step;
 } Parametric;
 
-static void append_parametric(const void *context, Frame *frame, const FlatTexture *sheet)
+static void append_parametric(const void *context, Frame *frame, const FlatTexture *flat)
 {
     const Parametric *p = context;
     VoxelBox box;
     GpError error = { "" };
-    if (voxel_parametric_box(p->name, sheet->size, &box, &error) ||
-        voxel_parametric(p->name, p->step, &box, frame, sheet, &error))
+    if (voxel_parametric_box(p->name, flat->size, &box, &error) ||
+        voxel_parametric(p->name, p->step, &box, frame, flat, &error))
         fail_msg("%s", error.text);
     assert_int_equal(frame->list.pass_count, 1);
 }
@@ -177,15 +177,15 @@ static void the_teapot_is_the_teapot(void **state)
 static void unknown_surfaces_and_too_many_points_are_refused(void **state)
 {
     (void)state;
-    const FlatTexture sheet = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
+    const FlatTexture flat = { .size = 1024, .bits = 1, .per_texel = 32, .slabs = 32 };
     VoxelBox box;
     Frame frame = { .color = NULL };
     GpError error = { "" };
     assert_int_equal(voxel_parametric_box("cup", 64, &box, &error), GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "'cup' is no parametric surface"));
     for (const char *const *name = voxel_parametric_names; *name; name++) {
-        assert_int_equal(voxel_parametric_box(*name, sheet.size, &box, &error), GP_OK);
-        assert_int_equal(voxel_parametric(*name, 0.01, &box, &frame, &sheet, &error),
+        assert_int_equal(voxel_parametric_box(*name, flat.size, &box, &error), GP_OK);
+        assert_int_equal(voxel_parametric(*name, 0.01, &box, &frame, &flat, &error),
                          GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, "points of 0.01 voxels apart"));
         assert_int_equal(frame.arena.calls, 0);

@@ -1,5 +1,5 @@
-/* Pictures of models as the command makes them: all of them is seen, the right way up, with what two
- * have in common, and with scans of every type. */
+/* Pictures of models as the command makes them: all of them is seen, the right way up, with what
+ * two have in common, and with scans of every type. */
 #include "apps/techniques/voxel/pictures/picture.h"
 #include "tests/support/unit.h"
 #include "tests/support/view_case.h"
@@ -14,8 +14,8 @@ static void begin(Frame *frame, VoxelPairMade *made)
     *frame = (Frame){ .color = NULL };
     *made = (VoxelPairMade){ .range = voxel_range_whole(SIZE), .around = voxel_range_whole(SIZE) };
     for (int i = 0; i < 2; i++)
-        made->sheets[i] = flat_texture_make(frame, SIZE, 1);
-    made->result = made->sheets[0];
+        made->volumes[i] = flat_texture_make(frame, SIZE, 1);
+    made->result = made->volumes[0];
 }
 
 static void draw(const VoxelPicture *picture, const VoxelPairMade *made, const GpVolume *scan,
@@ -31,12 +31,12 @@ static void draw(const VoxelPicture *picture, const VoxelPairMade *made, const G
     gp_device_destroy(&device);
 }
 
-static void fill_range(const FlatTexture *sheet, const VoxelRange *range)
+static void fill_range(const FlatTexture *flat, const VoxelRange *range)
 {
     for (uint32_t z = range->low[2]; z < range->end[2]; z++)
         for (uint32_t y = range->low[1]; y < range->end[1]; y++)
             for (uint32_t x = range->low[0]; x < range->end[0]; x++)
-                view_case_put(sheet, x, y, z);
+                view_case_put(flat, x, y, z);
 }
 
 static void get_pixel(const Frame *frame, uint32_t x, uint32_t y, float rgba[4])
@@ -178,7 +178,7 @@ static void what_two_have_in_common_is_red(void **state)
             VoxelPairMade made;
             begin(&frame, &made);
             for (int i = 0; i < 2; i++)
-                fill_range(&made.sheets[i], &boxes[i]);
+                fill_range(&made.volumes[i], &boxes[i]);
             draw(&picture, &made, NULL, &frame);
             const int red = count_red(&frame, &picture);
             assert_true(touching ? red > 20 : red == 0);
@@ -186,7 +186,7 @@ static void what_two_have_in_common_is_red(void **state)
         }
 }
 
-/* --- scans ---------------------------------------------------------------------------------------- */
+/* --- scans ------------------------------------------------------------------------------------ */
 
 enum { SCAN = 16, SAMPLES = SCAN * SCAN * SCAN };
 

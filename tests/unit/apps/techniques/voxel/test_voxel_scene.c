@@ -14,17 +14,17 @@ static void open_scene(const char *path, VoxelScene *scene)
         fail_msg("%s: %s", path, error.text);
 }
 
-static void append(const void *context, Frame *frame, const FlatTexture *sheet)
+static void append(const void *context, Frame *frame, const FlatTexture *flat)
 {
     const VoxelScene *scene = context;
     const VoxelSetting setting = { .size = SIZE, .bits = 1, .axes = 3 };
     const VoxelBox box = voxel_scene_box(scene, SIZE);
     GpError error = { "" };
-    if (voxel_scene_draw(scene, &setting, &box, frame, sheet, &error))
+    if (voxel_scene_draw(scene, &setting, &box, frame, flat, &error))
         fail_msg("%s", error.text);
 }
 
-/* --- names ---------------------------------------------------------------------------------------- */
+/* --- names ------------------------------------------------------------------------------------ */
 
 static void names_tell_what_is_meant(void **state)
 {
@@ -91,8 +91,8 @@ static void settings_that_do_not_go_with_an_input_are_refused(void **state)
         VoxelSetting setting = cases[i].setting;
         setting.size = SIZE;
         const VoxelBox box = voxel_scene_box(&scene, SIZE);
-        const FlatTexture sheet = flat_texture_make(&frame, SIZE, setting.bits);
-        assert_int_equal(voxel_scene_draw(&scene, &setting, &box, &frame, &sheet, &error),
+        const FlatTexture flat = flat_texture_make(&frame, SIZE, setting.bits);
+        assert_int_equal(voxel_scene_draw(&scene, &setting, &box, &frame, &flat, &error),
                          GP_ERROR_INVALID);
         if (!strstr(error.text, cases[i].part))
             fail_msg("%s: %s", cases[i].path, error.text);
@@ -101,7 +101,7 @@ static void settings_that_do_not_go_with_an_input_are_refused(void **state)
     }
 }
 
-/* --- boxes ---------------------------------------------------------------------------------------- */
+/* --- boxes ------------------------------------------------------------------------------------ */
 
 /* Of all bits that are set. */
 static VoxelRange range_of(const uint8_t *bits)
@@ -174,7 +174,7 @@ static void vertices_are_points_where_they_are_asked_for(void **state)
     voxel_scene_close(&scene);
 }
 
-/* --- twists --------------------------------------------------------------------------------------- */
+/* --- twists ----------------------------------------------------------------------------------- */
 
 static void a_twist_turns_the_top_against_the_floor(void **state)
 {

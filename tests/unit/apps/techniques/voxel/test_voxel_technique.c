@@ -88,9 +88,9 @@ static void open_stage(const char *scene, TechniqueStage *stage)
         fail_msg("%s", error.text);
 }
 
-static void flip_voxel(const FlatTexture *sheet, uint32_t x, uint32_t y, uint32_t z)
+static void flip_voxel(const FlatTexture *flat, uint32_t x, uint32_t y, uint32_t z)
 {
-    uint8_t *texel = flat_texture_texel(sheet, z / 32, x, y);
+    uint8_t *texel = flat_texture_texel(flat, z / 32, x, y);
     texel[z % 32 / 8] = (uint8_t)(texel[z % 32 / 8] ^ 1u << z % 8);
 }
 

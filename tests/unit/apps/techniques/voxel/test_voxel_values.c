@@ -3,7 +3,7 @@
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 
-#include "shaders_c/voxel/volume/sheet_copy.h"
+#include "shaders_c/voxel/volume/patch_copy.h"
 #include "shaders_c/voxel/methods/rows.h"
 #include "shaders_c/voxel/methods/sheets.h"
 #include "shaders_c/voxel/methods/turn.h"
@@ -208,7 +208,7 @@ static void shaders_are_within_their_profiles(void **state)
         { &voxel_turn_bits_program, 425, 3 }, { &voxel_turn_bytes_program, 65, 2 },
         { &voxel_turn_pairs_program, 46, 2 }, { &voxel_found_program, 254, 2 },
         { &voxel_row_ends_program, 27, 5 },   { &voxel_rows_program, 285, 5 },
-        { &sheet_copy_program, 2, 0 },
+        { &patch_copy_program, 2, 0 },
     };
     for (size_t i = 0; i < GP_COUNT(known); i++) {
         GpError error = { "" };

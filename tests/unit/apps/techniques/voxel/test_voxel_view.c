@@ -29,16 +29,16 @@ static void ray_of(const Camera *camera, double x, double y, double origin[3], d
 }
 
 /* Number of the first voxel on the ray, from 1; 0: none. */
-static uint32_t first_on_ray(const FlatTexture *sheet, const Camera *camera, double x, double y)
+static uint32_t first_on_ray(const FlatTexture *flat, const Camera *camera, double x, double y)
 {
     static VoxelStep steps[3 * MOST + 1];
     double origin[3], direction[3];
     ray_of(camera, x, y, origin, direction);
-    const uint32_t count = voxel_walk(sheet->size, origin, direction, steps);
+    const uint32_t count = voxel_walk(flat->size, origin, direction, steps);
     for (uint32_t i = 0; i < count; i++)
-        if (view_case_get(sheet, steps[i].voxel))
+        if (view_case_get(flat, steps[i].voxel))
             return 1 + steps[i].voxel[0] +
-                   sheet->size * (steps[i].voxel[1] + sheet->size * steps[i].voxel[2]);
+                   flat->size * (steps[i].voxel[1] + flat->size * steps[i].voxel[2]);
     return 0;
 }
 
@@ -46,26 +46,26 @@ static uint32_t first_on_ray(const FlatTexture *sheet, const Camera *camera, dou
  * are snapped to 1/256 pixel, and places are floats. */
 #define BESIDE 0.02
 
-static bool is_certain(const FlatTexture *sheet, const Camera *camera, double x, double y,
+static bool is_certain(const FlatTexture *flat, const Camera *camera, double x, double y,
                        uint32_t *first)
 {
-    *first = first_on_ray(sheet, camera, x, y);
+    *first = first_on_ray(flat, camera, x, y);
     for (int i = 0; i < 4; i++)
-        if (first_on_ray(sheet, camera, x + (i & 1 ? BESIDE : -BESIDE),
+        if (first_on_ray(flat, camera, x + (i & 1 ? BESIDE : -BESIDE),
                          y + (i & 2 ? BESIDE : -BESIDE)) != *first)
             return false;
     return true;
 }
 
 /* Compares all pixels; returns how many were certain. */
-static int compare_with_rays(const Frame *frame, const FlatTexture *sheet, const Camera *camera)
+static int compare_with_rays(const Frame *frame, const FlatTexture *flat, const Camera *camera)
 {
     int certain = 0;
     for (int y = 0; y < SIDE; y++)
         for (int x = 0; x < SIDE; x++) {
             uint32_t first;
             float pixel[4];
-            if (!is_certain(sheet, camera, x + 0.5, y + 0.5, &first))
+            if (!is_certain(flat, camera, x + 0.5, y + 0.5, &first))
                 continue;
             certain++;
             view_case_pixel(frame, "voxels", x, y, pixel);
@@ -73,9 +73,9 @@ static int compare_with_rays(const Frame *frame, const FlatTexture *sheet, const
                 pixel[3] == 0
                     ? 0
                     : 1 + (uint32_t)pixel[0] +
-                          sheet->size * ((uint32_t)pixel[1] + sheet->size * (uint32_t)pixel[2]);
+                          flat->size * ((uint32_t)pixel[1] + flat->size * (uint32_t)pixel[2]);
             if (drawn != first)
-                fail_msg("size %u, pixel %d %d: voxel %u is drawn, %u is there", sheet->size, x, y,
+                fail_msg("size %u, pixel %d %d: voxel %u is drawn, %u is there", flat->size, x, y,
                          drawn, first);
         }
     return certain;
@@ -99,19 +99,19 @@ static void every_pixel_shows_the_first_voxel_of_its_ray(void **state)
     for (size_t i = 0; i < GP_COUNT(views); i++) {
         Frame frame;
         view_case_begin(&frame);
-        const FlatTexture sheet = view_case_random(&frame, views[i].size, 150, i);
+        const FlatTexture flat = view_case_random(&frame, views[i].size, 150, i);
         VoxelView view = voxel_view_defaults;
         view.shading = VOXEL_FACES_OF_CUBES;
         view.camera = view_case_camera(views[i].size, views[i].x, views[i].y, views[i].z,
                                        views[i].distance, views[i].fovy);
         const bool inside = views[i].distance < 0.5;
         if (inside) { /* nothing is drawn of the slab that the eye is in */
-            memset(sheet.texels->level[0].texels, 0, sheet.texels->level[0].pitch * sheet.size);
-            view_case_put(&sheet, 2, 3, 15);
-            view_case_put(&sheet, 1, 12, 20);
+            memset(flat.texels->level[0].texels, 0, flat.texels->level[0].pitch * flat.size);
+            view_case_put(&flat, 2, 3, 15);
+            view_case_put(&flat, 1, 12, 20);
         }
-        view_case_draw(&frame, &sheet, &view);
-        const int certain = compare_with_rays(&frame, &sheet, &view.camera);
+        view_case_draw(&frame, &flat, &view);
+        const int certain = compare_with_rays(&frame, &flat, &view.camera);
         assert_true(certain > SIDE * SIDE * 8 / 10);
         frame_free(&frame);
     }
@@ -126,8 +126,8 @@ static void one_voxel_is_one_cube(void **state)
         for (size_t p = 0; p < GP_COUNT(places); p++) {
             Frame frame;
             view_case_begin(&frame);
-            const FlatTexture sheet = flat_texture_make(&frame, 9, 1);
-            view_case_put(&sheet, places[p][0], places[p][1], places[p][2]);
+            const FlatTexture flat = flat_texture_make(&frame, 9, 1);
+            view_case_put(&flat, places[p][0], places[p][1], places[p][2]);
             VoxelView view = voxel_view_defaults;
             const bool anywhere = i % 2;
             for (int k = 0; k < 3 && !anywhere; k++) {
@@ -135,8 +135,8 @@ static void one_voxel_is_one_cube(void **state)
                 view.range.end[k] = places[p][k] + 1;
             }
             view.camera = view_case_camera(9, views[i].x, views[i].y, views[i].z, 2, views[i].fovy);
-            view_case_draw(&frame, &sheet, &view);
-            assert_true(compare_with_rays(&frame, &sheet, &view.camera) > SIDE * SIDE * 8 / 10);
+            view_case_draw(&frame, &flat, &view);
+            assert_true(compare_with_rays(&frame, &flat, &view.camera) > SIDE * SIDE * 8 / 10);
             frame_free(&frame);
         }
 }
@@ -171,14 +171,14 @@ static void kinds_tell_which_volumes_have_a_voxel(void **state)
 /* --- what comes through ----------------------------------------------------------------------- */
 
 /* Voxels of the ray's way that are there. */
-static double way_in_voxels(const FlatTexture *sheet, const Camera *camera, double x, double y)
+static double way_in_voxels(const FlatTexture *flat, const Camera *camera, double x, double y)
 {
     static VoxelStep steps[3 * MOST + 1];
     double origin[3], direction[3], sum = 0;
     ray_of(camera, x, y, origin, direction);
-    const uint32_t count = voxel_walk(sheet->size, origin, direction, steps);
+    const uint32_t count = voxel_walk(flat->size, origin, direction, steps);
     for (uint32_t i = 0; i < count; i++)
-        if (view_case_get(sheet, steps[i].voxel))
+        if (view_case_get(flat, steps[i].voxel))
             sum += steps[i].leave - steps[i].enter;
     return sum * sqrt(vector_dot(direction, direction));
 }
@@ -190,15 +190,15 @@ static void layers_take_their_share_of_light(void **state)
     for (uint32_t layers = 1; layers <= 8; layers++) {
         Frame frame;
         view_case_begin(&frame);
-        const FlatTexture sheet = flat_texture_make(&frame, SIZE, 1);
+        const FlatTexture flat = flat_texture_make(&frame, SIZE, 1);
         for (uint32_t i = 0; i < SIZE * SIZE * layers; i++)
-            view_case_put(&sheet, i % SIZE, 3 + i / SIZE % layers, i / SIZE / layers);
+            view_case_put(&flat, i % SIZE, 3 + i / SIZE % layers, i / SIZE / layers);
         VoxelView view = voxel_view_defaults;
         view.mode = VOXEL_TRANSPARENT;
         view.paint.opacity = 0.25f;
         view.camera = view_case_camera(SIZE, 0, 1, 0, 2, 0); /* along the layers' normal */
         view.camera.up[0] = 1;
-        view_case_draw(&frame, &sheet, &view);
+        view_case_draw(&frame, &flat, &view);
         float pixel[4];
         view_case_pixel(&frame, "haze", SIDE / 2, SIDE / 2, pixel);
         assert_true(fabs((double)pixel[3] - (1 - pow(0.75, layers))) < 2e-3);
@@ -211,14 +211,13 @@ static void layers_take_their_share_of_light(void **state)
 
 /* How far alpha is outside what the rays beside the pixel's centre give: along a voxel's side they
  * see it or not. */
-static double alpha_error(const FlatTexture *sheet, const Camera *camera, int x, int y,
-                          double alpha)
+static double alpha_error(const FlatTexture *flat, const Camera *camera, int x, int y, double alpha)
 {
     double least = 1, most = 0;
     for (int i = 0; i < 5; i++) {
         const double beside_x = i == 4 ? 0 : i & 1 ? BESIDE : -BESIDE;
         const double beside_y = i == 4 ? 0 : i & 2 ? BESIDE : -BESIDE;
-        const double way = way_in_voxels(sheet, camera, x + 0.5 + beside_x, y + 0.5 + beside_y);
+        const double way = way_in_voxels(flat, camera, x + 0.5 + beside_x, y + 0.5 + beside_y);
         const double expected = 1 - pow(0.85, way);
         least = expected < least ? expected : least;
         most = expected > most ? expected : most;
@@ -232,19 +231,19 @@ static void light_fades_by_the_way_in_voxels(void **state)
     for (size_t i = 0; i + 1 < GP_COUNT(views); i++) {
         Frame frame;
         view_case_begin(&frame);
-        const FlatTexture sheet = view_case_random(&frame, views[i].size, 4, 100 + i);
+        const FlatTexture flat = view_case_random(&frame, views[i].size, 4, 100 + i);
         VoxelView view = voxel_view_defaults;
         view.mode = VOXEL_TRANSPARENT;
         view.paint.opacity = 0.15f;
         view.camera = view_case_camera(views[i].size, views[i].x, views[i].y, views[i].z,
                                        views[i].distance, views[i].fovy);
-        view_case_draw(&frame, &sheet, &view);
+        view_case_draw(&frame, &flat, &view);
         int seen = 0;
         for (int y = 0; y < SIDE; y += 2)
             for (int x = 0; x < SIDE; x += 2) {
                 float pixel[4];
                 view_case_pixel(&frame, "haze", x, y, pixel);
-                const double error = alpha_error(&sheet, &view.camera, x, y, (double)pixel[3]);
+                const double error = alpha_error(&flat, &view.camera, x, y, (double)pixel[3]);
                 if (error > HALF_ERROR)
                     fail_msg("view %zu, pixel %d %d: alpha is %g off", i, x, y, error);
                 seen += pixel[3] > 0.2f;
@@ -271,12 +270,12 @@ static double ball_error(int shading)
     const double centre = SIZE / 2.0, radius = 20;
     Frame frame;
     view_case_begin(&frame);
-    const FlatTexture sheet = flat_texture_make(&frame, SIZE, 1);
+    const FlatTexture flat = flat_texture_make(&frame, SIZE, 1);
     for (uint32_t i = 0; i < SIZE * SIZE * SIZE; i++) {
         const double x = i % SIZE + 0.5 - centre, y = i / SIZE % SIZE + 0.5 - centre;
         const double z = i / SIZE / SIZE + 0.5 - centre;
         if (x * x + y * y + z * z < radius * radius)
-            view_case_put(&sheet, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE);
+            view_case_put(&flat, i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE);
     }
     VoxelView view = voxel_view_defaults;
     view.shading = shading;
@@ -284,7 +283,7 @@ static double ball_error(int shading)
     memcpy(view.light, (float[3]){ 1, 0, 0 }, sizeof view.light);
     view.camera = view_case_camera(SIZE, 0.4, 0.5, 1, 2, 0);
     view.camera.height = SIZE;
-    view_case_draw(&frame, &sheet, &view);
+    view_case_draw(&frame, &flat, &view);
     double sum = 0;
     int count = 0;
     for (int y = 0; y < SIDE; y++)
