@@ -210,7 +210,7 @@ static void a_solid_of_an_open_mesh_warns(void **state)
     expect_contains(err, "warning: open.off is not closed: 3 boundary edges");
     expect_contains(err, "odd number of triangles");
     assert_int_equal(shell("glasspipe voxelize -q turned.off -n 16 --kind solid --json"), 0);
-    expect_contains(err, "turned.off is not closed: 3 edges between triangles turned");
+    expect_contains(err, "turned.off is not closed: 3 inconsistently oriented edges");
     json_t *object = parse_output(), *told = json_object_get(object, "report");
     assert_true(json_is_false(json_object_get(told, "closed")));
     assert_int_equal(json_integer_value(json_object_get(told, "inconsistently_oriented_edges")), 3);
