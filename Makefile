@@ -333,7 +333,7 @@ check-peer: $(PEER_TEST)
 
 # The same work on llvmpipe and here, in turn, case by case: out/bench/peers.json and .svg.
 PEER_BENCH         := $(BUILD)/test/peer_bench
-PEER_BENCH_OBJECTS := $(call object,$(wildcard tests/peer/bench/*.c))
+PEER_BENCH_OBJECTS := $(call object,$(wildcard tests/peer/bench/*.c) tests/peer/gl.c)
 $(PEER_BENCH): $(PEER_BENCH_OBJECTS) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@

@@ -66,14 +66,14 @@ static GpResult write_picture(const char *folder, const char *name, PeerPicture 
 /* --- cases ------------------------------------------------------------------------------------ */
 
 static void print_line(const char *renderer, int threads, const BenchCase *drawn,
-                       const Timing *timing, const PeerPicture *picture)
+                       const PeerTiming *timing, const PeerPicture *picture)
 {
     const double megapixels = (double)picture->width * picture->height * 1e-6;
     printf("{\"case\":\"%s\",\"renderer\":\"%s\",\"threads\":%d,\"width\":%u,\"height\":%u",
            drawn->name, renderer, threads, picture->width, picture->height);
     printf(",\"ms\":%.3f,\"min_ms\":%.3f,\"cpu_ms\":%.3f,\"first_ms\":%.2f", timing->ms,
            timing->min_ms, timing->cpu_ms, timing->first_ms);
-    printf(",\"hash\":\"%08x\",\"frames\":%d",
+    printf(",\"hash\":\"%08x\",\"frames\":%u",
            bench_picture_hash(picture->rgba, picture->width, picture->height), timing->frames);
     if (timing->others >= 0)
         printf(",\"others\":%.2f", timing->others);
@@ -93,9 +93,9 @@ static GpResult draw_case(const BenchCase *drawn, const Frame *frame, const Opti
 {
     Gl gl;
     Replay *replay = NULL;
-    Timing timing = { .frames = 0 };
+    PeerTiming timing = { .frames = 0 };
     PeerPicture picture = { .rgba = NULL };
-    GpResult result = gl_open(options->threads, &gl, error);
+    GpResult result = gl_open(0, options->threads, &gl, error);
     if (!result)
         result = replay_create(&gl, &frame->list, &replay, error);
     if (!result) {
@@ -135,7 +135,7 @@ static int print_driver(const Options *options)
 {
     Gl gl;
     GpError error = { "" };
-    GpResult result = gl_open(options->threads, &gl, &error);
+    GpResult result = gl_open(0, options->threads, &gl, &error);
     if (result)
         fprintf(stderr, "%s\n", error.text);
     else

@@ -9,7 +9,7 @@
 #define PEER_BENCH_REPLAY_H
 
 #include "pipeline/glasspipe.h"
-#include "tests/peer/bench/gl.h"
+#include "tests/peer/gl.h"
 
 enum {
     REPLAY_UNITS = 2,

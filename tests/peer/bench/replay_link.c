@@ -3,38 +3,13 @@
 
 #include <string.h>
 
-static unsigned compile(const Gl *gl, unsigned kind, const char *source, GpError *error)
-{
-    const char *text[2] = { glsl_head, source };
-    unsigned shader = gl->CreateShader(kind);
-    int compiled = 0;
-    gl->ShaderSource(shader, 2, text, NULL);
-    gl->CompileShader(shader);
-    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) {
-        char log[400] = "";
-        gl->GetShaderInfoLog(shader, sizeof log, NULL, log);
-        gp_fail(error, GP_ERROR_UNSUPPORTED, "OpenGL ES refused a shader: %s", log);
-    }
-    return shader;
-}
-
 GpResult replay_link(const Gl *gl, const char *vertex, const char *pixel, unsigned *program,
                      GpError *error)
 {
-    GpError reason = { "" };
-    unsigned name = gl->CreateProgram();
-    const unsigned shaders[2] = { compile(gl, GL_VERTEX_SHADER, vertex, &reason),
-                                  compile(gl, GL_FRAGMENT_SHADER, pixel, &reason) };
-    int linked = 0;
-    for (int i = 0; i < 2; i++) {
-        gl->AttachShader(name, shaders[i]);
-        gl->DeleteShader(shaders[i]); /* when the program goes */
-    }
-    gl->LinkProgram(name);
-    gl->GetProgramiv(name, GL_LINK_STATUS, &linked);
-    if (!linked)
-        return gp_fail(error, GP_ERROR_UNSUPPORTED, "shaders do not link; %s", reason.text);
+    unsigned name;
+    GpResult result = gl_link(gl, glsl_head, vertex, pixel, &name, error);
+    if (result)
+        return result;
     gl->UseProgram(name);
     for (int i = 0; i < REPLAY_UNITS; i++)
         gl->Uniform1i(gl->GetUniformLocation(name, glsl_units[i]), i);

@@ -1,19 +1,15 @@
-/* OpenGL ES 3.0 on Mesa's llvmpipe, without a window and without headers or libraries to build with:
+/* OpenGL ES 3 on Mesa's llvmpipe, without a window and without headers or libraries to build with:
  * libEGL is opened while running, and the prototypes and constants are the Khronos registry's.
  */
-#ifndef PEER_BENCH_GL_H
-#define PEER_BENCH_GL_H
+#ifndef PEER_GL_H
+#define PEER_GL_H
 
 #include "pipeline/base/base.h"
 
 enum {
     GL_POINTS = 0,
-    GL_TRIANGLES = 4,
     GL_ONE = 1,
-    GL_SRC_ALPHA = 0x0302,
-    GL_ONE_MINUS_SRC_ALPHA = 0x0303,
-    GL_DST_ALPHA = 0x0304,
-    GL_ONE_MINUS_DST_ALPHA = 0x0305,
+    GL_TRIANGLES = 4,
     GL_NEVER = 0x0200,
     GL_LESS = 0x0201,
     GL_EQUAL = 0x0202,
@@ -22,6 +18,10 @@ enum {
     GL_NOTEQUAL = 0x0205,
     GL_GEQUAL = 0x0206,
     GL_ALWAYS = 0x0207,
+    GL_SRC_ALPHA = 0x0302,
+    GL_ONE_MINUS_SRC_ALPHA = 0x0303,
+    GL_DST_ALPHA = 0x0304,
+    GL_ONE_MINUS_DST_ALPHA = 0x0305,
     GL_CULL_FACE = 0x0b44,
     GL_DEPTH_TEST = 0x0b71,
     GL_DITHER = 0x0bd0,
@@ -34,6 +34,7 @@ enum {
     GL_DEPTH = 0x1801,
     GL_RGBA = 0x1908,
     GL_RENDERER = 0x1f01,
+    GL_VERSION = 0x1f02,
     GL_NEAREST = 0x2600,
     GL_LINEAR = 0x2601,
     GL_NEAREST_MIPMAP_NEAREST = 0x2700,
@@ -44,6 +45,7 @@ enum {
     GL_REPEAT = 0x2901,
     GL_RGBA8 = 0x8058,
     GL_CLAMP_TO_EDGE = 0x812f,
+    GL_RG32UI = 0x823c,
     GL_MIRRORED_REPEAT = 0x8370,
     GL_TEXTURE0 = 0x84c0,
     GL_RGBA32F = 0x8814,
@@ -61,8 +63,11 @@ enum {
     GL_DEPTH_COMPONENT32F = 0x8cac,
     GL_FRAMEBUFFER_COMPLETE = 0x8cd5,
     GL_COLOR_ATTACHMENT0 = 0x8ce0,
+    GL_COLOR_ATTACHMENT1 = 0x8ce1,
     GL_DEPTH_ATTACHMENT = 0x8d00,
     GL_FRAMEBUFFER = 0x8d40,
+    GL_RENDERBUFFER = 0x8d41,
+    GL_RGBA_INTEGER = 0x8d99,
 };
 
 /* clang-format off */
@@ -115,7 +120,17 @@ enum {
     X(void, VertexAttribPointer, (unsigned, int, unsigned, unsigned char, int, const void *))      \
     X(void, EnableVertexAttribArray, (unsigned))                                                   \
     X(void, DrawArrays, (unsigned, int, int))                                                      \
-    X(void, DrawElements, (unsigned, int, unsigned, const void *))
+    X(void, DrawElements, (unsigned, int, unsigned, const void *))                                 \
+    X(void, DeleteProgram, (unsigned))                                                             \
+    X(void, GenRenderbuffers, (int, unsigned *))                                                   \
+    X(void, BindRenderbuffer, (unsigned, unsigned))                                                \
+    X(void, RenderbufferStorage, (unsigned, unsigned, int, int))                                   \
+    X(void, DeleteRenderbuffers, (int, const unsigned *))                                          \
+    X(void, FramebufferRenderbuffer, (unsigned, unsigned, unsigned, unsigned))                     \
+    X(void, DeleteFramebuffers, (int, const unsigned *))                                           \
+    X(void, ClearBufferuiv, (unsigned, int, const unsigned *))                                     \
+    X(void, DeleteVertexArrays, (int, const unsigned *))                                           \
+    X(void, DeleteBuffers, (int, const unsigned *))
 /* clang-format on */
 
 /* OpenGL's functions, without the "gl" of their names, and the context they work on. */
@@ -127,13 +142,19 @@ typedef struct Gl {
 } Gl;
 
 /* Opens llvmpipe and makes a fresh context current in this thread.
- * in   threads: llvmpipe's rasterizer threads; its vertex stage runs in the caller's beside them
+ * in   minor: of OpenGL ES 3.x, at least; threads: llvmpipe's rasterizer threads, whose vertex stage
+ *      runs in the caller's beside them; 0: as many as it likes
  * out  *gl: to be closed, even after an error
  * errors GP_ERROR_UNSUPPORTED: no library, no such platform, or another driver; says which */
-GpResult gl_open(int threads, Gl *gl, GpError *error);
+GpResult gl_open(int minor, int threads, Gl *gl, GpError *error);
 
 /* Frees the context and all that was made in it. The library itself stays loaded: Mesa's worker
  * threads and exit handlers live in it. */
 void gl_close(Gl *gl);
+
+/* Links two shaders, before each of which `head` goes. Errors: GP_ERROR_UNSUPPORTED, with OpenGL's
+ * reason. */
+GpResult gl_link(const Gl *gl, const char *head, const char *vertex, const char *pixel,
+                 unsigned *program, GpError *error);
 
 #endif
