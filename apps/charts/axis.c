@@ -103,5 +103,6 @@ void plot_axes(Text *svg, PlotBox box, const PlotScale *x, const char *x_name, c
               x_name);
     draw_ticks(svg, box, y, false);
     svg_words(svg, name_x, centre, "middle", turned, y_name);
-    svg_border(svg, box.left, box.top, box.right - box.left, box.bottom - box.top);
+    svg_rectangle(svg, box.left, box.top, box.right - box.left, box.bottom - box.top, "none",
+                  svg_frame);
 }

@@ -41,12 +41,13 @@ void svg_dots(Text *svg, double x1, double y1, double x2, double y2)
              x1, y1, x2, y2, svg_soft);
 }
 
-void svg_border(Text *svg, double x, double y, double width, double height)
+void svg_rectangle(Text *svg, double x, double y, double width, double height, const char *fill,
+                   const char *stroke)
 {
     text_add(svg,
-             "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"none\" "
+             "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\" "
              "stroke=\"%s\"/>\n",
-             x, y, width, height, svg_frame);
+             x, y, width, height, fill, stroke);
 }
 
 void svg_words(Text *svg, double x, double y, const char *anchor, const char *more,

@@ -15,7 +15,9 @@ void svg_line(Text *svg, double x1, double y1, double x2, double y2, const char 
 /* The same in dots, to compare with. */
 void svg_dots(Text *svg, double x1, double y1, double x2, double y2);
 
-void svg_border(Text *svg, double x, double y, double width, double height);
+/* fill, stroke: colours, or "none" */
+void svg_rectangle(Text *svg, double x, double y, double width, double height, const char *fill,
+                   const char *stroke);
 
 /* anchor: start, middle or end; more: further attributes; no content: nothing */
 void svg_words(Text *svg, double x, double y, const char *anchor, const char *more,

@@ -1,11 +1,33 @@
 # Runs of two renderers into a table and a file:
 #
-#   awk -f bench_json.awk -f bench_peers.awk -v ... cases.txt llvmpipe.jsonl glasspipe.jsonl
+#   awk -f bench_peers.awk -v ... cases.txt llvmpipe.jsonl glasspipe.jsonl
 #
 # Variables: json, the file to write; date, machine, peer, version, threads, rounds, which go into
 # it. Prints the table. A case counts with the median of its runs, of those only that other
 # processes did not disturb, if there are such. Exit status 1 when a picture changes from run to run
 # or the renderers draw different sizes.
+
+# The value of a field of a line that holds one object, the first of that name; "" where there is
+# none. Strings come without their quotes, and may hold no others.
+function field(line, name,    at, value)
+{
+    at = index(line, "\"" name "\":")
+    if (!at)
+        return ""
+    value = substr(line, at + length(name) + 3)
+    sub(/^ */, "", value)
+    if (substr(value, 1, 1) == "\"") {
+        value = substr(value, 2)
+        return substr(value, 1, index(value, "\"") - 1)
+    }
+    return match(value, /^[-+.0-9a-zA-Z]+/) ? substr(value, 1, RLENGTH) : ""
+}
+
+# Three digits, as a number is read.
+function short(x)
+{
+    return sprintf(x >= 100 ? "%.0f" : x >= 10 ? "%.1f" : "%.2f", x)
+}
 
 function remember(who, what,    run)
 {

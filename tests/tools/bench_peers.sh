@@ -92,10 +92,10 @@ processor=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)
 awk -v date="$(date -u '+%Y-%m-%d %H:%M UTC')" -v threads="$threads" -v rounds="$rounds" \
     -v machine="$(nproc) x ${processor:-$(uname -m)}, $(uname -sm)" -v peer="$driver" \
     -v version="$("$glasspipe" --version | head -n 1)" -v json="$folder/peers.json" \
-    -f "$here/bench_json.awk" -f "$here/bench_peers.awk" \
+    -f "$here/bench_peers.awk" \
     "$here/../peer/bench/cases.txt" "$folder/llvmpipe.jsonl" "$folder/glasspipe.jsonl" ||
     failures=$((failures + 1))
 [ -s "$folder/peers.json" ] || exit 1
-awk -f "$here/bench_json.awk" -f "$here/bench_chart.awk" "$folder/peers.json" >"$folder/peers.svg"
+"$peer" --chart "$folder/peers.json" >"$folder/peers.svg"
 echo "$folder/peers.json, $folder/peers.svg"
 [ "$failures" -eq 0 ]

@@ -1,11 +1,13 @@
 /* peer_bench: the cases of `glasspipe bench` through OpenGL ES 3 on Mesa's llvmpipe.
  *
  *   peer_bench [-l] [--driver] [--threads N] [-t SECONDS] [--images DIR] [CASE...]
+ *   peer_bench --chart peers.json
  *
  * Prints one line of JSON for every case, with the fields of `glasspipe bench`; -l lists the cases,
- * --driver names the driver. Exit status 77: there is no EGL, or it has no llvmpipe.
+ * --driver names the driver; --chart draws a comparison as SVG. Exit status 77: there is no EGL, or it has no llvmpipe.
  */
 #include "tests/peer/bench/measure.h"
+#include "tests/peer/bench/peer_chart.h"
 
 #include "apps/bench/cases.h"
 #include "pipeline/io/image/image_file.h"
@@ -151,19 +153,37 @@ static int list_cases(void)
     return EXIT_SUCCESS;
 }
 
+static int draw_chart(const char *path)
+{
+    Text svg = { .data = NULL };
+    GpError error = { "" };
+    GpResult result = peer_chart_draw(path, &svg, &error);
+    if (result)
+        fprintf(stderr, "peer_bench: %s\n", error.text);
+    else
+        fputs(svg.data, stdout);
+    text_free(&svg);
+    return result ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
 static int usage(void)
 {
     fprintf(stderr, "usage: peer_bench [-l] [--driver] [--threads N] [-t SECONDS] [--images DIR] "
-                    "[CASE...]\n");
+                    "[CASE...]\n"
+                    "       peer_bench --chart peers.json\n");
     return 2;
 }
 
 int main(int argc, char **argv)
 {
     static const struct option long_options[] = {
-        { "driver", no_argument, NULL, 'd' },     { "images", required_argument, NULL, 'i' },
-        { "list", no_argument, NULL, 'l' },       { "threads", required_argument, NULL, 'j' },
-        { "time", required_argument, NULL, 't' }, { NULL, 0, NULL, 0 },
+        { "chart", required_argument, NULL, 'c' },
+        { "driver", no_argument, NULL, 'd' },
+        { "images", required_argument, NULL, 'i' },
+        { "list", no_argument, NULL, 'l' },
+        { "threads", required_argument, NULL, 'j' },
+        { "time", required_argument, NULL, 't' },
+        { NULL, 0, NULL, 0 },
     };
     Options options = { .threads = 2, .seconds = 3 };
     int letter, status = EXIT_SUCCESS;
@@ -172,6 +192,8 @@ int main(int argc, char **argv)
             return list_cases();
         if (letter == 'd')
             return print_driver(&options);
+        if (letter == 'c')
+            return draw_chart(optarg);
         if (letter == 'i')
             options.images = optarg;
         else if (letter == 'j')
