@@ -1,43 +1,38 @@
-# Bash completion of glasspipe. Options come from the commands' own --help, so that they cannot
-# disagree with it.
+# Bash completion of glasspipe. Commands and options come from the program's own --help, and the names
+# that an option takes from what it says of another, so that they cannot disagree with it.
+
+# What an option's value is called in the help: "FILE", "N"; empty where it takes none.
+_glasspipe_value()
+{
+    "$1" "$2" --help 2>/dev/null | sed -nE "s/^ *(-., )?$3=([^ ]*).*/\2/p; s/^ *$3, --[a-z-]+=([^ ]*).*/\1/p"
+}
+
+# The names that an option takes: "--fit: expected light, casters, eye or adaptive, not '?'".
+_glasspipe_names()
+{
+    "$1" "$2" "$3" '?' 2>&1 | sed -nE "1{/expected an? |number|such as/d; s/, not '\?'//; s/ or / /; s/,//g; \
+        s/.*: expected (one of )?//p}"
+}
 
 _glasspipe()
 {
-    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} program=${COMP_WORDS[0]}
-    local command=${COMP_WORDS[1]}
-    COMPREPLY=()
-    if [ "$COMP_CWORD" -eq 1 ]; then
-        mapfile -t COMPREPLY < <(compgen -W 'render voxelize shadow compare explain pixel bench chart help --help --version' \
-            -- "$word")
-        return
-    fi
-    case $before in
-        --isa) mapfile -t COMPREPLY < <(compgen -W 'auto sse2 avx2 avx512 neon' -- "$word") ;;
-        --executor) mapfile -t COMPREPLY < <(compgen -W 'reference fast' -- "$word") ;;
-        help) mapfile -t COMPREPLY < <(compgen -W 'render voxelize shadow compare explain pixel bench chart' -- "$word") ;;
-        --table) mapfile -t COMPREPLY < <(compgen -W '2.1 2.2 4.1 4.2' -- "$word") ;;
-        --kind) mapfile -t COMPREPLY < <(compgen -W 'surface solid' -- "$word") ;;
-        --value) mapfile -t COMPREPLY < <(compgen -W 'density normal color' -- "$word") ;;
-        --combine) mapfile -t COMPREPLY < <(compgen -W 'union intersection difference collide' -- "$word") ;;
-        --look) mapfile -t COMPREPLY < <(compgen -W 'opaque transparent' -- "$word") ;;
-        --shading) mapfile -t COMPREPLY < <(compgen -W 'smooth cubes' -- "$word") ;;
-        --up) mapfile -t COMPREPLY < <(compgen -W 'y z x -y -z' -- "$word") ;;
-        --blend) mapfile -t COMPREPLY < <(compgen -W 'add or' -- "$word") ;;
-        -n | --size | --threads | -t | --time | --dump | --pass | --scale | --fail | --failpercent | --hardfail | \
-            --warn | --warnpercent | --hardwarn | --method | --filter | --map | --depth | --bias | --slope | \
-            --normal-offset | --casters | --fit | --facing | --outside | --error | \
-            --bits | --axes | --xform | --twist | --move | --picture | --from | --zoom) ;;
-        *)
-            if [ "${word:0:1}" = - ]; then
-                local options
-                options=$("$program" "$command" --help 2>/dev/null | grep -oE -- '--[a-z-]+')
-                mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
-            else
-                compopt -o filenames
+    local program=${COMP_WORDS[0]} command=${COMP_WORDS[1]} word=${COMP_WORDS[COMP_CWORD]}
+    local before=${COMP_WORDS[COMP_CWORD-1]} words=
+    if [ "$COMP_CWORD" -eq 1 ] || [ "$before" = help ]; then
+        words="--help --version $("$program" --help 2>/dev/null |
+            sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')"
+    elif [ "${word:0:1}" = - ]; then
+        words=$("$program" "$command" --help 2>/dev/null | grep -oE -- '--[a-z-]+')
+    else
+        case ${before:0:1}$(_glasspipe_value "$program" "$command" "$before") in
+            -*FILE | -*DIR | -*MESH | - | [!-]*)
+                compopt -o filenames 2>/dev/null
                 mapfile -t COMPREPLY < <(compgen -f -- "$word")
-            fi
-            ;;
-    esac
+                return ;;
+            *) words=$(_glasspipe_names "$program" "$command" "$before") ;;
+        esac
+    fi
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
 }
 
 complete -F _glasspipe glasspipe

@@ -4,9 +4,9 @@
 #   golden_pictures.sh PROGRAM            compares every case of tests/golden/pictures.txt, as TAP
 #   golden_pictures.sh PROGRAM CASE       writes that case's line anew, or adds it
 #
-# A line is "ARGUMENTS = WHAT IS PRINTED". Every scene is there, and every name that an option of a
-# technique takes, by the program's own words: one that is missing is a failure. A case whose data is
-# not here ($GLASSPIPE_DATA) is skipped.
+# A line is "ARGUMENTS = WHAT IS PRINTED". Every scene is there, every case of `bench', and every name
+# that an option of a technique takes, by the program's own words: one that is missing is a failure. A
+# case whose data is not here ($GLASSPIPE_DATA) is skipped.
 program=$1
 cases=tests/golden/pictures.txt
 data=${GLASSPIPE_DATA:-../shared/data}
@@ -17,6 +17,12 @@ trap 'rm -rf "$scratch"' EXIT
 # What a case prints, in one line; pictures where it says so, or where they are all there is.
 draw() {
     case $1 in
+    bench*)
+        # shellcheck disable=SC2086
+        ${EMULATOR:-} "$program" $1 -q -t 0 2>/dev/null |
+            sed 's/.*"width":\([0-9]*\),"height":\([0-9]*\).*"hash":"\([0-9a-f]*\)".*/hash \1x\2 \3/'
+        return
+        ;;
     *--picture* | render* | shadow*) output=$scratch/picture.ppm ;;
     *) output=$scratch/volume.nrrd ;;
     esac
@@ -30,9 +36,11 @@ result() {
     [ "$1" = ok ] || failed=1
 }
 
+# lacks_data FILE DRAWN: a scene that names data; a case of bench that draws nothing
 lacks_data() {
-    [ ! -d "$data" ] && grep -qE '"(meshes|images|points|volumes)/' "$1"
+    [ ! -d "$data" ] && { [ -z "$2" ] || { [ -f "$1" ] && grep -qE "$names_data" "$1"; }; }
 }
+names_data='"(meshes|images|points|volumes)/'
 
 # The names that an option takes, from the refusal of another; none for numbers.
 names_of() {
@@ -43,6 +51,12 @@ names_of() {
 check_scenes() {
     for scene in scenes/*.json; do
         grep -q "^render $scene " "$cases" || result "not ok" "no case draws $scene"
+    done
+}
+
+check_bench() {
+    for name in $("$program" bench --list); do
+        grep -q "^bench $name = " "$cases" || result "not ok" "no case draws bench $name"
     done
 }
 
@@ -67,12 +81,10 @@ while IFS= read -r line; do
     arguments=${line%% = *}
     # shellcheck disable=SC2086 # its first two words
     set -- $arguments
-    if [ -f "$2" ] && lacks_data "$2"; then
-        result ok "$arguments # SKIP no data"
-        continue
-    fi
     drawn=$(draw "$arguments")
-    if [ "$line" = "$arguments = $drawn" ]; then
+    if lacks_data "$2" "$drawn"; then
+        result ok "$arguments # SKIP no data"
+    elif [ "$line" = "$arguments = $drawn" ]; then
         result ok "$arguments"
     else
         result "not ok" "$arguments"
@@ -80,6 +92,7 @@ while IFS= read -r line; do
     fi
 done <"$cases"
 check_scenes
+check_bench
 for technique in shadow voxelize; do
     check_names "$technique"
 done
