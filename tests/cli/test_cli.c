@@ -8,8 +8,7 @@
 static const char *const commands[] = { "bench",   "chart", "render", "compare",
                                         "explain", "pixel", "shadow", "voxelize" };
 
-/* --- help
- * --------------------------------------------------------------------------------------------- */
+/* --- help ------------------------------------------------------------------------------------- */
 
 static void no_command_shows_the_help_on_stderr_and_is_a_usage_error(void **state)
 {
@@ -110,8 +109,7 @@ static void help_and_man_page_have_the_same_options(void **state)
     }
 }
 
-/* --- wrong arguments
- * -------------------------------------------------------------------------------- */
+/* --- wrong arguments -------------------------------------------------------------------------- */
 
 static void unknown_commands_are_usage_errors_with_a_suggestion(void **state)
 {
@@ -227,8 +225,7 @@ static void bad_outputs_are_refused_before_rendering(void **state)
     expect_files("scene.json");
 }
 
-/* --- wrong input
- * -------------------------------------------------------------------------------------- */
+/* --- wrong input ------------------------------------------------------------------------------ */
 
 static void bad_scenes_are_input_errors_that_name_the_file(void **state)
 {
@@ -295,8 +292,7 @@ static void unreadable_pictures_are_input_errors(void **state)
     expect_contains(err, "cut.png");
 }
 
-/* --- render
- * ------------------------------------------------------------------------------------------- */
+/* --- render ----------------------------------------------------------------------------------- */
 
 static void render_writes_the_picture_and_prints_its_hash(void **state)
 {
@@ -430,8 +426,7 @@ static void a_failed_write_keeps_the_old_file_and_leaves_no_other(void **state)
     expect_files("a.exr scene.json");
 }
 
-/* --- stdout
- * ---------------------------------------------------------------------------------------------- */
+/* --- stdout ----------------------------------------------------------------------------------- */
 
 static void a_full_or_closed_stdout_is_an_internal_error_with_a_message(void **state)
 {
@@ -470,8 +465,7 @@ static void a_reader_that_left_is_an_error_and_no_signal(void **state)
     expect_contains(err, "Broken pipe");
 }
 
-/* --- compare
- * ------------------------------------------------------------------------------------------- */
+/* --- compare ---------------------------------------------------------------------------------- */
 
 static void compare_tells_same_different_and_different_sizes(void **state)
 {
@@ -525,84 +519,6 @@ static void compare_json_holds_the_metrics(void **state)
     json_decref(object);
 }
 
-/* --- explain and pixel
- * ---------------------------------------------------------------------------------- */
-
-static void explain_tells_units_and_limits_of_every_draw(void **state)
-{
-    (void)state;
-    assert_int_equal(shell("glasspipe explain scene.json"), 0);
-    expect_contains(out, "Draw 0");
-    expect_contains(out, "depth test");
-    expect_contains(out, "skipped");
-    assert_int_equal(shell("glasspipe explain scene.json --json"), 0);
-    json_t *object = parse_output();
-    json_t *pass = json_array_get(json_object_get(object, "passes"), 0);
-    json_t *draw = json_array_get(json_object_get(pass, "draws"), 0);
-    assert_true(json_array_size(json_object_get(draw, "units")) >= 10);
-    assert_true(json_is_true(json_object_get(draw, "fits")));
-    json_decref(object);
-}
-
-static void a_pixel_outside_is_a_usage_error_with_the_valid_range(void **state)
-{
-    (void)state;
-    expect_refused(2, "pixel scene.json 64 0", "X is 0 to 63, Y is 0 to 47");
-    expect_refused(2, "pixel scene.json 0 48", "X is 0 to 63, Y is 0 to 47");
-    expect_refused(2, "pixel scene.json 100 0 --size 100x10", "X is 0 to 99, Y is 0 to 9");
-    expect_refused(2, "pixel scene.json -- -1 0", "X: '-1'");
-    expect_refused(2, "pixel scene.json a 0", "X: 'a'");
-    expect_refused(2, "pixel scene.json 0", "expected a scene file, X and Y");
-    expect_refused(2, "pixel scene.json 0 0 --pass nothing", "--pass nothing");
-}
-
-static void the_history_of_a_covered_pixel_names_every_stage(void **state)
-{
-    (void)state;
-    assert_int_equal(shell("glasspipe pixel scene.json 32 24"), 0);
-    static const char *const stages[] = { "cleared",     "vertex", "clip",  "setup",  "raster",
-                                          "interpolate", "shader", "depth", "output", "stored" };
-    for (size_t i = 0; i < GP_COUNT(stages); i++)
-        expect_contains(out, stages[i]);
-    assert_null(strchr(out, '\033')); /* no colour into a file */
-    assert_int_equal(shell("glasspipe pixel scene.json 0 0"), 0);
-    expect_contains(out, "0 fragments");
-}
-
-/* Bytes of the picture against the last value that the history says was stored. */
-static void expect_history_ends_in_picture(const unsigned char *pixels, int x, int y)
-{
-    assert_int_equal(shell("glasspipe pixel scene.json %d %d --json", x, y), 0);
-    json_t *object = parse_output(), *event, *last = NULL;
-    size_t i;
-    json_array_foreach(json_object_get(object, "events"), i, event)
-    {
-        if (strcmp(json_string_value(json_object_get(event, "kind")), "output") == 0)
-            last = json_object_get(event, "result");
-        else if (strcmp(json_string_value(json_object_get(event, "kind")), "clear") == 0)
-            last = json_object_get(json_array_get(json_object_get(event, "targets"), 0), "color");
-    }
-    assert_non_null(last);
-    for (size_t c = 0; c < 3; c++) {
-        double value = json_number_value(json_array_get(last, c));
-        assert_int_equal(pixels[((size_t)y * 64 + (size_t)x) * 3 + c], (int)(value * 255 + 0.5));
-    }
-    json_decref(object);
-}
-
-static void the_history_of_a_pixel_ends_in_its_value_in_the_picture(void **state)
-{
-    (void)state;
-    static char picture[16384];
-    assert_int_equal(shell("glasspipe render scene.json -o a.ppm"), 0);
-    size_t length = read_file("a.ppm", picture, sizeof picture), bytes = 64 * 48 * 3;
-    assert_true(length > bytes);
-    const unsigned char *pixels = (const unsigned char *)picture + length - bytes;
-    for (int y = 0; y < 48; y += 12)
-        for (int x = 0; x < 64; x += 25)
-            expect_history_ends_in_picture(pixels, x, y);
-}
-
 int main(void)
 {
     if (!find_program())
@@ -633,10 +549,6 @@ int main(void)
         TEST(compare_tells_same_different_and_different_sizes),
         TEST(compare_writes_the_scaled_difference),
         TEST(compare_json_holds_the_metrics),
-        TEST(explain_tells_units_and_limits_of_every_draw),
-        TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
-        TEST(the_history_of_a_covered_pixel_names_every_stage),
-        TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

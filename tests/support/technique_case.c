@@ -1,5 +1,7 @@
 #include "tests/support/technique_case.h"
 
+#include "tests/support/unit.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -115,15 +117,21 @@ GpResult technique_cases_check(const Technique *technique, const TechniqueCase *
                                GpError *error)
 {
     TechniqueStage stage = { .scene = NULL };
-    GpResult result = GP_OK;
-    for (size_t i = 0; i < count && !result; i++) {
+    GpResult first = GP_OK, opened = GP_OK;
+    GpError reason = { "" };
+    for (size_t i = 0; i < count; i++) {
         if (i == 0 || strcmp(cases[i].scene, cases[i - 1].scene) != 0) {
             technique_stage_close(&stage);
-            result = technique_stage_open(technique, cases[i].scene, 0, 0, &stage, error);
+            opened = technique_stage_open(technique, cases[i].scene, 0, 0, &stage, &reason);
         }
+        const GpResult result = opened ? opened : check_case(&stage, &cases[i], &reason);
         if (!result)
-            result = check_case(&stage, &cases[i], error);
+            continue;
+        print_message("# row %zu: %s\n", i, reason.text);
+        if (!first)
+            gp_fail(error, result, "%s", reason.text);
+        first = first ? first : result;
     }
     technique_stage_close(&stage);
-    return result;
+    return first;
 }

@@ -17,7 +17,7 @@ typedef struct TechniqueCase {
 /* Checks a table, row by row; the truth is found once for rows of the same scene that follow each
  * other.
  * errors the first row that does not hold: GP_ERROR_INVALID, with its name and its figure; or what
- *        kept it from being measured */
+ *        kept it from being measured. All rows that do not hold are printed, as TAP comments */
 GpResult technique_cases_check(const Technique *technique, const TechniqueCase *cases, size_t count,
                                GpError *error);
 

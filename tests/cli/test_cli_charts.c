@@ -1,0 +1,120 @@
+/* From a scene to the setting that a chart chooses for it: chart, --error, and bench beside them, on a
+ * scene so small that times mean nothing and errors do. */
+#include "pipeline/base/base.h"
+#include "tests/support/program.h"
+
+static const char small[] =
+    "{ \"size\": [64, 48], \"lights\": [ { \"direction\": [1, -2, -1] } ],\n"
+    "  \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"fovy\": 40 },\n"
+    "  \"objects\": [ { \"mesh\": \"builtin:plane\" },\n"
+    "                 { \"mesh\": \"builtin:cube\", \"fit\": [0, 0, 0, 1] } ] }\n";
+
+static double number(const json_t *object, const char *key)
+{
+    const json_t *value = json_object_get(object, key);
+    if (!json_is_number(value))
+        fail_msg("%s is no number", key);
+    return json_number_value(value);
+}
+
+static const char *text(const json_t *object, const char *key)
+{
+    const char *value = json_string_value(json_object_get(object, key));
+    if (!value)
+        fail_msg("%s is no text", key);
+    return value;
+}
+
+/* The options of the fastest setting that was measured with at most that error. */
+static const char *cheapest(const json_t *points, double most)
+{
+    const json_t *best = NULL;
+    size_t i;
+    json_t *point;
+    json_array_foreach(points, i, point)
+    {
+        if (number(point, "error") <= most && (!best || number(point, "ms") < number(best, "ms")))
+            best = point;
+    }
+    assert_non_null(best);
+    return text(best, "options");
+}
+
+static void a_chart_chooses_the_setting_that_is_drawn(void **state)
+{
+    (void)state;
+    static const double errors[] = { 0, 5, 1000 };
+    write_file("small.json", small);
+    assert_int_equal(shell("glasspipe chart shadow small.json -t 0 -o charts -q --json"), 0);
+    json_t *chart = parse_output(), *points = json_object_get(chart, "points");
+    assert_true(json_array_size(points) >= 50);
+    assert_string_equal(text(chart, "scene"), "small.json");
+    json_t *stored = json_load_file("charts/shadow_small.json", 0, NULL);
+    assert_int_equal(json_array_size(json_object_get(stored, "points")), json_array_size(points));
+    json_decref(stored);
+    for (size_t i = 0; i < GP_COUNT(errors); i++) {
+        const char *options = cheapest(points, errors[i]);
+        assert_int_equal(shell("glasspipe shadow small.json -q -o a.ppm %s", options), 0);
+        static char drawn[sizeof out];
+        strcpy(drawn, out);
+        assert_int_equal(shell("glasspipe shadow small.json --error %g "
+                               "--curve charts/shadow_small.json -o b.ppm",
+                               errors[i]),
+                         0);
+        expect_contains(err, options);
+        assert_string_equal(out, drawn);
+    }
+    json_decref(chart);
+    static char page[1 << 18];
+    read_file("charts/index.html", page, sizeof page);
+    expect_contains(page, "wrong pixels");
+    assert_int_equal(access("charts/shadow_small.svg", R_OK), 0);
+    assert_int_equal(access("charts/shadow_small.csv", R_OK), 0);
+}
+
+static void an_error_that_no_setting_reaches_is_refused(void **state)
+{
+    (void)state;
+    write_file("small.json", small);
+    write_file(
+        "chart.json",
+        "{ \"technique\": \"shadow\", \"scene\": \"small.json\", \"error_name\": \"wrong pixels\","
+        " \"title\": \"t\", \"metrics\": [], \"machine\": \"m\", \"isa\": \"i\", \"threads\": 1,"
+        " \"width\": 64, \"height\": 48, \"points\": [ { \"method\": \"m\", \"options\": "
+        "\"--map 64\", \"ms\": 1, \"min_ms\": 1, \"cpu_ms\": 1, \"frames\": 1, \"error\": 7,"
+        " \"metrics\": [], \"best\": true, \"picture\": \"\" } ] }\n");
+    assert_int_equal(shell("glasspipe shadow small.json --error 7 --curve chart.json -o a.ppm"), 0);
+    expect_contains(err, "--map 64");
+    expect_refused(3, "shadow small.json --error 6 --curve chart.json -o a.ppm",
+                   "no setting has at most 6");
+}
+
+/* What bench draws is what it writes, by either executor. */
+static void a_case_of_bench_is_one_picture(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe bench -q -t 0 small_draws --images one"), 0);
+    json_t *fast = parse_output();
+    assert_int_equal(
+        shell("glasspipe bench -q -t 0 small_draws --executor reference --images other"), 0);
+    json_t *reference = parse_output();
+    assert_string_equal(text(fast, "hash"), text(reference, "hash"));
+    assert_true(number(fast, "frames") >= 1 && number(fast, "ms") > 0);
+    assert_int_equal(shell("glasspipe compare one/small_draws.png other/small_draws.png"), 0);
+    expect_contains(out, "same bits");
+    json_decref(fast);
+    json_decref(reference);
+}
+
+int main(void)
+{
+    if (!find_program())
+        return 1;
+#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
+    const struct CMUnitTest tests[] = {
+        TEST(a_chart_chooses_the_setting_that_is_drawn),
+        TEST(an_error_that_no_setting_reaches_is_refused),
+        TEST(a_case_of_bench_is_one_picture),
+    };
+    return cmocka_run_group_tests_name("charts", tests, NULL, NULL);
+}

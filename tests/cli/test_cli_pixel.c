@@ -1,0 +1,138 @@
+/* `explain' and `pixel': what a draw needs, and what happened to a pixel. */
+#include "pipeline/base/base.h"
+#include "tests/support/program.h"
+
+static void explain_tells_units_and_limits_of_every_draw(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe explain scene.json"), 0);
+    expect_contains(out, "Draw 0");
+    expect_contains(out, "depth test");
+    expect_contains(out, "skipped");
+    assert_int_equal(shell("glasspipe explain scene.json --json"), 0);
+    json_t *object = parse_output();
+    json_t *pass = json_array_get(json_object_get(object, "passes"), 0);
+    json_t *draw = json_array_get(json_object_get(pass, "draws"), 0);
+    assert_true(json_array_size(json_object_get(draw, "units")) >= 10);
+    assert_true(json_is_true(json_object_get(draw, "fits")));
+    json_decref(object);
+}
+
+static void a_pixel_outside_is_a_usage_error_with_the_valid_range(void **state)
+{
+    (void)state;
+    expect_refused(2, "pixel scene.json 64 0", "X is 0 to 63, Y is 0 to 47");
+    expect_refused(2, "pixel scene.json 0 48", "X is 0 to 63, Y is 0 to 47");
+    expect_refused(2, "pixel scene.json 100 0 --size 100x10", "X is 0 to 99, Y is 0 to 9");
+    expect_refused(2, "pixel scene.json -- -1 0", "X: '-1'");
+    expect_refused(2, "pixel scene.json a 0", "X: 'a'");
+    expect_refused(2, "pixel scene.json 0", "expected a scene file, X and Y");
+    expect_refused(2, "pixel scene.json 0 0 --pass nothing", "--pass nothing");
+}
+
+static void the_history_of_a_covered_pixel_names_every_stage(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe pixel scene.json 32 24"), 0);
+    static const char *const stages[] = { "cleared",     "vertex", "clip",  "setup",  "raster",
+                                          "interpolate", "shader", "depth", "output", "stored" };
+    for (size_t i = 0; i < GP_COUNT(stages); i++)
+        expect_contains(out, stages[i]);
+    assert_null(strchr(out, '\033')); /* no colour into a file */
+    assert_int_equal(shell("glasspipe pixel scene.json 0 0"), 0);
+    expect_contains(out, "0 fragments");
+}
+
+/* Bytes of the picture against the last value that the history says was stored. */
+static void expect_history_ends_in_picture(const unsigned char *pixels, int x, int y)
+{
+    assert_int_equal(shell("glasspipe pixel scene.json %d %d --json", x, y), 0);
+    json_t *object = parse_output(), *event, *last = NULL;
+    size_t i;
+    json_array_foreach(json_object_get(object, "events"), i, event)
+    {
+        if (strcmp(json_string_value(json_object_get(event, "kind")), "output") == 0)
+            last = json_object_get(event, "result");
+        else if (strcmp(json_string_value(json_object_get(event, "kind")), "clear") == 0)
+            last = json_object_get(json_array_get(json_object_get(event, "targets"), 0), "color");
+    }
+    assert_non_null(last);
+    for (size_t c = 0; c < 3; c++) {
+        double value = json_number_value(json_array_get(last, c));
+        assert_int_equal(pixels[((size_t)y * 64 + (size_t)x) * 3 + c], (int)(value * 255 + 0.5));
+    }
+    json_decref(object);
+}
+
+static void the_history_of_a_pixel_ends_in_its_value_in_the_picture(void **state)
+{
+    (void)state;
+    static char picture[16384];
+    assert_int_equal(shell("glasspipe render scene.json -o a.ppm"), 0);
+    size_t length = read_file("a.ppm", picture, sizeof picture), bytes = 64 * 48 * 3;
+    assert_true(length > bytes);
+    const unsigned char *pixels = (const unsigned char *)picture + length - bytes;
+    for (int y = 0; y < 48; y += 12)
+        for (int x = 0; x < 64; x += 25)
+            expect_history_ends_in_picture(pixels, x, y);
+}
+
+/* A picture in a picture: only the second pass has the picture's size. */
+static const char two_passes[] =
+    "{ \"size\": [64, 48], \"camera\": { \"eye\": [0, 0, 3], \"at\": [0, 0, 0], \"fovy\": 40 },\n"
+    "  \"passes\": [\n"
+    "    { \"name\": \"small\", \"size\": [16, 12], \"targets\": [ { \"clear\": [1, 0, 0, 1] } ],\n"
+    "      \"objects\": [ { \"mesh\": \"builtin:sphere\" } ] },\n"
+    "    { \"name\": \"large\", \"objects\": [ { \"mesh\": \"builtin:quad\", \"material\": {\n"
+    "      \"program\": \"textured\", \"textures\": [ { \"image\": \"pass:small\" } ] } } ] } ] "
+    "}\n";
+
+/* The passes in which something happened to a pixel, as JSON has them: "0 1". */
+static void expect_passes(const char *arguments, const char *expected)
+{
+    char passes[64] = "";
+    json_int_t last = -1;
+    assert_int_equal(shell("glasspipe pixel two.json --json %s", arguments), 0);
+    json_t *object = parse_output(), *event;
+    size_t i;
+    json_array_foreach(json_object_get(object, "events"), i, event)
+    {
+        const json_int_t pass = json_integer_value(json_object_get(event, "pass"));
+        if (pass != last)
+            snprintf(strchr(passes, '\0'), 8, "%s%d", passes[0] ? " " : "", (int)pass);
+        last = pass;
+    }
+    json_decref(object);
+    if (strcmp(passes, expected) != 0)
+        fail_msg("pixel %s: passes %s instead of %s", arguments, passes, expected);
+}
+
+static void a_pixel_can_be_followed_through_one_pass(void **state)
+{
+    (void)state;
+    write_file("two.json", two_passes);
+    expect_passes("32 24", "1");
+    expect_passes("8 6 --pass small", "0");
+    expect_passes("8 6 --pass 0", "0");
+    expect_passes("8 6 --pass large", "1");
+    assert_int_equal(shell("glasspipe pixel two.json 8 6 --pass small"), 0);
+    expect_contains(out, "Pixel (8, 6) of 16x12");
+    expect_contains(out, "(1, 0, 0, 1)");
+    expect_refused(2, "pixel two.json 16 0 --pass small", "X is 0 to 15, Y is 0 to 11");
+    expect_refused(2, "pixel two.json 0 0 --pass 2", "--pass 2");
+}
+
+int main(void)
+{
+    if (!find_program())
+        return 1;
+#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
+    const struct CMUnitTest tests[] = {
+        TEST(explain_tells_units_and_limits_of_every_draw),
+        TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
+        TEST(the_history_of_a_covered_pixel_names_every_stage),
+        TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
+        TEST(a_pixel_can_be_followed_through_one_pass),
+    };
+    return cmocka_run_group_tests_name("explain and pixel", tests, NULL, NULL);
+}
