@@ -1,8 +1,8 @@
 /* glasspipe compare: two pictures, bit by bit and by figures. */
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/base/compare.h"
 #include "apps/base/json.h"
-#include "apps/commands/options.h"
 #include "apps/frame/picture.h"
 
 #include <inttypes.h>
@@ -16,97 +16,49 @@ typedef struct Compare {
     CompareLimits limits;
 } Compare;
 
-enum {
-    KEY_FAIL = 0x200,
-    KEY_FAIL_PERCENT,
-    KEY_HARD_FAIL,
-    KEY_WARN,
-    KEY_WARN_PERCENT,
-    KEY_HARD_WARN,
-    KEY_SCALE,
+static const CommandOption options[] = {
+    { "output", 'o', "FILE",
+      "Write the absolute difference of the pictures to FILE (.png, .exr, .pfm or .ppm)",
+      OPTION_TEXT, offsetof(Compare, output) },
+    { "scale", 0, "S", "Multiply the difference picture by S", OPTION_REAL,
+      offsetof(Compare, scale) },
+    { "fail", 0, "F", "Call a pixel failing if it differs by more than F (default: 0)", OPTION_REAL,
+      offsetof(Compare, limits.fail) },
+    { "failpercent", 0, "P", "Allow P percent of failing pixels (default: 0)", OPTION_REAL,
+      offsetof(Compare, limits.fail_percent) },
+    { "hardfail", 0, "H", "Fail if any pixel differs by more than H", OPTION_REAL,
+      offsetof(Compare, limits.hard_fail) },
+    { "warn", 0, "F", "Warn about pixels that differ by more than F", OPTION_REAL,
+      offsetof(Compare, limits.warn) },
+    { "warnpercent", 0, "P", "Allow P percent of them (default: 0)", OPTION_REAL,
+      offsetof(Compare, limits.warn_percent) },
+    { "hardwarn", 0, "H", "Warn if any pixel differs by more than H", OPTION_REAL,
+      offsetof(Compare, limits.hard_warn) },
+    { .name = NULL },
 };
 
-/* clang-format off */
-static const struct argp_option own_options[] = {
-    { "output", 'o', "FILE", 0, "Write the absolute difference of the pictures to FILE (.png, "
-      ".exr, .pfm or .ppm)", 0 },
-    { "scale", KEY_SCALE, "S", 0, "Multiply the difference picture by S", 0 },
-    { "fail", KEY_FAIL, "F", 0, "Call a pixel failing if it differs by more than F "
-      "(default: 0)", 0 },
-    { "failpercent", KEY_FAIL_PERCENT, "P", 0, "Allow P percent of failing pixels "
-      "(default: 0)", 0 },
-    { "hardfail", KEY_HARD_FAIL, "H", 0, "Fail if any pixel differs by more than H", 0 },
-    { "warn", KEY_WARN, "F", 0, "Warn about pixels that differ by more than F", 0 },
-    { "warnpercent", KEY_WARN_PERCENT, "P", 0, "Allow P percent of them (default: 0)", 0 },
-    { "hardwarn", KEY_HARD_WARN, "H", 0, "Warn if any pixel differs by more than H", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
-};
-/* clang-format on */
-
-static error_t parse_compare(int key, char *text, struct argp_state *state)
-{
-    Compare *compare = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case 'o':
-        compare->output = text;
-        return 0;
-    case KEY_SCALE:
-        compare->scale = options_real(state, "--scale", text);
-        return 0;
-    case KEY_FAIL:
-        compare->limits.fail = options_real(state, "--fail", text);
-        return 0;
-    case KEY_FAIL_PERCENT:
-        compare->limits.fail_percent = options_real(state, "--failpercent", text);
-        return 0;
-    case KEY_HARD_FAIL:
-        compare->limits.hard_fail = options_real(state, "--hardfail", text);
-        return 0;
-    case KEY_WARN:
-        compare->limits.warn = options_real(state, "--warn", text);
-        return 0;
-    case KEY_WARN_PERCENT:
-        compare->limits.warn_percent = options_real(state, "--warnpercent", text);
-        return 0;
-    case KEY_HARD_WARN:
-        compare->limits.hard_warn = options_real(state, "--hardwarn", text);
-        return 0;
-    case ARGP_KEY_ARG:
-        return options_positional(state, compare->paths, 2, text);
-    case ARGP_KEY_END:
-        if (!compare->paths[1])
-            argp_error(state, "expected two pictures");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {
-    { &options_common, 0, NULL, 0 },
-    { NULL, 0, NULL, 0 },
-};
-
-static const struct argp parser = {
-    own_options,
-    parse_compare,
-    "A B",
-    "Examples:\n"
-    "  glasspipe compare before.png after.png\n"
-    "  glasspipe compare before.exr after.exr -o diff.png --scale 10\n"
-    "  glasspipe compare a.png b.png --fail 0.004 --failpercent 0.1 --hardfail 0.1\n"
-    "\n"
-    "Compares two pictures: the same bits, or how far apart and where. Differences are of values "
-    "in "
-    "[0, 1] (codes divided by their largest) or of floats; a pixel's is its largest channel's.\v"
-    "PSNR is over all channels for a peak of 1. SSIM is the mean over 11x11 Gaussian windows "
-    "(sigma 1.5) of the luminance for a range of 1. Tolerances are named as idiff names them.\n"
-    "Exit code 0: the same, or within the tolerances; 1: not.",
-    children,
-    options_help,
-    NULL,
+static const CommandSyntax syntax = {
+    .shared = &options_common,
+    .options = options,
+    .arguments = "A B",
+    .help =
+        "Examples:\n"
+        "  glasspipe compare before.png after.png\n"
+        "  glasspipe compare before.exr after.exr -o diff.png --scale 10\n"
+        "  glasspipe compare a.png b.png --fail 0.004 --failpercent 0.1 --hardfail 0.1\n"
+        "\n"
+        "Compares two pictures: the same bits, or how far apart and where. Differences are of "
+        "values "
+        "in "
+        "[0, 1] (codes divided by their largest) or of floats; a pixel's is its largest "
+        "channel's.\v"
+        "PSNR is over all channels for a peak of 1. SSIM is the mean over 11x11 Gaussian windows "
+        "(sigma 1.5) of the luminance for a range of 1. Tolerances are named as idiff names them.\n"
+        "Exit code 0: the same, or within the tolerances; 1: not.",
+    .offset = offsetof(Compare, paths),
+    .least = 2,
+    .most = 2,
+    .expected = "two pictures",
 };
 
 /* --- results
@@ -235,7 +187,7 @@ static int compare_pair(const Compare *compare, Picture pictures[2])
 int cmd_compare(int argc, char **argv)
 {
     Compare compare = { .scale = 1 };
-    options_parse(&parser, argc, argv, &compare);
+    command_parse(&syntax, argc, argv, &compare);
     GpError error = { "" };
     if (compare.output && picture_check_path(compare.output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);

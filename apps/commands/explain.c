@@ -1,8 +1,8 @@
 /* glasspipe explain: which units every draw needs, and what its shaders cost. */
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/base/json.h"
 #include "apps/commands/shader_limits.h"
-#include "apps/commands/options.h"
 #include "apps/commands/pass_list.h"
 #include "apps/scene/scene.h"
 
@@ -14,42 +14,21 @@ typedef struct Explain {
     const char *scene;
 } Explain;
 
-static error_t parse_explain(int key, char *text, struct argp_state *state)
-{
-    Explain *explain = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case ARGP_KEY_ARG:
-        return options_positional(state, &explain->scene, 1, text);
-    case ARGP_KEY_END:
-        if (!explain->scene)
-            argp_error(state, "expected a scene file");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {
-    { &options_common, 0, NULL, 0 },
-    { NULL, 0, NULL, 0 },
-};
-
-static const struct argp parser = {
-    NULL,
-    parse_explain,
-    "SCENE.json",
-    "Examples:\n"
-    "  glasspipe explain scenes/bunny.json\n"
-    "  glasspipe explain scenes/bunny.json --json\n"
-    "\n"
-    "Tells for every draw of a scene which units of the pipeline run and which are skipped, and "
-    "what its shaders use of their profiles' limits.\v"
-    "Exit code 1: some shader exceeds its profile.",
-    children,
-    options_help,
-    NULL,
+static const CommandSyntax syntax = {
+    .shared = &options_common,
+    .arguments = "SCENE.json",
+    .help = "Examples:\n"
+            "  glasspipe explain scenes/bunny.json\n"
+            "  glasspipe explain scenes/bunny.json --json\n"
+            "\n"
+            "Tells for every draw of a scene which units of the pipeline run and which are "
+            "skipped, and "
+            "what its shaders use of their profiles' limits.\v"
+            "Exit code 1: some shader exceeds its profile.",
+    .offset = offsetof(Explain, scene),
+    .least = 1,
+    .most = 1,
+    .expected = "a scene file",
 };
 
 /* The lines of gp_needs_explain as an array of strings. */
@@ -159,7 +138,7 @@ static int explain_list(const Explain *explain, const GpList *list)
 int cmd_explain(int argc, char **argv)
 {
     Explain explain = { .scene = NULL };
-    options_parse(&parser, argc, argv, &explain);
+    command_parse(&syntax, argc, argv, &explain);
     Scene scene = { .picture = NULL };
     SceneOptions size = { 0, 0 };
     GpError error = { "" };

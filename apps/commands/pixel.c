@@ -1,9 +1,9 @@
 /* glasspipe pixel: the history of one pixel, from the clear to the stored value. */
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/pixel_json.h"
 #include "apps/commands/pixel_text.h"
 #include "apps/base/json.h"
-#include "apps/commands/options.h"
 #include "apps/frame/passes.h"
 #include "apps/scene/scene.h"
 
@@ -17,59 +17,41 @@ typedef struct Pixel {
     uint32_t x, y;
 } Pixel;
 
-enum { KEY_PASS = 0x200 };
-
-/* clang-format off */
-static const struct argp_option own_options[] = {
-    { "pass", KEY_PASS, "PASS", 0, "Follow the pixel through pass PASS (name or number) only "
-      "(default: through all passes of the picture's size)", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
+static const CommandOption options[] = {
+    { "pass", 0, "PASS",
+      "Follow the pixel through pass PASS (name or number) only "
+      "(default: through all passes of the picture's size)",
+      OPTION_TEXT, offsetof(Pixel, pass) },
+    { .name = NULL },
 };
-/* clang-format on */
 
-static error_t parse_pixel(int key, char *text, struct argp_state *state)
+static void read_place(struct argp_state *state, void *args)
 {
-    Pixel *pixel = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case KEY_PASS:
-        pixel->pass = text;
-        return 0;
-    case ARGP_KEY_ARG:
-        return options_positional(state, pixel->arguments, 3, text);
-    case ARGP_KEY_END:
-        if (!pixel->arguments[2])
-            argp_error(state, "expected a scene file, X and Y");
-        pixel->x = (uint32_t)options_number(state, "X", pixel->arguments[1], 0, INT32_MAX);
-        pixel->y = (uint32_t)options_number(state, "Y", pixel->arguments[2], 0, INT32_MAX);
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    Pixel *pixel = args;
+    pixel->x = (uint32_t)options_number(state, "X", pixel->arguments[1], 0, INT32_MAX);
+    pixel->y = (uint32_t)options_number(state, "Y", pixel->arguments[2], 0, INT32_MAX);
 }
 
-static const struct argp_child children[] = {
-    { &options_frame, 0, NULL, 0 },
-    { NULL, 0, NULL, 0 },
-};
-
-static const struct argp parser = {
-    own_options,
-    parse_pixel,
-    "SCENE.json X Y",
-    "Examples:\n"
-    "  glasspipe pixel scenes/bunny.json 256 200\n"
-    "  glasspipe pixel scenes/bunny.json 256 200 --json\n"
-    "  glasspipe pixel scenes/shadow.json 10 20 --pass 0\n"
-    "\n"
-    "Tells the history of one pixel: the clear, then every fragment that covers it, in order, with "
-    "what each unit of the pipeline saw and decided. X counts from the left, Y from the top, both "
-    "from 0.\v"
-    "Text shows six digits; --json shows the same, all floats exactly.",
-    children,
-    options_help,
-    NULL,
+static const CommandSyntax syntax = {
+    .shared = &options_frame,
+    .options = options,
+    .arguments = "SCENE.json X Y",
+    .help = "Examples:\n"
+            "  glasspipe pixel scenes/bunny.json 256 200\n"
+            "  glasspipe pixel scenes/bunny.json 256 200 --json\n"
+            "  glasspipe pixel scenes/shadow.json 10 20 --pass 0\n"
+            "\n"
+            "Tells the history of one pixel: the clear, then every fragment that covers it, in "
+            "order, with "
+            "what each unit of the pipeline saw and decided. X counts from the left, Y from the "
+            "top, both "
+            "from 0.\v"
+            "Text shows six digits; --json shows the same, all floats exactly.",
+    .offset = offsetof(Pixel, arguments),
+    .least = 3,
+    .most = 3,
+    .expected = "a scene file, X and Y",
+    .check = read_place,
 };
 
 /* What the trace's callback writes to. */
@@ -151,7 +133,7 @@ static int follow(const Pixel *pixel, const Scene *scene)
 int cmd_pixel(int argc, char **argv)
 {
     Pixel pixel = { .pass = NULL };
-    options_parse(&parser, argc, argv, &pixel);
+    command_parse(&syntax, argc, argv, &pixel);
     Scene scene = { .picture = NULL };
     SceneOptions size = { pixel.options.width, pixel.options.height };
     GpError error = { "" };

@@ -1,7 +1,7 @@
 /* glasspipe render: a scene by its passes, to a picture. */
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/base/json.h"
-#include "apps/commands/options.h"
 #include "apps/commands/output.h"
 #include "apps/commands/pass_list.h"
 #include "apps/frame/passes.h"
@@ -14,65 +14,36 @@ typedef struct Render {
     bool list_passes;
 } Render;
 
-enum { KEY_DUMP = 0x200, KEY_LIST_PASSES };
-
-/* clang-format off */
-static const struct argp_option own_options[] = {
-    { "output", 'o', "FILE", 0, "Write the picture to FILE: .png, .exr, .pfm or .ppm "
-      "(default: out/NAME.png where out/ exists, else NAME.png)", 0 },
-    { "dump", KEY_DUMP, "PASS", 0, "Write what pass PASS (name or number) left in its first "
-      "target; PASS.1, PASS.2, PASS.3 for the others, PASS.depth for its depth", 0 },
-    { "list-passes", KEY_LIST_PASSES, NULL, 0, "Print the passes instead of rendering", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
-};
-/* clang-format on */
-
-static error_t parse_render(int key, char *text, struct argp_state *state)
-{
-    Render *render = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case 'o':
-        render->output = text;
-        return 0;
-    case KEY_DUMP:
-        render->dump = text;
-        return 0;
-    case KEY_LIST_PASSES:
-        render->list_passes = true;
-        return 0;
-    case ARGP_KEY_ARG:
-        return options_positional(state, &render->scene, 1, text);
-    case ARGP_KEY_END:
-        if (!render->scene)
-            argp_error(state, "expected a scene file");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {
-    { &options_frame, 0, NULL, 0 },
-    { NULL, 0, NULL, 0 },
+static const CommandOption options[] = {
+    { "output", 'o', "FILE",
+      "Write the picture to FILE: .png, .exr, .pfm or .ppm "
+      "(default: out/NAME.png where out/ exists, else NAME.png)",
+      OPTION_TEXT, offsetof(Render, output) },
+    { "dump", 0, "PASS",
+      "Write what pass PASS (name or number) left in its first "
+      "target; PASS.1, PASS.2, PASS.3 for the others, PASS.depth for its depth",
+      OPTION_TEXT, offsetof(Render, dump) },
+    { "list-passes", 0, NULL, "Print the passes instead of rendering", OPTION_FLAG,
+      offsetof(Render, list_passes) },
+    { .name = NULL },
 };
 
-static const struct argp parser = {
-    own_options,
-    parse_render,
-    "SCENE.json",
-    "Examples:\n"
-    "  glasspipe render scenes/bunny.json\n"
-    "  glasspipe render scenes/bunny.json -o bunny.exr --size 1920x1080\n"
-    "  glasspipe render scenes/bunny.json --list-passes\n"
-    "  glasspipe render scenes/bunny.json --dump main.depth -o depth.pfm\n"
-    "\n"
-    "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
-    "With --json the frame is rendered a second time, which is the one that is timed.",
-    children,
-    options_help,
-    NULL,
+static const CommandSyntax syntax = {
+    .shared = &options_frame,
+    .options = options,
+    .arguments = "SCENE.json",
+    .help = "Examples:\n"
+            "  glasspipe render scenes/bunny.json\n"
+            "  glasspipe render scenes/bunny.json -o bunny.exr --size 1920x1080\n"
+            "  glasspipe render scenes/bunny.json --list-passes\n"
+            "  glasspipe render scenes/bunny.json --dump main.depth -o depth.pfm\n"
+            "\n"
+            "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
+            "With --json the frame is rendered a second time, which is the one that is timed.",
+    .offset = offsetof(Render, scene),
+    .least = 1,
+    .most = 1,
+    .expected = "a scene file",
 };
 
 /* --- rendering ------------------------------------------------------------------------------- */
@@ -110,7 +81,7 @@ static int list_passes(const Render *render, const GpList *list)
 int cmd_render(int argc, char **argv)
 {
     Render render = { .scene = NULL };
-    options_parse(&parser, argc, argv, &render);
+    command_parse(&syntax, argc, argv, &render);
 
     /* Everything that can be refused without reading the scene is refused first. */
     GpError error = { "" };
