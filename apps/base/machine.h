@@ -19,14 +19,14 @@ MachineLoad machine_load_begin(void);
  * not tell. */
 double machine_others(const MachineLoad *begin);
 
-/* Gives free memory back and forgets the peak so far, where the system can: else only scaling beyond
+/* Gives free memory back and forgets the peak so far, where the system can: else only growth beyond
  * it shows. */
 void machine_reset_peak(void);
 
 /* Memory in use at most, in megabytes. */
 double machine_peak_mb(void);
 
-/* What figures were measured on: "2 x Intel(R) Xeon(R) Processor, Linux x86_64". */
+/* What is measured on: "2 x Intel(R) Xeon(R) Processor, Linux x86_64". */
 void machine_describe(char *text, size_t size);
 
 #endif

@@ -16,7 +16,7 @@ typedef struct TechniqueCase {
 
 /* Checks a table, row by row; the truth is found once for rows of the same scene that follow each
  * other.
- * errors the first row that does not hold: GP_ERROR_INVALID, with its name and its figure; or what
+ * errors the first row that does not hold: GP_ERROR_INVALID, with its name and its metric; or what
  *        kept it from being measured. All rows that do not hold are printed, as TAP comments */
 GpResult technique_cases_check(const Technique *technique, const TechniqueCase *cases, size_t count,
                                GpError *error);
@@ -37,7 +37,7 @@ GpResult technique_stage_open(const Technique *technique, const char *scene, uin
 void technique_stage_close(TechniqueStage *stage); /* a zeroed one is fine */
 
 /* Draws with these options.
- * owns   the caller frees *work */
+ * owns   the caller frees *frame */
 GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Frame *frame,
                               GpError *error);
 

@@ -127,8 +127,13 @@ static void a_chart_that_cannot_be_written_is_an_error(void **state)
 
 /* --- reading ------------------------------------------------------------------------------------ */
 
-/* The good text with one part replaced must be refused with this message behind "FILE:". */
-static void refused(const char *part, const char *by, const char *expected)
+/* The good text with one part replaced is refused with this message behind "FILE:"; NULL: it is
+ * read. */
+typedef struct Refusal {
+    const char *part, *by, *expected;
+} Refusal;
+
+static bool is_refused(const Refusal *row)
 {
     static const char good[] =
         "{\"technique\": \"t\", \"title\": \"t\", \"scene\": \"s\", \"error_name\": \"e\",\n"
@@ -138,26 +143,27 @@ static void refused(const char *part, const char *by, const char *expected)
         "   \"cpu_ms\": 1.5, \"frames\": 5, \"error\": \"nan\", \"metrics\": [7], \"best\": "
         "true}]}\n";
     char text[2 * sizeof good + 256];
-    const char *place = strstr(good, part);
+    const char *place = strstr(good, row->part);
     assert_non_null(place);
-    snprintf(text, sizeof text, "%.*s%s%s", (int)(place - good), good, by, place + strlen(part));
+    snprintf(text, sizeof text, "%.*s%s%s", (int)(place - good), good, row->by,
+             place + strlen(row->part));
     Chart chart = { .count = 77 };
     GpError error = { "" };
     const char *path = put_text("c.json", text);
     GpResult result = chart_read(path, &chart, &error);
-    if (!expected) {
-        if (result)
-            fail_msg("%s", error.text);
-        assert_int_equal(chart.count, 1);
-        chart_free(&chart);
-        return;
+    if (!row->expected) {
+        const bool whole = !result && chart.count == 1;
+        if (!result)
+            chart_free(&chart);
+        return whole;
     }
-    assert_int_equal(result, GP_ERROR_FORMAT);
-    assert_int_equal(chart.count, 77);
-    assert_null(chart.points);
-    assert_memory_equal(error.text, path, strlen(path));
-    if (strcmp(error.text + strlen(path) + 1, expected) != 0)
-        fail_msg("'%s' instead of '%s'", error.text, expected);
+    const size_t length = strlen(path);
+    if (result == GP_ERROR_FORMAT && chart.count == 77 && !chart.points &&
+        strncmp(error.text, path, length) == 0 &&
+        strcmp(error.text + length + 1, row->expected) == 0)
+        return true;
+    print_error("'%s' instead of '%s'\n", error.text, row->expected);
+    return false;
 }
 
 static void files_that_are_no_charts_are_refused_with_their_line(void **state)
@@ -167,25 +173,31 @@ static void files_that_are_no_charts_are_refused_with_their_line(void **state)
     memset(long_text, 'x', sizeof long_text);
     memcpy(long_text, "\"method\": \"", 11);
     strcpy(long_text + sizeof long_text - 2, "\"");
-    refused("\"t\"", "\"t\"", NULL);
-    refused("\"title\": \"t\", ", "", "1: title: missing");
-    refused("\"s\"", "3", "1: scene: expected a string");
-    refused("[\"f\"]", "[]", "5: points[0].metrics: expected 0 numbers");
-    refused("[\"f\"]", "[2]", "2: metrics[0]: expected a string");
-    refused("\"threads\": 1", "\"threads\": -1",
-            "2: threads: expected a whole number in [0, 2147483647]");
-    refused("\"height\": 3", "\"height\": 3, \"depth\": 4", "3: depth: unknown key");
-    refused("\"method\": \"m\"", long_text, "4: points[0].method: expected at most 63 bytes");
-    refused("\"ms\": 1,", "", "4: points[0].ms: missing");
-    refused("\"nan\"", "\"none\"", "5: points[0].error: expected one of nan, inf, -inf");
-    refused("\"nan\"", "null", "5: points[0].error: expected a number in [-inf, inf]");
-    refused("[7]", "7", "5: points[0].metrics: expected an array");
-    refused("[7]", "[7, 8]", "5: points[0].metrics: expected 1 numbers");
-    refused("\"frames\": 5", "\"frames\": 5.5",
-            "5: points[0].frames: expected a whole number in [0, 4294967295]");
-    refused("true", "1", "5: points[0].best: expected true or false");
-    refused(", \"best\": true", "", "4: points[0].best: missing");
-    refused("}]}", "}, 4]}", "5: points[1]: expected an object");
+    const Refusal rows[] = {
+        { "\"t\"", "\"t\"", NULL },
+        { "\"title\": \"t\", ", "", "1: title: missing" },
+        { "\"s\"", "3", "1: scene: expected a string" },
+        { "[\"f\"]", "[]", "5: points[0].metrics: expected 0 numbers" },
+        { "[\"f\"]", "[2]", "2: metrics[0]: expected a string" },
+        { "\"threads\": 1", "\"threads\": -1",
+          "2: threads: expected a whole number in [0, 2147483647]" },
+        { "\"height\": 3", "\"height\": 3, \"depth\": 4", "3: depth: unknown key" },
+        { "\"method\": \"m\"", long_text, "4: points[0].method: expected at most 63 bytes" },
+        { "\"ms\": 1,", "", "4: points[0].ms: missing" },
+        { "\"nan\"", "\"none\"", "5: points[0].error: expected one of nan, inf, -inf" },
+        { "\"nan\"", "null", "5: points[0].error: expected a number in [-inf, inf]" },
+        { "[7]", "7", "5: points[0].metrics: expected an array" },
+        { "[7]", "[7, 8]", "5: points[0].metrics: expected 1 numbers" },
+        { "\"frames\": 5", "\"frames\": 5.5",
+          "5: points[0].frames: expected a whole number in [0, 4294967295]" },
+        { "true", "1", "5: points[0].best: expected true or false" },
+        { ", \"best\": true", "", "4: points[0].best: missing" },
+        { "}]}", "}, 4]}", "5: points[1]: expected an object" },
+    };
+    size_t refused = 0;
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        refused += is_refused(&rows[i]);
+    assert_int_equal(refused, GP_COUNT(rows));
     Chart chart = { .count = 77 };
     GpError error = { "" };
     assert_int_equal(chart_read(put_text("e.json", ""), &chart, &error), GP_ERROR_FORMAT);

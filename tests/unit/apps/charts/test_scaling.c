@@ -114,6 +114,7 @@ static void a_table_without_any_scene_fails(void **state)
 static void the_tables_of_techniques_are_whole(void **state)
 {
     (void)state;
+    int failed = 0;
     for (size_t i = 0; techniques[i]; i++) {
         const TechniqueScaling *scaling = techniques[i]->scaling;
         for (int p = 0; scaling && p < TECHNIQUE_PANELS; p++)
@@ -124,11 +125,14 @@ static void the_tables_of_techniques_are_whole(void **state)
                 GpError error = { "" };
                 assert_in_range(count, 1, 8);
                 for (size_t k = 0; k < count; k++)
-                    if (setting_parse(techniques[i]->fields, setting, options[k], &error))
-                        fail_msg("%s", error.text);
+                    if (setting_parse(techniques[i]->fields, setting, options[k], &error)) {
+                        print_error("%s\n", error.text);
+                        failed++;
+                    }
                 gp_free(setting);
             }
     }
+    assert_int_equal(failed, 0);
     assert_non_null(voxel_technique.scaling);
 }
 

@@ -220,16 +220,19 @@ static void stair_steps_shrink_with_texels(void **state)
     static const char *const maps[] = { "64", "128", "256", "512" };
     TechniqueStage stage = open_stage(things, 0, 0);
     double before = 0;
+    int failed = 0;
     for (size_t i = 0; i < GP_COUNT(maps); i++) {
         char options[64];
         strcpy(options, "--fit light --filter nearest --map ");
         strcat(options, maps[i]);
         double wrong = measure(&stage, options, "error"), ratio = before / wrong;
-        if (i > 0 && !(ratio > 1.3 && ratio < 2.7))
-            fail_msg("%s: %g wrong pixels, %g before: a ratio of %g", options, wrong, before,
-                     ratio);
         before = wrong;
+        if (i == 0 || (ratio > 1.3 && ratio < 2.7))
+            continue;
+        print_error("%s: %g wrong pixels, a ratio of %g\n", options, wrong, ratio);
+        failed++;
     }
+    assert_int_equal(failed, 0);
     technique_stage_close(&stage);
 }
 
@@ -245,7 +248,7 @@ static void soft_shadows_are_nearer_to_a_light_with_a_size(void **state)
     technique_stage_close(&stage);
 }
 
-/* A row that does not hold is told with its figure. */
+/* A row that does not hold is told with its metric. */
 static void a_table_can_fail(void **state)
 {
     (void)state;
@@ -258,7 +261,7 @@ static void a_table_can_fail(void **state)
     assert_int_equal(technique_cases_check(&shadow_technique, wrong, 2, &error), GP_ERROR_INVALID);
     assert_string_equal(error.text,
                         "does not: --fit light --map 64 --bias 1: acne is 0, not in [1, 9]");
-    const TechniqueCase unknown = { "no such figure", things, "", "rms", 0, 1e9 };
+    const TechniqueCase unknown = { "no such metric", things, "", "rms", 0, 1e9 };
     assert_int_equal(technique_cases_check(&shadow_technique, &unknown, 1, NULL), GP_ERROR_INVALID);
     const TechniqueCase broken = { "no such option", things, "--maps 3", "error", 0, 1e9 };
     assert_int_equal(technique_cases_check(&shadow_technique, &broken, 1, NULL), GP_ERROR_INVALID);
