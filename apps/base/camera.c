@@ -54,6 +54,12 @@ void vector_normalize(double v[3])
         v[i] /= length;
 }
 
+void matrix_round(double from[4][4], float to[4][4])
+{
+    for (int i = 0; i < 16; i++)
+        to[i / 4][i % 4] = (float)from[i / 4][i % 4];
+}
+
 void matrix_identity(double m[4][4])
 {
     memset(m, 0, 16 * sizeof(double));
@@ -161,9 +167,7 @@ void camera_matrix(const Camera *camera, double aspect, float world_to_clip[4][4
     camera_view(camera, view);
     camera_projection(camera, aspect, projection);
     matrix_multiply(projection, view, product);
-    for (int i = 0; i < 4; i++)
-        for (int j = 0; j < 4; j++)
-            world_to_clip[i][j] = (float)product[i][j];
+    matrix_round(product, world_to_clip);
 }
 
 CameraAxes camera_axes(const Camera *camera, double aspect)

@@ -37,6 +37,9 @@ CameraAxes camera_axes(const Camera *camera, double aspect);
 
 void matrix_identity(double m[4][4]);
 
+/* As programs take it. */
+void matrix_round(double from[4][4], float to[4][4]);
+
 /* out = a * b; out is neither of them. */
 void matrix_multiply(double a[4][4], double b[4][4], double out[4][4]);
 

@@ -5,7 +5,7 @@
 
 /* clang-format off */
 const BenchCase bench_cases[] = {
-    /* name, builder, variant, layers, primitives, flop, picture */
+    /* name, builder, variant, screens, primitives, flop, picture */
     { "clear", bench_build_fill, FILL_CLEAR, 1, 0, 0, NULL },
     { "fill", bench_build_fill, FILL_OPAQUE, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
     { "fill_nozs", bench_build_fill, FILL_NO_DEPTH, FILL_QUADS, 2 * FILL_QUADS, 0, NULL },
@@ -22,9 +22,9 @@ const BenchCase bench_cases[] = {
     { "grid_big", bench_build_lit, MODEL_TORUS, 0, 1e6, 0, NULL },
     { "grid_depth", bench_build_depth, MODEL_TORUS, 0, 1e6, 0, NULL },
     { "mrt4", bench_build_maps, 0, 0, BUNNY_TRIANGLES, 0, NULL },
-    { "shadow_hw", bench_build_shadow, SHADOW_COMPARE, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
-    { "shadow_near", bench_build_shadow, SHADOW_NEAREST, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
-    { "shadow_pcf4", bench_build_shadow, SHADOW_PCF, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
+    { "shadow_hw", bench_build_shadow, MAP_COMPARE, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
+    { "shadow_near", bench_build_shadow, MAP_NEAREST, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
+    { "shadow_pcf4", bench_build_shadow, MAP_PCF, 0, 2 * (BUNNY_TRIANGLES + 2), 0, NULL },
     { "points", bench_build_points, 0, 0, POINT_COUNT, 0, NULL },
     { "peel", bench_build_peel, 0, 0, (double)PEEL_LAYERS * PEEL_MODELS * TEAPOT_TRIANGLES, 0,
       NULL },
@@ -35,7 +35,7 @@ const BenchCase bench_cases[] = {
     { "discard_tex", bench_build_lookup, LOOKUP_DISCARD, LOOKUP_QUADS, 2 * LOOKUP_QUADS, 0, NULL },
     { "sheets", bench_build_sheets, 0, 0, (double)SHEET_COUNT * SHEET_POINTS, 0, NULL },
     { "small_draws", bench_build_small, 0, 0, 50 * SMALL_DRAWS, 0, NULL },
-    { "vox_add", bench_build_voxels, 0, 0, 2e6, 0, bench_show_voxels },
+    { "vox_add", bench_build_slabs, 0, 0, 2e6, 0, bench_show_slabs },
     { "voxel_conservative", bench_build_voxelize, VOXELIZE_CONSERVATIVE, 0, 73054, 0, NULL },
     { "voxel_thin", bench_build_voxelize, VOXELIZE_THIN, 0, 73008, 0, NULL },
     { "voxel_solid", bench_build_voxelize, VOXELIZE_SOLID, 0, 98100, 0, NULL },

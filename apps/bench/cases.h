@@ -2,8 +2,9 @@
  * and constants only, so that figures of different renderers compare.
  *
  * A case is built once into a list and then run again and again; each run clears what it draws to.
- * All cases but those of volumes draw what their namesakes of the peer programs draw: the same triangles to the same
- * pixels with the same arithmetic, in this project's spaces (0 <= z <= w, rows from the top).
+ * All cases but the last, of voxelization, draw what their namesakes of the peer programs draw: the
+ * same triangles to the same pixels with the same arithmetic, in this project's spaces (0 <= z <= w,
+ * rows from the top).
  */
 #ifndef APPS_BENCH_CASES_H
 #define APPS_BENCH_CASES_H
@@ -22,7 +23,7 @@ struct BenchCase {
     /* Errors: GP_ERROR_IO and the like where the case needs a file that is not there. */
     GpResult (*build)(const BenchCase *bench, Frame *frame, GpError *error);
     int variant;       /* the builder's own */
-    double layers;     /* full pictures drawn in a frame, for rates; 0: no fill rate */
+    double screens;    /* full pictures drawn in a frame, for rates; 0: no fill rate */
     double primitives; /* triangles or points in a frame, all passes */
     double flop;       /* per pixel; 0: not a case of arithmetic */
     /* Writes the picture as RGBA8, rows from the top; NULL: bench_show. */
@@ -51,11 +52,11 @@ typedef GpResult BenchBuild(const BenchCase *bench, Frame *frame, GpError *error
 
 BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_build_lookup;
 BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
-BenchBuild bench_build_small, bench_build_voxels;
+BenchBuild bench_build_small, bench_build_slabs;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
 BenchBuild bench_build_voxelize, bench_build_combine;
 
-void bench_show_voxels(const Frame *frame, uint8_t *rgba);
+void bench_show_slabs(const Frame *frame, uint8_t *rgba);
 
 /* What variants mean. */
 enum { FILL_CLEAR, FILL_OPAQUE, FILL_NO_DEPTH, FILL_BLEND, FILL_ADD_16F, FILL_ADD_32F };
@@ -63,7 +64,7 @@ enum { TEXTURE_BILINEAR, TEXTURE_TRILINEAR };
 enum { ARITHMETIC_LOOP, ARITHMETIC_FLAT, ARITHMETIC_MANDELBROT };
 enum { LOOKUP_DEPENDENT, LOOKUP_DISCARD };
 enum { MODEL_BUNNY, MODEL_BUNNY_CULLED, MODEL_TORUS };
-enum { SHADOW_COMPARE, SHADOW_NEAREST, SHADOW_PCF };
+enum { MAP_COMPARE, MAP_NEAREST, MAP_PCF };
 enum { VOXELIZE_CONSERVATIVE, VOXELIZE_THIN, VOXELIZE_SOLID, VOXELIZE_TWISTED, VOXELIZE_MILLION };
 enum { COMBINE_UNION, COMBINE_COLLISION };
 

@@ -25,14 +25,25 @@ const GpDepthState bench_depth_less = { .test = GP_LESS, .write = true };
 
 void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4])
 {
-    double identity[4][4], view[4][4], projection[4][4], to_eye[4][4], product[4][4];
-    matrix_identity(identity);
+    double view[4][4], projection[4][4], to_eye[4][4], product[4][4];
     camera_view(camera, view);
     camera_projection(camera, 1.0, projection);
-    matrix_multiply(view, world ? world : identity, to_eye);
+    matrix_multiply(view, world, to_eye);
     matrix_multiply(projection, to_eye, product);
-    for (int i = 0; i < 16; i++)
-        clip[i / 4][i % 4] = (float)product[i / 4][i % 4];
+    matrix_round(product, clip);
+}
+
+GpPass *bench_pass(Frame *frame, const char *name, GpFormat format)
+{
+    frame->color = frame_surface(frame, format, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
+    return frame_pass(frame, name, frame->color, frame->depth, bench_background);
+}
+
+GpDraw *bench_draw(Frame *frame, const GpProgram *program, const void *uniforms, size_t bytes,
+                   const GpGeometry *geometry)
+{
+    return frame_draw(frame, program, frame_copy(frame, uniforms, bytes), geometry);
 }
 
 /* --- quads --------------------------------------------------------------------------------------- */

@@ -1,4 +1,4 @@
-/* What the builders of benchmark cases share: matrices and generated data. */
+/* What the builders of benchmark cases share: matrices, passes and generated data. */
 #ifndef APPS_BENCH_DATA_H
 #define APPS_BENCH_DATA_H
 
@@ -7,9 +7,15 @@
 /* Nearer wins and stays. */
 extern const GpDepthState bench_depth_less;
 
-/* World to clip, or model to clip, in the uniforms' form; world NULL: identity. Pictures are
- * square. */
+/* Model to clip, for pictures that are square. */
 void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4]);
+
+/* A pass that clears the frame's picture, of this format, and its depth buffer, which it makes. */
+GpPass *bench_pass(Frame *frame, const char *name, GpFormat format);
+
+/* As frame_draw, with a copy of the uniforms. */
+GpDraw *bench_draw(Frame *frame, const GpProgram *program, const void *uniforms, size_t bytes,
+                   const GpGeometry *geometry);
 
 /* --- full-screen quads --------------------------------------------------------------------------- */
 

@@ -33,13 +33,12 @@ static void torus_world(double world[4][4])
     matrix_rotation((double[3]){ 1, 0, 0 }, 55, world);
 }
 
-static void to_float(double m[4][4], float out[4][4])
-{
-    for (int i = 0; i < 16; i++)
-        out[i / 4][i % 4] = (float)m[i / 4][i % 4];
-}
-
 /* --- one mesh ------------------------------------------------------------------------------------ */
+
+static const Camera *camera_of(const BenchCase *bench)
+{
+    return bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera;
+}
 
 /* The mesh of a case and its place in the world. */
 static GpResult choose_model(const BenchCase *bench, Frame *frame, GpGeometry *geometry,
@@ -61,14 +60,11 @@ GpResult bench_build_depth(const BenchCase *bench, Frame *frame, GpError *error)
     GpResult result = choose_model(bench, frame, &geometry, world, error);
     if (result)
         return result;
-    bench_matrix(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world,
-                 uniforms.mvp);
-
+    bench_matrix(camera_of(bench), world, uniforms.mvp);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "depth", NULL, frame->depth, NULL);
-    GpDraw *draw = frame_draw(frame, &depth_only_program,
-                              frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
-    draw->state.depth = bench_depth_less;
+    bench_draw(frame, &depth_only_program, &uniforms, sizeof uniforms, &geometry)->state.depth =
+        bench_depth_less;
     return frame_result(frame, error);
 }
 
@@ -81,7 +77,7 @@ static TwoSidedUniforms lit_by(const Camera *camera, double world[4][4])
                                   .specular = 0.35f,
                                   .shininess = 40 };
     bench_matrix(camera, world, uniforms.mvp);
-    to_float(world, uniforms.model);
+    matrix_round(world, uniforms.model);
     for (int i = 0; i < 3; i++)
         uniforms.eye[i] = (float)camera->eye[i];
     return uniforms;
@@ -94,14 +90,9 @@ GpResult bench_build_lit(const BenchCase *bench, Frame *frame, GpError *error)
     GpResult result = choose_model(bench, frame, &geometry, world, error);
     if (result)
         return result;
-    TwoSidedUniforms uniforms =
-        lit_by(bench->variant == MODEL_TORUS ? &torus_camera : &bunny_camera, world);
-
-    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    frame_pass(frame, "lit", frame->color, frame->depth, bench_background);
-    GpDraw *draw = frame_draw(frame, &two_sided_program,
-                              frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
+    TwoSidedUniforms uniforms = lit_by(camera_of(bench), world);
+    bench_pass(frame, "lit", GP_A8R8G8B8);
+    GpDraw *draw = bench_draw(frame, &two_sided_program, &uniforms, sizeof uniforms, &geometry);
     draw->state.depth = bench_depth_less;
     if (bench->variant == MODEL_BUNNY_CULLED)
         draw->state.raster.cull = GP_CULL_CW; /* outsides turn counter-clockwise */
@@ -116,18 +107,15 @@ GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
     if (result)
         return result;
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
-    bench_matrix(&bunny_camera, NULL, uniforms.mvp);
+    camera_matrix(&bunny_camera, 1, uniforms.mvp);
 
-    frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    GpPass *pass = frame_pass(frame, "maps", frame->color, frame->depth, bench_background);
+    GpPass *pass = bench_pass(frame, "maps", GP_A32B32G32R32F);
     for (int i = 1; i < GP_MAX_TARGETS; i++) {
         pass->color[i] = pass->color[0];
         pass->color[i].surface = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     }
-    GpDraw *draw = frame_draw(frame, &surface_maps_program,
-                              frame_copy(frame, &uniforms, sizeof uniforms), &bunny);
-    draw->state.depth = bench_depth_less;
+    bench_draw(frame, &surface_maps_program, &uniforms, sizeof uniforms, &bunny)->state.depth =
+        bench_depth_less;
     return frame_result(frame, error);
 }
 
@@ -147,15 +135,15 @@ static const struct {
     const GpProgram *program;
     GpSampler sampler;
 } shadows[] = {
-    [SHADOW_COMPARE] = { &two_sided_compare_program,
-                         { .min = GP_LINEAR,
-                           .mag = GP_LINEAR,
-                           .address_u = GP_CLAMP,
-                           .address_v = GP_CLAMP,
-                           .compare = true } },
-    [SHADOW_NEAREST] = { &two_sided_nearest_program,
-                         { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
-    [SHADOW_PCF] = { &two_sided_pcf_program, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
+    [MAP_COMPARE] = { &two_sided_compare_program,
+                      { .min = GP_LINEAR,
+                        .mag = GP_LINEAR,
+                        .address_u = GP_CLAMP,
+                        .address_v = GP_CLAMP,
+                        .compare = true } },
+    [MAP_NEAREST] = { &two_sided_nearest_program,
+                      { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
+    [MAP_PCF] = { &two_sided_pcf_program, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } },
 };
 
 GpResult bench_build_shadow(const BenchCase *bench, Frame *frame, GpError *error)
@@ -168,21 +156,19 @@ GpResult bench_build_shadow(const BenchCase *bench, Frame *frame, GpError *error
     double identity[4][4];
     matrix_identity(identity);
     DepthOnlyUniforms from_light;
-    bench_matrix(&light_camera, NULL, from_light.mvp);
+    camera_matrix(&light_camera, 1, from_light.mvp);
     TwoSidedUniforms lit = lit_by(&shadow_camera, identity);
     memcpy(lit.light_clip, from_light.mvp, sizeof lit.light_clip);
     lit.bias = 0.002f;
     lit.map_size = BENCH_SIZE;
 
     GpSurface *map = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "map", NULL, map, NULL);
     const void *uniforms = frame_copy(frame, &from_light, sizeof from_light);
     for (int i = 0; i < 2; i++)
         frame_draw(frame, &depth_only_program, uniforms, &geometry[i])->state.depth =
             bench_depth_less;
-    frame_pass(frame, "lit", frame->color, frame->depth, bench_background);
+    bench_pass(frame, "lit", GP_A8R8G8B8);
     uniforms = frame_copy(frame, &lit, sizeof lit);
     for (int i = 0; i < 2; i++) {
         GpDraw *draw = frame_draw(frame, shadows[bench->variant].program, uniforms, &geometry[i]);
@@ -211,37 +197,34 @@ GpResult bench_build_small(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     GpGeometry torus = bench_torus(frame, 5, 5);
-    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    frame_pass(frame, "small", frame->color, frame->depth, bench_background);
+    bench_pass(frame, "small", GP_A8R8G8B8);
     for (uint32_t i = 0; i < SMALL_DRAWS; i++) {
         PlacedUniforms uniforms = { .light = BENCH_LIGHT,
                                     .albedo = BENCH_ALBEDO,
                                     .ambient = BENCH_AMBIENT };
-        bench_matrix(&small_camera, NULL, uniforms.mvp);
+        camera_matrix(&small_camera, 1, uniforms.mvp);
         place_small(i, uniforms.place);
-        frame_draw(frame, &placed_program, frame_copy(frame, &uniforms, sizeof uniforms), &torus)
-            ->state.depth = bench_depth_less;
+        bench_draw(frame, &placed_program, &uniforms, sizeof uniforms, &torus)->state.depth =
+            bench_depth_less;
     }
     return frame_result(frame, error);
 }
 
-/* --- voxels -------------------------------------------------------------------------------------- */
+/* --- slabs of voxels -------------------------------------------------------------------------------------- */
 
 static const Camera voxel_camera = {
     .eye = { 0, 0, 1.15 }, .up = { 0, 1, 0 }, .height = 2.6, .near = 0.5, .far = 1.8
 };
 
-GpResult bench_build_voxels(const BenchCase *bench, Frame *frame, GpError *error)
+GpResult bench_build_slabs(const BenchCase *bench, Frame *frame, GpError *error)
 {
     (void)bench;
     GpGeometry torus = big_torus(frame);
     for (int half = 0; half < 2; half++) {
         SlabBitsUniforms uniforms = { .first_slab = (float)(4 * half) };
-        bench_matrix(&voxel_camera, NULL, uniforms.mvp);
+        camera_matrix(&voxel_camera, 1, uniforms.mvp);
         GpPass *pass = frame_pass(frame, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
-        GpDraw *draw = frame_draw(frame, &slab_bits_program,
-                                  frame_copy(frame, &uniforms, sizeof uniforms), &torus);
+        GpDraw *draw = bench_draw(frame, &slab_bits_program, &uniforms, sizeof uniforms, &torus);
         for (int i = 0; i < GP_MAX_TARGETS; i++) {
             GpSurface *slab =
                 frame_surface(frame, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
@@ -254,7 +237,7 @@ GpResult bench_build_voxels(const BenchCase *bench, Frame *frame, GpError *error
 }
 
 /* Red and green: bits set in the column's nearer and farther half; blue: the sum of its bytes. */
-void bench_show_voxels(const Frame *frame, uint8_t *rgba)
+void bench_show_slabs(const Frame *frame, uint8_t *rgba)
 {
     for (uint32_t i = 0; i < BENCH_SMALL_SIZE * BENCH_SMALL_SIZE; i++) {
         uint8_t *pixel = rgba + 4 * (size_t)i, code[4];

@@ -6,14 +6,6 @@
 #include "shaders_c/bench/lookup.h"
 #include "shaders_c/bench/scaled_color.h"
 
-/* One pass over an eight-bit target with a depth buffer. */
-static void begin_screen(Frame *frame)
-{
-    frame->color = frame_surface(frame, GP_A8R8G8B8, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
-    frame_pass(frame, "screen", frame->color, frame->depth, bench_background);
-}
-
 /* --- fill ---------------------------------------------------------------------------------------- */
 
 typedef struct Fill {
@@ -58,8 +50,7 @@ GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
 
     ScaledColorUniforms uniforms = { .scale = fill->scale };
     GpGeometry quads = bench_quads(frame, FILL_QUADS, GP_COLOR, bench_corner_color);
-    GpDraw *draw = frame_draw(frame, &scaled_color_program,
-                              frame_copy(frame, &uniforms, sizeof uniforms), &quads);
+    GpDraw *draw = bench_draw(frame, &scaled_color_program, &uniforms, sizeof uniforms, &quads);
     draw->state.blend[0] = fill->blend;
     return frame_result(frame, error);
 }
@@ -69,7 +60,7 @@ GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
 GpResult bench_build_texture(const BenchCase *bench, Frame *frame, GpError *error)
 {
     bool mips = bench->variant == TEXTURE_TRILINEAR;
-    begin_screen(frame);
+    bench_pass(frame, "screen", GP_A8R8G8B8);
     GpGeometry quads = bench_quads(frame, TEXTURE_QUADS, GP_TEXCOORD0,
                                    mips ? bench_corner_rotated : bench_corner_shifted);
     GpDraw *draw = frame_draw(frame, &blit_program, NULL, &quads);
@@ -93,7 +84,7 @@ static void corner_nearer(int quad, int corner, BenchCorner *out)
 GpResult bench_build_lookup(const BenchCase *bench, Frame *frame, GpError *error)
 {
     bool dependent = bench->variant == LOOKUP_DEPENDENT;
-    begin_screen(frame);
+    bench_pass(frame, "screen", GP_A8R8G8B8);
     GpGeometry quads = bench_quads(frame, LOOKUP_QUADS, GP_TEXCOORD0,
                                    dependent ? bench_corner_shifted : corner_nearer);
     GpDraw *draw = frame_draw(frame, dependent ? &lookup_program : &cut_out_program, NULL, &quads);
@@ -119,7 +110,7 @@ GpResult bench_build_arithmetic(const BenchCase *bench, Frame *frame, GpError *e
         [ARITHMETIC_FLAT] = &mad_flat_program,
         [ARITHMETIC_MANDELBROT] = &mandelbrot_program,
     };
-    begin_screen(frame);
+    bench_pass(frame, "screen", GP_A8R8G8B8);
     GpGeometry quad = bench_quads(frame, 1, GP_TEXCOORD0, bench_corner_plain);
     frame_draw(frame, programs[bench->variant], &uniforms, &quad);
     return frame_result(frame, error);

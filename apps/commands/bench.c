@@ -207,8 +207,8 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
         (int)height, "ms", times->frames.ms, "min_ms", times->frames.min_ms, "cpu_ms",
         times->frames.cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
         (json_int_t)times->frames.frames, "setup_ms", times->setup_ms);
-    if (drawn->layers > 0)
-        json_object_set_new(object, "mpix", json_real(drawn->layers * megapixels));
+    if (drawn->screens > 0)
+        json_object_set_new(object, "mpix", json_real(drawn->screens * megapixels));
     if (drawn->primitives > 1000)
         json_object_set_new(object, "mprim", json_real(drawn->primitives * 1e-6));
     if (drawn->flop > 0)

@@ -107,7 +107,7 @@ static void read_shadow(Node node, const SceneLight *light, SceneShadow *shadow)
     Node format = node_member(&node, "format");
     static const char *const format_names[] = { "auto", "d16", "d24", "d32f" };
     static const GpFormat formats[] = { GP_FORMAT_NONE, GP_D16, GP_D24S8, GP_D32F };
-    *shadow = (SceneShadow){ .wanted = node_exists(&node), .up = { 0, 1, 0 } };
+    *shadow = (SceneShadow){ .up = { 0, 1, 0 } };
     node_doubles(&up, shadow->up, 3, -1e6, 1e6);
     shadow->fovy = node_double(&fovy, 0, 1, 170);
     shadow->height = node_double(&height, 0, 1e-6, 1e6);

@@ -13,9 +13,8 @@ typedef struct SceneOptions {
 
 /* What a light's shadow map shall see and be; zero where the scene leaves it to the technique. */
 typedef struct SceneShadow {
-    bool wanted;
     double up[3];
-    double fovy;      /* degrees; 0: the cone's, or all six sides of the light */
+    double fovy;      /* degrees; 0: the cone's, or a quarter turn */
     double height;    /* of a direction's wall of rays, world units; 0: as the scene needs */
     double near, far; /* far 0: both as the scene needs */
     uint32_t map;     /* texels a side */

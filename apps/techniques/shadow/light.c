@@ -9,12 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static void round_matrix(double from[4][4], float to[4][4])
-{
-    for (int i = 0; i < 16; i++)
-        to[i / 4][i % 4] = (float)from[i / 4][i % 4];
-}
-
 /* --- the bias --------------------------------------------------------------------------------- */
 
 /* Slope and bias are as given or, where they are to be chosen, chosen: see SHADOW_AUTO. An offset is
@@ -130,7 +124,7 @@ ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source)
     for (int face = 0; face < faces; face++) {
         GpViewport viewport = map_viewport(&light, face);
         float clip[4][4];
-        round_matrix(light.view[face].clip, clip);
+        matrix_round(light.view[face].clip, clip);
         const void *uniforms = frame_copy(build->frame, clip, sizeof clip);
         for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++)
             shadow_draw_caster(build, &light, i, uniforms, &viewport, light.cube);
@@ -154,7 +148,7 @@ static void map_matrix(const ShadowBuild *build, const ShadowLight *light, float
     memcpy(scale, to_texture, sizeof scale);
     memcpy(clip, light->view[0].clip, sizeof clip);
     matrix_multiply(scale, clip, product);
-    round_matrix(product, map);
+    matrix_round(product, map);
 }
 
 static void set_light(const ShadowBuild *build, const ShadowLight *light, ShadowUniforms *uniforms)
@@ -165,7 +159,7 @@ static void set_light(const ShadowBuild *build, const ShadowLight *light, Shadow
     double axis[3], clip[4][4], near = view->near, far = view->far;
     memcpy(clip, view->clip, sizeof clip);
     if (setting->method == SHADOW_PLAIN)
-        round_matrix(clip, uniforms->map);
+        matrix_round(clip, uniforms->map);
     else
         map_matrix(build, light, uniforms->map);
     for (int k = 0; k < 3; k++) {

@@ -79,8 +79,8 @@ static void print_line(const char *renderer, int threads, const BenchCase *drawn
            bench_picture_hash(picture->rgba, picture->width, picture->height), timing->frames);
     if (timing->others >= 0)
         printf(",\"others\":%.2f", timing->others);
-    if (drawn->layers > 0)
-        printf(",\"mpix\":%.2f", drawn->layers * megapixels);
+    if (drawn->screens > 0)
+        printf(",\"mpix\":%.2f", drawn->screens * megapixels);
     if (drawn->primitives > 1000)
         printf(",\"mprim\":%.4f", drawn->primitives * 1e-6);
     if (drawn->flop > 0)

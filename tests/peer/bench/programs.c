@@ -5,7 +5,7 @@
 #include "shaders_c/bench/arithmetic.h"
 #include "shaders_c/common/blit.h"
 #include "shaders_c/common/depth_only.h"
-#include "shaders_c/bench/layers.h"
+#include "shaders_c/bench/peeling.h"
 #include "shaders_c/bench/lookup.h"
 #include "shaders_c/bench/placed.h"
 #include "shaders_c/bench/scaled_color.h"

@@ -261,7 +261,7 @@ static void interpolated_depth_is_the_depth_buffers(void **state)
     };
     Frame frame = { .color = NULL };
     SurfaceMapsUniforms uniforms = { .light = BENCH_LIGHT, .albedo = BENCH_ALBEDO };
-    bench_matrix(&camera, NULL, uniforms.mvp);
+    camera_matrix(&camera, 1, uniforms.mvp);
     GpGeometry torus = bench_torus(&frame, 60, 30);
     GpSurface *depth = frame_surface(&frame, GP_D32F, size, size, 1);
     GpSurface *targets[GP_MAX_TARGETS];

@@ -1,7 +1,7 @@
-/* Benchmark cases of points and of layers: sprites, sheets, depth peeling. */
+/* Benchmark cases of what is blended: sprites, sheets of them, peeled layers. */
 #include "apps/bench/data.h"
 
-#include "shaders_c/bench/layers.h"
+#include "shaders_c/bench/peeling.h"
 #include "shaders_c/bench/soft_sprite.h"
 #include "shaders_c/common/texel_copy.h"
 
@@ -40,13 +40,12 @@ GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error
                                     .ambient = 0.2f,
                                     .size = 6,
                                     .opacity = 1.0f / 16 };
-    bench_matrix(&camera, NULL, uniforms.mvp);
+    camera_matrix(&camera, 1, uniforms.mvp);
     GpGeometry points = bench_points(sphere_positions(frame), POINT_COUNT);
 
     frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "points", frame->color, NULL, bench_black);
-    GpDraw *draw = frame_draw(frame, &soft_sprite_program,
-                              frame_copy(frame, &uniforms, sizeof uniforms), &points);
+    GpDraw *draw = bench_draw(frame, &soft_sprite_program, &uniforms, sizeof uniforms, &points);
     draw->state.blend[0] = add_blend;
     return frame_result(frame, error);
 }
@@ -114,8 +113,7 @@ static PeelUniforms peel_model(int i)
     for (int k = 0; k < 9; k++)
         world[k / 3][k % 3] *= scale;
     bench_matrix(&camera, world, uniforms.mvp);
-    for (int k = 0; k < 16; k++)
-        uniforms.model[k / 4][k % 4] = (float)world[k / 4][k % 4];
+    matrix_round(world, uniforms.model);
     return uniforms;
 }
 

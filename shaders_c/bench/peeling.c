@@ -3,7 +3,7 @@
  * images", SIGGRAPH 1984. */
 #include "shaders_c/common/mesh_shared.h"
 #include "shaders_c/common/quad_shared.h"
-#include "shaders_c/bench/layers.h"
+#include "shaders_c/bench/peeling.h"
 
 /* --- peeling ---------------------------------------------------------------------------------- */
 

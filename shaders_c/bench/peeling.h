@@ -1,6 +1,6 @@
 /* Transparent layers by depth peeling, and how they are put together. */
-#ifndef SHADERS_LAYERS_H
-#define SHADERS_LAYERS_H
+#ifndef SHADERS_PEELING_H
+#define SHADERS_PEELING_H
 
 #include "pipeline/shader/program.h"
 
