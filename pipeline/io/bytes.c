@@ -1,7 +1,5 @@
 #include "pipeline/io/bytes.h"
 
-#include <string.h>
-
 uint64_t gp_load_little(const void *bytes, size_t size)
 {
     const unsigned char *at = bytes;
@@ -34,21 +32,16 @@ void gp_copy_samples(void *out, const void *in, size_t count, size_t size, bool 
             to[byte] = from[size - 1 - byte];
 }
 
-void gp_bytes_append(GpBytes *bytes, const void *data, size_t size)
+bool gp_bytes_reserve(GpBytes *bytes, size_t size)
 {
-    if (bytes->failed)
-        return;
-    if (size > bytes->room - bytes->size) {
-        size_t room = 2 * bytes->room + size + 4096;
-        char *grown = gp_alloc(room, 1);
-        if (grown && bytes->size > 0)
-            memcpy(grown, bytes->data, bytes->size);
-        gp_free(bytes->data);
-        *bytes = grown ? (GpBytes){ .data = grown, .size = bytes->size, .room = room }
-                       : (GpBytes){ .failed = true };
-        if (!grown)
-            return;
-    }
-    memcpy(bytes->data + bytes->size, data, size);
-    bytes->size += size;
+    if (bytes->failed || size <= bytes->room - bytes->size)
+        return !bytes->failed;
+    size_t room = 2 * bytes->room + size + 4096;
+    char *grown = gp_alloc(room, 1);
+    if (grown && bytes->size > 0)
+        memcpy(grown, bytes->data, bytes->size);
+    gp_free(bytes->data);
+    *bytes = grown ? (GpBytes){ .data = grown, .size = bytes->size, .room = room }
+                   : (GpBytes){ .failed = true };
+    return grown != NULL;
 }

@@ -4,6 +4,8 @@
 
 #include "pipeline/base/base.h"
 
+#include <string.h>
+
 /* Unsigned integers of size 1, 2, 4 or 8 bytes at any alignment. */
 uint64_t gp_load_little(const void *bytes, size_t size);
 uint64_t gp_load_big(const void *bytes, size_t size);
@@ -20,6 +22,15 @@ typedef struct GpBytes {
     bool failed;
 } GpBytes;
 
-void gp_bytes_append(GpBytes *bytes, const void *data, size_t size);
+/* Makes room for `size` more bytes; false where there is none. */
+bool gp_bytes_reserve(GpBytes *bytes, size_t size);
+
+static inline void gp_bytes_append(GpBytes *bytes, const void *data, size_t size)
+{
+    if (size > bytes->room - bytes->size && !gp_bytes_reserve(bytes, size))
+        return;
+    memcpy(bytes->data + bytes->size, data, size);
+    bytes->size += size;
+}
 
 #endif

@@ -5,7 +5,7 @@
  * A check walks over every byte that will be read, knows afterwards how many vertices and faces
  * must arrive, and refuses the rest with the place and the reason. Valid files that OpenMesh would
  * misread are brought into a form that it reads right: by blanking (OFF comments and face colours,
- * OBJ materials) or, PLY only, by writing the same mesh again in the plainest form.
+ * OBJ materials) or, every PLY file, by writing the same mesh again in the plainest form.
  */
 #ifndef GP_IO_MESH_CHECK_H
 #define GP_IO_MESH_CHECK_H

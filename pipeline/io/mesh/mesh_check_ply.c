@@ -1,7 +1,7 @@
-/* The body of a PLY file: every value is read once, and written again where OpenMesh 9 would
- * misread the file. It knows no lists beside the corners of faces (which it then takes for single
- * values), no binary coordinates but float, no colours but bytes, no short indices; floating-point
- * colours out of range are undefined behaviour. What gp_ply_header calls plain is none of these. */
+/* The body of a PLY file: every value is read once, and written again in the plainest form, since
+ * OpenMesh 9 misreads many files. It knows no lists beside the corners of faces (which it then takes
+ * for single values), no binary coordinates but float, no colours but bytes, no short indices;
+ * floating-point colours out of range are undefined behaviour. */
 #include "pipeline/io/bytes.h"
 #include "pipeline/io/mesh/mesh_ply.h"
 #include "pipeline/io/mesh/mesh_text.h"
@@ -16,7 +16,7 @@ typedef struct Walk {
     const PlyHeader *header;
     GpText text;       /* next and number, in binary files next only */
     const char *place; /* of the value read last, for messages */
-    GpBytes *out;      /* NULL for plain files */
+    GpBytes out;       /* the plain file */
     GpError *error;
     const PlyElement *element; /* the present one, for messages */
     size_t item;
@@ -136,8 +136,7 @@ static GpResult check_corners(Walk *walk, const PlyProperty *property)
         return result;
     if (length < 3)
         return fail(walk, "3 or more corners");
-    if (walk->out)
-        put_little(walk->out, (uint32_t)length);
+    put_little(&walk->out, (uint32_t)length);
     for (size_t i = 0; i < length; i++) {
         double index;
         result = read_value(walk, property->type, &index);
@@ -149,8 +148,7 @@ static GpResult check_corners(Walk *walk, const PlyProperty *property)
                      walk->source->vertex_count, index);
             return fail(walk, expected);
         }
-        if (walk->out)
-            put_little(walk->out, (uint32_t)index);
+        put_little(&walk->out, (uint32_t)index);
     }
     return GP_OK;
 }
@@ -189,12 +187,11 @@ static GpResult check_vertex(Walk *walk)
         if (result != GP_OK)
             return result;
     }
-    for (int role = 0; role < PLY_RED && walk->out; role++) {
+    for (int role = 0; role < PLY_RED; role++)
         if (walk->header->has[role])
-            put_little(walk->out, gp_float_bits(value[role]));
-    }
-    if (walk->out && walk->header->has[PLY_RED])
-        gp_bytes_append(walk->out, color, 4);
+            put_little(&walk->out, gp_float_bits(value[role]));
+    if (walk->header->has[PLY_RED])
+        gp_bytes_append(&walk->out, color, 4);
     return GP_OK;
 }
 
@@ -265,23 +262,19 @@ GpResult gp_mesh_check_ply(GpMeshSource *source, GpError *error)
     source->has_texcoords = header.has[PLY_U];
     source->has_colors = header.has[PLY_RED];
 
-    GpBytes out = { .data = NULL };
     Walk walk = { .source = source, .header = &header, .error = error };
     size_t before = (size_t)(header.body - source->file.data);
     walk.text = gp_text_begin(source->path, header.body, source->file.size - before, error);
     walk.text.number = header.lines + 1;
-    if (!header.is_plain) {
-        walk.out = &out;
-        put_header(&out, source);
-    }
+    put_header(&walk.out, source);
     result = walk_body(&walk);
-    if (result == GP_OK && out.failed)
+    if (result == GP_OK && walk.out.failed)
         result = gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for its plain form", source->path);
     if (result != GP_OK) {
-        gp_free(out.data);
-    } else if (walk.out) {
-        gp_file_free(&source->file);
-        source->file = (GpFile){ .data = out.data, .size = out.size };
+        gp_free(walk.out.data);
+        return result;
     }
-    return result;
+    gp_file_free(&source->file);
+    source->file = (GpFile){ .data = walk.out.data, .size = walk.out.size };
+    return GP_OK;
 }

@@ -18,31 +18,30 @@ static const struct {
     [PLY_FLOAT64] = { .name = "double", .other_name = "float64", .size = 8 },
 };
 
-/* Names of the vertex properties in use; is_known says whether OpenMesh knows the name too. */
+/* Names of the vertex properties in use. */
 static const struct {
     const char *name;
     PlyRole role;
-    bool is_known;
 } vertex_names[] = {
-    { "x", PLY_X, true },
-    { "y", PLY_Y, true },
-    { "z", PLY_Z, true },
-    { "nx", PLY_NX, true },
-    { "ny", PLY_NY, true },
-    { "nz", PLY_NZ, true },
-    { "u", PLY_U, true },
-    { "v", PLY_V, true },
-    { "s", PLY_U, true },
-    { "t", PLY_V, true },
-    { "texture_u", PLY_U, false },
-    { "texture_v", PLY_V, false },
-    { "red", PLY_RED, true },
-    { "green", PLY_GREEN, true },
-    { "blue", PLY_BLUE, true },
-    { "alpha", PLY_ALPHA, true },
-    { "diffuse_red", PLY_RED, true },
-    { "diffuse_green", PLY_GREEN, true },
-    { "diffuse_blue", PLY_BLUE, true },
+    { "x", PLY_X },
+    { "y", PLY_Y },
+    { "z", PLY_Z },
+    { "nx", PLY_NX },
+    { "ny", PLY_NY },
+    { "nz", PLY_NZ },
+    { "u", PLY_U },
+    { "v", PLY_V },
+    { "s", PLY_U },
+    { "t", PLY_V },
+    { "texture_u", PLY_U },
+    { "texture_v", PLY_V },
+    { "red", PLY_RED },
+    { "green", PLY_GREEN },
+    { "blue", PLY_BLUE },
+    { "alpha", PLY_ALPHA },
+    { "diffuse_red", PLY_RED },
+    { "diffuse_green", PLY_GREEN },
+    { "diffuse_blue", PLY_BLUE },
 };
 
 size_t gp_ply_size(PlyType type)
@@ -114,37 +113,19 @@ static GpResult parse_element(const GpMeshSource *source, PlyHeader *header, GpT
     return GP_OK;
 }
 
-/* Gives a property its role; everything that OpenMesh would take in another way is not plain. */
+/* Gives a property its role; the first of several of one role counts. */
 static void assign_role(PlyHeader *header, PlyKind kind, const GpWord *name, PlyProperty *property)
 {
-    property->role = PLY_IGNORED;
-    PlyType unused;
-    bool is_known = !find_type(name, &unused); /* OpenMesh also takes "property NAME TYPE" */
-    bool is_ascii = header->encoding == PLY_ASCII;
     if (kind == PLY_VERTEX && !property->is_list) {
-        for (size_t i = 0; i < GP_COUNT(vertex_names); i++) {
-            if (!gp_word_is(name, vertex_names[i].name))
-                continue;
-            is_known = vertex_names[i].is_known && !header->has[vertex_names[i].role];
-            if (!header->has[vertex_names[i].role])
+        for (size_t i = 0; i < GP_COUNT(vertex_names); i++)
+            if (gp_word_is(name, vertex_names[i].name) && !header->has[vertex_names[i].role])
                 property->role = vertex_names[i].role;
-        }
-        if (property->role >= PLY_RED && property->role <= PLY_ALPHA)
-            is_known = is_known && property->type == PLY_UINT8;
-        else if (property->role != PLY_IGNORED)
-            is_known = is_known && (is_ascii || property->type == PLY_FLOAT32);
-    } else if (kind == PLY_FACE) {
-        bool is_corners = gp_word_is(name, "vertex_indices") || gp_word_is(name, "vertex_index");
-        if (is_corners && property->is_list && !header->has[PLY_CORNERS])
+    } else if (kind == PLY_FACE && property->is_list && !header->has[PLY_CORNERS]) {
+        if (gp_word_is(name, "vertex_indices") || gp_word_is(name, "vertex_index"))
             property->role = PLY_CORNERS;
-        is_known = property->role == PLY_CORNERS && property->count_type == PLY_UINT8 &&
-                   (property->type == PLY_INT32 || property->type == PLY_UINT32);
-    } else if (property->is_list) {
-        is_known = false;
     }
     if (property->role != PLY_IGNORED)
         header->has[property->role] = true;
-    header->is_plain = header->is_plain && is_known;
 }
 
 static GpResult parse_property(PlyHeader *header, GpText *text)
@@ -170,7 +151,7 @@ static GpResult parse_property(PlyHeader *header, GpText *text)
     return GP_OK;
 }
 
-/* A group counts only when it is complete: else its members are ignored, and the file not plain. */
+/* A group counts only when it is complete: else its members are ignored. */
 static bool complete(PlyHeader *header, PlyRole first, PlyRole last)
 {
     bool all = true, any = false;
@@ -179,7 +160,6 @@ static bool complete(PlyHeader *header, PlyRole first, PlyRole last)
         any = any || header->has[role];
     }
     if (any && !all) {
-        header->is_plain = false;
         for (size_t i = 0; i < header->property_count; i++) {
             if (header->property[i].role >= first && header->property[i].role <= last)
                 header->property[i].role = PLY_IGNORED;
@@ -215,21 +195,18 @@ GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *e
     char *begin = source->file.data;
     GpText text = gp_text_begin(source->path, begin, source->file.size, error);
     GpWord word = { .text = NULL, .size = 0 };
-    *header = (PlyHeader){ .is_plain = true };
+    *header = (PlyHeader){ .element_count = 0 };
     bool is_magic = gp_text_line(&text) && gp_text_word(&text, &word) && gp_word_is(&word, "ply");
     if (!is_magic || word.text != begin)
         return gp_fail(error, GP_ERROR_FORMAT, "%s: line 1: expected 'ply'", source->path);
 
     GpResult result = parse_format(header, &text);
-    bool after_comment = false; /* OpenMesh then starts one byte late in a binary body */
     while (result == GP_OK) {
         if (!gp_text_line(&text) || !gp_text_word(&text, &word))
             return fail(&text, "'end_header', but the file ends");
         if (gp_word_is(&word, "end_header"))
             break;
         bool is_comment = gp_word_is(&word, "comment"), is_info = gp_word_is(&word, "obj_info");
-        after_comment = is_comment;
-        header->is_plain = header->is_plain && !is_info;
         if (gp_word_is(&word, "element"))
             result = parse_element(source, header, &text);
         else if (gp_word_is(&word, "property"))
@@ -246,13 +223,5 @@ GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *e
 
     header->body = text.line_end + 1;
     header->lines = text.number;
-    /* OpenMesh counts bytes around the last header lines: any unusual white space misleads it. */
-    for (const char *at = begin; at < header->body; at++) {
-        bool is_double = *at <= ' ' && (at[1] == ' ' || (*at != '\n' && at[1] == '\n'));
-        bool is_odd_line = *at == '\n' && (at[1] == '\n' || at[1] == '#');
-        if (is_double || is_odd_line || *at == '\r' || *at == '\t')
-            header->is_plain = header->is_plain && at + 1 == header->body;
-    }
-    header->is_plain = header->is_plain && !after_comment;
     return finish(header, &text);
 }

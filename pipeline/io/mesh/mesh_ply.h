@@ -59,7 +59,6 @@ typedef struct PlyHeader {
     PlyProperty property[128];
     size_t element_count, property_count;
     bool has[PLY_IGNORED]; /* roles that occur; incomplete groups are already made PLY_IGNORED */
-    bool is_plain;         /* OpenMesh reads the body right as it stands */
     char *body;            /* first byte after the header */
     size_t lines;          /* of the header */
 } PlyHeader;
