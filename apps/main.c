@@ -1,6 +1,8 @@
 /* The program `glasspipe`: finds the subcommand and makes sure that its output arrived. */
 #include "apps/commands/commands.h"
 #include "apps/commands/options.h"
+#include "apps/commands/technique_command.h"
+#include "apps/techniques/registry.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -21,11 +23,14 @@ static const Command commands[] = {
     { "compare", cmd_compare, "A B", "compare two pictures" },
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
-    { "voxelize", cmd_voxelize, "MESH", "a mesh as a volume, its surface or its inside" },
-    { "shadow", cmd_shadow, "SCENE.json", "a scene under shadow maps" },
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
 };
+
+static void print_line(FILE *file, const char *name, const char *arguments, const char *summary)
+{
+    fprintf(file, "  %-8s %-15s %s\n", name, arguments, summary);
+}
 
 static void print_help(FILE *file)
 {
@@ -41,8 +46,9 @@ static void print_help(FILE *file)
           "Commands:\n",
           file);
     for (size_t i = 0; i < GP_COUNT(commands); i++)
-        fprintf(file, "  %-8s %-15s %s\n", commands[i].name, commands[i].arguments,
-                commands[i].summary);
+        print_line(file, commands[i].name, commands[i].arguments, commands[i].summary);
+    for (const Technique *const *one = technique_registry; *one; one++)
+        print_line(file, (*one)->name, (*one)->arguments, (*one)->summary);
     fputs("  help     [COMMAND]       this help, or a command's\n"
           "\n"
           "  -h, --help                 this help; after a command, its options\n"
@@ -77,36 +83,41 @@ static size_t edit_distance(const char *a, const char *b)
     return row[length];
 }
 
-static const Command *find_command(const char *name)
+/* The i'th name of a command; NULL behind the last. */
+static const char *command_name(size_t i)
 {
-    for (size_t i = 0; i < GP_COUNT(commands); i++)
-        if (strcmp(commands[i].name, name) == 0)
-            return &commands[i];
-    return NULL;
+    if (i < GP_COUNT(commands))
+        return commands[i].name;
+    const Technique *const technique = technique_registry[i - GP_COUNT(commands)];
+    return technique ? technique->name : NULL;
 }
 
 static int unknown_command(const char *name)
 {
-    const Command *closest = &commands[0];
-    for (size_t i = 1; i < GP_COUNT(commands); i++)
-        if (edit_distance(name, commands[i].name) < edit_distance(name, closest->name))
-            closest = &commands[i];
+    const char *closest = command_name(0);
+    for (size_t i = 1; command_name(i); i++)
+        if (edit_distance(name, command_name(i)) < edit_distance(name, closest))
+            closest = command_name(i);
     if (name[0] == '-')
         report(EXIT_USAGE, "unknown option '%s' before the command", name);
-    else if (edit_distance(name, closest->name) <= 3)
-        report(EXIT_USAGE, "unknown command '%s'; did you mean '%s'?", name, closest->name);
+    else if (edit_distance(name, closest) <= 3)
+        report(EXIT_USAGE, "unknown command '%s'; did you mean '%s'?", name, closest);
     else
         report(EXIT_USAGE, "unknown command '%s'", name);
     fputs("Try 'glasspipe --help'.\n", stderr);
     return EXIT_USAGE;
 }
 
-static int run_command(const Command *command, int argc, char **argv)
+static int run_command(const char *name, int argc, char **argv)
 {
     char title[32];
-    snprintf(title, sizeof title, "glasspipe %s", command->name);
+    const Technique *technique = technique_find(technique_registry, name);
+    snprintf(title, sizeof title, "glasspipe %s", name);
     argv[0] = title;
-    return command->run(argc, argv);
+    for (size_t i = 0; i < GP_COUNT(commands); i++)
+        if (strcmp(commands[i].name, name) == 0)
+            return commands[i].run(argc, argv);
+    return technique ? technique_command(technique, argc, argv) : unknown_command(name);
 }
 
 static int dispatch(int argc, char **argv)
@@ -114,10 +125,9 @@ static int dispatch(int argc, char **argv)
     const char *name = argv[1];
     bool help = strcmp(name, "help") == 0;
     if (help && argc > 2) {
-        const Command *command = find_command(argv[2]);
         char option[] = "--help";
         char *arguments[] = { NULL, option, NULL };
-        return command ? run_command(command, 2, arguments) : unknown_command(argv[2]);
+        return run_command(argv[2], 2, arguments);
     }
     if (help || strcmp(name, "-h") == 0 || strcmp(name, "--help") == 0) {
         print_help(stdout);
@@ -127,8 +137,7 @@ static int dispatch(int argc, char **argv)
         puts("glasspipe " GP_VERSION);
         return EXIT_DONE;
     }
-    const Command *command = find_command(name);
-    return command ? run_command(command, argc - 1, argv + 1) : unknown_command(name);
+    return run_command(name, argc - 1, argv + 1);
 }
 
 /* A result that did not reach its reader is a failure. Runs at exit, whoever calls it. */

@@ -1,4 +1,4 @@
-/* Speed against accuracy: every setting of a technique's sweep, timed and held against the truth.
+/* Speed against accuracy: every setting of an experiment's sweep, timed and held against the truth.
  *
  * chart_run.c measures, chart_file.c writes and reads CSV and JSON, chart_layout.c lays out,
  * chart_draw.c draws, chart_page.c gathers all charts on one page.
@@ -23,7 +23,8 @@ typedef struct ChartPoint {
 } ChartPoint;
 
 typedef struct Chart {
-    char technique[32], title[128], scene[256], error_name[64];
+    char technique[32]; /* the experiment's name */
+    char title[128], scene[256], error_name[64];
     char metrics[TECHNIQUE_MAX_METRICS][32];
     int metric_count;
     char machine[128], isa[16];
@@ -55,8 +56,8 @@ void chart_print_scene(const Chart *chart, char *text, size_t size);
 const char *chart_folder(void);
 
 /* What the files of a chart are called, without folder and extension: "shadow", or
- * "shadow_SCENE" where the scene is not the technique's own. */
-void chart_name(const Technique *technique, const char *scene, char *name, size_t size);
+ * "shadow_SCENE" where the scene is not the experiment's own. */
+void chart_name(const Experiment *experiment, const char *scene, char *name, size_t size);
 
 /* The caller owns it; NULL without memory. */
 json_t *chart_json(const Chart *chart);
@@ -76,9 +77,9 @@ GpResult chart_read(const char *path, Chart *chart, GpError *error);
 void chart_draw(const Chart *chart, Text *svg);
 
 /* Writes FOLDER/index.html: all charts found there as JSON, each with the table of its front and
- * the pictures of it, and the scaling of techniques (scaling.h). A file that is no chart is named on
+ * the pictures of it, and the scaling of these techniques (scaling.h). A file that is no chart is named on
  * the page, with the reason.
  * errors GP_ERROR_IO, GP_ERROR_MEMORY */
-GpResult chart_write_page(const char *folder, GpError *error);
+GpResult chart_write_page(const char *folder, const Technique *const *techniques, GpError *error);
 
 #endif

@@ -20,12 +20,12 @@ const char *chart_folder(void)
     return out ? "out/charts" : "charts";
 }
 
-void chart_name(const Technique *technique, const char *scene, char *name, size_t size)
+void chart_name(const Experiment *experiment, const char *scene, char *name, size_t size)
 {
     char stem[128], own[256];
     text_stem(scene, stem, sizeof stem);
-    snprintf(own, sizeof own, "%s_%s", technique->name, stem);
-    text_copy(name, size, strcmp(scene, technique->scene) == 0 ? technique->name : own);
+    snprintf(own, sizeof own, "%s_%s", experiment->name, stem);
+    text_copy(name, size, strcmp(scene, experiment->scene) == 0 ? experiment->name : own);
 }
 
 /* --- CSV -------------------------------------------------------------------------------------- */

@@ -218,7 +218,7 @@ static void join(const Text *contents, const Text *sections, Text *page)
     page->failed |= contents->failed || sections->failed;
 }
 
-GpResult chart_write_page(const char *folder, GpError *error)
+GpResult chart_write_page(const char *folder, const Technique *const *techniques, GpError *error)
 {
     struct dirent **entries;
     int count = scandir(folder, &entries, is_json, alphasort);
@@ -230,8 +230,8 @@ GpResult chart_write_page(const char *folder, GpError *error)
         free(entries[i]);
     }
     free(entries);
-    for (size_t i = 0; techniques[i]; i++)
-        add_scaling(folder, techniques[i], &contents, &sections);
+    for (; *techniques; techniques++)
+        add_scaling(folder, *techniques, &contents, &sections);
     join(&contents, &sections, &page);
     char path[CHART_MAX_PATH];
     snprintf(path, sizeof path, "%s/index.html", folder);

@@ -14,8 +14,7 @@ enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
 typedef struct Run {
     const ChartJob *job;
     void *scene, *setting;
-    double *each; /* times of frames */
-    double start_ms;
+    double *each;   /* times of frames */
     uint32_t total; /* settings of the sweep */
     Chart chart;
     GpError *error;
@@ -23,16 +22,16 @@ typedef struct Run {
 
 /* --- one setting ------------------------------------------------------------------------------ */
 
-/* Builds a setting's frame and draws it for the first time. in work: zeroed; to be freed always */
+/* Builds a setting's frame and draws it for the first time. in frame: zeroed; to be freed always */
 static GpResult draw_first(const Run *run, const char *options, Frame *frame,
                            RunStatistics *statistics, bool *goes, GpError *error)
 {
     const Technique *technique = run->job->technique;
     memcpy(run->setting, technique->defaults, technique->setting_bytes);
-    GpResult result = setting_parse(technique->fields, run->setting, options, error);
+    GpResult result = setting_parse(technique->settings, run->setting, options, error);
     if (result)
         return result;
-    result = technique->build(run->scene, run->setting, frame, error);
+    result = technique->build(run->scene, run->setting, run->job->device, frame, error);
     *goes = result != GP_ERROR_INVALID;
     return result ? result : run_first(run->job->device, &frame->list, statistics, error);
 }
@@ -55,11 +54,12 @@ static GpResult measure(Run *run, const Frame *frame, RunStatistics *statistics,
                               .least_frames = LEAST_FRAMES,
                               .most_seconds = seconds > MOST_SECONDS ? seconds : MOST_SECONDS };
     Timing timing;
-    const Technique *technique = run->job->technique;
-    describe_frame(&run->chart, !technique->makes_volumes, frame, statistics);
-    technique->measure(run->scene, frame, &point->measured);
-    GpResult result = timing_run(run->job->device, &frame->list, &plan, run->each, statistics,
-                                 &timing, run->error);
+    describe_frame(&run->chart, !run->job->technique->volume, frame, statistics);
+    GpResult result =
+        run->job->experiment->measure(run->scene, frame, &point->measured, run->error);
+    if (!result)
+        result = timing_run(run->job->device, &frame->list, &plan, run->each, statistics, &timing,
+                            run->error);
     if (result)
         return result;
     point->ms = timing.ms;
@@ -69,16 +69,21 @@ static GpResult measure(Run *run, const Frame *frame, RunStatistics *statistics,
     return GP_OK;
 }
 
-/* Rewrites a line on a terminal once the work takes longer than a second. */
-static void show_progress(const Run *run, uint32_t number, const char *text)
+static void tell_progress(const Run *run, uint32_t done, const char *text)
 {
-    bool long_work = machine_clock_ms(CLOCK_MONOTONIC) - run->start_ms > 1000;
-    if (run->job->options->quiet || !long_work || !isatty(STDERR_FILENO))
-        return;
-    if (number < run->total)
-        fprintf(stderr, "\r\033[K%u/%u %s", number + 1, run->total, text);
-    else
-        fputs("\r\033[K", stderr);
+    const ChartListener *listener = &run->job->listener;
+    if (listener->progress)
+        listener->progress(listener->user, done, run->total, text);
+}
+
+static void tell_left_out(const Run *run, const char *method, const char *options)
+{
+    char line[1024];
+    const ChartListener *listener = &run->job->listener;
+    tell_progress(run, run->total, "");
+    snprintf(line, sizeof line, "%s, %s: left out: %s", method, options, run->error->text);
+    if (listener->notice)
+        listener->notice(listener->user, line);
 }
 
 /* Adds the point of a setting, unless it does not go with the scene. */
@@ -99,8 +104,7 @@ static GpResult add_point(Run *run, const char *method, const char *options)
         chart->count++;
     if (goes)
         return result;
-    show_progress(run, run->total, "");
-    notice(run->job->options, "%s, %s: left out: %s", method, options, run->error->text);
+    tell_left_out(run, method, options);
     run->error->text[0] = '\0';
     return GP_OK;
 }
@@ -116,7 +120,7 @@ static GpResult sweep_method(Run *run, const TechniqueSweep *sweep, uint32_t *nu
     GpResult result = GP_OK;
     technique_expand(sweep->options, texts, count);
     for (size_t i = 0; i < count && !result; i++) {
-        show_progress(run, (*number)++, texts[i]);
+        tell_progress(run, (*number)++, texts[i]);
         result = add_point(run, sweep->method, texts[i]);
     }
     gp_free(texts);
@@ -125,7 +129,7 @@ static GpResult sweep_method(Run *run, const TechniqueSweep *sweep, uint32_t *nu
 
 static GpResult sweep_all(Run *run)
 {
-    const TechniqueSweep *sweep = run->job->technique->sweep;
+    const TechniqueSweep *sweep = run->job->experiment->sweep;
     for (size_t i = 0; sweep[i].method; i++)
         run->total += (uint32_t)technique_expand(sweep[i].options, NULL, 0);
     GP_ASSERT(run->total <= CHART_MAX_POINTS);
@@ -136,7 +140,7 @@ static GpResult sweep_all(Run *run)
     uint32_t number = 0;
     for (size_t i = 0; sweep[i].method && !result; i++)
         result = sweep_method(run, &sweep[i], &number);
-    show_progress(run, run->total, "");
+    tell_progress(run, run->total, "");
     if (!result && run->chart.count == 0)
         return gp_fail(run->error, GP_ERROR_INVALID, "%.200s: no setting goes with this scene",
                        run->job->scene);
@@ -174,7 +178,7 @@ static GpResult write_pictures(Run *run)
         return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
     uint32_t count = chart_list_best(chart, best);
     uint32_t wanted = count < CHART_MAX_PICTURES ? count : CHART_MAX_PICTURES;
-    chart_name(run->job->technique, run->job->scene, stem, sizeof stem);
+    chart_name(run->job->experiment, run->job->scene, stem, sizeof stem);
     GpResult result = GP_OK;
     for (uint32_t i = 0; i < CHART_MAX_PICTURES && !result; i++) {
         snprintf(name, sizeof name, "%s_%u.png", stem, i + 1);
@@ -193,14 +197,14 @@ static GpResult write_pictures(Run *run)
 
 static void describe(const ChartJob *job, Chart *chart)
 {
-    const Technique *technique = job->technique;
-    text_copy(chart->technique, sizeof chart->technique, technique->name);
-    text_copy(chart->title, sizeof chart->title, technique->title);
+    const Experiment *experiment = job->experiment;
+    text_copy(chart->technique, sizeof chart->technique, experiment->name);
+    text_copy(chart->title, sizeof chart->title, experiment->title);
     text_copy(chart->scene, sizeof chart->scene, job->scene);
-    text_copy(chart->error_name, sizeof chart->error_name, technique->error_name);
-    for (int i = 0; technique->metrics && technique->metrics[i]; i++) {
+    text_copy(chart->error_name, sizeof chart->error_name, experiment->error_name);
+    for (int i = 0; experiment->metrics && experiment->metrics[i]; i++) {
         GP_ASSERT(i < TECHNIQUE_MAX_METRICS);
-        text_copy(chart->metrics[i], sizeof chart->metrics[i], technique->metrics[i]);
+        text_copy(chart->metrics[i], sizeof chart->metrics[i], experiment->metrics[i]);
         chart->metric_count = i + 1;
     }
     char machine[256];
@@ -215,8 +219,8 @@ static GpResult run_opened(Run *run)
     run->each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run->each);
     if (!run->setting || !run->each)
         return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
-    GpResult result =
-        technique->find_truth(run->scene, gp_device_threads(run->job->device), run->error);
+    GpResult result = run->job->experiment->find_truth(
+        run->scene, gp_device_threads(run->job->device), run->error);
     if (!result)
         result = sweep_all(run);
     if (!result && run->job->folder)
@@ -226,10 +230,9 @@ static GpResult run_opened(Run *run)
 
 GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error)
 {
-    Run run = { .job = job, .start_ms = machine_clock_ms(CLOCK_MONOTONIC), .error = error };
-    const Options *options = job->options;
+    Run run = { .job = job, .error = error };
     GpResult result =
-        job->technique->open(job->scene, options->width, options->height, &run.scene, error);
+        technique_open(job->technique, job->scene, job->width, job->height, &run.scene, error);
     if (result)
         return result;
     describe(job, &run.chart);

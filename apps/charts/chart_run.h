@@ -3,20 +3,22 @@
 #define APPS_CHARTS_CHART_RUN_H
 
 #include "apps/charts/chart.h"
-#include "apps/commands/options.h"
+#include "apps/charts/listener.h"
 
 typedef struct ChartJob {
     const Technique *technique;
-    const char *scene;      /* path */
-    const char *folder;     /* where pictures of the front go; NULL: none are made */
-    double seconds;         /* for each setting, after its first frame */
-    const Options *options; /* size, and what may be said on stderr */
+    const Experiment *experiment; /* of it */
+    const char *scene;            /* path */
+    uint32_t width, height;       /* of the picture; 0 x 0: the scene's own */
+    const char *folder;           /* where pictures of the front go; NULL: none are made */
+    double seconds;               /* for each setting, after its first frame */
     GpDevice *device;
+    ChartListener listener;
 } ChartJob;
 
 /* Opens the scene, finds the truth, measures all settings of the sweep, marks the front and writes
  * at most CHART_MAX_PICTURES pictures of it as NAME_1.png and so on (see chart_name). Settings that
- * do not go with the scene are left out with a message.
+ * do not go with the scene are left out, and the listener told.
  * out    chart: untouched on failure; error: not NULL
  * errors those of the scene and of the truth; GP_ERROR_INVALID: no setting goes with the scene;
  *        GP_ERROR_IO: a picture could not be written; GP_ERROR_MEMORY

@@ -6,7 +6,7 @@
 #ifndef APPS_CHARTS_SCALING_H
 #define APPS_CHARTS_SCALING_H
 
-#include "apps/commands/options.h"
+#include "apps/charts/listener.h"
 #include "apps/techniques/technique.h"
 #include "apps/base/text.h"
 
@@ -33,13 +33,13 @@ void scaling_free(Scaling *scaling); /* a zeroed one is fine; zeroes it */
 /* The name of a point's line. */
 const char *scaling_name(const Scaling *scaling, const ScalingPoint *point);
 
-/* Measures all lines. Scenes whose file is not there are left out with a message.
- * in     seconds: for each setting, after its first frame; options: what may be said on stderr
+/* Measures all lines. Scenes whose file is not there are left out, and the listener told.
+ * in     seconds: for each setting, after its first frame
  * out    scaling: untouched on failure
  * errors those of scenes that are there, and of settings; GP_ERROR_IO: none is there;
  *        GP_ERROR_MEMORY
  * owns   the caller, until scaling_free */
-GpResult scaling_run(const Technique *technique, GpDevice *device, const Options *options,
+GpResult scaling_run(const Technique *technique, GpDevice *device, const ChartListener *listener,
                      double seconds, Scaling *scaling, GpError *error);
 
 /* --- files and pictures ----------------------------------------------------------------------- */

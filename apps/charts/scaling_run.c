@@ -11,7 +11,7 @@ enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
 
 /* What all lines share. */
 typedef struct Run {
-    const Options *options;
+    const ChartListener *listener;
     TechniqueClock clock;
     Scaling scaling;
     Text missing; /* scenes without a file, a line each */
@@ -70,12 +70,14 @@ static GpResult add_point(Run *run, ScalingPoint point, void *scene, const char 
 /* Says so once for each scene. */
 static void leave_out(Run *run, const char *path)
 {
-    char line[SETTING_MAX_TEXT + 1];
+    char line[SETTING_MAX_TEXT + 1], message[640];
     snprintf(line, sizeof line, "%s\n", path);
     if (run->missing.data && strstr(run->missing.data, line))
         return;
     text_add(&run->missing, "%s", line);
-    notice(run->options, "left out: %s", run->error->text);
+    snprintf(message, sizeof message, "left out: %s", run->error->text);
+    if (run->listener->notice)
+        run->listener->notice(run->listener->user, message);
 }
 
 /* The settings of a line on one of its scenes. */
@@ -85,7 +87,7 @@ static GpResult run_scene(Run *run, int panel, int line, const char *path)
     void *scene;
     List *options;
     size_t count;
-    GpResult result = technique->open(path, 0, 0, &scene, run->error);
+    GpResult result = technique_open(technique, path, 0, 0, &scene, run->error);
     if (result == GP_ERROR_IO) {
         leave_out(run, path);
         return GP_OK;
@@ -118,10 +120,10 @@ static GpResult run_panel(Run *run, int panel)
     return result;
 }
 
-GpResult scaling_run(const Technique *technique, GpDevice *device, const Options *options,
+GpResult scaling_run(const Technique *technique, GpDevice *device, const ChartListener *listener,
                      double seconds, Scaling *scaling, GpError *error)
 {
-    Run run = { .options = options, .error = error };
+    Run run = { .listener = listener, .error = error };
     run.clock = (TechniqueClock){ .device = device,
                                   .plan = { seconds, LEAST_FRAMES,
                                             seconds > MOST_SECONDS ? seconds : MOST_SECONDS },

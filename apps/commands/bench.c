@@ -24,7 +24,7 @@ typedef struct Bench {
     const char *images; /* NULL: none written */
     double seconds;     /* for each case, after the first frame */
     bool list;
-    const BenchTable *table; /* NULL: cases are drawn */
+    const char *table; /* number; NULL: cases are drawn */
 } Bench;
 
 /* clang-format off */
@@ -53,10 +53,11 @@ static error_t add_case(struct argp_state *state, Bench *bench, const char *name
 static error_t set_table(struct argp_state *state, Bench *bench, const char *id)
 {
     char list[64];
-    bench_table_list(list, sizeof list);
-    bench->table = bench_table_find(id);
-    if (!bench->table)
+    const Technique *technique;
+    paper_tables_list(technique_registry, list, sizeof list);
+    if (!paper_table_find(technique_registry, id, &technique))
         argp_error(state, "--table: expected one of %s, not '%s'", list, id);
+    bench->table = id;
     return 0;
 }
 
@@ -287,7 +288,7 @@ int cmd_bench(int argc, char **argv)
         return EXIT_DONE;
     }
     if (bench.table)
-        return bench_table_run(bench.table, &bench.options, bench.seconds);
+        return paper_table_run(technique_registry, bench.table, &bench.options, bench.seconds);
     double *each = gp_alloc(TIMING_MAX_FRAMES, sizeof *each);
     if (!each)
         return report(EXIT_INTERNAL, "out of memory");

@@ -1,17 +1,24 @@
 /* glasspipe chart: speed against accuracy of a technique's settings. */
-#include "apps/charts/chart_run.h"
-#include "apps/commands/commands.h"
-#include "apps/charts/scaling.h"
+#include "apps/commands/chart.h"
+
 #include "apps/base/json.h"
+#include "apps/base/machine.h"
+#include "apps/charts/chart_run.h"
+#include "apps/charts/scaling.h"
+#include "apps/commands/commands.h"
+#include "apps/commands/options.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 typedef struct ChartCommand {
     Options options; /* first: see options.h */
-    const char *technique, *scene, *folder;
+    const Technique *const *techniques;
+    const char *name, *scene,
+        *folder; /* name: of an experiment, or of a technique with --scaling */
     double seconds;
     bool scaling;
 } ChartCommand;
@@ -29,28 +36,28 @@ static const struct argp_option own_options[] = {
 };
 /* clang-format on */
 
-/* "shadow, voxelize" */
-static void list_techniques(char *list, size_t size)
+/* "voxelize, solids, shadow" */
+static void list_experiments(const Technique *const *techniques, char *list, size_t size)
 {
     size_t used = 0;
-    snprintf(list, size, "none");
-    for (size_t i = 0; techniques[i] && used < size; i++)
-        used +=
-            (size_t)snprintf(list + used, size - used, "%s%s", i ? ", " : "", techniques[i]->name);
+    for (snprintf(list, size, "none"); *techniques; techniques++)
+        for (const Experiment *one = (*techniques)->experiments; one->name && used < size; one++)
+            used += (size_t)snprintf(list + used, size - used, "%s%s", used ? ", " : "", one->name);
 }
 
-static void check_technique(struct argp_state *state, const ChartCommand *command)
+static void check(struct argp_state *state, const ChartCommand *command)
 {
     char list[256];
-    list_techniques(list, sizeof list);
-    if (!command->technique)
+    list_experiments(command->techniques, list, sizeof list);
+    if (!command->name)
         argp_error(state, "expected a technique (there are: %s)", list);
-    else if (!technique_find(command->technique))
-        argp_error(state, "no technique '%s' (there are: %s)", command->technique, list);
+    else if (!experiment_find(command->techniques, command->name, NULL))
+        argp_error(state, "no technique '%s' (there are: %s)", command->name, list);
     if (!command->scaling)
         return;
-    if (!technique_find(command->technique)->scaling)
-        argp_error(state, "--scaling: %s has no table of what grows", command->technique);
+    const Technique *technique = technique_find(command->techniques, command->name);
+    if (!technique || !technique->scaling)
+        argp_error(state, "--scaling: %s has no table of what grows", command->name);
     if (command->scene || command->options.width)
         argp_error(state, "--scaling draws scenes and sizes of its own");
 }
@@ -58,7 +65,7 @@ static void check_technique(struct argp_state *state, const ChartCommand *comman
 static error_t parse_chart(int key, char *text, struct argp_state *state)
 {
     ChartCommand *command = state->input;
-    const char *slots[] = { command->technique, command->scene };
+    const char *slots[] = { command->name, command->scene };
     error_t result;
     switch (key) {
     case ARGP_KEY_INIT:
@@ -74,11 +81,11 @@ static error_t parse_chart(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_ARG:
         result = options_positional(state, slots, GP_COUNT(slots), text);
-        command->technique = slots[0];
+        command->name = slots[0];
         command->scene = slots[1];
         return result;
     case ARGP_KEY_END:
-        check_technique(state, command);
+        check(state, command);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -108,6 +115,32 @@ static const struct argp parser = {
     options_help,
     NULL,
 };
+
+/* --- messages --------------------------------------------------------------------------------- */
+
+/* What the listener knows. */
+typedef struct Listening {
+    const Options *options;
+    double start_ms;
+} Listening;
+
+static void tell_notice(const void *user, const char *line)
+{
+    notice(((const Listening *)user)->options, "%s", line);
+}
+
+/* Rewrites a line on a terminal once the work takes longer than a second. */
+static void tell_progress(const void *user, uint32_t done, uint32_t total, const char *text)
+{
+    const Listening *listening = user;
+    bool long_work = machine_clock_ms(CLOCK_MONOTONIC) - listening->start_ms > 1000;
+    if (listening->options->quiet || !long_work || !isatty(STDERR_FILENO))
+        return;
+    if (done < total)
+        fprintf(stderr, "\r\033[K%u/%u %s", done + 1, total, text);
+    else
+        fputs("\r\033[K", stderr);
+}
 
 /* --- results ---------------------------------------------------------------------------------- */
 
@@ -150,24 +183,27 @@ static int finish(const ChartCommand *command, const ChartJob *job, const Chart 
 {
     char name[64], path[CHART_MAX_PATH];
     GpError error = { "" };
-    chart_name(job->technique, job->scene, name, sizeof name);
+    chart_name(job->experiment, job->scene, name, sizeof name);
     if (make_path(job->folder, name, path))
         return EXIT_INTERNAL;
-    if (chart_write(path, chart, &error) || chart_write_page(job->folder, &error))
+    if (chart_write(path, chart, &error) ||
+        chart_write_page(job->folder, command->techniques, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(&command->options, "wrote %s.svg, .csv, .json and %s/index.html", path, job->folder);
     return command->options.json ? print_object(chart_json(chart)) : print_best(chart);
 }
 
-static int chart_accuracy(const ChartCommand *command, GpDevice *device)
+static int chart_accuracy(const ChartCommand *command, GpDevice *device,
+                          const ChartListener *listener)
 {
-    const Technique *technique = technique_find(command->technique);
-    const ChartJob job = { .technique = technique,
-                           .scene = command->scene ? command->scene : technique->scene,
-                           .folder = command->folder,
-                           .seconds = command->seconds,
-                           .options = &command->options,
-                           .device = device };
+    ChartJob job = { .width = command->options.width,
+                     .height = command->options.height,
+                     .folder = command->folder,
+                     .seconds = command->seconds,
+                     .device = device,
+                     .listener = *listener };
+    job.experiment = experiment_find(command->techniques, command->name, &job.technique);
+    job.scene = command->scene ? command->scene : job.experiment->scene;
     Chart chart = { .points = NULL };
     GpError error = { "" };
     GpResult result = chart_run(&job, &chart, &error);
@@ -193,10 +229,11 @@ static int finish_scaling(const ChartCommand *command, const Scaling *scaling)
 {
     char name[64], path[CHART_MAX_PATH];
     GpError error = { "" };
-    snprintf(name, sizeof name, "%s_scaling", command->technique);
+    snprintf(name, sizeof name, "%s_scaling", command->name);
     if (make_path(command->folder, name, path))
         return EXIT_INTERNAL;
-    if (scaling_write(path, scaling, &error) || chart_write_page(command->folder, &error))
+    if (scaling_write(path, scaling, &error) ||
+        chart_write_page(command->folder, command->techniques, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(&command->options, "wrote %s.svg, .csv and %s/index.html", path, command->folder);
     if (command->options.json)
@@ -205,22 +242,25 @@ static int finish_scaling(const ChartCommand *command, const Scaling *scaling)
     return EXIT_DONE;
 }
 
-static int chart_scaling(const ChartCommand *command, GpDevice *device)
+static int chart_scaling(const ChartCommand *command, GpDevice *device,
+                         const ChartListener *listener)
 {
     Scaling scaling = { .points = NULL };
     GpError error = { "" };
-    GpResult result = scaling_run(technique_find(command->technique), device, &command->options,
-                                  command->seconds, &scaling, &error);
+    GpResult result = scaling_run(technique_find(command->techniques, command->name), device,
+                                  listener, command->seconds, &scaling, &error);
     int code =
         result ? report(exit_of_run(result), "%s", error.text) : finish_scaling(command, &scaling);
     scaling_free(&scaling);
     return code;
 }
 
-int cmd_chart(int argc, char **argv)
+int chart_command(const Technique *const *techniques, int argc, char **argv)
 {
-    ChartCommand command = { .seconds = 0.3, .folder = chart_folder() };
+    ChartCommand command = { .techniques = techniques, .seconds = 0.3, .folder = chart_folder() };
     options_parse(&parser, argc, argv, &command);
+    const Listening listening = { &command.options, machine_clock_ms(CLOCK_MONOTONIC) };
+    const ChartListener listener = { tell_notice, tell_progress, &listening };
     GpDevice *device;
     int code = options_device(&command.options, NULL, &device);
     if (code)
@@ -228,7 +268,12 @@ int cmd_chart(int argc, char **argv)
     if (mkdir(command.folder, 0777) != 0 && errno != EEXIST)
         code = report(EXIT_INTERNAL, "%s: %s", command.folder, strerror(errno));
     else
-        code = command.scaling ? chart_scaling(&command, device) : chart_accuracy(&command, device);
+        code = (command.scaling ? chart_scaling : chart_accuracy)(&command, device, &listener);
     gp_device_destroy(&device);
     return code;
+}
+
+int cmd_chart(int argc, char **argv)
+{
+    return chart_command(technique_registry, argc, argv);
 }

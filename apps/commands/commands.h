@@ -1,4 +1,5 @@
-/* The subcommands of `glasspipe`, one file each, and what they all share: the exit codes. */
+/* The subcommands of `glasspipe` but those of techniques (technique_command.h), one file each, and
+ * what they all share: the exit codes. */
 #ifndef APPS_COMMANDS_COMMANDS_H
 #define APPS_COMMANDS_COMMANDS_H
 
@@ -20,7 +21,5 @@ CommandFn cmd_explain;
 CommandFn cmd_pixel;
 CommandFn cmd_bench;
 CommandFn cmd_chart;
-CommandFn cmd_shadow;
-CommandFn cmd_voxelize;
 
 #endif

@@ -1,7 +1,6 @@
 #include "apps/commands/output.h"
 
 #include "apps/commands/commands.h"
-#include "apps/frame/run_statistics.h"
 #include "apps/base/json.h"
 #include "apps/frame/picture.h"
 
@@ -26,6 +25,14 @@ void output_default_path(const char *input, const char *extension, char *path, s
     snprintf(path, size, "%s%.*s.%s", out ? "out/" : "", length, name, extension);
 }
 
+void output_verbose(const Options *options, const RunStatistics *statistics)
+{
+    if (options->verbose)
+        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s",
+               statistics->first_ms, (unsigned long long)statistics->counters.primitives,
+               (unsigned long long)statistics->counters.fragments_shaded, statistics->isa);
+}
+
 /* The picture is written and hashed before the second, timed frame: a list that does not clear its
  * targets draws over its first. */
 int output_frame(const Options *options, const char *input, const char *output, GpDevice *device,
@@ -40,10 +47,7 @@ int output_frame(const Options *options, const char *input, const char *output, 
     if (picture_write_surface(output, surface, opaque, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(options, "wrote %s", output);
-    if (options->verbose)
-        notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s",
-               statistics.first_ms, (unsigned long long)statistics.counters.primitives,
-               (unsigned long long)statistics.counters.fragments_shaded, statistics.isa);
+    output_verbose(options, &statistics);
     if (!options->json) {
         picture_print_hash(surface, hash);
         return EXIT_DONE;

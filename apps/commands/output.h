@@ -3,12 +3,16 @@
 #define APPS_COMMANDS_OUTPUT_H
 
 #include "apps/commands/options.h"
+#include "apps/frame/run_statistics.h"
 
 #include <jansson.h>
 
 /* Path of an output that was not named: the input's name with another extension ("png"), in out/ where
  * that exists. */
 void output_default_path(const char *input, const char *extension, char *path, size_t size);
+
+/* What --verbose says of a first frame. */
+void output_verbose(const Options *options, const RunStatistics *statistics);
 
 /* Draws a list, writes the picture and prints its hash; with --json draws it a second time, which is
  * the one that is timed, and prints run_json's object with the file's name and `more`.

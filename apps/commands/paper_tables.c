@@ -2,73 +2,150 @@
 
 #include "apps/commands/commands.h"
 
+#include <jansson.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { LEAST_FRAMES = 20 };
 
-static const BenchTable *const tables[] = {
-    &bench_table_2_1,
-    &bench_table_2_2,
-    &bench_table_4_1,
-    &bench_table_4_2,
-};
+/* A table that is being measured. */
+typedef struct TableRun {
+    const Technique *technique;
+    const PaperTable *table;
+    const Options *options;
+    TechniqueClock clock;
+    void *scene; /* of the last row; NULL: its file is not there */
+} TableRun;
 
-const BenchTable *bench_table_find(const char *id)
-{
-    for (size_t i = 0; i < GP_COUNT(tables); i++)
-        if (strcmp(tables[i]->id, id) == 0)
-            return tables[i];
-    return NULL;
-}
-
-void bench_table_list(char *list, size_t size)
+void paper_tables_list(const Technique *const *techniques, char *list, size_t size)
 {
     size_t used = 0;
-    for (size_t i = 0; i < GP_COUNT(tables) && used < size; i++)
-        used += (size_t)snprintf(list + used, size - used, "%s%s", i ? ", " : "", tables[i]->id);
+    list[0] = '\0';
+    for (; *techniques; techniques++)
+        for (const PaperTable *const *table = (*techniques)->tables; table && *table; table++)
+            used += used < size ? (size_t)snprintf(list + used, size - used, "%s%s",
+                                                   used ? ", " : "", (*table)->id)
+                                : 0;
 }
 
-int bench_table_run(const BenchTable *table, const Options *options, double seconds)
+/* --- printing --------------------------------------------------------------------------------- */
+
+enum { PAIR_WIDTH = 16, SINGLE_WIDTH = 9 };
+
+static void print_head(const PaperTable *table)
 {
-    BenchTableRun run = { .options = options };
-    int code = options_device(options, NULL, &run.clock.device);
-    if (code)
-        return code;
-    run.clock.plan = (TimingPlan){ seconds, LEAST_FRAMES, 2 * seconds };
-    run.clock.each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run.clock.each);
-    if (!run.clock.each)
-        exit(report(EXIT_INTERNAL, "out of memory"));
-    if (!options->json)
-        printf("Table %s: %s (%s)\n", table->id, table->title, table->source);
-    code = table->run(table, &run);
-    gp_free(run.clock.each);
-    gp_device_destroy(&run.clock.device);
-    return code;
+    printf("Table %s: %s (%s)\nprinted and here; %s\n%-8s", table->id, table->title, table->source,
+           table->note, "");
+    for (const PaperColumn *column = table->columns; column->name; column++)
+        printf("  %*s", column->number == PAPER_BOTH ? PAIR_WIDTH : SINGLE_WIDTH, column->name);
+    putchar('\n');
 }
 
-int bench_table_open(const BenchTableRun *run, const Technique *technique, const char *row,
-                     const char *path, void **scene)
+/* measured: NULL where there is nothing to measure */
+static void print_text(const PaperTable *table, const PaperRow *row, const double *measured)
 {
+    printf("%-8s", row->name);
+    for (int i = 0; table->columns[i].name; i++) {
+        const PaperColumn *column = &table->columns[i];
+        char here[32] = "";
+        if (measured && column->number != PAPER_GIVEN)
+            snprintf(here, sizeof here, "%.*f", column->digits, measured[i]);
+        if (column->number == PAPER_BOTH)
+            printf("  %7.7g %8s", row->printed[i], here);
+        else if (column->number == PAPER_GIVEN)
+            printf("  %*g", SINGLE_WIDTH, row->printed[i]);
+        else
+            printf("  %*s", SINGLE_WIDTH, here);
+    }
+    printf("  %s%s\n", row->scene ? row->scene : "(not at hand)", row->reduced ? " (reduced)" : "");
+}
+
+static json_t *number(const PaperColumn *column, double value)
+{
+    return column->digits ? json_real(value) : json_integer((json_int_t)value);
+}
+
+static void print_json(const PaperTable *table, const PaperRow *row, const double *measured)
+{
+    json_t *object = json_pack("{s:s, s:s, s:s, s:b}", "table", table->id, "row", row->name,
+                               "scene", row->scene, "reduced", row->reduced);
+    for (int i = 0; table->columns[i].name; i++) {
+        const PaperColumn *column = &table->columns[i];
+        json_t *printed = number(column, row->printed[i]), *here = number(column, measured[i]);
+        json_t *value = column->number == PAPER_GIVEN ? json_incref(printed)
+                        : column->number == PAPER_MEASURED
+                            ? json_incref(here)
+                            : json_pack("{s:O, s:O}", "printed", printed, "measured", here);
+        json_object_set_new(object, column->name, value);
+        json_decref(printed);
+        json_decref(here);
+    }
+    json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
+    putchar('\n');
+    json_decref(object);
+}
+
+/* --- measuring -------------------------------------------------------------------------------- */
+
+/* Opens the scene of a row, unless the row before had the same. */
+static int open_scene(TableRun *run, const PaperRow *row)
+{
+    const PaperRow *before = row == run->table->rows ? NULL : row - 1;
+    if (before && before->scene && strcmp(before->scene, row->scene) == 0)
+        return EXIT_DONE;
     GpError error = { "" };
-    *scene = NULL;
-    GpResult result = technique->open(path, 0, 0, scene, &error);
+    if (run->scene)
+        run->technique->close(run->scene);
+    run->scene = NULL;
+    GpResult result = technique_open(run->technique, row->scene, 0, 0, &run->scene, &error);
     if (result == GP_ERROR_FORMAT || result == GP_ERROR_IO) {
-        notice(run->options, "%s: skipped: %s", row, error.text);
+        notice(run->options, "%s: skipped: %s", row->name, error.text);
         return EXIT_DONE;
     }
     return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
 }
 
-void bench_table_print(json_t *row)
+static int run_row(TableRun *run, const PaperRow *row)
 {
-    json_dumpf(row, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
-    putchar('\n');
-    json_decref(row);
+    const PaperTable *table = run->table;
+    double measured[PAPER_MAX_COLUMNS] = { 0 };
+    GpError error = { "" };
+    if (!row->scene) {
+        if (!run->options->json)
+            print_text(table, row, NULL);
+        return EXIT_DONE;
+    }
+    int code = open_scene(run, row);
+    if (!run->scene)
+        return code;
+    if (table->measure(table, row, run->technique, run->scene, &run->clock, measured, &error))
+        return report(EXIT_INPUT, "%s: %s", row->name, error.text);
+    if (run->options->json)
+        print_json(table, row, measured);
+    else
+        print_text(table, row, measured);
+    return EXIT_DONE;
 }
 
-json_t *bench_table_pair(double printed, double measured)
+int paper_table_run(const Technique *const *techniques, const char *id, const Options *options,
+                    double seconds)
 {
-    return json_pack("{s:f, s:f}", "printed", printed, "measured", measured);
+    TableRun run = { .options = options,
+                     .clock = { .plan = { seconds, LEAST_FRAMES, 2 * seconds } } };
+    run.table = paper_table_find(techniques, id, &run.technique);
+    int code = options_device(options, NULL, &run.clock.device);
+    if (code)
+        return code;
+    run.clock.each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run.clock.each);
+    if (!run.clock.each)
+        code = report(EXIT_INTERNAL, "out of memory");
+    else if (!options->json)
+        print_head(run.table);
+    for (const PaperRow *row = run.table->rows; row->name && !code; row++)
+        code = run_row(&run, row);
+    if (run.scene)
+        run.technique->close(run.scene);
+    gp_free(run.clock.each);
+    gp_device_destroy(&run.clock.device);
+    return code;
 }

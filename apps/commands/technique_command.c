@@ -1,23 +1,30 @@
 #include "apps/commands/technique_command.h"
 
+#include "apps/base/json.h"
 #include "apps/charts/chart.h"
 #include "apps/commands/commands.h"
-#include "apps/base/json.h"
+#include "apps/commands/options.h"
 #include "apps/commands/output.h"
+#include "apps/commands/setting_options.h"
 #include "apps/frame/picture.h"
+#include "apps/frame/run_statistics.h"
+#include "pipeline/io/file.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <xxhash.h>
 
 enum { KEY_ERROR = 0x200, KEY_CURVE, OWN_OPTIONS = 3 };
 
 typedef struct TechniqueArgs {
     Options options; /* first: see options.h */
     const Technique *technique;
-    const TechniqueResult *result; /* NULL: a picture */
     void *setting;
+    uint32_t given; /* settings: bit i of the table's field i */
     const char *scene, *output, *curve;
-    bool is_set; /* a member of the setting was given */
+    char extension[8]; /* of the output */
     bool has_error;
     double error;
 } TechniqueArgs;
@@ -25,40 +32,44 @@ typedef struct TechniqueArgs {
 /* --- options ---------------------------------------------------------------------------------- */
 
 /* clang-format off */
-static const struct argp_option own_options[OWN_OPTIONS + 1] = {
+static const struct argp_option own_options[OWN_OPTIONS] = {
     { "output", 'o', "FILE", 0, NULL, 0 },
     { "error", KEY_ERROR, "E", 0, "Take the cheapest setting of a stored chart whose error is at "
       "most E, and say which", 0 },
     { "curve", KEY_CURVE, "FILE", 0, "The chart for --error: JSON as `glasspipe chart' writes it "
       "(default: the technique's in out/charts, or in charts)", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
 };
 /* clang-format on */
 
-static const char picture_output_help[] =
+static const char picture_help[] =
     "Write the picture to FILE: .png, .exr, .pfm or .ppm (default: out/NAME.png where out/ exists, "
     "else NAME.png)";
+static const char volume_help[] =
+    "Write the volume to FILE: .nrrd, or .bits, one bit a voxel and nothing else (default: "
+    "out/NAME.nrrd where out/ exists, else NAME.nrrd)";
+static const char volume_or_picture_help[] =
+    "Write the volume to FILE: .nrrd, or .bits, one bit a voxel and nothing else (default: "
+    "out/NAME.nrrd where out/ exists, else NAME.nrrd); or a picture of it: .png, .exr, .pfm or "
+    ".ppm";
 
-/* The name of the setting that an option sets, or NULL. */
-static const char *member_of_key(const TechniqueArgs *args, int key)
+static error_t take_setting(struct argp_state *state, TechniqueArgs *args, int key, char *text)
 {
-    const SettingField *field = setting_of_key(args->technique->fields, key);
-    if (key == 'n' && args->result)
-        return args->result->count_field;
-    return field ? field->name : NULL;
+    const SettingField *fields = args->technique->settings, *field = setting_of_key(fields, key);
+    if (!field)
+        return ARGP_ERR_UNKNOWN;
+    setting_take(state, fields, field, text, args->setting);
+    args->given |= 1u << (field - fields);
+    return 0;
 }
 
-static error_t set_member(struct argp_state *state, TechniqueArgs *args, int key, char *text)
+/* Whether the user gave a part of the key. */
+static bool has_key(const TechniqueArgs *args)
 {
-    const char *member = member_of_key(args, key);
-    GpError error = { "" };
-    if (!member)
-        return args->result ? args->result->parse(key, text, state, args->result->own)
-                            : ARGP_ERR_UNKNOWN;
-    if (setting_set(args->technique->fields, args->setting, member, text, &error))
-        argp_error(state, "%s", error.text);
-    args->is_set = true;
-    return 0;
+    const SettingField *fields = args->technique->settings;
+    for (int i = 0; fields[i].name; i++)
+        if (!fields[i].aside && args->given >> i & 1)
+            return true;
+    return false;
 }
 
 static error_t parse_technique(int key, char *text, struct argp_state *state)
@@ -81,56 +92,85 @@ static error_t parse_technique(int key, char *text, struct argp_state *state)
         return options_positional(state, &args->scene, 1, text);
     case ARGP_KEY_END:
         if (!args->scene)
-            argp_error(state, "expected %s", args->result ? args->result->input : "a scene file");
-        if (args->has_error && args->is_set)
+            argp_error(state, "expected %s", args->technique->input);
+        if (args->has_error && has_key(args))
             argp_error(state, "--error chooses the setting: no option of it can be given too");
         if (args->curve && !args->has_error)
             argp_error(state, "--curve is for --error");
         return 0;
     default:
-        return set_member(state, args, key, text);
+        return take_setting(state, args, key, text);
     }
 }
 
-/* Those of the fields, of all techniques, and of the result. */
-static void list_options(const TechniqueArgs *args, struct argp_option *options)
+/* Those of the settings, and of all techniques. */
+static void parse(int argc, char **argv, TechniqueArgs *args)
 {
-    const TechniqueResult *result = args->result;
-    setting_options(args->technique->fields, options);
-    struct argp_option *end = options;
-    for (; end->name; end++)
-        if (result && strcmp(end->name, result->count_field) == 0)
-            end->key = 'n';
-    memcpy(end, own_options, sizeof own_options);
-    end->doc = result ? result->output_help : picture_output_help;
-    end += OWN_OPTIONS;
-    for (int i = 0; result && result->options[i].name; i++) {
-        GP_ASSERT(i < TECHNIQUE_MAX_OPTIONS);
-        *end++ = result->options[i];
-    }
-    *end = (struct argp_option){ .name = NULL };
-}
-
-static void parse(const TechniqueHelp *help, int argc, char **argv, TechniqueArgs *args)
-{
+    const Technique *technique = args->technique;
     const struct argp_child children[] = {
-        { help->result ? &options_run : &options_frame, 0, NULL, 0 },
+        { setting_find(technique->settings, "size") ? &options_run : &options_frame, 0, NULL, 0 },
         { NULL, 0, NULL, 0 },
     };
-    struct argp_option options[SETTING_MAX_FIELDS + OWN_OPTIONS + TECHNIQUE_MAX_OPTIONS + 1];
-    list_options(args, options);
-    const struct argp parser = { options,    parse_technique, help->arguments,
-                                 help->text, children,        options_help,
-                                 NULL };
+    SettingOptions own;
+    struct argp_option options[SETTING_MAX_FIELDS + OWN_OPTIONS + 1] = { { .name = NULL } };
+    setting_options(technique->settings, &own);
+    memcpy(options, own.option, (size_t)own.count * sizeof *options);
+    memcpy(options + own.count, own_options, sizeof own_options);
+    options[own.count].doc = !technique->volume ? picture_help
+                             : technique->show  ? volume_or_picture_help
+                                                : volume_help;
+    const struct argp parser = {
+        options, parse_technique, technique->arguments, technique->help, children, options_help,
+        NULL
+    };
     options_parse(&parser, argc, argv, args);
 }
 
-/* --- a setting from a stored chart -------------------------------------------------------------- */
+/* --- the output ------------------------------------------------------------------------------- */
 
-static void default_curve(const Technique *technique, char *path, size_t size)
+static bool is_picture(const TechniqueArgs *args)
 {
-    snprintf(path, size, "%s/%s.json", chart_folder(), technique->name);
+    static const char *const ends[] = { "png", "exr", "pfm", "ppm" };
+    for (size_t i = 0; i < GP_COUNT(ends); i++)
+        if (strcmp(args->extension, ends[i]) == 0)
+            return true;
+    return false;
 }
+
+static GpResult check_volume(const TechniqueArgs *args, GpError *error)
+{
+    struct stat status;
+    if (strcmp(args->extension, "nrrd") != 0 && strcmp(args->extension, "bits") != 0)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "%s: expected a name that ends with .nrrd or .bits%s", args->output,
+                       args->technique->show ? ", or that of a picture, .png, .exr, .pfm or .ppm"
+                                             : "");
+    if (stat(args->output, &status) == 0 && S_ISDIR(status.st_mode))
+        return gp_fail(error, GP_ERROR_INVALID, "%s: is a directory", args->output);
+    return GP_OK;
+}
+
+/* Whether the output could be written, as far as its name tells, and the settings go with it. */
+static GpResult check_output(TechniqueArgs *args, GpError *error)
+{
+    const Technique *technique = args->technique;
+    GpError reason;
+    gp_file_extension(args->output, args->extension);
+    const bool picture = is_picture(args) && (technique->show || !technique->volume);
+    GpResult result = picture || !technique->volume ? picture_check_path(args->output, &reason)
+                                                    : check_volume(args, &reason);
+    if (result)
+        return gp_fail(error, result, "-o %s", reason.text);
+    for (const SettingField *field = technique->settings; field->name; field++)
+        if (field->for_pictures && !picture &&
+            setting_is_given(technique->settings, args->given, field->name))
+            return gp_fail(error, GP_ERROR_INVALID, "--%s is for pictures: -o FILE.png",
+                           field->name);
+    return technique->check ? technique->check(args->setting, args->given, args->extension, error)
+                            : GP_OK;
+}
+
+/* --- a setting from a stored chart -------------------------------------------------------------- */
 
 /* Says which setting was chosen, and why. */
 static void explain_choice(const TechniqueArgs *args, const Chart *chart, const ChartPoint *point)
@@ -148,34 +188,37 @@ static void explain_choice(const TechniqueArgs *args, const Chart *chart, const 
            chart->threads == 1 ? "" : "s", chart->machine);
 }
 
-/* Of this technique, or of another with the same settings: that of solids for voxelize. */
+/* Of one of its experiments. */
 static bool is_of(const Chart *chart, const Technique *technique)
 {
-    const Technique *other = technique_find(chart->technique);
-    return other && other->fields == technique->fields;
+    for (const Experiment *experiment = technique->experiments; experiment->name; experiment++)
+        if (strcmp(experiment->name, chart->technique) == 0)
+            return true;
+    return false;
 }
 
 static int choose(TechniqueArgs *args)
 {
+    const Technique *technique = args->technique;
     char path[CHART_MAX_PATH];
     GpError error = { "" };
     Chart chart = { .points = NULL };
-    default_curve(args->technique, path, sizeof path);
+    snprintf(path, sizeof path, "%s/%s.json", chart_folder(), technique->name);
     const char *curve = args->curve ? args->curve : path;
     GpResult result = chart_read(curve, &chart, &error);
     if (result) {
         report(0, "%s", error.text);
         return report(exit_of_input(result), "--error needs a chart: `glasspipe chart %s' makes it",
-                      args->technique->name);
+                      technique->name);
     }
     const ChartPoint *point = chart_choose(&chart, args->error);
     int code = EXIT_DONE;
-    if (!is_of(&chart, args->technique))
+    if (!is_of(&chart, technique))
         code = report(EXIT_INPUT, "%s: a chart of %s", curve, chart.technique);
     else if (!point)
         code = report(EXIT_INPUT, "%s: no setting has at most %g %s", curve, args->error,
                       chart.error_name);
-    else if (setting_parse(args->technique->fields, args->setting, point->options, &error))
+    else if (setting_parse(technique->settings, args->setting, point->options, &error))
         code = report(EXIT_INPUT, "%s: %s", curve, error.text);
     else
         explain_choice(args, &chart, point);
@@ -185,80 +228,170 @@ static int choose(TechniqueArgs *args)
 
 /* --- the frame -------------------------------------------------------------------------------- */
 
-static int draw_picture(const TechniqueRun *run)
+/* What a frame gave: read once it has been drawn, before a list that does not clear its targets is
+ * drawn again. */
+typedef struct Result {
+    Frame frame;
+    RunStatistics statistics;
+    const GpSurface *picture; /* NULL: the volume is the result */
+    GpVolume volume;
+    uint64_t hash; /* of the picture, or of the volume's voxels in order */
+    TechniqueReport report;
+} Result;
+
+static void free_result(Result *result)
 {
-    const Technique *technique = run->technique;
-    GpError error = { "" };
-    Frame frame = { .color = NULL };
-    if (technique->build(run->scene, run->setting, &frame, &error))
-        return report(EXIT_INPUT, "%s: %s", run->input, error.text);
-    char setting[SETTING_MAX_TEXT];
-    setting_print(technique->fields, run->setting, technique->defaults, setting, sizeof setting);
-    json_t *more = json_pack("{s:s}", "setting", setting);
-    int code = output_frame(run->options, run->input, run->output, run->device, &frame.list,
-                            frame.color, true, more);
-    json_decref(more);
-    frame_free(&frame);
-    return code;
+    text_free(&result->report.lines);
+    text_free(&result->report.warnings);
+    json_decref(result->report.members);
+    gp_volume_free(&result->volume);
+    frame_free(&result->frame);
 }
 
-static GpResult check_output(const TechniqueArgs *args, const char *output, GpError *error)
-{
-    const TechniqueResult *result = args->result;
-    GpError reason;
-    if (result)
-        return result->check(output, args->setting, result->own, error);
-    return picture_check_path(output, &reason)
-               ? gp_fail(error, GP_ERROR_INVALID, "-o %s", reason.text)
-               : GP_OK;
-}
-
-static int open_and_draw(const TechniqueArgs *args, TechniqueRun *run)
+static GpResult take(const TechniqueArgs *args, Result *result, GpError *error)
 {
     const Technique *technique = args->technique;
+    if (is_picture(args) || !technique->volume) {
+        result->picture = result->frame.color ? result->frame.color : result->frame.depth;
+        result->hash = gp_surface_hash(result->picture);
+        return GP_OK;
+    }
+    GpResult done = technique->volume(&result->frame, &result->volume, error);
+    if (!done)
+        result->hash = XXH3_64bits(result->volume.data, gp_volume_bytes(&result->volume));
+    return done;
+}
+
+static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, Result *result,
+                      GpError *error)
+{
+    const Technique *technique = args->technique;
+    GpResult done = technique->build(scene, args->setting, device, &result->frame, error);
+    if (!done && technique->show && is_picture(args))
+        done = technique->show(scene, args->setting, &result->frame, error);
+    return done;
+}
+
+static void print_lines(const Result *result)
+{
+    const uint32_t *dims = result->volume.dims;
+    const Text *lines = &result->report.lines;
+    if (result->picture)
+        picture_print_hash(result->picture, result->hash);
+    else
+        printf("hash VOXELS %ux%ux%u %016" PRIx64 "\n", dims[0], dims[1], dims[2], result->hash);
+    fputs(lines->data ? lines->data : "", stdout);
+}
+
+static void print_object(const TechniqueArgs *args, const Result *result)
+{
+    const Technique *technique = args->technique;
+    const GpVolume *volume = &result->volume;
+    char setting[SETTING_MAX_TEXT];
+    setting_print(technique->settings, args->setting, technique->defaults, setting, sizeof setting);
+    json_t *object = run_json(&result->statistics, result->hash, result->frame.color);
+    if (!result->picture) {
+        json_t *size =
+            json_pack("{s:s, s:I, s:I, s:I, s:I}", "format", "VOXELS", "width",
+                      (json_int_t)volume->dims[0], "height", (json_int_t)volume->dims[1], "depth",
+                      (json_int_t)volume->dims[2], "bytes", (json_int_t)gp_volume_bytes(volume));
+        json_object_update(object, size);
+        json_decref(size);
+    }
+    json_object_update(object, result->report.members);
+    json_object_set_new(object, "file", json_string(args->output));
+    json_object_set_new(object, "setting", json_string(setting));
+    json_print(object);
+}
+
+static void print_warnings(const TechniqueReport *told)
+{
+    const char *line = told->warnings.data ? told->warnings.data : "";
+    for (; *line; line += strcspn(line, "\n") + 1)
+        report(0, "warning: %.*s", (int)strcspn(line, "\n"), line);
+}
+
+/* The first frame is what is written and told; --json times a second one. */
+static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, Result *result)
+{
+    const Options *options = &args->options;
+    const Technique *technique = args->technique;
+    const GpList *list = &result->frame.list;
     GpError error = { "" };
-    GpResult result = technique->open(args->scene, args->options.width, args->options.height,
-                                      &run->scene, &error);
-    if (result)
-        return report(exit_of_input(result), "%s", error.text);
-    int code = args->result ? args->result->run(run) : draw_picture(run);
-    technique->close(run->scene);
+    GpResult done = run_first(device, list, &result->statistics, &error);
+    if (done)
+        return report(exit_of_run(done), "%s: %s", args->scene, error.text);
+    if (take(args, result, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    result->report.members = options->json ? json_object() : NULL;
+    done = technique->report ? technique->report(scene, args->setting, &result->frame, device,
+                                                 &result->report, &error)
+                             : GP_OK;
+    if (done)
+        return report(exit_of_input(done), "%s: %s", args->scene, error.text);
+    print_warnings(&result->report);
+    if (result->picture ? picture_write_surface(args->output, result->picture, true, &error)
+                        : gp_volume_write(args->output, &result->volume, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(options, "wrote %s", args->output);
+    output_verbose(options, &result->statistics);
+    if (!options->json) {
+        print_lines(result);
+        return EXIT_DONE;
+    }
+    done = run_again(device, list, &result->statistics, &error);
+    if (done)
+        return report(exit_of_run(done), "%s: %s", args->scene, error.text);
+    print_object(args, result);
+    return EXIT_DONE;
+}
+
+static int open_and_draw(const TechniqueArgs *args, GpDevice *device)
+{
+    const Technique *technique = args->technique;
+    const TechniqueInput input = { args->scene, args->options.width, args->options.height,
+                                   args->setting };
+    GpError error = { "" };
+    void *scene;
+    GpResult done = technique->open(&input, &scene, &error);
+    if (done)
+        return report(exit_of_input(done), "%s", error.text);
+    Result result = { .picture = NULL };
+    done = build(args, scene, device, &result, &error);
+    int code = done ? report(exit_of_input(done), "%s: %s", args->scene, error.text)
+                    : draw(args, scene, device, &result);
+    free_result(&result);
+    technique->close(scene);
     return code;
 }
 
 static int run(TechniqueArgs *args)
 {
+    GpDevice *device;
     GpError error = { "" };
     char path[4096];
-    output_default_path(args->scene, args->result ? args->result->extension : "png", path,
-                        sizeof path);
-    TechniqueRun run = { .options = &args->options,
-                         .technique = args->technique,
-                         .input = args->scene,
-                         .output = args->output ? args->output : path,
-                         .setting = args->setting,
-                         .own = args->result ? args->result->own : NULL };
-    if (check_output(args, run.output, &error))
+    output_default_path(args->scene, args->technique->volume ? "nrrd" : "png", path, sizeof path);
+    args->output = args->output ? args->output : path;
+    if (check_output(args, &error))
         return report(EXIT_USAGE, "%s", error.text);
     int code = args->has_error ? choose(args) : EXIT_DONE;
+    if (!code)
+        code = options_device(&args->options, NULL, &device);
     if (code)
         return code;
-    code = options_device(&args->options, NULL, &run.device);
-    if (code)
-        return code;
-    code = open_and_draw(args, &run);
-    gp_device_destroy(&run.device);
+    code = open_and_draw(args, device);
+    gp_device_destroy(&device);
     return code;
 }
 
-int technique_command(const Technique *technique, const TechniqueHelp *help, int argc, char **argv)
+int technique_command(const Technique *technique, int argc, char **argv)
 {
-    TechniqueArgs args = { .technique = technique, .result = help->result };
+    TechniqueArgs args = { .technique = technique };
     args.setting = gp_alloc(1, technique->setting_bytes);
     if (!args.setting)
         return report(EXIT_INTERNAL, "out of memory");
     memcpy(args.setting, technique->defaults, technique->setting_bytes);
-    parse(help, argc, argv, &args);
+    parse(argc, argv, &args);
     int code = run(&args);
     gp_free(args.setting);
     return code;

@@ -9,41 +9,35 @@
 /* What a member may hold. */
 typedef union Value {
     int name;
-    uint32_t integer;
-    double number;
+    uint32_t integer, size[2];
+    double number, vector[SETTING_MAX_VECTOR];
+    bool flag;
+    const char *text;
 } Value;
 
 /* --- members ---------------------------------------------------------------------------------- */
 
+static size_t bytes_of(const SettingField *field)
+{
+    static const size_t bytes[] = {
+        [SETTING_NAME] = sizeof(int),          [SETTING_INTEGER] = sizeof(uint32_t),
+        [SETTING_NUMBER] = sizeof(double),     [SETTING_FLAG] = sizeof(bool),
+        [SETTING_SIZE] = 2 * sizeof(uint32_t), [SETTING_VECTOR] = sizeof(double),
+        [SETTING_TEXT] = sizeof(char *),
+    };
+    return bytes[field->type] * (field->type == SETTING_VECTOR ? (size_t)field->count : 1);
+}
+
 static Value load(const SettingField *field, const void *setting)
 {
-    const void *member = (const char *)setting + field->offset;
-    Value value = { .number = 0 };
-    if (field->type == SETTING_NAME)
-        memcpy(&value.name, member, sizeof value.name);
-    else if (field->type == SETTING_INTEGER)
-        memcpy(&value.integer, member, sizeof value.integer);
-    else
-        memcpy(&value.number, member, sizeof value.number);
+    Value value;
+    memcpy(&value, (const char *)setting + field->offset, bytes_of(field));
     return value;
 }
 
-static void store(const SettingField *field, void *setting, Value value)
+static void store(const SettingField *field, void *setting, const Value *value)
 {
-    void *member = (char *)setting + field->offset;
-    if (field->type == SETTING_NAME)
-        memcpy(member, &value.name, sizeof value.name);
-    else if (field->type == SETTING_INTEGER)
-        memcpy(member, &value.integer, sizeof value.integer);
-    else
-        memcpy(member, &value.number, sizeof value.number);
-}
-
-static bool same(const SettingField *field, Value a, Value b)
-{
-    if (field->type == SETTING_NAME)
-        return a.name == b.name;
-    return field->type == SETTING_INTEGER ? a.integer == b.integer : a.number == b.number;
+    memcpy((char *)setting + field->offset, value, bytes_of(field));
 }
 
 static const SettingField *find(const SettingField *fields, const char *name, size_t length)
@@ -52,6 +46,23 @@ static const SettingField *find(const SettingField *fields, const char *name, si
         if (strlen(field->name) == length && memcmp(field->name, name, length) == 0)
             return field;
     return NULL;
+}
+
+const SettingField *setting_find(const SettingField *fields, const char *name)
+{
+    return find(fields, name, strlen(name));
+}
+
+bool setting_is_given(const SettingField *fields, uint32_t given, const char *name)
+{
+    return given >> (setting_find(fields, name) - fields) & 1;
+}
+
+int setting_words(const SettingField *field)
+{
+    if (field->type == SETTING_VECTOR)
+        return field->count;
+    return field->type != SETTING_FLAG;
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */
@@ -70,7 +81,7 @@ static bool read_name(const SettingField *field, const char *text, int *value)
 /* Decimal in one of the usual forms: no spaces, hexadecimal digits, infinities. */
 static bool read_number(const SettingField *field, const char *text, double *value)
 {
-    bool whole = field->type == SETTING_INTEGER;
+    bool whole = field->type == SETTING_INTEGER || field->type == SETTING_SIZE;
     const char *digits = whole ? "0123456789" : "0123456789+-.eE";
     char *end;
     double read = strtod(text, &end);
@@ -80,64 +91,134 @@ static bool read_number(const SettingField *field, const char *text, double *val
     return read >= field->low && read <= field->high;
 }
 
-/* "plain, hardware or soft" */
-static void list_names(const SettingField *field, char *list, size_t size)
+/* A word of a list, copied; the words end at any of these. */
+static const char *next_word(const char *at, const char *ends, char word[32])
+{
+    const size_t length = strcspn(at, ends);
+    snprintf(word, 32, "%.*s", (int)(length < 31 ? length : 31), at);
+    return at + length;
+}
+
+static bool read_size(const SettingField *field, const char *text, uint32_t size[2])
+{
+    const char *at = text;
+    char word[32];
+    for (int i = 0; i < 2; i++) {
+        double number;
+        at = next_word(at, "x", word);
+        if (!read_number(field, word, &number) || *at != (i ? '\0' : 'x'))
+            return false;
+        size[i] = (uint32_t)number;
+        at++;
+    }
+    return true;
+}
+
+/* out  wrong: the first word that is none, on failure */
+static bool read_vector(const SettingField *field, const char *text, double *vector, char wrong[32])
+{
+    const char *at = text;
+    for (int i = 0; i < field->count; i++) {
+        at = next_word(at + strspn(at, " "), " ", wrong);
+        if (!read_number(field, wrong, &vector[i]))
+            return false;
+    }
+    return true;
+}
+
+/* "plain, hardware or soft", or with the same between all */
+static void list_names(const SettingField *field, const char *between, const char *last, char *list,
+                       size_t size)
 {
     size_t used = 0;
     list[0] = '\0';
-    for (int i = 0; field->names[i] && used < size; i++) {
-        const char *between = i == 0 ? "" : field->names[i + 1] ? ", " : " or ";
-        used += (size_t)snprintf(list + used, size - used, "%s%s", between, field->names[i]);
-    }
+    for (int i = 0; field->names[i] && used < size; i++)
+        used += (size_t)snprintf(list + used, size - used, "%s%s",
+                                 i == 0                ? ""
+                                 : field->names[i + 1] ? between
+                                                       : last,
+                                 field->names[i]);
 }
 
-static GpResult refuse(const SettingField *field, const char *text, GpError *error)
+void setting_list_names(const SettingField *field, char *list, size_t size)
 {
-    char names[240];
-    if (field->type == SETTING_NAME) {
-        list_names(field, names, sizeof names);
-        return gp_fail(error, GP_ERROR_INVALID, "--%s: expected %s, not '%.100s'", field->name,
-                       names, text);
-    }
+    list_names(field, "|", "|", list, size);
+}
+
+/* What a field expects, in words. */
+static void describe(const SettingField *field, char *text, size_t size)
+{
+    static const char *const numbers[] = { "", "a number", "two numbers", "three numbers",
+                                           "four numbers" };
     char low[32], high[32];
     text_of_number(field->low, low);
     text_of_number(field->high, high);
-    return gp_fail(error, GP_ERROR_INVALID, "--%s: expected a %s from %s to %s, not '%.100s'",
-                   field->name, field->type == SETTING_INTEGER ? "whole number" : "number", low,
-                   high, text);
+    if (field->type == SETTING_NAME)
+        list_names(field, ", ", " or ", text, size);
+    else if (field->type == SETTING_SIZE)
+        snprintf(text, size, "WIDTHxHEIGHT, such as 1024x768, each from %s to %s", low, high);
+    else
+        snprintf(text, size, "%s from %s to %s",
+                 field->type == SETTING_INTEGER ? "a whole number" : numbers[setting_words(field)],
+                 low, high);
 }
 
+/* A flag and a text take everything. */
 static GpResult read_value(const SettingField *field, const char *text, Value *value,
                            GpError *error)
 {
+    char expected[240], word[32];
+    const char *wrong = text;
     double number = 0;
-    bool good = field->type == SETTING_NAME ? read_name(field, text, &value->name)
-                                            : read_number(field, text, &number);
-    if (!good)
-        return refuse(field, text, error);
-    if (field->type == SETTING_INTEGER)
-        value->integer = (uint32_t)number;
-    else if (field->type == SETTING_NUMBER)
-        value->number = number;
-    return GP_OK;
+    bool good = true;
+    switch (field->type) {
+    case SETTING_NAME:
+        good = read_name(field, text, &value->name);
+        break;
+    case SETTING_INTEGER:
+        good = read_number(field, text, &number);
+        value->integer = good ? (uint32_t)number : 0;
+        break;
+    case SETTING_NUMBER:
+        good = read_number(field, text, &value->number);
+        break;
+    case SETTING_FLAG:
+        value->flag = true;
+        break;
+    case SETTING_SIZE:
+        good = read_size(field, text, value->size);
+        break;
+    case SETTING_VECTOR:
+        good = read_vector(field, text, value->vector, word);
+        wrong = word;
+        break;
+    case SETTING_TEXT:
+        value->text = text;
+        break;
+    }
+    if (good)
+        return GP_OK;
+    describe(field, expected, sizeof expected);
+    return gp_fail(error, GP_ERROR_INVALID, "--%s: expected %s, not '%.100s'", field->name,
+                   expected, wrong);
 }
 
 GpResult setting_set(const SettingField *fields, void *setting, const char *name, const char *text,
                      GpError *error)
 {
-    const SettingField *field = find(fields, name, strlen(name));
+    const SettingField *field = setting_find(fields, name);
     if (!field)
         return gp_fail(error, GP_ERROR_INVALID, "no option '--%.100s'", name);
     Value value;
     GpResult result = read_value(field, text, &value, error);
     if (!result)
-        store(field, setting, value);
+        store(field, setting, &value);
     return result;
 }
 
-/* --- texts of options ------------------------------------------------------------------------- */
+/* --- keys ------------------------------------------------------------------------------------- */
 
-/* One option of a text, its value copied. */
+/* One option of a key, its value copied. */
 typedef struct Option {
     const SettingField *field;
     char value[SETTING_MAX_TEXT];
@@ -154,17 +235,19 @@ static GpResult next_option(const SettingField *fields, const char **at, Option 
                        (int)(length < 100 ? length : 100), word);
     size_t name_length = strcspn(name, " =");
     option->field = find(fields, name, name_length);
-    if (!option->field)
+    if (!option->field || option->field->aside)
         return gp_fail(error, GP_ERROR_INVALID, "no option '--%.*s'",
                        (int)(name_length < 100 ? name_length : 100), name);
-    const char *value = name + name_length;
+    const char *value = name + name_length, *end;
     value += *value == '=' ? 1 : strspn(value, " ");
-    size_t value_length = strcspn(value, " ");
-    if (value_length == 0 || value_length >= sizeof option->value)
+    end = value;
+    for (int i = 0; i < setting_words(option->field); i++)
+        end += strspn(end, i ? " " : ""), end += strcspn(end, " ");
+    size_t value_length = (size_t)(end - value);
+    if ((value_length == 0 && setting_words(option->field)) || value_length >= sizeof option->value)
         return gp_fail(error, GP_ERROR_INVALID, "--%s: expected a value", option->field->name);
     snprintf(option->value, sizeof option->value, "%.*s", (int)value_length, value);
-    value += value_length;
-    *at = value + strspn(value, " ");
+    *at = end + strspn(end, " ");
     return GP_OK;
 }
 
@@ -182,49 +265,50 @@ GpResult setting_parse(const SettingField *fields, void *setting, const char *te
             if (result)
                 return result;
             if (setting_them)
-                store(option.field, setting, value);
+                store(option.field, setting, &value);
         }
     }
     return GP_OK;
 }
 
+/* A value as it would be typed, after a space; nothing of a flag. */
+static void print_value(const SettingField *field, const Value *value, Text *text)
+{
+    char number[32];
+    switch (field->type) {
+    case SETTING_NAME:
+        text_add(text, " %s", field->names[value->name]);
+        break;
+    case SETTING_INTEGER:
+        text_add(text, " %u", value->integer);
+        break;
+    case SETTING_SIZE:
+        text_add(text, " %ux%u", value->size[0], value->size[1]);
+        break;
+    case SETTING_NUMBER:
+    case SETTING_VECTOR:
+        for (int i = 0; i < setting_words(field); i++) {
+            text_of_number(value->vector[i], number);
+            text_add(text, " %s", number);
+        }
+        break;
+    case SETTING_FLAG:
+    case SETTING_TEXT:
+        break;
+    }
+}
+
 void setting_print(const SettingField *fields, const void *setting, const void *defaults,
                    char *text, size_t size)
 {
-    size_t used = 0;
-    GP_ASSERT(size > 0);
-    text[0] = '\0';
-    for (const SettingField *field = fields; field->name && used < size; field++) {
-        Value value = load(field, setting);
-        if (same(field, value, load(field, defaults)))
+    Text key = { .data = NULL };
+    for (const SettingField *field = fields; field->name; field++) {
+        const Value value = load(field, setting), usual = load(field, defaults);
+        if (field->aside || memcmp(&value, &usual, bytes_of(field)) == 0)
             continue;
-        char number[32] = "";
-        if (field->type != SETTING_NAME)
-            text_of_number(field->type == SETTING_INTEGER ? value.integer : value.number, number);
-        used += (size_t)snprintf(text + used, size - used, "%s--%s %s", used ? " " : "",
-                                 field->name, number[0] ? number : field->names[value.name]);
+        text_add(&key, "%s--%s", key.length ? " " : "", field->name);
+        print_value(field, &value, &key);
     }
-}
-
-/* --- argp ------------------------------------------------------------------------------------- */
-
-void setting_options(const SettingField *fields, struct argp_option *options)
-{
-    int count = 0;
-    for (; fields[count].name; count++) {
-        GP_ASSERT(count < SETTING_MAX_FIELDS);
-        options[count] = (struct argp_option){ .name = fields[count].name,
-                                               .key = SETTING_FIRST_KEY + count,
-                                               .arg = fields[count].argument,
-                                               .doc = fields[count].help };
-    }
-    options[count] = (struct argp_option){ .name = NULL };
-}
-
-const SettingField *setting_of_key(const SettingField *fields, int key)
-{
-    for (int i = 0; fields[i].name; i++)
-        if (SETTING_FIRST_KEY + i == key)
-            return &fields[i];
-    return NULL;
+    snprintf(text, size, "%s", key.data ? key.data : "");
+    text_free(&key);
 }

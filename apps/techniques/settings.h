@@ -2,54 +2,67 @@
  * charts and the text by which a chart names its points.
  *
  * A setting is a plain struct of the technique's own; a field says how one member is called and what
- * it may hold. A setting as text is what a user would type: "--method hardware --map 2048".
+ * it may hold. A setting as text is what a user would type: "--method hardware --map 2048". It is the
+ * key of a chart's point, and has the fields that say how a frame is made; those that say of what, or
+ * how the result is looked at, lie aside of it.
  */
 #ifndef APPS_TECHNIQUES_SETTINGS_H
 #define APPS_TECHNIQUES_SETTINGS_H
 
 #include "pipeline/base/base.h"
 
-#include <argp.h>
-
 typedef enum SettingType {
-    SETTING_NAME = 1, /* int: number of a name */
+    SETTING_NAME = 1, /* an enumeration that counts from 0: number of a name */
     SETTING_INTEGER,  /* uint32_t in low..high */
     SETTING_NUMBER,   /* double in low..high */
+    SETTING_FLAG,     /* bool: there, or not; without a value */
+    SETTING_SIZE,     /* uint32_t[2], each in 1..high: WIDTHxHEIGHT */
+    SETTING_VECTOR,   /* double[count], each in low..high: so many words */
+    SETTING_TEXT,     /* const char *, borrowed; aside of the key */
 } SettingType;
 
 typedef struct SettingField {
     const char *name;     /* "map": the option --map; NULL ends a table */
-    const char *argument; /* "N", for the help */
+    const char *argument; /* "N", for the help; NULL: the names, or none */
     const char *help;
     SettingType type;
     size_t offset;
-    double low, high;         /* of integers and numbers, both included */
+    double low, high;         /* of integers, numbers and vectors, both included */
     const char *const *names; /* of SETTING_NAME, NULL at the end */
+    int count;                /* of SETTING_VECTOR: at most SETTING_MAX_VECTOR */
+    char letter;              /* 'n': the option -n too; 0: none */
+    bool aside;               /* no part of the key */
+    bool for_pictures;        /* of use only where the result is written as a picture */
 } SettingField;
 
-enum { SETTING_MAX_FIELDS = 24, SETTING_MAX_TEXT = 256, SETTING_FIRST_KEY = 0x400 };
+enum { SETTING_MAX_FIELDS = 32, SETTING_MAX_TEXT = 256, SETTING_MAX_VECTOR = 4 };
 
-/* Sets one member from text.
+/* The field of a name, or NULL. */
+const SettingField *setting_find(const SettingField *fields, const char *name);
+
+/* Whether the field of a name is among those of a set: bit i stands for fields[i]. */
+bool setting_is_given(const SettingField *fields, uint32_t given, const char *name);
+
+/* Words of the field's value: 0 of a flag, `count` of a vector, else 1. */
+int setting_words(const SettingField *field);
+
+/* Sets one member from text, the words of a vector with spaces between; a flag, whatever it is.
  * errors GP_ERROR_INVALID, with what was expected, in argp's style: "--map: expected a whole number
  *        from 16 to 8192, not '3x'" */
 GpResult setting_set(const SettingField *fields, void *setting, const char *name, const char *text,
                      GpError *error);
 
-/* Sets every member that a text of options names: "--map 1024 --bias 0.001"; "--map=1024" works too.
- * errors GP_ERROR_INVALID: as above, an option without value, no such option */
+/* Sets every member that a key names: "--map 1024 --bias 0.001"; "--map=1024" works too.
+ * errors GP_ERROR_INVALID: as above, an option without value, none of the key; nothing is then set */
 GpResult setting_parse(const SettingField *fields, void *setting, const char *text, GpError *error);
 
-/* The text of a setting: the members that differ from `defaults`, in the table's order; numbers with
+/* The key of a setting: the members that differ from `defaults`, in the table's order; numbers with
  * as many digits as restore them. Empty where none differs.
  * in   size: of text; longer texts are cut */
 void setting_print(const SettingField *fields, const void *setting, const void *defaults,
                    char *text, size_t size);
 
-/* Fills argp options with keys SETTING_FIRST_KEY + index, and the empty one at the end.
- * in   options: at least one more than there are fields */
-void setting_options(const SettingField *fields, struct argp_option *options);
-
-/* The field of such a key, or NULL. */
-const SettingField *setting_of_key(const SettingField *fields, int key);
+/* "plain|hardware|soft". */
+void setting_list_names(const SettingField *field, char *list, size_t size);
 
 #endif

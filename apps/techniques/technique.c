@@ -1,36 +1,25 @@
 #include "apps/techniques/technique.h"
 
-#include "apps/techniques/shadow/technique.h"
-#include "apps/techniques/voxel/technique.h"
-
 #include <stdio.h>
 #include <string.h>
 
-const Technique *const techniques[] = {
-    &shadow_technique,
-    &voxel_technique,
-    &solid_technique,
-    NULL,
-};
-
-const Technique *technique_find(const char *name)
+GpResult technique_open(const Technique *technique, const char *path, uint32_t width,
+                        uint32_t height, void **scene, GpError *error)
 {
-    for (size_t i = 0; techniques[i]; i++)
-        if (strcmp(techniques[i]->name, name) == 0)
-            return techniques[i];
-    return NULL;
+    const TechniqueInput input = { path, width, height, technique->defaults };
+    return technique->open(&input, scene, error);
 }
 
-GpResult technique_build(const Technique *technique, void *scene, const char *options, Frame *frame,
-                         GpError *error)
+GpResult technique_build(const Technique *technique, void *scene, const char *options,
+                         GpDevice *device, Frame *frame, GpError *error)
 {
     void *setting = gp_alloc(1, technique->setting_bytes);
     if (!setting)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     memcpy(setting, technique->defaults, technique->setting_bytes);
-    GpResult result = setting_parse(technique->fields, setting, options, error);
+    GpResult result = setting_parse(technique->settings, setting, options, error);
     if (!result)
-        result = technique->build(scene, setting, frame, error);
+        result = technique->build(scene, setting, device, frame, error);
     gp_free(setting);
     return result;
 }

@@ -1,13 +1,19 @@
-/* What every technique declares, so that its command, its chart and its benchmark are written once.
+/* What every technique declares, so that its command, its charts and its tables are written once.
  *
- * tech_NAME.c turns a setting into passes. study_NAME.c declares the Technique: fields, sweep, truth,
- * measure. Nothing else knows one technique from another.
+ * A technique is a folder beside this file, whose technique.c has the Technique, and a line of
+ * registry.c. Nothing else knows one technique from another.
  */
 #ifndef APPS_TECHNIQUES_TECHNIQUE_H
 #define APPS_TECHNIQUES_TECHNIQUE_H
 
-#include "apps/techniques/settings.h"
+#include "apps/base/text.h"
 #include "apps/frame/frame.h"
+#include "apps/techniques/settings.h"
+#include "pipeline/io/volume/volume_file.h"
+
+#include <jansson.h>
+
+/* --- experiments ------------------------------------------------------------------------------ */
 
 enum { TECHNIQUE_MAX_METRICS = 8 };
 
@@ -17,6 +23,31 @@ typedef struct TechniqueSweep {
     const char *method;  /* in the field's words: "hardware, 2x2"; NULL ends a table */
     const char *options; /* "--method hardware --map 512|1024|2048 --slope 1|2" */
 } TechniqueSweep;
+
+/* How far a frame is from the truth. */
+typedef struct TechniqueError {
+    double error;                          /* what the chart's axis shows; 0: none */
+    double metrics[TECHNIQUE_MAX_METRICS]; /* as many as the experiment names */
+} TechniqueError;
+
+/* Speed against accuracy: a chart. */
+typedef struct Experiment {
+    const char *name;  /* of the chart and its files: "solids"; NULL ends a table */
+    const char *title; /* "Solid voxels: time against wrong volume" */
+    const char *scene; /* that is drawn where none is named: a path */
+    const TechniqueSweep *sweep;
+    const char *error_name;     /* of the axis: "wrong pixels" */
+    const char *const *metrics; /* names of further numbers, NULL at the end: "acne", "leak" */
+
+    /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
+     * none, with the reason */
+    GpResult (*find_truth)(void *scene, int threads, GpError *error);
+
+    /* Holds a frame that has been drawn against the truth. errors GP_ERROR_MEMORY */
+    GpResult (*measure)(void *scene, const Frame *frame, TechniqueError *measured, GpError *error);
+} Experiment;
+
+/* --- scaling ---------------------------------------------------------------------------------- */
 
 /* A line of a scaling picture: all combinations of scenes and settings, lists as in a sweep, what
  * grows in rising order. */
@@ -51,56 +82,76 @@ typedef struct TechniqueScaling {
     TechniquePanel panels[TECHNIQUE_PANELS];
 } TechniqueScaling;
 
-/* How far a frame is from the truth. */
-typedef struct TechniqueError {
-    double error;                          /* what the chart's axis shows; 0: none */
-    double metrics[TECHNIQUE_MAX_METRICS]; /* as many as the technique names */
-} TechniqueError;
+/* --- a technique ------------------------------------------------------------------------------ */
+
+typedef struct TechniqueInput {
+    const char *path;
+    uint32_t width, height; /* of the picture; 0 x 0: the scene's own */
+    const void *setting;    /* its fields aside of the key hold for all frames of the scene */
+} TechniqueInput;
+
+/* What is worth saying of a frame that has been drawn; zeroed before. Texts are lines, owned by the
+ * caller. */
+typedef struct TechniqueReport {
+    Text lines, warnings;
+    json_t *members; /* for --json; NULL: not asked for */
+} TechniqueReport;
+
+typedef struct PaperTable PaperTable;
 
 typedef struct Technique {
-    const char *name;  /* as the command: "shadow" */
-    const char *title; /* of its chart: "Shadow maps: time against wrong pixels" */
-    const char *scene; /* that the chart draws where none is named: a path */
+    const char *name;      /* as the command: "shadow" */
+    const char *arguments; /* "SCENE.json" */
+    const char *input;     /* for messages: "a scene file" */
+    const char *summary;   /* a line of the program's help */
+    const char *help;      /* examples first; after \v what follows the options */
 
-    const SettingField *fields;
+    const SettingField *settings;
     const void *defaults; /* a setting */
     size_t setting_bytes;
-    bool makes_volumes; /* work->color has no size that a user knows */
 
-    const TechniqueSweep *sweep;
-    const char *error_name;          /* of the axis: "wrong pixels" */
-    const char *const *metrics;      /* names of further figures, NULL at the end: "acne", "leak" */
+    const Experiment *experiments;   /* the first is the technique's own, and has its name */
     const TechniqueScaling *scaling; /* NULL: none */
+    const PaperTable *const *tables; /* NULL at the end; NULL: none */
 
-    /* Reads what all settings share. size 0 x 0: the scene's own.
+    /* Whether options go together, and with the extension of the file to be written.
+     * in   given: bit i: the user gave settings[i]
+     * errors GP_ERROR_INVALID, with the reason. NULL: always */
+    GpResult (*check)(const void *setting, uint32_t given, const char *extension, GpError *error);
+
+    /* Reads what all frames share.
      * errors as scene_load's; owns: the caller, until close */
-    GpResult (*open)(const char *path, uint32_t width, uint32_t height, void **scene,
-                     GpError *error);
+    GpResult (*open)(const TechniqueInput *input, void **scene, GpError *error);
     void (*close)(void *scene);
 
-    /* The frame of a setting: its list, its picture (or a volume as one) in work->color.
-     * in   work: zeroed. errors GP_ERROR_INVALID: the setting does not go with the scene, with the
-     *      reason; *work is then empty */
-    GpResult (*build)(void *scene, const void *setting, Frame *frame, GpError *error);
+    /* The frame of a setting: its list, its picture in frame->color, or what `volume` reads.
+     * in   device: the caller's own, for passes that have to be drawn before; frame: zeroed
+     * errors GP_ERROR_INVALID: the setting does not go with the scene, with the reason; *frame is
+     *      then empty */
+    GpResult (*build)(void *scene, const void *setting, GpDevice *device, Frame *frame,
+                      GpError *error);
 
-    /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
-     * none, with the reason */
-    GpResult (*find_truth)(void *scene, int threads, GpError *error);
+    /* Where the result is a volume: reads it once the list has run.
+     * errors GP_ERROR_MEMORY; owns: the caller, until gp_volume_free. NULL: the result is a picture */
+    GpResult (*volume)(const Frame *frame, GpVolume *volume, GpError *error);
 
-    /* Holds a frame that has been drawn against the truth. */
-    void (*measure)(const void *scene, const Frame *frame, TechniqueError *error);
+    /* Appends the passes that draw a picture of such a volume into frame->color.
+     * errors as those of build, but the frame is not emptied. NULL: there is none */
+    GpResult (*show)(void *scene, const void *setting, Frame *frame, GpError *error);
+
+    /* Says what there is to say. errors those of what it looks into. NULL: nothing */
+    GpResult (*report)(void *scene, const void *setting, const Frame *frame, GpDevice *device,
+                       TechniqueReport *report, GpError *error);
 } Technique;
 
-/* All techniques, NULL at the end. */
-extern const Technique *const techniques[];
-
-/* The technique of a name, or NULL. */
-const Technique *technique_find(const char *name);
+/* Opens a scene with the technique's defaults. */
+GpResult technique_open(const Technique *technique, const char *path, uint32_t width,
+                        uint32_t height, void **scene, GpError *error);
 
 /* Builds the frame of a setting that is given as a text of options, on top of the defaults.
- * in   work: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *work is then empty */
-GpResult technique_build(const Technique *technique, void *scene, const char *options, Frame *frame,
-                         GpError *error);
+ * in   frame: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *frame is then empty */
+GpResult technique_build(const Technique *technique, void *scene, const char *options,
+                         GpDevice *device, Frame *frame, GpError *error);
 
 /* All combinations of a sweep's options, each as text; the last list varies fastest.
  * out     texts: as many as there is room for; NULL allowed where room is 0

@@ -4,7 +4,7 @@ GpResult technique_time(const TechniqueClock *clock, const Technique *technique,
                         const char *options, Frame *frame, RunStatistics *statistics,
                         Timing *timing, GpError *error)
 {
-    GpResult result = technique_build(technique, scene, options, frame, error);
+    GpResult result = technique_build(technique, scene, options, clock->device, frame, error);
     if (result)
         return result;
     result = run_first(clock->device, &frame->list, statistics, error);

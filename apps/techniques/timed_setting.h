@@ -13,9 +13,9 @@ typedef struct TechniqueClock {
 } TechniqueClock;
 
 /* Builds the frame of a setting, a text of options, and draws it by the clock's plan.
- * in     work: zeroed
- * out    work: as it was drawn; frame: of the last; timing
- * errors those of technique_build and gp_device_run; *work is then empty
+ * in     frame: zeroed
+ * out    frame: as it was drawn; statistics: of the last; timing
+ * errors those of technique_build and gp_device_run; *frame is then empty
  * owns   the caller, until frame_free */
 GpResult technique_time(const TechniqueClock *clock, const Technique *technique, void *scene,
                         const char *options, Frame *frame, RunStatistics *statistics,

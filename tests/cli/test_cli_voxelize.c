@@ -54,7 +54,7 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ply --scan c.nrrd", "--scan is for pictures: -o FILE.png" },
         { "a.ply --look opaque", "for pictures: -o FILE.png" },
         { "a.ply --shading none -o a.png", "--shading: expected smooth or cubes" },
-        { "a.ply --picture 64 -o a.png", "--picture 64: expected WIDTHxHEIGHT" },
+        { "a.ply --picture 64 -o a.png", "--picture: expected WIDTHxHEIGHT" },
         { "a.ply --from 10 90 -o a.png", "-89 to 89 degrees, not 10 90" },
         { "a.ply --zoom 11 -o a.png", "--zoom: expected a number from 0.1 to 10" },
         { "a.ply -o ''", "-o" },

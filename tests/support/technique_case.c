@@ -29,10 +29,10 @@ static GpResult open_scene(const Technique *technique, const char *scene, uint32
 {
     char path[] = "/tmp/glasspipe-scene-XXXXXX";
     if (scene[0] != '{')
-        return technique->open(scene, width, height, opened, error);
+        return technique_open(technique, scene, width, height, opened, error);
     if (!write_scene(scene, path))
         return gp_fail(error, GP_ERROR_IO, "%s: cannot be written", path);
-    GpResult result = technique->open(path, width, height, opened, error);
+    GpResult result = technique_open(technique, path, width, height, opened, error);
     unlink(path);
     return result;
 }
@@ -48,7 +48,7 @@ GpResult technique_stage_open(const Technique *technique, const char *scene, uin
     if (!result)
         result = open_scene(technique, scene, width, height, &stage->scene, error);
     if (!result)
-        result = technique->find_truth(stage->scene, THREADS, error);
+        result = technique->experiments->find_truth(stage->scene, THREADS, error);
     if (result)
         technique_stage_close(stage);
     return result;
@@ -66,7 +66,8 @@ GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, 
                               GpError *error)
 {
     *frame = (Frame){ .color = NULL };
-    GpResult result = technique_build(stage->technique, stage->scene, options, frame, error);
+    GpResult result =
+        technique_build(stage->technique, stage->scene, options, stage->device, frame, error);
     if (!result)
         result = gp_device_run(stage->device, &frame->list, error);
     if (result)
@@ -81,9 +82,9 @@ GpResult technique_stage_measure(const TechniqueStage *stage, const char *option
     GpResult result = technique_stage_draw(stage, options, &frame, error);
     if (result)
         return result;
-    stage->technique->measure(stage->scene, &frame, measured);
+    result = stage->technique->experiments->measure(stage->scene, &frame, measured, error);
     frame_free(&frame);
-    return GP_OK;
+    return result;
 }
 
 double technique_metric(const Technique *technique, const TechniqueError *measured,
@@ -91,8 +92,9 @@ double technique_metric(const Technique *technique, const TechniqueError *measur
 {
     if (strcmp(name, "error") == 0)
         return measured->error;
-    for (int i = 0; technique->metrics[i]; i++)
-        if (strcmp(name, technique->metrics[i]) == 0)
+    const char *const *metrics = technique->experiments->metrics;
+    for (int i = 0; metrics[i]; i++)
+        if (strcmp(name, metrics[i]) == 0)
             return measured->metrics[i];
     return (double)NAN;
 }

@@ -23,7 +23,7 @@ GpResult technique_cases_check(const Technique *technique, const TechniqueCase *
 
 /* --- what tables are checked with, for claims of other forms ---------------------------------- */
 
-/* A scene with its truth, and a device to draw it on. Owned by the caller until closed. */
+/* A scene with the truth of the technique's first experiment, and a device to draw it on. Owned by the caller until closed. */
 typedef struct TechniqueStage {
     const Technique *technique;
     void *scene;

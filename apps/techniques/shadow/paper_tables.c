@@ -1,126 +1,86 @@
-/* Tables 4.1 and 4.2: frames a second of shadow mapping in two forms. */
-#include "apps/commands/paper_tables.h"
-#include "apps/commands/commands.h"
-#include "apps/techniques/shadow/technique.h"
+#include "apps/techniques/shadow/paper_tables.h"
 
-#include <stdio.h>
+enum { PLAIN, HARDWARE, METHODS, GAIN = METHODS };
 
-enum { COLUMNS = 2 };
-
-typedef struct FramesRow {
-    const char *name, *scene; /* as printed; what is drawn here: a path */
-    double printed[COLUMNS];
-} FramesRow;
-
-typedef struct Frames {
-    const char *options[COLUMNS];
-    const FramesRow *rows; /* name NULL ends them */
-} Frames;
-
-static const char *const columns[COLUMNS] = { "plain", "hardware" };
+static const PaperColumn columns[] = {
+    [PLAIN] = { "plain", PAPER_BOTH, 1 },
+    [HARDWARE] = { "hardware", PAPER_BOTH, 1 },
+    [GAIN] = { "gain", PAPER_BOTH, 2 },
+    { .name = NULL },
+};
 
 /* The thesis does not give its scenes away: these are ours, of about the same kind. */
 #define SCENE_1 "scenes/shadow_bunny.json"
 #define SCENE_2 "scenes/shadow.json"
 
-#define THESIS_SHADOWS "thesis, chapter 4; GeForce 5950, Pentium 4 at 2.8 GHz"
-#define AS_PRINTED     " --fit light --facing smooth --outside printed"
-
-static const FramesRow rows_4_1[] = {
-    { "scene 1", SCENE_1, { 160, 220 } },
-    { "scene 2", SCENE_2, { 125, 176 } },
+static const PaperRow nearest_rows[] = {
+    { "scene 1", SCENE_1, false, { 160, 220, 220.0 / 160 } },
+    { "scene 2", SCENE_2, false, { 125, 176, 176.0 / 125 } },
     { .name = NULL },
 };
 
-static const FramesRow rows_4_2[] = {
-    { "scene 1", SCENE_1, { 110, 217 } },
-    { "scene 2", SCENE_2, { 85, 173 } },
+static const PaperRow bilinear_rows[] = {
+    { "scene 1", SCENE_1, false, { 110, 217, 217.0 / 110 } },
+    { "scene 2", SCENE_2, false, { 85, 173, 173.0 / 85 } },
     { .name = NULL },
 };
 
-static const Frames frames_4_1 = {
-    { "--method plain --filter nearest --bias 0.002" AS_PRINTED,
-      "--method hardware --filter nearest --bias 0.002 --slope 0" AS_PRINTED },
-    rows_4_1,
+#define AS_PRINTED " --bias 0.002 --fit light --facing smooth --outside printed"
+
+static const char *const nearest[METHODS] = {
+    "--method plain --filter nearest" AS_PRINTED,
+    "--method hardware --filter nearest --slope 0" AS_PRINTED,
 };
 
-static const Frames frames_4_2 = {
-    { "--method plain --filter bilinear --bias 0.002" AS_PRINTED,
-      "--method hardware --filter bilinear --bias 0.002 --slope 0" AS_PRINTED },
-    rows_4_2,
+static const char *const bilinear[METHODS] = {
+    "--method plain --filter bilinear" AS_PRINTED,
+    "--method hardware --filter bilinear --slope 0" AS_PRINTED,
 };
 
-static void print_row(const BenchTable *table, const BenchTableRun *run, const FramesRow *row,
-                      const double *ms)
+static GpResult measure(const PaperTable *table, const PaperRow *row, const Technique *technique,
+                        void *scene, const TechniqueClock *clock,
+                        double measured[PAPER_MAX_COLUMNS], GpError *error)
 {
-    if (run->options->json) {
-        json_t *object =
-            json_pack("{s:s, s:s, s:s}", "table", table->id, "row", row->name, "scene", row->scene);
-        for (int i = 0; i < COLUMNS; i++)
-            json_object_set_new(object, columns[i], bench_table_pair(row->printed[i], 1e3 / ms[i]));
-        bench_table_print(object);
-        return;
-    }
-    printf("%-10s", row->name);
-    for (int i = 0; i < COLUMNS; i++)
-        printf("  %9.0f %9.1f", row->printed[i], 1e3 / ms[i]);
-    printf("  %6.2f %6.2f  %s\n", row->printed[1] / row->printed[0], ms[0] / ms[1], row->scene);
-}
-
-static int run_row(const BenchTable *table, const BenchTableRun *run, const FramesRow *row)
-{
-    const Frames *frames = table->content;
-    void *scene;
-    double ms[COLUMNS];
-    int code = bench_table_open(run, &shadow_technique, row->name, row->scene, &scene);
-    if (!scene)
-        return code;
-    for (int i = 0; !code && i < COLUMNS; i++) {
+    const char *const *options = table->content;
+    (void)row;
+    for (int i = 0; i < METHODS; i++) {
         Frame frame = { .color = NULL };
         RunStatistics statistics;
-        Timing timing = { .ms = 0 };
-        GpError error = { "" };
-        if (technique_time(&run->clock, &shadow_technique, scene, frames->options[i], &frame,
-                           &statistics, &timing, &error))
-            code = report(EXIT_INPUT, "%s: %s", frames->options[i], error.text);
+        Timing timing;
+        GpResult result = technique_time(clock, technique, scene, options[i], &frame, &statistics,
+                                         &timing, error);
+        if (result)
+            return result;
         frame_free(&frame);
-        ms[i] = timing.ms;
+        measured[i] = 1e3 / timing.ms;
     }
-    shadow_technique.close(scene);
-    if (!code)
-        print_row(table, run, row, ms);
-    return code;
+    measured[GAIN] = measured[HARDWARE] / measured[PLAIN];
+    return GP_OK;
 }
 
-static int run_frames(const BenchTable *table, const BenchTableRun *run)
-{
-    if (!run->options->json) {
-        printf("frames a second, printed and here; last: %s over %s, printed and here\n",
-               columns[1], columns[0]);
-        printf("%-10s", "");
-        for (int i = 0; i < COLUMNS; i++)
-            printf("  %19s", columns[i]);
-        putchar('\n');
-    }
-    int code = EXIT_DONE;
-    const Frames *frames = table->content;
-    for (const FramesRow *row = frames->rows; !code && row->name; row++)
-        code = run_row(table, run, row);
-    return code;
-}
+#define THESIS "thesis, chapter 4; GeForce 5950, Pentium 4 at 2.8 GHz"
+#define NOTE   "frames a second; gain: hardware over plain"
 
-const BenchTable bench_table_4_1 = {
+static const PaperTable table_nearest = {
     .id = "4.1",
     .title = "efficiency of the two shadow mapping methods",
-    .source = THESIS_SHADOWS,
-    .run = run_frames,
-    .content = &frames_4_1,
+    .source = THESIS,
+    .note = NOTE,
+    .columns = columns,
+    .rows = nearest_rows,
+    .measure = measure,
+    .content = nearest,
 };
 
-const BenchTable bench_table_4_2 = {
+static const PaperTable table_bilinear = {
     .id = "4.2",
     .title = "the same, both with bilinear filtering",
-    .source = THESIS_SHADOWS,
-    .run = run_frames,
-    .content = &frames_4_2,
+    .source = THESIS,
+    .note = NOTE,
+    .columns = columns,
+    .rows = bilinear_rows,
+    .measure = measure,
+    .content = bilinear,
 };
+
+const PaperTable *const shadow_tables[] = { &table_nearest, &table_bilinear, NULL };

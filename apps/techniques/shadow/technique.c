@@ -1,10 +1,10 @@
 #include "apps/techniques/shadow/technique.h"
 
 #include "apps/scene/bounds.h"
+#include "apps/techniques/shadow/paper_tables.h"
 #include "apps/techniques/shadow/shadow.h"
 #include "apps/truth/shadow_error.h"
 
-#include <stddef.h>
 #include <math.h>
 #include <string.h>
 
@@ -18,42 +18,40 @@ static const char *const casters[] = { "all", "near", "far", NULL };
 static const char *const fits[] = { "light", "casters", "eye", "adaptive", NULL };
 static const char *const outsides[] = { "lit", "printed", NULL };
 
-#define NAMED(field) SETTING_NAME, offsetof(ShadowSetting, field), 0, 0
-
-static const SettingField fields[] = {
-    { "method", "NAME",
+static const SettingField settings[] = {
+    { "method", NULL,
       "plain: depths as colours, compared in the shader; hardware: a depth surface "
       "that compares when it is read (default)",
-      NAMED(method), methods },
-    { "filter", "NAME",
+      SETTING_NAME, offsetof(ShadowSetting, method), .names = methods },
+    { "filter", NULL,
       "nearest, bilinear (default): the share of 2x2 texels; soft: as wide as the "
       "light makes its penumbra",
-      NAMED(filter), filters },
+      SETTING_NAME, offsetof(ShadowSetting, filter), .names = filters },
     { "map", "N", "Texels a side of the map, 16 to 8192 (default: the light's, else 1024)",
-      SETTING_INTEGER, offsetof(ShadowSetting, map), 16, GP_MAX_SIZE, NULL },
-    { "depth", "FORMAT", "d16, d24 or d32f of the hardware method, r32f of the plain one",
-      NAMED(depth), depths },
+      SETTING_INTEGER, offsetof(ShadowSetting, map), .low = 16, .high = GP_MAX_SIZE },
+    { "depth", NULL, "d16, d24 or d32f of the hardware method, r32f of the plain one", SETTING_NAME,
+      offsetof(ShadowSetting, depth), .names = depths },
     { "bias", "E", "Taken from a pixel's depth before it is compared, 0 to 1 (default: chosen)",
-      SETTING_NUMBER, offsetof(ShadowSetting, bias), 0, 1, NULL },
+      SETTING_NUMBER, offsetof(ShadowSetting, bias), .low = 0, .high = 1 },
     { "slope", "S", "Added to the map's depth, times its change over a texel (default: chosen)",
-      SETTING_NUMBER, offsetof(ShadowSetting, slope), 0, 64, NULL },
+      SETTING_NUMBER, offsetof(ShadowSetting, slope), .low = 0, .high = 64 },
     { "normal-offset", "T", "Look surfaces up T texels above themselves (default: 0)",
-      SETTING_NUMBER, offsetof(ShadowSetting, offset), 0, 64, NULL },
-    { "casters", "SIDES", "all (default); near: turned to the light; far: turned away from it",
-      NAMED(casters), casters },
-    { "fit", "TO",
+      SETTING_NUMBER, offsetof(ShadowSetting, offset), .low = 0, .high = 64 },
+    { "casters", NULL, "all (default); near: turned to the light; far: turned away from it",
+      SETTING_NAME, offsetof(ShadowSetting, casters), .names = casters },
+    { "fit", NULL,
       "What the map covers: light, all that it shines at; casters, the box of what can "
       "cast a shadow (default); eye, the same, finer where the eye is near; adaptive, finer where "
       "shadows end",
-      NAMED(fit), fits },
-    { "facing", "HOW",
+      SETTING_NAME, offsetof(ShadowSetting, fit), .names = fits },
+    { "facing", NULL,
       "What faces away from the light is dark: smooth, by normals; flat, by "
       "triangles (default)",
-      NAMED(facing), facings },
-    { "outside", "HOW",
+      SETTING_NAME, offsetof(ShadowSetting, facing), .names = facings },
+    { "outside", NULL,
       "Beside the map and behind the light: lit (default), or printed, as the "
       "thesis's arithmetic has it",
-      NAMED(outside), outsides },
+      SETTING_NAME, offsetof(ShadowSetting, outside), .names = outsides },
     { .name = NULL },
 };
 
@@ -85,38 +83,39 @@ static const TechniqueSweep sweep[] = {
 
 /* --- truth ------------------------------------------------------------------------------------ */
 
-typedef struct Study {
+typedef struct Opened {
     Scene scene;
     ShadowTruth truth;
-} Study;
+} Opened;
 
-static GpResult open_scene(const char *path, uint32_t width, uint32_t height, void **opened,
-                           GpError *error)
+static GpResult open_scene(const TechniqueInput *input, void **made, GpError *error)
 {
-    Study *study = gp_alloc(1, sizeof *study);
-    if (!study)
+    Opened *opened = gp_alloc(1, sizeof *opened);
+    if (!opened)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory");
-    const SceneOptions options = { width, height };
-    GpResult result = scene_load(path, &options, &study->scene, error);
+    const SceneOptions options = { input->width, input->height };
+    GpResult result = scene_load(input->path, &options, &opened->scene, error);
     if (result)
-        gp_free(study);
+        gp_free(opened);
     else
-        *opened = study;
+        *made = opened;
     return result;
 }
 
-static void close_scene(void *opened)
+static void close_scene(void *made)
 {
-    Study *study = opened;
-    shadow_truth_free(&study->truth);
-    scene_free(&study->scene);
-    gp_free(study);
+    Opened *opened = made;
+    shadow_truth_free(&opened->truth);
+    scene_free(&opened->scene);
+    gp_free(opened);
 }
 
-static GpResult build(void *opened, const void *setting, Frame *frame, GpError *error)
+static GpResult build(void *made, const void *setting, GpDevice *device, Frame *frame,
+                      GpError *error)
 {
-    const Study *study = opened;
-    return shadow_build(&study->scene, setting, frame, error);
+    const Opened *opened = made;
+    (void)device;
+    return shadow_build(&opened->scene, setting, frame, error);
 }
 
 /* All triangles of the scene, for rays. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */
@@ -174,10 +173,10 @@ static TruthLight true_light(const SceneLight *light)
     return truth;
 }
 
-static GpResult find_truth(void *opened, int threads, GpError *error)
+static GpResult find_truth(void *made, int threads, GpError *error)
 {
-    Study *study = opened;
-    const Scene *scene = &study->scene;
+    Opened *opened = made;
+    const Scene *scene = &opened->scene;
     if (scene->light_count != 1)
         return gp_fail(error, GP_ERROR_INVALID, "the truth is for one light, not %u",
                        scene->light_count);
@@ -189,7 +188,7 @@ static GpResult find_truth(void *opened, int threads, GpError *error)
     TruthScene *triangles = NULL;
     GpResult result = collect_triangles(scene, &triangles);
     if (!result)
-        result = shadow_truth_cast(triangles, &view, &study->truth);
+        result = shadow_truth_cast(triangles, &view, &opened->truth);
     truth_scene_destroy(&triangles);
     return gp_fail(error, result, "no memory for the truth");
 }
@@ -197,42 +196,60 @@ static GpResult find_truth(void *opened, int threads, GpError *error)
 static const char *const metrics[] = { "acne", "leak", "rmse", "covered", NULL };
 
 /* Alpha is the visibility; where depth stayed clear, nothing was drawn. */
-static void measure(const void *opened, const Frame *frame, TechniqueError *error)
+static GpResult measure(void *made, const Frame *frame, TechniqueError *measured, GpError *error)
 {
-    const Study *study = opened;
-    size_t pixels = (size_t)study->truth.width * study->truth.height;
+    const Opened *opened = made;
+    size_t pixels = (size_t)opened->truth.width * opened->truth.height;
     float *visibility = gp_alloc(pixels, sizeof *visibility);
-    *error = (TechniqueError){ .error = (double)NAN };
     if (!visibility)
-        return;
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (size_t i = 0; i < pixels; i++) {
         float depth;
         memcpy(&depth, frame->depth->level[0].texels + i * sizeof depth, sizeof depth);
         uint8_t alpha = frame->color->level[0].texels[4 * i + 3];
         visibility[i] = depth < 1 ? (float)alpha / 255 : SHADOW_NOTHING;
     }
-    ShadowError shadow = shadow_error(&study->truth, visibility, NULL);
+    const ShadowError shadow = shadow_error(&opened->truth, visibility, NULL);
     gp_free(visibility);
-    error->error = shadow.acne + shadow.leak;
-    error->metrics[0] = shadow.acne;
-    error->metrics[1] = shadow.leak;
-    error->metrics[2] = shadow.rmse;
-    error->metrics[3] = shadow.covered;
+    *measured =
+        (TechniqueError){ .error = shadow.acne + shadow.leak,
+                          .metrics = { shadow.acne, shadow.leak, shadow.rmse, shadow.covered } };
+    return GP_OK;
 }
+
+static const Experiment experiments[] = {
+    { .name = "shadow",
+      .title = "Shadow maps: time against wrong pixels",
+      .scene = "scenes/shadow_bunny.json",
+      .sweep = sweep,
+      .error_name = "wrong pixels",
+      .metrics = metrics,
+      .find_truth = find_truth,
+      .measure = measure },
+    { .name = NULL },
+};
 
 const Technique shadow_technique = {
     .name = "shadow",
-    .title = "Shadow maps: time against wrong pixels",
-    .scene = "scenes/shadow_bunny.json",
-    .fields = fields,
+    .arguments = "SCENE.json",
+    .input = "a scene file",
+    .summary = "a scene under shadow maps",
+    .help =
+        "Examples:\n"
+        "  glasspipe shadow scenes/shadow_bunny.json\n"
+        "  glasspipe shadow scenes/shadow_bunny.json --method plain --filter nearest --bias 0\n"
+        "  glasspipe shadow scenes/shadow_bunny.json --map 2048 --depth d16 -o bunny.png\n"
+        "  glasspipe shadow scenes/shadow_bunny.json --error 500\n"
+        "\n"
+        "Renders a scene whose lights cast shadows by shadow maps, and prints the picture's hash.\v"
+        "With --json the frame is rendered a second time, which is the one that is timed. With one "
+        "light, the picture's alpha is how much of it a pixel sees.",
+    .settings = settings,
     .defaults = &shadow_defaults,
     .setting_bytes = sizeof(ShadowSetting),
-    .sweep = sweep,
-    .error_name = "wrong pixels",
-    .metrics = metrics,
+    .experiments = experiments,
+    .tables = shadow_tables,
     .open = open_scene,
     .close = close_scene,
     .build = build,
-    .find_truth = find_truth,
-    .measure = measure,
 };

@@ -144,19 +144,19 @@ static int list_counts(const VoxelFacts *facts, Count *counts)
     return facts->has_solids ? of_all : of_mesh;
 }
 
-void voxel_facts_print(const VoxelFacts *facts)
+void voxel_facts_add(const VoxelFacts *facts, Text *lines)
 {
     Count counts[MAX_COUNTS];
     int count = list_counts(facts, counts);
-    printf("%-30s %s\n", "closed", facts->mesh.is_closed ? "yes" : "no");
-    printf("%-30s %s\n", "inside out", facts->mesh.is_inside_out ? "yes" : "no");
-    printf("%-30s %.9g\n", "enclosed volume", facts->mesh.volume);
+    text_add(lines, "%-30s %s\n", "closed", facts->mesh.is_closed ? "yes" : "no");
+    text_add(lines, "%-30s %s\n", "inside out", facts->mesh.is_inside_out ? "yes" : "no");
+    text_add(lines, "%-30s %.9g\n", "enclosed volume", facts->mesh.volume);
     for (int i = 0; i < count; i++) {
         char name[40];
         snprintf(name, sizeof name, "%s", counts[i].name);
         for (char *c = name; *c; c++)
             *c = *c == '_' ? ' ' : *c;
-        printf("%-30s %" PRIu64 "\n", name, counts[i].value);
+        text_add(lines, "%-30s %" PRIu64 "\n", name, counts[i].value);
     }
 }
 

@@ -3,6 +3,7 @@
 #ifndef APPS_TECHNIQUES_VOXEL_FACTS_H
 #define APPS_TECHNIQUES_VOXEL_FACTS_H
 
+#include "apps/base/text.h"
 #include "apps/scene/mesh_report.h"
 #include "apps/techniques/voxel/inputs/scene.h"
 
@@ -24,8 +25,8 @@ GpResult voxel_facts_find(const VoxelScene *scene, VoxelFacts *facts, GpError *e
 GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevice *device,
                                  VoxelFacts *facts, GpError *error);
 
-/* Prints a table to stdout. */
-void voxel_facts_print(const VoxelFacts *facts);
+/* Adds them as lines of a table. */
+void voxel_facts_add(const VoxelFacts *facts, Text *lines);
 
 /* The caller owns it. */
 json_t *voxel_facts_json(const VoxelFacts *facts);

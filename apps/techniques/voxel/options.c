@@ -1,224 +1,131 @@
 #include "apps/techniques/voxel/options.h"
 
-#include "apps/commands/technique_command.h"
-
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-enum {
-    KEY_XFORM = TECHNIQUE_FIRST_KEY,
-    KEY_REPORT,
-    KEY_POINTS,
-    KEY_TWIST,
-    KEY_WITH,
-    KEY_COMBINE,
-    KEY_FIT,
-    KEY_MOVE,
-    KEY_SCAN,
-    KEY_LOOK,
-    KEY_SHADING,
-    KEY_PICTURE,
-    KEY_FROM,
-    KEY_UP,
-    KEY_ZOOM,
+const VoxelOptions voxel_option_defaults = {
+    .voxels = { .size = 128, .bits = 1, .blend = VOXEL_ADD, .axes = 3 },
+    .picture = { .width = 512,
+                 .height = 512,
+                 .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 } },
 };
 
-/* clang-format off */
-const struct argp_option voxel_options[] = {
-    { "xform", KEY_XFORM, "S TX TY TZ", 0, "Where the model lies in the volume: voxels = S * position "
-      "+ T (default: its box, in the middle)", 0 },
-    { "report", KEY_REPORT, NULL, 0, "Print what the mesh is: whether it is closed, and what is wrong "
-      "with it; of solids, where axes disagree", 0 },
-    { "points", KEY_POINTS, NULL, 0, "Take a mesh's vertices alone, as points", 0 },
-    { "twist", KEY_TWIST, "DEGREES", 0, "Twist the mesh, from its floor to its top by so much", 0 },
-    { "with", KEY_WITH, "MESH", 0, "A second model, in one volume with the first", 0 },
-    { "combine", KEY_COMBINE, "HOW", 0, "What two models make: union (default), intersection, "
-      "difference; collide: the voxels that both have, and where they are", 0 },
-    { "fit", KEY_FIT, "F", 0, "Give the second model F times the first's longest side, and its "
-      "middle; without a second: the model in its volume, or scan", 0 },
-    { "move", KEY_MOVE, "X Y Z", 0, "Then move it, by longest sides of the first", 0 },
-    { "scan", KEY_SCAN, "FILE", 0, "Show the model inside a scanned volume: .nrrd, or .raw, .raw.gz "
-      "with a .json beside it", 0 },
-    { "look", KEY_LOOK, "HOW", 0, "Of pictures: opaque (default) or transparent", 0 },
-    { "shading", KEY_SHADING, "HOW", 0, "Of opaque voxels: smooth (default) or cubes", 0 },
-    { "picture", KEY_PICTURE, "WxH", 0, "Size of a picture (default: 512x512)", 0 },
-    { "from", KEY_FROM, "AZIMUTH ELEVATION", 0, "Where a picture is seen from, in degrees (default: "
-      "30 20; 0 0 is in front)", 0 },
-    { "up", KEY_UP, "AXIS", 0, "Which axis points up in a picture: y (default), z, x, -y or -z", 0 },
-    { "zoom", KEY_ZOOM, "F", 0, "Larger by so much than what fills a picture", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
+/* --- the table -------------------------------------------------------------------------------- */
+
+static const char *const kinds[] = { "surface", "solid", NULL };
+static const char *const methods[] = { "auto",   "conservative", "thin",  "xor", "sheets",
+                                       "slices", "ldi",          "faces", NULL };
+static const char *const blends[] = { "add", "or", NULL };
+static const char *const values[] = { "density", "normal", "color", NULL };
+static const char *const ways[] = { "union", "intersection", "difference", "collide", NULL };
+static const char *const looks[] = { "opaque", "transparent", NULL };
+static const char *const shadings[] = { "smooth", "cubes", NULL };
+static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
+
+#define OF(member) offsetof(VoxelOptions, member)
+#define FARTHEST   1e30 /* so that it is a float too */
+
+const SettingField voxel_settings[] = {
+    { "size", "N", "Voxels a side of the volume, 8 to 1024 (default: 128)", SETTING_INTEGER,
+      OF(voxels.size), .low = 8, .high = 1024, .letter = 'n' },
+    { "kind", NULL, "surface: what triangles touch (default); solid: what they enclose",
+      SETTING_NAME, OF(voxels.kind), .names = kinds },
+    { "method", NULL,
+      "conservative: every voxel that is touched (default for surfaces); thin: those met by lines "
+      "through middles; xor: each triangle turns over what is below it (default for solids); "
+      "sheets: as printed in 2004; slices, ldi, faces: older ones",
+      SETTING_NAME, OF(voxels.method), .names = methods },
+    { "bits", "B", "Bits a voxel: 1 (default), 8 or 16; more than one of the method sheets",
+      SETTING_INTEGER, OF(voxels.bits), .low = 1, .high = 16 },
+    { "blend", NULL,
+      "How the method sheets merges what falls into one voxel: add, as printed (default); or",
+      SETTING_NAME, OF(voxels.blend), .names = blends },
+    { "axes", "A", "Axes along which the method sheets looks: 3 (default), or 1: along z",
+      SETTING_INTEGER, OF(voxels.axes), .low = 1, .high = 3 },
+    { "value", NULL, "What voxels of 8 and 16 bits hold: density (default), normal or color",
+      SETTING_NAME, OF(voxels.value), .names = values },
+
+    { "xform", "S TX TY TZ",
+      "Where the model lies in the volume: voxels = S * position + T (default: its box, in the "
+      "middle)",
+      SETTING_VECTOR, OF(box), .low = -FARTHEST, .high = FARTHEST, .count = 4, .aside = true },
+    { "points", NULL, "Take a mesh's vertices alone, as points", SETTING_FLAG, OF(takes_points),
+      .aside = true },
+    { "twist", "DEGREES", "Twist the mesh, from its floor to its top by so much", SETTING_NUMBER,
+      OF(twist), .low = -VOXEL_MOST_TWIST, .high = VOXEL_MOST_TWIST, .aside = true },
+    { "with", "MESH", "A second model, in one volume with the first", SETTING_TEXT, OF(with),
+      .aside = true },
+    { "combine", NULL,
+      "What two models make: union (default), intersection, difference; collide: the voxels that "
+      "both have, and where they are",
+      SETTING_NAME, OF(combine), .names = ways, .aside = true },
+    { "fit", "F",
+      "Give the second model F times the first's longest side, and its middle; without a second: "
+      "the model in its volume, or scan",
+      SETTING_NUMBER, OF(place.fit), .low = 0.001, .high = 1000, .aside = true },
+    { "move", "X Y Z", "Then move it, by longest sides of the first", SETTING_VECTOR,
+      OF(place.move), .low = -FARTHEST, .high = FARTHEST, .count = 3, .aside = true },
+    { "report", NULL,
+      "Print what the mesh is: whether it is closed, and what is wrong with it; of solids, where "
+      "axes disagree",
+      SETTING_FLAG, OF(wants_report), .aside = true },
+
+    { "scan", "FILE",
+      "Show the model inside a scanned volume: .nrrd, or .raw, .raw.gz with a .json beside it",
+      SETTING_TEXT, OF(scan), .aside = true, .for_pictures = true },
+    { "look", NULL, "Of pictures: opaque (default) or transparent", SETTING_NAME, OF(picture.look),
+      .names = looks, .aside = true, .for_pictures = true },
+    { "shading", NULL, "Of opaque voxels: smooth (default) or cubes", SETTING_NAME,
+      OF(picture.shading), .names = shadings, .aside = true, .for_pictures = true },
+    { "picture", "WxH", "Size of a picture (default: 512x512)", SETTING_SIZE, OF(picture.width),
+      .low = 1, .high = GP_MAX_SIZE, .aside = true, .for_pictures = true },
+    { "from", "AZIMUTH ELEVATION",
+      "Where a picture is seen from, in degrees (default: 30 20; 0 0 is in front)", SETTING_VECTOR,
+      OF(picture.orbit.azimuth), .low = -360, .high = 360, .count = 2, .aside = true,
+      .for_pictures = true },
+    { "up", NULL, "Which axis points up in a picture: y (default), z, x, -y or -z", SETTING_NAME,
+      OF(picture.orbit.up), .names = ups, .aside = true, .for_pictures = true },
+    { "zoom", "F", "Larger by so much than what fills a picture", SETTING_NUMBER,
+      OF(picture.orbit.zoom), .low = 0.1, .high = 10, .aside = true, .for_pictures = true },
+    { .name = NULL },
 };
-/* clang-format on */
 
-/* --- arguments -------------------------------------------------------------------------------- */
+/* Sizes and angles are two members each, one behind the other. */
+_Static_assert(OF(picture.height) == OF(picture.width) + sizeof(uint32_t), "a size");
+_Static_assert(OF(picture.orbit.elevation) == OF(picture.orbit.azimuth) + sizeof(double),
+               "two angles");
 
-static const double most_place = 1e30; /* so that it is a float too */
+/* --- what goes together ----------------------------------------------------------------------- */
 
-/* The option's argument is the first number; the others follow it. */
-static void parse_numbers(struct argp_state *state, const char *name, const char *first, int count,
-                          double *numbers)
+GpResult voxel_options_check(const void *setting, uint32_t given, const char *extension,
+                             GpError *error)
 {
-    static const char *const words[] = { "no", "one", "two", "three", "four" };
-    for (int i = 0; i < count; i++) {
-        const char *text = i == 0                      ? first
-                           : state->next < state->argc ? state->argv[state->next++]
-                                                       : "";
-        char *end;
-        numbers[i] = strtod(text, &end);
-        if (end == text || *end || !(fabs(numbers[i]) <= most_place))
-            argp_error(state, "%s: expected %s number%s up to 1e30, not '%.100s'", name,
-                       words[count], count > 1 ? "s" : "", text);
-    }
-}
-
-static double parse_number(struct argp_state *state, const char *name, const char *text,
-                           double least, double most)
-{
-    double number;
-    parse_numbers(state, name, text, 1, &number);
-    if (number < least || number > most)
-        argp_error(state, "%s: expected a number from %g to %g, not '%.100s'", name, least, most,
-                   text);
-    return number;
-}
-
-/* names: NULL at the end, and printed as `expected` */
-static int parse_name(struct argp_state *state, const char *option, const char *const *names,
-                      const char *expected, const char *text)
-{
-    for (int i = 0; names[i]; i++)
-        if (strcmp(text, names[i]) == 0)
-            return i;
-    argp_error(state, "%s: expected %s, not '%.100s'", option, expected, text);
-    return 0;
-}
-
-/* --- one option ------------------------------------------------------------------------------- */
-
-static void parse_box(struct argp_state *state, const char *text, VoxelOptions *options)
-{
-    parse_numbers(state, "--xform", text, 4, options->box);
-    if (options->box[0] <= 0)
-        argp_error(state, "--xform: expected four numbers, the first above 0, not '%.100s'", text);
-    options->is_placed = true;
-}
-
-static void parse_from(struct argp_state *state, const char *text, VoxelPicture *picture)
-{
-    double angles[2];
-    parse_numbers(state, "--from", text, 2, angles);
-    if (fabs(angles[0]) > 360 || fabs(angles[1]) > 89)
-        argp_error(state, "--from: expected -360 to 360 and -89 to 89 degrees, not %g %g",
-                   angles[0], angles[1]);
-    picture->orbit.azimuth = angles[0];
-    picture->orbit.elevation = angles[1];
-}
-
-/* Of pictures; false: another key. */
-static bool parse_picture(int key, const char *text, struct argp_state *state,
-                          VoxelPicture *picture)
-{
-    static const char *const looks[] = { "opaque", "transparent", NULL };
-    static const char *const shadings[] = { "smooth", "cubes", NULL };
-    static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
-    switch (key) {
-    case KEY_LOOK:
-        picture->look = parse_name(state, "--look", looks, "opaque or transparent", text);
-        return true;
-    case KEY_SHADING:
-        picture->shading = parse_name(state, "--shading", shadings, "smooth or cubes", text);
-        return true;
-    case KEY_PICTURE:
-        options_size(state, "--picture", text, &picture->width, &picture->height);
-        return true;
-    case KEY_FROM:
-        parse_from(state, text, picture);
-        return true;
-    case KEY_UP:
-        picture->orbit.up = parse_name(state, "--up", ups, "y, z, x, -y or -z", text);
-        return true;
-    case KEY_ZOOM:
-        picture->orbit.zoom = parse_number(state, "--zoom", text, 0.1, 10);
-        return true;
-    default:
-        return false;
-    }
-}
-
-/* Of a second model, and of where it lies; false: another key. */
-static bool parse_second(int key, const char *text, struct argp_state *state, VoxelOptions *options)
-{
-    static const char *const ways[] = { "union", "intersection", "difference", "collide", NULL };
-    switch (key) {
-    case KEY_WITH:
-        options->with = text;
-        return true;
-    case KEY_COMBINE:
-        options->combine = parse_name(state, "--combine", ways,
-                                      "union, intersection, difference or collide", text);
-        options->has_combine = true;
-        return true;
-    case KEY_FIT:
-        options->place.fit = parse_number(state, "--fit", text, 0.001, 1000);
-        return true;
-    case KEY_MOVE:
-        parse_numbers(state, "--move", text, 3, options->place.move);
-        options->has_move = true;
-        return true;
-    default:
-        return false;
-    }
-}
-
-error_t voxel_options_parse(int key, char *text, struct argp_state *state, void *own)
-{
-    VoxelOptions *options = own;
-    if (parse_second(key, text, state, options))
-        return 0;
-    if (parse_picture(key, text, state, &options->picture)) {
-        options->has_picture = true;
-        return 0;
-    }
-    switch (key) {
-    case KEY_XFORM:
-        parse_box(state, text, options);
-        return 0;
-    case KEY_REPORT:
-        options->wants_report = true;
-        return 0;
-    case KEY_POINTS:
-        options->wants_points = true;
-        return 0;
-    case KEY_TWIST:
-        options->twist = parse_number(state, "--twist", text, -VOXEL_MOST_TWIST, VOXEL_MOST_TWIST);
-        return 0;
-    case KEY_SCAN:
-        options->scan = text;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-GpResult voxel_options_check(const VoxelOptions *options, bool to_picture, GpError *error)
-{
+    const VoxelOptions *options = setting;
     const bool alone = !options->with, fits = options->place.fit > 0;
-    const bool moves = options->has_move, scanned = options->scan != NULL;
+    const bool placed = setting_is_given(voxel_settings, given, "xform");
+    const bool moves = setting_is_given(voxel_settings, given, "move");
     const struct {
         bool is_wrong;
         const char *reason;
     } rules[] = {
-        { scanned && !to_picture, "--scan is for pictures: -o FILE.png" },
-        { options->has_picture && !to_picture,
-          "--look, --shading, --picture, --from, --up and --zoom are for pictures: -o FILE.png" },
-        { alone && options->has_combine, "--combine needs a second model: --with" },
-        { !alone && scanned, "--scan is around one model, without --with" },
-        { alone && options->is_placed && (fits || moves),
+        { placed && !(options->box[0] > 0),
+          "--xform: expected four numbers, the first above 0: the scale" },
+        { alone && setting_is_given(voxel_settings, given, "combine"),
+          "--combine needs a second model: --with" },
+        { !alone && options->scan, "--scan is around one model, without --with" },
+        { alone && placed && (fits || moves),
           "--xform places the model, so that --fit and --move cannot" },
-        { alone && moves && !scanned && !fits,
+        { alone && moves && !options->scan && !fits,
           "--move moves a second model (--with), or one of another size (--fit)" },
+        { strcmp(extension, "bits") == 0 && options->voxels.bits != 1,
+          "-o: a file .bits has one bit a voxel, not 8 or 16; expected a name that ends with "
+          ".nrrd" },
     };
+    const Orbit *orbit = &options->picture.orbit;
+    if (fabs(orbit->elevation) > 89)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "--from: expected -360 to 360 and -89 to 89 degrees, not %g %g",
+                       orbit->azimuth, orbit->elevation);
     for (size_t i = 0; i < GP_COUNT(rules); i++)
         if (rules[i].is_wrong)
             return gp_fail(error, GP_ERROR_INVALID, "%s", rules[i].reason);

@@ -1,29 +1,30 @@
-/* The options of `glasspipe voxelize` beside those of its settings. */
+/* What may be set of a voxelization: how it is done, of what, and how it is looked at. */
 #ifndef APPS_TECHNIQUES_VOXEL_OPTIONS_H
 #define APPS_TECHNIQUES_VOXEL_OPTIONS_H
 
+#include "apps/techniques/settings.h"
 #include "apps/techniques/voxel/pictures/picture.h"
 
-#include <argp.h>
-
-/* Begin with the picture that is voxel_picture_defaults, and zeros. */
+/* The setting of the technique; what follows `voxels` is aside of the key. */
 typedef struct VoxelOptions {
-    bool is_placed, wants_report, wants_points;
-    double box[4]; /* scale, offset */
-    double twist;  /* degrees */
-    const char *with, *scan;
-    bool has_combine, has_move, has_picture; /* some option of those was given */
-    int combine;
+    VoxelSetting voxels;
+
+    double box[4]; /* scale, offset; scale 0: the model's own box */
+    bool takes_points;
+    double twist;            /* degrees */
+    const char *with, *scan; /* NULL: none */
+    int combine;             /* VoxelCombine, VOXEL_TOUCHING */
     VoxelPlace place;
+
+    bool wants_report;
     VoxelPicture picture;
 } VoxelOptions;
 
-/* As TechniqueResult has them. */
-extern const struct argp_option voxel_options[];
-error_t voxel_options_parse(int key, char *text, struct argp_state *state, void *options);
+extern const SettingField voxel_settings[];
+extern const VoxelOptions voxel_option_defaults;
 
-/* Whether the options go together, and with an output that is a picture or not.
- * errors GP_ERROR_INVALID, with the reason */
-GpResult voxel_options_check(const VoxelOptions *options, bool to_picture, GpError *error);
+/* As a technique's check. */
+GpResult voxel_options_check(const void *options, uint32_t given, const char *extension,
+                             GpError *error);
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef APPS_TECHNIQUES_VOXEL_SHEETS_TIME_H
 #define APPS_TECHNIQUES_VOXEL_SHEETS_TIME_H
 
-#include "apps/techniques/voxel/technique.h"
 #include "apps/techniques/timed_setting.h"
+#include "apps/techniques/voxel/inputs/scene.h"
 
 /* Milliseconds, medians, of the steps. */
 typedef struct SheetsTimes {
@@ -13,7 +13,7 @@ typedef struct SheetsTimes {
 } SheetsTimes;
 
 /* Measures the passes of --method sheets in groups, each by the clock's plan.
- * in     work: of a frame that has been drawn
+ * in     frame: one that has been drawn
  * errors those of gp_device_run, GP_ERROR_MEMORY */
 GpResult sheets_time_steps(const TechniqueClock *clock, const Frame *frame, SheetsTimes *steps,
                            GpError *error);

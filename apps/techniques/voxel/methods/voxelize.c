@@ -2,8 +2,6 @@
 
 #include "apps/techniques/voxel/methods/methods.h"
 
-const VoxelSetting voxel_defaults = { .size = 128, .bits = 1, .blend = VOXEL_ADD, .axes = 3 };
-
 static VoxelSetting complete(const VoxelSetting *setting)
 {
     VoxelSetting full = *setting;

@@ -6,10 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-const VoxelPicture voxel_picture_defaults = {
-    .width = 512, .height = 512, .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 }
-};
-
 /* --- scans ------------------------------------------------------------------------------------ */
 
 enum { WIDE = 128 }; /* voxels a side of the volume whose voxels have these densities */

@@ -15,8 +15,6 @@ typedef struct VoxelPicture {
     bool is_solid;
 } VoxelPicture;
 
-extern const VoxelPicture voxel_picture_defaults;
-
 /* Appends the passes of a picture behind those that make its volumes.
  * in     made: of one bit a voxel
  *        scan: NULL: none; else of any type, whose longest side fills the volume and whose values

@@ -26,22 +26,23 @@ static int open_scenes;
 
 static const char *const light_methods[] = { "plain", "half", NULL };
 
-static const SettingField light_fields[] = {
-    { "method", "NAME", "How", SETTING_NAME, offsetof(Light, method), 0, 0, light_methods },
-    { "layers", "N", "How often", SETTING_INTEGER, offsetof(Light, layers), 1, 8, NULL },
-    { "scale", "X", "How bright", SETTING_NUMBER, offsetof(Light, scale), 0, 1, NULL },
-    { NULL, NULL, NULL, 0, 0, 0, 0, NULL },
+static const SettingField light_settings[] = {
+    { "method", NULL, "How", SETTING_NAME, offsetof(Light, method), .names = light_methods },
+    { "layers", "N", "How often", SETTING_INTEGER, offsetof(Light, layers), .low = 1, .high = 8 },
+    { "scale", "X", "How bright", SETTING_NUMBER, offsetof(Light, scale), .low = 0, .high = 1 },
+    { .name = NULL },
 };
 
 static const Light light_defaults = { .layers = 1, .scale = 1 };
 
-static GpResult open_light(const char *path, uint32_t width, uint32_t height, void **scene,
-                           GpError *error)
+static GpResult open_light(const TechniqueInput *input, void **scene, GpError *error)
 {
-    if (strcmp(path, "missing.json") == 0)
-        return gp_fail(error, GP_ERROR_IO, "%s: is missing", path);
+    if (strcmp(input->path, "missing.json") == 0)
+        return gp_fail(error, GP_ERROR_IO, "%s: is missing", input->path);
+    assert_memory_equal(input->setting, &light_defaults, sizeof light_defaults);
     Scene *opened = gp_alloc(1, sizeof *opened);
-    *opened = (Scene){ .width = width ? width : 24, .height = height ? height : 16 };
+    *opened = (Scene){ .width = input->width ? input->width : 24,
+                       .height = input->height ? input->height : 16 };
     *scene = opened;
     open_scenes++;
     return GP_OK;
@@ -61,8 +62,10 @@ static void corner_white(int quad, int corner, BenchCorner *out)
 }
 
 /* Seven layers do not go with any scene; scenes 1 pixel wide go with no setting. */
-static GpResult build_light(void *scene, const void *setting, Frame *frame, GpError *error)
+static GpResult build_light(void *scene, const void *setting, GpDevice *device, Frame *frame,
+                            GpError *error)
 {
+    assert_non_null(device);
     const Scene *opened = scene;
     const Light *light = setting;
     if (light->layers == 7 || opened->width == 1)
@@ -85,14 +88,16 @@ static GpResult find_true_light(void *scene, int threads, GpError *error)
     return opened->height == 1 ? gp_fail(error, GP_ERROR_INVALID, "too flat") : GP_OK;
 }
 
-static void measure_light(const void *scene, const Frame *frame, TechniqueError *error)
+static GpResult measure_light(void *scene, const Frame *frame, TechniqueError *measured,
+                              GpError *error)
 {
     const Scene *opened = scene;
     assert_true(opened->true_known);
     const uint8_t *texel = frame->color->level[0].texels;
-    error->error = 255 - texel[0];
-    error->metrics[0] = texel[0];
-    error->metrics[1] = opened->width;
+    measured->error = 255 - texel[0];
+    measured->metrics[0] = texel[0];
+    measured->metrics[1] = opened->width;
+    return opened->height == 2 ? gp_fail(error, GP_ERROR_MEMORY, "too dark") : GP_OK;
 }
 
 static const TechniqueSweep light_sweep[] = {
@@ -103,21 +108,27 @@ static const TechniqueSweep light_sweep[] = {
 
 static const char *const light_metrics[] = { "red", "width", NULL };
 
+static const Experiment light_experiments[] = {
+    { .name = "light",
+      .title = "Light",
+      .scene = "scenes/light.json",
+      .sweep = light_sweep,
+      .error_name = "darkness, codes",
+      .metrics = light_metrics,
+      .find_truth = find_true_light,
+      .measure = measure_light },
+    { .name = NULL },
+};
+
 static const Technique light = {
     .name = "light",
-    .title = "Light",
-    .scene = "scenes/light.json",
-    .fields = light_fields,
+    .settings = light_settings,
     .defaults = &light_defaults,
     .setting_bytes = sizeof(Light),
-    .sweep = light_sweep,
-    .error_name = "darkness, codes",
-    .metrics = light_metrics,
+    .experiments = light_experiments,
     .open = open_light,
     .close = close_light,
     .build = build_light,
-    .find_truth = find_true_light,
-    .measure = measure_light,
 };
 
 /* --- running ------------------------------------------------------------------------------------ */
@@ -134,11 +145,12 @@ static GpResult run(const char *scene, uint32_t width, uint32_t height, const ch
                     Chart *chart, GpError *error)
 {
     GpDevice *device = two_threads();
-    const Options options = { .quiet = true, .width = width, .height = height };
     const ChartJob job = { .technique = &light,
+                           .experiment = light_experiments,
                            .scene = scene,
+                           .width = width,
+                           .height = height,
                            .folder = pictures,
-                           .options = &options,
                            .device = device };
     GpResult result = chart_run(&job, chart, error);
     gp_device_destroy(&device);
@@ -162,7 +174,7 @@ static void a_run_measures_all_settings_that_go_with_the_scene_in_order(void **s
     };
     Chart chart = { .points = NULL };
     GpError error = { "" };
-    assert_int_equal(run(light.scene, 0, 0, NULL, &chart, &error), GP_OK);
+    assert_int_equal(run("scenes/light.json", 0, 0, NULL, &chart, &error), GP_OK);
     assert_string_equal(error.text, "");
     assert_string_equal(chart.technique, "light");
     assert_string_equal(chart.title, "Light");
@@ -231,7 +243,8 @@ static void a_run_that_cannot_be_leaves_no_chart_and_no_open_scene(void **state)
         { "missing.json", 0, 0, NULL, "missing.json: is missing", GP_ERROR_IO },
         { "a.json", 3, 1, NULL, "too flat", GP_ERROR_INVALID },
         { "a.json", 1, 3, NULL, "a.json: no setting goes with this scene", GP_ERROR_INVALID },
-        { "a.json", 2, 2, "/no such folder", "/no such folder", GP_ERROR_IO },
+        { "a.json", 4, 2, NULL, "too dark", GP_ERROR_MEMORY },
+        { "a.json", 2, 3, "/no such folder", "/no such folder", GP_ERROR_IO },
     };
     for (size_t i = 0; i < GP_COUNT(wrong); i++) {
         Chart chart = { .count = 77 };
@@ -256,7 +269,7 @@ static void frames_are_as_many_as_the_plan_wants(void **state)
     Timing timing;
     Scene scene = { .width = 2, .height = 2 };
     const TimingPlan seven = { .least_frames = 7, .most_seconds = 1e9 }, none = { 0 };
-    assert_int_equal(build_light(&scene, &light_defaults, &frame, NULL), GP_OK);
+    assert_int_equal(build_light(&scene, &light_defaults, device, &frame, NULL), GP_OK);
     assert_int_equal(run_first(device, &frame.list, &statistics, NULL), GP_OK);
     assert_int_equal(timing_run(device, &frame.list, &none, each, &statistics, &timing, NULL),
                      GP_OK);
@@ -365,7 +378,7 @@ static void files_are_called_after_technique_and_scene(void **state)
     };
     for (size_t i = 0; i < GP_COUNT(names); i++) {
         char name[64];
-        chart_name(&light, names[i][0], name, sizeof name);
+        chart_name(light_experiments, names[i][0], name, sizeof name);
         assert_string_equal(name, names[i][1]);
     }
 }

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+static const Technique *const no_techniques[] = { NULL };
+
 static char page[1 << 20];
 
 static void read_page(const char *name)
@@ -220,7 +222,7 @@ static void the_page_holds_all_charts_and_nothing_from_elsewhere(void **state)
     write_chart("a", "First", "");
     put_text("broken.json", "{\"technique\": <\"a\"");
     put_text("readme.txt", "not ours");
-    assert_int_equal(chart_write_page(folder, &error), GP_OK);
+    assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
     read_page("index.html");
     markup_check(page);
     assert_int_equal(markup_count(page, "<section"), 2);
@@ -240,10 +242,10 @@ static void a_page_without_charts_is_a_page(void **state)
 {
     (void)state;
     GpError error = { "" };
-    assert_int_equal(chart_write_page(folder, &error), GP_OK);
+    assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
     read_page("index.html");
     markup_check(page);
-    assert_int_equal(chart_write_page(in_folder("none"), &error), GP_ERROR_IO);
+    assert_int_equal(chart_write_page(in_folder("none"), no_techniques, &error), GP_ERROR_IO);
     assert_non_null(strstr(error.text, "none"));
 }
 
@@ -266,7 +268,7 @@ static void pictures_are_in_the_page_as_base64(void **state)
     for (size_t i = 0; i < GP_COUNT(vectors); i++) {
         char expected[64];
         put_text("a_1.png", vectors[i][0]);
-        assert_int_equal(chart_write_page(folder, &error), GP_OK);
+        assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
         read_page("index.html");
         markup_check(page);
         snprintf(expected, sizeof expected, "src=\"data:image/png;base64,%s\"", vectors[i][1]);
@@ -281,7 +283,7 @@ static void pictures_that_are_missing_or_elsewhere_are_left_out(void **state)
     write_chart("a", "First", "missing.png");
     write_chart("b", "Second", "../b.png");
     put_text("c.png", "abc");
-    assert_int_equal(chart_write_page(folder, &error), GP_OK);
+    assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
     read_page("index.html");
     assert_int_equal(markup_count(page, "<section"), 2);
     assert_int_equal(markup_count(page, "<img"), 0);

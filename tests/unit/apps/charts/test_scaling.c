@@ -2,6 +2,8 @@
  * time is judged. */
 #include "apps/charts/chart.h"
 #include "apps/charts/scaling.h"
+#include "apps/techniques/registry.h"
+#include "apps/techniques/voxel/models.h"
 #include "apps/techniques/voxel/technique.h"
 #include "tests/support/folder.h"
 #include "tests/support/markup.h"
@@ -52,9 +54,9 @@ static Technique voxels(const TechniqueScaling *scaling)
 static GpResult run(const Technique *technique, Scaling *scaling, GpError *error)
 {
     GpDevice *device;
-    const Options options = { .quiet = true };
+    const ChartListener nobody = { .notice = NULL };
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, error), GP_OK);
-    GpResult result = scaling_run(technique, device, &options, 0, scaling, error);
+    GpResult result = scaling_run(technique, device, &nobody, 0, scaling, error);
     gp_device_destroy(&device);
     return result;
 }
@@ -115,17 +117,17 @@ static void the_tables_of_techniques_are_whole(void **state)
 {
     (void)state;
     int failed = 0;
-    for (size_t i = 0; techniques[i]; i++) {
-        const TechniqueScaling *scaling = techniques[i]->scaling;
+    for (const Technique *const *one = technique_registry; *one; one++) {
+        const TechniqueScaling *scaling = (*one)->scaling;
         for (int p = 0; scaling && p < TECHNIQUE_PANELS; p++)
             for (const TechniqueLine *line = scaling->panels[p].lines; line->name; line++) {
                 char options[8][SETTING_MAX_TEXT];
-                void *setting = gp_alloc(1, techniques[i]->setting_bytes);
+                void *setting = gp_alloc(1, (*one)->setting_bytes);
                 size_t count = technique_expand(line->options, options, 8);
                 GpError error = { "" };
                 assert_in_range(count, 1, 8);
                 for (size_t k = 0; k < count; k++)
-                    if (setting_parse(techniques[i]->fields, setting, options[k], &error)) {
+                    if (setting_parse((*one)->settings, setting, options[k], &error)) {
                         print_error("%s\n", error.text);
                         failed++;
                     }
@@ -292,7 +294,7 @@ static void the_page_shows_the_scaling_of_techniques_that_declare_it(void **stat
     assert_int_equal(scaling_write(in_folder("voxelize_scaling"), &scaling, &error), GP_OK);
     put_text("shadow_scaling.svg", "<svg>");
     put_text("other_scaling.svg", "<svg>");
-    assert_int_equal(chart_write_page(folder, &error), GP_OK);
+    assert_int_equal(chart_write_page(folder, technique_registry, &error), GP_OK);
     read_content("index.html");
     markup_check(content);
     assert_int_equal(markup_count(content, "<svg"), 1);

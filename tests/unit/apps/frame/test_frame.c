@@ -1,7 +1,7 @@
 /* Frames grow, and memory that runs short is told at the end, wherever it ran short. */
 #include "apps/bench/cases.h"
-#include "apps/techniques/technique.h"
-#include "apps/techniques/voxel/pictures/picture.h"
+#include "apps/techniques/registry.h"
+#include "apps/techniques/voxel/options.h"
 #include "tests/support/technique_case.h"
 #include "tests/support/unit.h"
 
@@ -81,16 +81,17 @@ static void a_list_has_any_number_of_passes_and_draws(void **state)
 /* --- memory that runs short ------------------------------------------------------------------- */
 
 /* Builds again and again, with one piece of memory more each time, until it has all. */
-static void fail_at_each(const Technique *technique, void *scene, const char *options)
+static void fail_at_each(const TechniqueStage *stage, const char *options)
 {
     GpResult result = GP_ERROR_MEMORY;
     uint32_t n = 0;
     while (result) {
         Frame frame = { .arena = { .fails = ++n } };
         GpError error = { "" };
-        result = technique_build(technique, scene, options, &frame, &error);
+        result = technique_build(stage->technique, stage->scene, options, stage->device, &frame,
+                                 &error);
         if (result && result != GP_ERROR_MEMORY)
-            fail_msg("%s %s: %u pieces: %s", technique->name, options, n, error.text);
+            fail_msg("%s %s: %u pieces: %s", stage->technique->name, options, n, error.text);
         assert_true(result || frame.arena.calls < n);
         frame_free(&frame);
     }
@@ -122,10 +123,10 @@ static void a_frame_without_memory_is_refused_wherever_it_ends(void **state)
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         TechniqueStage stage;
         GpError error = { "" };
-        const Technique *technique = technique_find(cases[i].technique);
+        const Technique *technique = technique_find(technique_registry, cases[i].technique);
         if (!technique || technique_stage_open(technique, cases[i].scene, 0, 0, &stage, &error))
             fail_msg("%s: %s", cases[i].scene, error.text);
-        fail_at_each(technique, stage.scene, cases[i].options);
+        fail_at_each(&stage, cases[i].options);
         technique_stage_close(&stage);
     }
 }
@@ -137,7 +138,7 @@ static GpResult build_pair(VoxelScene scenes[2], Frame *frame, GpError *error)
     const VoxelPair pair = { .scenes = { &scenes[0], &scenes[1] },
                              .names = { "first", "second" },
                              .combine = VOXEL_TOUCHING };
-    VoxelPicture picture = voxel_picture_defaults;
+    VoxelPicture picture = voxel_option_defaults.picture;
     VoxelPairMade made;
     picture.width = picture.height = 16;
     picture.shows_both = true;

@@ -1,5 +1,5 @@
 /* Settings as tables of fields: what texts set, what is printed of them, and how sweeps expand. */
-#include "apps/techniques/technique.h"
+#include "apps/techniques/registry.h"
 #include "apps/base/text.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
@@ -15,10 +15,12 @@ typedef struct Setting {
 static const char *const methods[] = { "plain", "hardware", "soft", NULL };
 
 static const SettingField fields[] = {
-    { "method", "NAME", "How to look", SETTING_NAME, offsetof(Setting, method), 0, 0, methods },
-    { "map", "N", "Side of the map", SETTING_INTEGER, offsetof(Setting, map), 16, 8192, NULL },
-    { "bias", "X", "Added to depth", SETTING_NUMBER, offsetof(Setting, bias), -1, 1, NULL },
-    { NULL, NULL, NULL, 0, 0, 0, 0, NULL },
+    { "method", NULL, "How to look", SETTING_NAME, offsetof(Setting, method), .names = methods },
+    { "map", "N", "Side of the map", SETTING_INTEGER, offsetof(Setting, map), .low = 16,
+      .high = 8192 },
+    { "bias", "X", "Added to depth", SETTING_NUMBER, offsetof(Setting, bias), .low = -1,
+      .high = 1 },
+    { .name = NULL },
 };
 
 static const Setting defaults = { .bias = 0.001, .map = 1024 };
@@ -95,6 +97,85 @@ static void mistakes_are_told_with_what_was_expected_and_change_nothing(void **s
     assert_string_equal(error.text, "no option '--size'");
 }
 
+/* --- other types -------------------------------------------------------------------------------- */
+
+typedef struct Whole {
+    uint32_t size[2];
+    double place[3];
+    bool fine;
+    const char *file;
+} Whole;
+
+static const SettingField whole_fields[] = {
+    { "size", "WxH", "How large", SETTING_SIZE, offsetof(Whole, size), .low = 1, .high = 640 },
+    { "place", "X Y Z", "Where", SETTING_VECTOR, offsetof(Whole, place), .low = -8, .high = 8,
+      .count = 3 },
+    { "fine", NULL, "How", SETTING_FLAG, .offset = offsetof(Whole, fine) },
+    { "file", "FILE", "Of what", SETTING_TEXT, offsetof(Whole, file), .aside = true },
+    { .name = NULL },
+};
+
+static const Whole whole_defaults = { .size = { 64, 48 } };
+
+static void sizes_vectors_flags_and_texts_are_settings_too(void **state)
+{
+    (void)state;
+    static const int words[] = { 1, 3, 0, 1 };
+    Whole whole = whole_defaults;
+    GpError error = { "" };
+    char text[SETTING_MAX_TEXT];
+    for (size_t i = 0; i < GP_COUNT(words); i++)
+        assert_int_equal(setting_words(&whole_fields[i]), words[i]);
+    assert_int_equal(setting_set(whole_fields, &whole, "file", "a b.ply", &error), GP_OK);
+    assert_string_equal(whole.file, "a b.ply");
+    setting_print(whole_fields, &whole, &whole_defaults, text, sizeof text);
+    assert_string_equal(text, ""); /* aside of the key */
+    assert_int_equal(
+        setting_parse(whole_fields, &whole, "--place 1 -2.5  1e-3 --fine --size=640x1", &error),
+        GP_OK);
+    assert_true(whole.place[0] == 1 && whole.place[1] == -2.5 && whole.place[2] == 1e-3);
+    assert_true(whole.fine && whole.size[0] == 640 && whole.size[1] == 1);
+    setting_print(whole_fields, &whole, &whole_defaults, text, sizeof text);
+    assert_string_equal(text, "--size 640x1 --place 1 -2.5 0.001 --fine");
+    assert_true(setting_is_given(whole_fields, 1u << 1, "place"));
+    assert_false(setting_is_given(whole_fields, 1u << 1, "size"));
+}
+
+static void other_types_tell_what_was_expected(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *text, *message;
+    } wrong[] = {
+        { "size", "64",
+          "--size: expected WIDTHxHEIGHT, such as 1024x768, each from 1 to 640, not '64'" },
+        { "size", "64x", "not '64x'" },
+        { "size", "x64", "not 'x64'" },
+        { "size", "64x48x1", "not '64x48x1'" },
+        { "size", "641x1", "not '641x1'" },
+        { "size", "0x1", "not '0x1'" },
+        { "place", "1 2", "--place: expected three numbers from -8 to 8, not ''" },
+        { "place", "1 two 3", "not 'two'" },
+        { "place", "1 2 8.5", "not '8.5'" },
+    };
+    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
+        Whole whole = whole_defaults;
+        GpError error = { "" };
+        assert_int_equal(setting_set(whole_fields, &whole, wrong[i].name, wrong[i].text, &error),
+                         GP_ERROR_INVALID);
+        if (!strstr(error.text, wrong[i].message))
+            fail_msg("%s: %s", wrong[i].text, error.text);
+        assert_memory_equal(&whole, &whole_defaults, sizeof whole);
+    }
+    Whole whole = whole_defaults;
+    GpError error = { "" };
+    assert_int_equal(setting_parse(whole_fields, &whole, "--file a", &error), GP_ERROR_INVALID);
+    assert_string_equal(error.text, "no option '--file'");
+    assert_int_equal(setting_parse(whole_fields, &whole, "--fine --place 1 2", &error),
+                     GP_ERROR_INVALID);
+    assert_false(whole.fine);
+}
+
 /* --- printing ---------------------------------------------------------------------------------- */
 
 static void only_members_that_differ_are_printed_in_the_tables_order(void **state)
@@ -154,28 +235,6 @@ static void numbers_are_as_short_as_they_can_be(void **state)
     }
 }
 
-/* --- argp -------------------------------------------------------------------------------------- */
-
-static void options_of_argp_lead_back_to_their_fields(void **state)
-{
-    (void)state;
-    struct argp_option options[GP_COUNT(fields)];
-    memset(options, 0xff, sizeof options);
-    setting_options(fields, options);
-    for (size_t i = 0; fields[i].name; i++) {
-        assert_string_equal(options[i].name, fields[i].name);
-        assert_string_equal(options[i].arg, fields[i].argument);
-        assert_string_equal(options[i].doc, fields[i].help);
-        assert_int_equal(options[i].flags, 0);
-        assert_ptr_equal(setting_of_key(fields, options[i].key), &fields[i]);
-    }
-    const struct argp_option *end = &options[GP_COUNT(fields) - 1];
-    assert_true(!end->name && !end->key && !end->doc);
-    assert_null(setting_of_key(fields, SETTING_FIRST_KEY + 3));
-    assert_null(setting_of_key(fields, SETTING_FIRST_KEY - 1));
-    assert_null(setting_of_key(fields, 'q'));
-}
-
 /* --- sweeps ------------------------------------------------------------------------------------ */
 
 static void a_sweep_expands_to_all_combinations_the_last_list_fastest(void **state)
@@ -210,26 +269,32 @@ static void a_sweep_without_lists_is_one_setting(void **state)
 }
 
 /* What every technique's table promises: names that are found, sweeps whose settings all parse. */
-static void every_technique_can_read_its_own_sweep(void **state)
+static void every_technique_can_read_its_own_sweeps(void **state)
 {
     (void)state;
-    assert_null(technique_find("no such technique"));
-    for (size_t i = 0; techniques[i]; i++) {
-        const Technique *technique = techniques[i];
-        assert_ptr_equal(technique_find(technique->name), technique);
+    assert_null(technique_find(technique_registry, "no such technique"));
+    assert_null(experiment_find(technique_registry, "no such experiment", NULL));
+    for (const Technique *const *one = technique_registry; *one; one++) {
+        const Technique *technique = *one, *found = NULL;
+        assert_ptr_equal(technique_find(technique_registry, technique->name), technique);
+        assert_string_equal(technique->experiments->name, technique->name);
         void *setting = gp_alloc(1, technique->setting_bytes);
-        for (const TechniqueSweep *sweep = technique->sweep; sweep->method; sweep++) {
-            size_t count = technique_expand(sweep->options, NULL, 0);
-            char(*texts)[SETTING_MAX_TEXT] = gp_alloc(count, sizeof *texts);
-            technique_expand(sweep->options, texts, count);
-            for (size_t k = 0; k < count; k++) {
-                GpError error = { "" };
-                memcpy(setting, technique->defaults, technique->setting_bytes);
-                if (setting_parse(technique->fields, setting, texts[k], &error))
-                    fail_msg("%s, %s: %s", technique->name, texts[k], error.text);
+        for (const Experiment *experiment = technique->experiments; experiment->name; experiment++)
+            for (const TechniqueSweep *sweep = experiment->sweep; sweep->method; sweep++) {
+                assert_ptr_equal(experiment_find(technique_registry, experiment->name, &found),
+                                 experiment);
+                assert_ptr_equal(found, technique);
+                size_t count = technique_expand(sweep->options, NULL, 0);
+                char(*texts)[SETTING_MAX_TEXT] = gp_alloc(count, sizeof *texts);
+                technique_expand(sweep->options, texts, count);
+                for (size_t k = 0; k < count; k++) {
+                    GpError error = { "" };
+                    memcpy(setting, technique->defaults, technique->setting_bytes);
+                    if (setting_parse(technique->settings, setting, texts[k], &error))
+                        fail_msg("%s, %s: %s", technique->name, texts[k], error.text);
+                }
+                gp_free(texts);
             }
-            gp_free(texts);
-        }
         gp_free(setting);
     }
 }
@@ -239,13 +304,14 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_text_sets_the_members_that_it_names),
         cmocka_unit_test(mistakes_are_told_with_what_was_expected_and_change_nothing),
+        cmocka_unit_test(sizes_vectors_flags_and_texts_are_settings_too),
+        cmocka_unit_test(other_types_tell_what_was_expected),
         cmocka_unit_test(only_members_that_differ_are_printed_in_the_tables_order),
         cmocka_unit_test(what_is_printed_restores_the_same_bits),
         cmocka_unit_test(numbers_are_as_short_as_they_can_be),
-        cmocka_unit_test(options_of_argp_lead_back_to_their_fields),
         cmocka_unit_test(a_sweep_expands_to_all_combinations_the_last_list_fastest),
         cmocka_unit_test(a_sweep_without_lists_is_one_setting),
-        cmocka_unit_test(every_technique_can_read_its_own_sweep),
+        cmocka_unit_test(every_technique_can_read_its_own_sweeps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

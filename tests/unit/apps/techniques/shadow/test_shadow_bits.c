@@ -35,7 +35,7 @@ static void check_devices(const char *path, char (*texts)[SETTING_MAX_TEXT], int
     GpError error = { "" };
     TechniqueStage stage = { .technique = &shadow_technique };
     assert_true(count > 0 && count <= MAX_TEXTS);
-    if (shadow_technique.open(path, SIDE, SIDE, &stage.scene, &error))
+    if (technique_open(&shadow_technique, path, SIDE, SIDE, &stage.scene, &error))
         fail_msg("%s", error.text);
     for (size_t d = 0; device_here(d); d++) {
         stage.device = device_open(device_here(d));
@@ -60,7 +60,8 @@ static void every_method_of_the_sweep_is_one_picture(void **state)
     (void)state;
     char texts[MAX_TEXTS][SETTING_MAX_TEXT];
     int count = 0;
-    for (const TechniqueSweep *row = shadow_technique.sweep; row->method; row++, count++) {
+    for (const TechniqueSweep *row = shadow_technique.experiments->sweep; row->method;
+         row++, count++) {
         assert_true(count < MAX_TEXTS);
         assert_true(technique_expand(row->options, &texts[count], 1) > 0);
         snprintf(strchr(texts[count], '\0'), 24, " --map %d", MAP + count);

@@ -1,6 +1,8 @@
 /* The steps of the printed method, as tables measure them: each pass belongs to one, and memory is
  * counted once. No time is judged. */
+#include "apps/techniques/voxel/models.h"
 #include "apps/techniques/voxel/sheets_time.h"
+#include "apps/techniques/voxel/technique.h"
 #include "tests/support/unit.h"
 
 typedef struct Stage {
@@ -16,8 +18,10 @@ static void set_up(Stage *stage, const char *options)
                                  .each = gp_alloc(TIMING_MAX_FRAMES, sizeof(double)) } };
     assert_int_equal(
         gp_device_create(&(GpDeviceDesc){ .threads = 1 }, &stage->clock.device, &error), GP_OK);
-    assert_int_equal(voxel_technique.open("builtin:cube", 0, 0, &stage->scene, &error), GP_OK);
-    if (technique_build(&voxel_technique, stage->scene, options, &stage->frame, &error))
+    assert_int_equal(technique_open(&voxel_technique, "builtin:cube", 0, 0, &stage->scene, &error),
+                     GP_OK);
+    if (technique_build(&voxel_technique, stage->scene, options, stage->clock.device, &stage->frame,
+                        &error))
         fail_msg("%s", error.text);
 }
 
@@ -60,7 +64,9 @@ static void every_step_takes_time(void **state)
     if (sheets_time_steps(&stage.clock, &stage.frame, &steps, &error))
         fail_msg("%s", error.text);
     assert_true(steps.raster > 0 && steps.texelize > 0 && steps.synthesize > 0);
-    assert_int_equal(sheets_time_sort(&stage.clock, stage.scene, 512, &sort, &error), GP_OK);
+    assert_int_equal(sheets_time_sort(&stage.clock, &((const VoxelModels *)stage.scene)->scene, 512,
+                                      &sort, &error),
+                     GP_OK);
     assert_true(sort > 0);
     tear_down(&stage);
 }

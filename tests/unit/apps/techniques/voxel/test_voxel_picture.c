@@ -1,6 +1,6 @@
 /* Pictures of models as the command makes them: all of them is seen, the right way up, with what
  * two have in common, and with scans of every type. */
-#include "apps/techniques/voxel/pictures/picture.h"
+#include "apps/techniques/voxel/options.h"
 #include "tests/support/unit.h"
 #include "tests/support/view_case.h"
 
@@ -77,7 +77,7 @@ static void every_view_shows_all_of_the_box(void **state)
     static const uint32_t sizes[][2] = { { 64, 64 }, { MOST_PIXELS, 40 }, { 32, MOST_PIXELS } };
     for (size_t i = 0; i < GP_COUNT(ranges) * GP_COUNT(views) * GP_COUNT(sizes); i++) {
         const double *view = views[i / GP_COUNT(sizes) % GP_COUNT(views)];
-        VoxelPicture picture = voxel_picture_defaults;
+        VoxelPicture picture = voxel_option_defaults.picture;
         picture.width = sizes[i % GP_COUNT(sizes)][0];
         picture.height = sizes[i % GP_COUNT(sizes)][1];
         picture.orbit.azimuth = view[0];
@@ -111,7 +111,7 @@ static void the_axis_that_is_up_points_up(void **state)
         { { 8, 8, 0 }, { 16, 16, 4 } },
     };
     for (size_t i = 0; i < GP_COUNT(ends); i++) {
-        VoxelPicture picture = voxel_picture_defaults;
+        VoxelPicture picture = voxel_option_defaults.picture;
         picture.width = picture.height = 64;
         picture.orbit.up = (int)i;
         Frame frame;
@@ -132,7 +132,7 @@ static void a_zoom_makes_it_larger(void **state)
     uint32_t before = 0;
     static const double zooms[] = { 0.25, 0.5, 1 };
     for (size_t i = 0; i < GP_COUNT(zooms); i++) {
-        VoxelPicture picture = voxel_picture_defaults;
+        VoxelPicture picture = voxel_option_defaults.picture;
         picture.width = picture.height = 64;
         picture.orbit.zoom = zooms[i];
         Frame frame;
@@ -167,7 +167,7 @@ static void what_two_have_in_common_is_red(void **state)
     (void)state;
     for (int touching = 0; touching < 2; touching++)
         for (int look = VOXEL_OPAQUE; look <= VOXEL_TRANSPARENT; look++) {
-            VoxelPicture picture = voxel_picture_defaults;
+            VoxelPicture picture = voxel_option_defaults.picture;
             picture.width = picture.height = 64;
             picture.shows_both = true;
             picture.look = look;
@@ -204,7 +204,7 @@ static uint64_t hash_of_scan(GpVolumeType type, void *data, bool has_model, int 
     const GpVolume scan = {
         .dims = { SCAN, SCAN, SCAN }, .type = type, .spacing = { 1, 1, 1 }, .data = data
     };
-    VoxelPicture picture = voxel_picture_defaults;
+    VoxelPicture picture = voxel_option_defaults.picture;
     picture.width = picture.height = 64;
     picture.look = look;
     Frame frame;

@@ -1,6 +1,7 @@
 /* Voxelization as a technique: what it refuses, what its figures say of volumes that are right and
  * of volumes that were spoiled, and that it takes every mesh. */
 #include "apps/techniques/voxel/technique.h"
+#include "apps/techniques/voxel/models.h"
 #include "apps/techniques/voxel/facts.h"
 #include "apps/techniques/voxel/truths.h"
 #include "pipeline/io/file.h"
@@ -38,16 +39,17 @@ static void the_exact_methods_have_no_wrong_voxel(void **state)
         fail_msg("%s", error.text);
 }
 
-static void solids_have_a_sweep_of_their_own(void **state)
+static void solids_are_held_against_their_inside(void **state)
 {
     (void)state;
     const TechniqueCase cases[] = {
-        { "inside", "builtin:knot", "--size 48", "missing", 0, 0 },
-        { "inside", "builtin:knot", "--size 48", "extra", 0, 0 },
-        { "inside", "builtin:cube", "--size 32", "voxels", 29 * 29 * 29, 30 * 30 * 30 },
+        { "inside", "builtin:knot", "--kind solid --size 48", "missing", 0, 0 },
+        { "inside", "builtin:knot", "--kind solid --size 48", "extra", 0, 0 },
+        { "inside", "builtin:cube", "--kind solid --size 32", "voxels", 29 * 29 * 29,
+          30 * 30 * 30 },
     };
     GpError error = { "" };
-    if (technique_cases_check(&solid_technique, cases, GP_COUNT(cases), &error))
+    if (technique_cases_check(&voxel_technique, cases, GP_COUNT(cases), &error))
         fail_msg("%s", error.text);
 }
 
@@ -70,14 +72,14 @@ static void errors_tell_sizes_and_methods_apart(void **state)
         { "nothing lost", "builtin:cube", "--size 32", "error", 16, 18 },
     };
     static const TechniqueCase solid_cases[] = {
-        { "a quarter voxel", "builtin:sphere", "--size 32", "error", 46, 52 },
-        { "of half the size", "builtin:sphere", "--size 64", "error", 22, 25 },
-        { "rows keep what the surface crosses", "builtin:sphere", "--size 64 --method sheets",
-          "error", 28, 35 },
+        { "a quarter voxel", "builtin:sphere", "--kind solid --size 32", "error", 46, 52 },
+        { "of half the size", "builtin:sphere", "--kind solid --size 64", "error", 22, 25 },
+        { "rows keep what the surface crosses", "builtin:sphere",
+          "--kind solid --size 64 --method sheets", "error", 28, 35 },
     };
     GpError error = { "" };
     if (technique_cases_check(&voxel_technique, cases, GP_COUNT(cases), &error) ||
-        technique_cases_check(&solid_technique, solid_cases, GP_COUNT(solid_cases), &error))
+        technique_cases_check(&voxel_technique, solid_cases, GP_COUNT(solid_cases), &error))
         fail_msg("%s", error.text);
 }
 
@@ -85,6 +87,13 @@ static void open_stage(const char *scene, TechniqueStage *stage)
 {
     GpError error = { "" };
     if (technique_stage_open(&voxel_technique, scene, 0, 0, stage, &error))
+        fail_msg("%s", error.text);
+}
+
+static void measure(const TechniqueStage *stage, const Frame *frame, TechniqueError *measured)
+{
+    GpError error = { "" };
+    if (voxel_technique.experiments->measure(stage->scene, frame, measured, &error))
         fail_msg("%s", error.text);
 }
 
@@ -105,18 +114,18 @@ static void a_lost_voxel_is_missing_and_a_strange_one_is_extra(void **state)
     assert_int_equal(technique_stage_draw(&stage, "--size 40", &frame, &error), GP_OK);
     const VoxelMade *made = frame.made;
     assert_int_equal(made->setting.size, 40);
-    assert_ptr_equal(made->sheet.texels, frame.color);
+    assert_ptr_equal(made->pair.result.texels, frame.color);
 
-    voxel_technique.measure(stage.scene, &frame, &measured);
+    measure(&stage, &frame, &measured);
     const double whole = measured.error;
-    flip_voxel(&made->sheet, 1, 20, 35); /* of the shell */
-    voxel_technique.measure(stage.scene, &frame, &measured);
+    flip_voxel(&made->pair.result, 1, 20, 35); /* of the shell */
+    measure(&stage, &frame, &measured);
     assert_true(measured.metrics[1] == 1 && measured.metrics[2] == 0);
     assert_true(measured.error > whole);
     double voxels = measured.metrics[0];
-    flip_voxel(&made->sheet, 20, 20, 20); /* inside */
-    flip_voxel(&made->sheet, 0, 0, 39);   /* outside */
-    voxel_technique.measure(stage.scene, &frame, &measured);
+    flip_voxel(&made->pair.result, 20, 20, 20); /* inside */
+    flip_voxel(&made->pair.result, 0, 0, 39);   /* outside */
+    measure(&stage, &frame, &measured);
     assert_true(measured.metrics[1] == 1 && measured.metrics[2] == 2);
     assert_true(measured.metrics[0] == voxels + 2);
     frame_free(&frame);
@@ -293,12 +302,13 @@ static void models_that_are_none_are_refused(void **state)
     (void)state;
     void *scene = NULL;
     GpError error = { "" };
-    assert_int_equal(voxel_technique.open("builtin:nothing", 0, 0, &scene, &error),
+    assert_int_equal(technique_open(&voxel_technique, "builtin:nothing", 0, 0, &scene, &error),
                      GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "nothing"));
-    assert_int_equal(voxel_technique.open("no/mesh.ply", 0, 0, &scene, &error), GP_ERROR_IO);
+    assert_int_equal(technique_open(&voxel_technique, "no/mesh.ply", 0, 0, &scene, &error),
+                     GP_ERROR_IO);
     assert_non_null(strstr(error.text, "no/mesh.ply"));
-    assert_int_equal(voxel_technique.open("builtin:cube", 64, 64, &scene, &error),
+    assert_int_equal(technique_open(&voxel_technique, "builtin:cube", 64, 64, &scene, &error),
                      GP_ERROR_INVALID);
     assert_null(scene);
 }
@@ -310,8 +320,9 @@ static void only_meshes_have_a_truth(void **state)
     for (size_t i = 0; i < GP_COUNT(models); i++) {
         void *scene;
         GpError error = { "" };
-        assert_int_equal(voxel_technique.open(models[i], 0, 0, &scene, &error), GP_OK);
-        assert_int_equal(voxel_technique.find_truth(scene, 1, &error), GP_ERROR_INVALID);
+        assert_int_equal(technique_open(&voxel_technique, models[i], 0, 0, &scene, &error), GP_OK);
+        assert_int_equal(voxel_technique.experiments->find_truth(scene, 1, &error),
+                         GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, "expected a mesh"));
         voxel_technique.close(scene);
     }
@@ -322,7 +333,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(only_meshes_have_a_truth),
         cmocka_unit_test(the_exact_methods_have_no_wrong_voxel),
-        cmocka_unit_test(solids_have_a_sweep_of_their_own),
+        cmocka_unit_test(solids_are_held_against_their_inside),
         cmocka_unit_test(errors_tell_sizes_and_methods_apart),
         cmocka_unit_test(a_lost_voxel_is_missing_and_a_strange_one_is_extra),
         cmocka_unit_test(truths_are_bounds_and_are_kept),

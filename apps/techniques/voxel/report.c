@@ -1,0 +1,125 @@
+#include "apps/techniques/voxel/report.h"
+
+#include "apps/techniques/voxel/facts.h"
+#include "apps/techniques/voxel/models.h"
+
+#include <inttypes.h>
+
+/* --- voxels ----------------------------------------------------------------------------------- */
+
+/* The tight range of the bits of a volume; a loop over bytes that are not 0. */
+static VoxelRange range_of_bits(const uint8_t *bits, uint32_t size)
+{
+    VoxelRange range = { { size, size, size }, { 0, 0, 0 } };
+    const size_t bytes = ((size_t)size * size * size + 7) / 8;
+    for (size_t byte = 0; byte < bytes; byte++)
+        for (unsigned rest = bits[byte]; rest; rest &= rest - 1) {
+            const size_t i = 8 * byte + (size_t)__builtin_ctz(rest);
+            const uint32_t at[3] = { (uint32_t)(i % size), (uint32_t)(i / size % size),
+                                     (uint32_t)(i / size / size) };
+            for (int k = 0; k < 3; k++) {
+                range.low[k] = at[k] < range.low[k] ? at[k] : range.low[k];
+                range.end[k] = at[k] + 1 > range.end[k] ? at[k] + 1 : range.end[k];
+            }
+        }
+    return range;
+}
+
+/* Where the voxels of two models' touching are: the first and the last along each axis. */
+static GpResult tell_range(const Frame *frame, TechniqueReport *report, GpError *error)
+{
+    GpVolume volume;
+    GpResult result = voxel_models_volume(frame, &volume, error);
+    if (result)
+        return result;
+    const VoxelRange range = range_of_bits(volume.data, volume.dims[0]);
+    gp_volume_free(&volume);
+    json_t *array = json_array();
+    text_add(&report->lines, "range");
+    for (int k = 0; k < 3; k++) {
+        const uint32_t first = range.low[k], last = range.end[k] - 1;
+        text_add(&report->lines, " %u..%u", first, last);
+        json_array_append_new(array, json_pack("[I, I]", (json_int_t)first, (json_int_t)last));
+    }
+    text_add(&report->lines, "\n");
+    json_object_set_new(report->members, "range", array);
+    return GP_OK;
+}
+
+static GpResult tell_voxels(const VoxelPair *pair, const Frame *frame, TechniqueReport *report,
+                            GpError *error)
+{
+    const VoxelMade *made = frame->made;
+    const bool touching = pair->scenes[1] && pair->combine == VOXEL_TOUCHING;
+    const char *name = touching ? "touching" : "voxels";
+    const uint64_t voxels = flat_texture_count(&made->pair.result);
+    uint64_t triangles = 0;
+    for (int i = 0; i < 2 && pair->scenes[i]; i++)
+        triangles += pair->scenes[i]->mesh.triangle_count;
+    text_add(&report->lines, "%s %" PRIu64 "\n", name, voxels);
+    json_object_set_new(report->members, name, json_integer((json_int_t)voxels));
+    json_object_set_new(report->members, "triangles", json_integer((json_int_t)triangles));
+    return touching && voxels ? tell_range(frame, report, error) : GP_OK;
+}
+
+/* --- meshes ----------------------------------------------------------------------------------- */
+
+/* Solids are never made of an open mesh without a word. */
+static void warn_if_open(const char *name, const VoxelFacts *facts, TechniqueReport *report)
+{
+    char faults[256];
+    if (facts->mesh.is_closed)
+        return;
+    mesh_report_faults(&facts->mesh, faults, sizeof faults);
+    text_add(&report->warnings, "%s is not closed: %s\n%s\n", name, faults,
+             facts->mesh.odd_edges > 0
+                 ? "lines beside these edges may cross an odd number of triangles: the solid is "
+                   "wrong there"
+                 : "every line crosses an even number of triangles all the same");
+}
+
+/* Told of the first model where that is asked for, and to --json of every mesh. */
+static GpResult tell_facts(const VoxelOptions *options, const VoxelScene *scene, GpDevice *device,
+                           VoxelFacts *facts, TechniqueReport *report, GpError *error)
+{
+    if (options->voxels.kind == VOXEL_SOLID) {
+        GpResult result =
+            voxel_facts_find_solids(scene, options->voxels.size, device, facts, error);
+        if (result)
+            return result;
+    }
+    voxel_facts_add(facts, &report->lines);
+    json_object_set_new(report->members, "report", voxel_facts_json(facts));
+    return GP_OK;
+}
+
+/* in   which: 0 the first model, which alone is told of */
+static GpResult look_at_mesh(const VoxelModels *models, int which, const VoxelOptions *options,
+                             GpDevice *device, TechniqueReport *report, GpError *error)
+{
+    const VoxelScene *scene = models->pair.scenes[which];
+    const bool asked = which == 0 && options->wants_report;
+    const bool told = asked || (which == 0 && report->members);
+    const bool solid = options->voxels.kind == VOXEL_SOLID;
+    VoxelFacts facts;
+    if (scene->input != VOXEL_MESH)
+        return asked ? gp_fail(error, GP_ERROR_INVALID, "--report is for meshes") : GP_OK;
+    if (!told && !solid)
+        return GP_OK;
+    GpResult result = voxel_facts_find(scene, &facts, error);
+    if (!result && told)
+        result = tell_facts(options, scene, device, &facts, report, error);
+    if (!result && solid)
+        warn_if_open(models->pair.names[which], &facts, report);
+    return result;
+}
+
+GpResult voxel_report(void *scene, const void *setting, const Frame *frame, GpDevice *device,
+                      TechniqueReport *report, GpError *error)
+{
+    const VoxelModels *models = scene;
+    GpResult result = tell_voxels(&models->pair, frame, report, error);
+    for (int i = 0; i < 2 && models->pair.scenes[i] && !result; i++)
+        result = look_at_mesh(models, i, setting, device, report, error);
+    return result;
+}
