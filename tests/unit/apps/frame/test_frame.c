@@ -88,8 +88,8 @@ static void fail_at_each(const TechniqueStage *stage, const char *options)
     while (result) {
         Frame frame = { .arena = { .fails = ++n } };
         GpError error = { "" };
-        result = technique_build(stage->technique, stage->scene, options, stage->device, &frame,
-                                 &error);
+        result =
+            technique_build(stage->technique, stage->scene, options, stage->device, &frame, &error);
         if (result && result != GP_ERROR_MEMORY)
             fail_msg("%s %s: %u pieces: %s", stage->technique->name, options, n, error.text);
         assert_true(result || frame.arena.calls < n);
