@@ -127,7 +127,7 @@ static Color glow(int x, int y)
 static PatternFn *const patterns[] = { checker, gradient, bricks, uv_grid, noise,
                                        dots,    leaf,     glow,   checker };
 
-const char *const pattern_names[] = { "checker", "gradient", "bricks", "uv",     "noise",
+static const char *const pattern_names[] = { "checker", "gradient", "bricks", "uv",     "noise",
                                       "dots",    "leaf",     "glow",   "levels", NULL };
 
 static void draw(GpSurface *surface, PatternFn *texel)

@@ -16,7 +16,4 @@
 GpResult pattern_create(const char *name, bool srgb, bool mips, GpSurface **surface,
                         GpError *error);
 
-/* Names, NULL at the end. */
-extern const char *const pattern_names[];
-
 #endif

@@ -210,7 +210,6 @@ static void rectangle(const ShapePatch *patch, uint32_t column, uint32_t row, Sh
 
 const char *const shape_names[] = { "sphere", "ball",  "cube", "torus", "knot",   "cylinder",
                                     "cone",   "plane", "disc", "quad",  "teapot", NULL };
-const char *const shape_point_names[] = { "sphere", "grid", NULL };
 
 static const double top_disc[] = { 0, 1, 1, 1 }, bottom_disc[] = { 1, -1, 0, -1 };
 static const double tube_side[] = { 1, 1, 1, -1 }, cone_side[] = { 0, 1, 1, -1 };

@@ -43,9 +43,8 @@ void shape_free(Shape *shape);
 /* Replaces all normals by the sum of the triangles' normals at each vertex, weighted by area. */
 void shape_compute_normals(Shape *shape);
 
-/* Names of the meshes and point sets, NULL at the end. */
+/* Names of the meshes, NULL at the end. */
 extern const char *const shape_names[];
-extern const char *const shape_point_names[];
 
 /* Control points of the teapot's bicubic patches, in rows. */
 enum { SHAPE_TEAPOT_PATCHES = 32 };

@@ -79,7 +79,7 @@ void voxel_distance_free(VoxelDistance *distance)
 
 /* --- from the model to voxels ------------------------------------------------------------------ */
 
-static double to_voxels(const VoxelDistance *distance, const VoxelSpace *space,
+static double to_voxels(const VoxelDistance *distance, const VoxelBox *space,
                         const VoxelPyramid *pyramid)
 {
     const double most = space->scale * distance->longest;
@@ -133,7 +133,7 @@ static void look_into(const VoxelDistance *distance, const TruthNode *node, cons
 }
 
 /* Of every voxel, or of every second, third .. where there are too many. */
-static double to_model(const VoxelDistance *distance, const VoxelSpace *space, const uint8_t *bits)
+static double to_model(const VoxelDistance *distance, const VoxelBox *space, const uint8_t *bits)
 {
     const size_t end = (size_t)space->size * space->size * space->size;
     const uint64_t step = voxel_count(bits, space->size) / MOST_VOXELS + 1;
@@ -154,7 +154,7 @@ static double to_model(const VoxelDistance *distance, const VoxelSpace *space, c
     return count ? sqrt(sum / (double)count) / distance->longest : 0;
 }
 
-GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelSpace *space,
+GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelBox *space,
                              const uint8_t *bits, VoxelApart *apart)
 {
     VoxelPyramid pyramid;

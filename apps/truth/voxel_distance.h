@@ -42,7 +42,7 @@ typedef struct VoxelApart {
 
 /* in     space: from the model's space to that of the volume
  * errors GP_ERROR_MEMORY */
-GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelSpace *space,
+GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelBox *space,
                              const uint8_t *bits, VoxelApart *apart);
 
 #endif

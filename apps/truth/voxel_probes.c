@@ -135,7 +135,7 @@ void voxel_probes_free(VoxelProbes *probes)
 /* --- wrong ------------------------------------------------------------------------------------- */
 
 /* out  place: the bit of the voxel that a point lies in; false: in none */
-static bool find_voxel(const VoxelSpace *space, const double point[3], size_t *place)
+static bool find_voxel(const VoxelBox *space, const double point[3], size_t *place)
 {
     size_t at[3];
     for (int k = 0; k < 3; k++) {
@@ -148,7 +148,7 @@ static bool find_voxel(const VoxelSpace *space, const double point[3], size_t *p
     return true;
 }
 
-double voxel_probes_wrong(const VoxelProbes *probes, const VoxelSpace *space, const uint8_t *bits)
+double voxel_probes_wrong(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *bits)
 {
     uint64_t wrong = 0;
     for (uint32_t i = 0; i < PROBES; i++) {

@@ -25,6 +25,6 @@ void voxel_probes_free(VoxelProbes *probes); /* zeroes it; a zeroed one is fine 
  * in   space: from the model's space to that of the volume
  * note The probes' number leaves a few in a hundred of it uncertain where a hundredth is wrong of a
  *      slender model: volumes of one size and its double are well apart. */
-double voxel_probes_wrong(const VoxelProbes *probes, const VoxelSpace *space, const uint8_t *bits);
+double voxel_probes_wrong(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *bits);
 
 #endif

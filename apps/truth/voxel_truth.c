@@ -4,41 +4,14 @@
 
 #include <string.h>
 
-/* --- space ------------------------------------------------------------------------------------ */
-
-VoxelSpace voxel_space(const float *positions, const uint32_t *indices, uint32_t count,
-                       uint32_t size)
-{
-    double low[3] = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, high[3], longest = 0;
-    for (int k = 0; k < 3; k++)
-        high[k] = -HUGE_VAL;
-    for (size_t i = 0; i < 3 * (size_t)count; i++)
-        for (int k = 0; k < 3; k++) {
-            double p = (double)positions[3 * (size_t)indices[i] + (size_t)k];
-            low[k] = fmin(low[k], p);
-            high[k] = fmax(high[k], p);
-        }
-    for (int k = 0; k < 3; k++)
-        longest = fmax(longest, high[k] - low[k]);
-    VoxelSpace space = { size, longest > 0 ? (size - 2.5) / longest : 1, { 0 } };
-    for (int k = 0; k < 3; k++)
-        space.offset[k] = size / 2.0 - space.scale * (0.5 * (low[k] + high[k]));
-    return space;
-}
-
 void voxel_triangles(const float *positions, const uint32_t *indices, uint32_t count,
-                     const VoxelSpace *space, TruthTriangle *triangles)
+                     const VoxelBox *space, TruthTriangle *triangles)
 {
     for (size_t i = 0; i < 3 * (size_t)count; i++)
         for (int k = 0; k < 3; k++) {
             double p = (double)positions[3 * (size_t)indices[i] + (size_t)k];
             triangles[i / 3].corner[i % 3][k] = space->scale * p + space->offset[k];
         }
-}
-
-size_t voxel_bytes(uint32_t size)
-{
-    return ((size_t)size * size * size + 7) / 8;
 }
 
 static void set_voxel(uint8_t *bits, uint32_t size, const int64_t at[3])

@@ -6,27 +6,13 @@
 #ifndef APPS_TRUTH_VOXEL_TRUTH_H
 #define APPS_TRUTH_VOXEL_TRUTH_H
 
-#include "pipeline/base/base.h"
+#include "apps/base/voxel_box.h"
 #include "apps/truth/ray_triangle.h"
-
-/* From the mesh's space to voxels: q = scale * p + offset. */
-typedef struct VoxelSpace {
-    uint32_t size; /* N */
-    double scale, offset[3];
-} VoxelSpace;
-
-/* The box of the vertices that triangles refer to fills N - 2.5 voxels of its longest side,
- * centred.
- * in   count: triangles, at least 1; a box without size has scale 1 */
-VoxelSpace voxel_space(const float *positions, const uint32_t *indices, uint32_t count,
-                       uint32_t size);
+#include "pipeline/base/base.h"
 
 /* Triangles of a mesh in voxel space. */
 void voxel_triangles(const float *positions, const uint32_t *indices, uint32_t count,
-                     const VoxelSpace *space, TruthTriangle *triangles);
-
-/* Bytes of a volume's bits. */
-size_t voxel_bytes(uint32_t size);
+                     const VoxelBox *space, TruthTriangle *triangles);
 
 /* Sets every voxel whose closed box, grown by `margin` to each side (shrunk where it is negative),
  * a triangle touches.

@@ -197,6 +197,18 @@ bool voxel_at(const uint8_t *bits, uint32_t size, uint32_t x, uint32_t y, uint32
     return bits[i / 8] >> i % 8 & 1;
 }
 
+uint64_t voxel_count_range(const FlatTexture *flat, const VoxelRange *range)
+{
+    uint8_t *bits = voxel_read(flat);
+    uint64_t count = 0;
+    for (uint32_t z = range->low[2]; z < range->end[2]; z++)
+        for (uint32_t y = range->low[1]; y < range->end[1]; y++)
+            for (uint32_t x = range->low[0]; x < range->end[0]; x++)
+                count += voxel_at(bits, flat->size, x, y, z);
+    gp_free(bits);
+    return count;
+}
+
 uint64_t voxel_count_without(const uint8_t *a, const uint8_t *b, uint32_t size)
 {
     uint64_t count = 0;

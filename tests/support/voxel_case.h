@@ -2,6 +2,7 @@
 #ifndef TESTS_VOXEL_CASE_H
 #define TESTS_VOXEL_CASE_H
 
+#include "apps/base/voxel_range.h"
 #include "apps/techniques/voxel/inputs/scene.h"
 #include "apps/truth/voxel_truth.h"
 
@@ -52,6 +53,9 @@ uint8_t *voxel_read(const FlatTexture *flat);
 
 /* Whether a voxel is set. */
 bool voxel_at(const uint8_t *bits, uint32_t size, uint32_t x, uint32_t y, uint32_t z);
+
+/* Voxels of a flat texture of one bit that lie in a range. */
+uint64_t voxel_count_range(const FlatTexture *flat, const VoxelRange *range);
 
 /* Voxels in a that are not in b. */
 uint64_t voxel_count_without(const uint8_t *a, const uint8_t *b, uint32_t size);

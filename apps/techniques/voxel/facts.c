@@ -8,11 +8,6 @@
 
 /* --- solids ----------------------------------------------------------------------------------- */
 
-static size_t solid_bytes(uint32_t size)
-{
-    return ((size_t)size * size * size + 7) / 8;
-}
-
 uint64_t voxel_odd_columns(const uint8_t *parity, uint32_t size)
 {
     const size_t columns = (size_t)size * size;
@@ -24,7 +19,7 @@ uint64_t voxel_odd_columns(const uint8_t *parity, uint32_t size)
 
 uint64_t voxel_disagreements(const uint8_t *const solids[3], uint32_t size)
 {
-    const size_t bytes = solid_bytes(size);
+    const size_t bytes = voxel_bytes(size);
     uint64_t count = 0;
     for (size_t i = 0; i < bytes; i++) {
         unsigned differs = (solids[0][i] ^ solids[1][i]) | (solids[0][i] ^ solids[2][i]);
@@ -58,7 +53,7 @@ static void set_turned_back(size_t i, uint32_t size, int axis, uint8_t *back)
 /* Bits of a volume that was made so, turned back. out back: zeroed */
 static void turn_back(const uint8_t *turned, uint32_t size, int axis, uint8_t *back)
 {
-    const size_t bytes = solid_bytes(size);
+    const size_t bytes = voxel_bytes(size);
     for (size_t byte = 0; byte < bytes; byte++)
         for (unsigned bits = turned[byte]; bits; bits &= bits - 1)
             set_turned_back(8 * byte + (size_t)__builtin_ctz(bits), size, axis, back);
@@ -87,7 +82,7 @@ GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevic
     const VoxelScene in_its_box = { .mesh = scene->mesh }; /* nothing is cut off */
     const VoxelBox box = voxel_scene_box(&in_its_box, size);
     const VoxelModel model = voxel_scene_model(scene, &box);
-    const size_t bytes = solid_bytes(size);
+    const size_t bytes = voxel_bytes(size);
     uint8_t *turned = gp_alloc(bytes, 1);
     uint8_t *solids[3] = { gp_alloc(bytes, 1), gp_alloc(bytes, 1), gp_alloc(bytes, 1) };
     uint64_t odd_columns[3] = { 0 };

@@ -38,16 +38,8 @@ static void find(const TruthTriangle *triangles, uint32_t count, const VoxelTrut
     }
 }
 
-static VoxelSpace space_of(const VoxelScene *scene, uint32_t size)
-{
-    const VoxelBox box = voxel_scene_box(scene, size);
-    VoxelSpace space = { .size = size, .scale = box.scale };
-    memcpy(space.offset, box.offset, sizeof space.offset);
-    return space;
-}
-
 /* NULL without memory; the caller frees them. */
-static TruthTriangle *make_triangles(const GpMesh *mesh, const VoxelSpace *space)
+static TruthTriangle *make_triangles(const GpMesh *mesh, const VoxelBox *space)
 {
     TruthTriangle *triangles = gp_alloc(mesh->triangle_count, sizeof *triangles);
     if (triangles)
@@ -64,7 +56,7 @@ const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene
     if (truths->count == VOXEL_MAX_TRUTHS)
         return NULL;
     VoxelTruth *truth = &truths->truths[truths->count];
-    const VoxelSpace space = space_of(scene, size);
+    const VoxelBox space = voxel_scene_box(scene, size);
     TruthTriangle *triangles = make_triangles(&scene->mesh, &space);
     *truth =
         (VoxelTruth){ kind, size, gp_alloc(voxel_bytes(size), 1), gp_alloc(voxel_bytes(size), 1) };
@@ -103,7 +95,7 @@ void voxel_truth_compare(const VoxelTruth *truth, const uint8_t *bits, uint64_t 
 
 /* --- at no size ------------------------------------------------------------------------------- */
 
-static const VoxelSpace model_space = { .scale = 1 };
+static const VoxelBox model_space = { .scale = 1 };
 
 double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
                              const uint8_t *bits)
@@ -115,7 +107,7 @@ double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint3
             !voxel_distance_make(triangles, scene->mesh.triangle_count, &truths->distance);
         gp_free(triangles);
     }
-    const VoxelSpace space = space_of(scene, size);
+    const VoxelBox space = voxel_scene_box(scene, size);
     VoxelApart apart;
     if (!truths->has_distance || voxel_distance_find(&truths->distance, &space, bits, &apart))
         return (double)NAN;
@@ -131,7 +123,7 @@ double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, u
             triangles && !voxel_probes_make(triangles, scene->mesh.triangle_count, &truths->probes);
         gp_free(triangles);
     }
-    const VoxelSpace space = space_of(scene, size);
+    const VoxelBox space = voxel_scene_box(scene, size);
     return truths->has_probes ? 1000 * voxel_probes_wrong(&truths->probes, &space, bits)
                               : (double)NAN;
 }

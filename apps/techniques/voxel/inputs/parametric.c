@@ -1,5 +1,5 @@
 /* Voxels of parametric surfaces and of points. */
-#include "apps/techniques/voxel/inputs/implicit.h"
+#include "apps/techniques/voxel/inputs/parametric.h"
 
 #include "apps/scene/shapes.h"
 #include "shaders_c/voxel/inputs/parametric.h"
@@ -33,10 +33,6 @@ static const Surface surfaces[] = {
 };
 
 static const char teapot[] = "teapot";
-
-const char *const voxel_parametric_names[] = {
-    "sphere", "torus", "moebius", "klein", teapot, NULL
-};
 
 static const Surface *find_surface(const char *name)
 {

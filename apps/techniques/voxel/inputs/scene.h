@@ -5,13 +5,14 @@
 
 #include "apps/techniques/voxel/methods/voxelize.h"
 #include "apps/techniques/voxel/inputs/implicit.h"
+#include "apps/techniques/voxel/inputs/parametric.h"
 #include "apps/base/voxel_range.h"
 #include "pipeline/io/mesh/mesh.h"
 
 typedef enum VoxelInput {
     VOXEL_MESH,
     VOXEL_FUNCTION,   /* below 0 is inside */
-    VOXEL_PARAMETRIC, /* a surface of voxel_parametric_names */
+    VOXEL_PARAMETRIC, /* a surface of parametric.h */
     VOXEL_POINTS,     /* the vertices of a mesh */
 } VoxelInput;
 
@@ -32,7 +33,7 @@ typedef struct VoxelScene {
 
 /* Reads a mesh file, looked for as data is (gp_data_find), whose vertices are points where it has
  * no faces; or makes builtin:NAME (apps/scene/shapes.h), implicit:FUNCTION (voxel_function_parse)
- * or parametric:NAME (voxel_parametric_names).
+ * or parametric:NAME.
  * errors those of gp_data_find, gp_mesh_read and voxel_function_parse; GP_ERROR_INVALID: no such
  *        name
  * owns   the caller, until voxel_scene_close */

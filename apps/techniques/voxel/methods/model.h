@@ -3,7 +3,7 @@
 #define APPS_TECHNIQUES_VOXEL_METHODS_MODEL_H
 
 #include "apps/frame/frame.h"
-#include "apps/techniques/voxel/volume/box.h"
+#include "apps/base/voxel_box.h"
 #include "shaders_c/voxel/methods/motion.h"
 
 /* Where draws keep the motion of a model that moves; the frame owns the list. A zeroed one is

@@ -71,16 +71,6 @@ FlatTexture voxel_scan(Frame *frame, const uint8_t *samples, const uint32_t dims
     return flat;
 }
 
-uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3])
-{
-    double longest = 8;
-    for (int k = 0; k < 3; k++) {
-        const double side = dims[k] * (spacing ? spacing[k] : 1);
-        longest = side > longest ? side : longest;
-    }
-    return ((uint32_t)ceil(longest) + 7) / 8 * 8;
-}
-
 /* --- slopes ----------------------------------------------------------------------------------- */
 
 FlatTexture voxel_scan_slopes(Frame *frame, const FlatTexture *scan)

@@ -11,9 +11,6 @@
 FlatTexture voxel_scan(Frame *frame, const uint8_t *samples, const uint32_t dims[3],
                        const double spacing[3], uint32_t size);
 
-/* Size of the smallest volume that holds a scan, a multiple of 8. */
-uint32_t voxel_scan_size(const uint32_t dims[3], const double spacing[3]);
-
 /* Appends the pass that finds the slopes of a scan, once for all pictures of it: a flat texture of
  * one voxel a texel, so that 20 x 20 patches of 400 are all that a surface holds. */
 enum { VOXEL_SCAN_MAX_SIZE = 400 };

@@ -34,14 +34,6 @@ static const float nothing[4] = { 0 };
 /* Colours come multiplied by alpha. */
 static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
 
-uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double aspect)
-{
-    ViewSlices slices;
-    GpError error;
-    return view_slices_find(range, camera, aspect, &slices, &error) ? 0
-                                                                    : view_slices_count(&slices);
-}
-
 /* --- blocks ----------------------------------------------------------------------------------- */
 
 static void find_blocks(ViewBuild *build)

@@ -3,7 +3,7 @@
 #define APPS_TECHNIQUES_VOXEL_PICTURES_VIEW_H
 
 #include "apps/base/camera.h"
-#include "apps/techniques/voxel/volume/box.h"
+#include "apps/base/voxel_box.h"
 #include "apps/base/voxel_range.h"
 #include "apps/techniques/voxel/volume/flat_texture.h"
 
@@ -30,11 +30,6 @@ typedef struct VoxelView {
 } VoxelView;
 
 extern const VoxelView voxel_view_defaults;
-
-/* Slices that the view of a range takes: those of each layer of voxels are so close that between
- * two of them no ray of the picture moves by more than one voxel along any axis. 0: the view is too
- * wide for slices across one axis. */
-uint32_t voxel_view_slices(const VoxelRange *range, const Camera *camera, double aspect);
 
 /* Appends the passes of a picture. Opaque voxels are lit as Phong did; each pixel shows the first
  * voxel on its ray. Transparent ones are laid over each other, the farthest first, and fade light

@@ -94,20 +94,3 @@ void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
         cut_to_slab(&draw->state.raster, result, common, slab);
     }
 }
-
-uint64_t voxel_count_range(const FlatTexture *flat, const VoxelRange *range)
-{
-    uint64_t count = 0;
-    GP_ASSERT(flat->bits == 1);
-    if (voxel_range_is_empty(range))
-        return 0;
-    for (uint32_t slab = range->low[2] / 32; slab * 32 < range->end[2]; slab++) {
-        const uint32_t first = slab * 32 < range->low[2] ? range->low[2] - slab * 32 : 0;
-        const uint32_t end = range->end[2] - slab * 32;
-        const uint32_t mask = (end < 32 ? (1u << end) - 1 : ~0u) & ~0u << first;
-        for (uint32_t y = range->low[1]; y < range->end[1]; y++)
-            count += flat_texture_count_words(flat_texture_texel(flat, slab, range->low[0], y),
-                                              range->end[0] - range->low[0], mask);
-    }
-    return count;
-}

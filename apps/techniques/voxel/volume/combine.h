@@ -27,7 +27,4 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
 void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
                    const VoxelRange *common, const FlatTexture *result);
 
-/* How many voxels of a range a flat texture of 1 bit has. */
-uint64_t voxel_count_range(const FlatTexture *flat, const VoxelRange *range);
-
 #endif

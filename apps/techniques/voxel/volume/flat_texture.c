@@ -131,42 +131,27 @@ void flat_texture_read(const FlatTexture *flat, uint8_t *voxels)
             }
 }
 
-/* Bits that are set, added up in pairs, fours and bytes: plain C has no instruction for it. */
-static uint32_t count_bits(uint64_t word)
+/* Voxels of a word that are not 0: those of several bits are gathered in their lowest. */
+static uint32_t count_voxels(uint32_t word, uint32_t bits)
 {
-    word -= word >> 1 & 0x5555555555555555u;
-    word = (word & 0x3333333333333333u) + (word >> 2 & 0x3333333333333333u);
-    word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fu;
-    return (uint32_t)(word * 0x0101010101010101u >> 56);
-}
-
-/* Of a row of words, those bits that the mask has. Most words are empty where surfaces meet. */
-uint64_t flat_texture_count_words(const uint8_t *texels, uint32_t words, uint32_t mask)
-{
-    uint64_t count = 0, two;
-    for (; words >= 2; words -= 2, texels += sizeof two) {
-        memcpy(&two, texels, sizeof two);
-        if (two)
-            count += count_bits(two & (mask | (uint64_t)mask << 32));
-    }
-    uint32_t one = 0;
-    if (words)
-        memcpy(&one, texels, sizeof one);
-    return count + count_bits(one & mask);
+    for (uint32_t shift = bits / 2; shift; shift /= 2)
+        word |= word >> shift;
+    return (uint32_t)__builtin_popcount(bits == 8    ? word & 0x01010101
+                                        : bits == 16 ? word & 0x00010001
+                                                     : word);
 }
 
 uint64_t flat_texture_count(const FlatTexture *flat)
 {
-    const uint32_t bits = flat->bits, mask = bits == 16 ? 0xffff : (1u << bits) - 1;
-    uint64_t count = 0;
     const GpLevel *level = &flat->texels->level[0];
+    uint64_t count = 0;
     for (uint32_t y = 0; y < level->height; y++) {
         const uint8_t *row = gp_surface_texel(level, sizeof(uint32_t), 0, y);
-        if (bits == 1)
-            count += flat_texture_count_words(row, level->width, ~0u);
-        for (uint32_t x = 0, word; bits != 1 && x < level->width; x++)
-            for (memcpy(&word, row + 4 * (size_t)x, sizeof word); word; word >>= bits)
-                count += (word & mask) != 0;
+        for (uint32_t x = 0, word; x < level->width; x++) {
+            memcpy(&word, row + sizeof word * (size_t)x, sizeof word);
+            if (word) /* most are empty where surfaces meet */
+                count += count_voxels(word, flat->bits);
+        }
     }
     return count;
 }

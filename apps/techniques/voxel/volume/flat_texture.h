@@ -59,9 +59,6 @@ size_t flat_texture_bytes(const FlatTexture *flat);
  * out  voxels: [flat_texture_bytes(flat)] */
 void flat_texture_read(const FlatTexture *flat, uint8_t *voxels);
 
-/* Bits that are set in texels of one bit a voxel: of each, those in the mask. */
-uint64_t flat_texture_count_words(const uint8_t *texels, uint32_t words, uint32_t mask);
-
 /* Voxels that are not 0. */
 uint64_t flat_texture_count(const FlatTexture *flat);
 

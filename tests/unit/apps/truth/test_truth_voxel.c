@@ -161,7 +161,7 @@ static void known_meshes_have_known_counts(void **state)
         GpMesh mesh;
         read_mesh(known[i].name, &mesh);
         uint32_t count = mesh.triangle_count, size = known[i].size;
-        VoxelSpace space = voxel_space(mesh.positions, mesh.indices, count, size);
+        VoxelBox space = voxel_box(mesh.positions, mesh.indices, 3 * count, size);
         TruthTriangle *triangles = gp_alloc(count, sizeof *triangles);
         uint8_t *volume[3];
         voxel_triangles(mesh.positions, mesh.indices, count, &space, triangles);

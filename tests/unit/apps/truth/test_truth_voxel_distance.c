@@ -7,7 +7,7 @@
 
 enum { SIZE = 16 };
 
-static const VoxelSpace same = { .size = SIZE, .scale = 1 };
+static const VoxelBox same = { .size = SIZE, .scale = 1 };
 static uint8_t bits[SIZE * SIZE * SIZE / 8];
 
 static void set(uint8_t *volume, uint32_t size, size_t x, size_t y, size_t z, bool value)
@@ -16,8 +16,7 @@ static void set(uint8_t *volume, uint32_t size, size_t x, size_t y, size_t z, bo
     volume[i / 8] = (uint8_t)((volume[i / 8] & ~(1u << i % 8)) | (unsigned)value << i % 8);
 }
 
-static VoxelApart find(const VoxelDistance *distance, const VoxelSpace *space,
-                       const uint8_t *volume)
+static VoxelApart find(const VoxelDistance *distance, const VoxelBox *space, const uint8_t *volume)
 {
     VoxelApart apart;
     assert_int_equal(voxel_distance_find(distance, space, volume, &apart), GP_OK);
@@ -110,7 +109,7 @@ static void nothing_is_a_whole_side_away(void **state)
 static void what_is_cut_off_is_not_lost(void **state)
 {
     (void)state;
-    const VoxelSpace moved = { .size = SIZE, .scale = 1, .offset = { 8, 0, 0 } };
+    const VoxelBox moved = { .size = SIZE, .scale = 1, .offset = { 8, 0, 0 } };
     VoxelDistance distance;
     make_square(&distance);
     memset(bits, 0, sizeof bits);
@@ -125,7 +124,7 @@ static void what_is_cut_off_is_not_lost(void **state)
 
 /* --- shapes ------------------------------------------------------------------------------------ */
 
-static TruthTriangle *make_shape(const char *name, VoxelSpace *space, uint32_t *count)
+static TruthTriangle *make_shape(const char *name, VoxelBox *space, uint32_t *count)
 {
     Shape shape;
     assert_int_equal(shape_create(name, &shape), GP_OK);
@@ -133,16 +132,16 @@ static TruthTriangle *make_shape(const char *name, VoxelSpace *space, uint32_t *
     for (uint32_t i = 0; i < shape.vertex_count; i++)
         memcpy(positions + 3 * (size_t)i, shape.vertices[i].position, 3 * sizeof *positions);
     *count = shape.index_count / 3;
-    *space = voxel_space(positions, shape.indices, *count, space->size);
+    *space = voxel_box(positions, shape.indices, 3 * *count, space->size);
     TruthTriangle *triangles = gp_alloc(*count, sizeof *triangles);
-    voxel_triangles(positions, shape.indices, *count, &(VoxelSpace){ .scale = 1 }, triangles);
+    voxel_triangles(positions, shape.indices, *count, &(VoxelBox){ .scale = 1 }, triangles);
     gp_free(positions);
     shape_free(&shape);
     return triangles;
 }
 
 static uint8_t *touched_voxels(const TruthTriangle *triangles, uint32_t count,
-                               const VoxelSpace *space)
+                               const VoxelBox *space)
 {
     uint8_t *volume = gp_alloc(voxel_bytes(space->size), 1);
     TruthTriangle *moved = gp_alloc(count, sizeof *moved);
@@ -161,7 +160,7 @@ static void touched_voxels_are_half_a_voxel_away(void **state)
     static const char *const names[] = { "sphere", "torus", "knot", "teapot" };
     for (size_t i = 0; i < GP_COUNT(names); i++)
         for (uint32_t size = 23; size <= 64; size += 41) {
-            VoxelSpace space = { .size = size };
+            VoxelBox space = { .size = size };
             VoxelDistance distance;
             uint32_t count;
             TruthTriangle *triangles = make_shape(names[i], &space, &count);
@@ -180,7 +179,7 @@ static void touched_voxels_are_half_a_voxel_away(void **state)
 static void middles_are_as_far_from_a_sphere_as_their_radius_says(void **state)
 {
     (void)state;
-    VoxelSpace space = { .size = 24 };
+    VoxelBox space = { .size = 24 };
     VoxelDistance distance;
     uint32_t count;
     TruthTriangle *triangles = make_shape("sphere", &space, &count);

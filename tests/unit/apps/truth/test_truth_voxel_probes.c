@@ -5,7 +5,7 @@
 
 enum { SIZE = 16, PROBES = 2000000 /* as voxel_probes.c has them */ };
 
-static const VoxelSpace same = { .size = SIZE, .scale = 1 };
+static const VoxelBox same = { .size = SIZE, .scale = 1 };
 static uint8_t bits[SIZE * SIZE * SIZE / 8];
 
 static void turn(size_t x, size_t y, size_t z)
@@ -95,7 +95,7 @@ static void nothing_is_all_wrong_and_everything_is_worse(void **state)
 static void what_is_cut_off_is_not_wrong(void **state)
 {
     (void)state;
-    const VoxelSpace moved = { .size = SIZE, .scale = 1, .offset = { 8, 0, 0 } };
+    const VoxelBox moved = { .size = SIZE, .scale = 1, .offset = { 8, 0, 0 } };
     VoxelProbes probes;
     make_box(&probes);
     memset(bits, 0, sizeof bits);
@@ -115,7 +115,7 @@ static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
     uint8_t *volume = gp_alloc(voxel_bytes(size), 1);
     voxel_solid(triangles, count, size, volume);
     assert_int_equal(voxel_probes_make(triangles, count, probes), GP_OK);
-    double wrong = voxel_probes_wrong(probes, &(VoxelSpace){ .size = size, .scale = 1 }, volume);
+    double wrong = voxel_probes_wrong(probes, &(VoxelBox){ .size = size, .scale = 1 }, volume);
     gp_free(volume);
     gp_free(triangles);
     return wrong;

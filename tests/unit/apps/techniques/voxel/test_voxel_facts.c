@@ -272,7 +272,7 @@ enum { SIZE = 24, BYTES = SIZE * SIZE * SIZE / 8 };
 /* The exact solid along an axis: turned so that the axis is z, and back. */
 static void make_solid(const Mesh *mesh, int axis, uint8_t *along, uint8_t *solid)
 {
-    VoxelSpace space = voxel_space(mesh->positions, mesh->indices, mesh->triangle_count, SIZE);
+    VoxelBox space = voxel_box(mesh->positions, mesh->indices, 3 * mesh->triangle_count, SIZE);
     TruthTriangle *triangles = gp_alloc(mesh->triangle_count, sizeof *triangles);
     voxel_triangles(mesh->positions, mesh->indices, mesh->triangle_count, &space, triangles);
     for (uint32_t i = 0; i < mesh->triangle_count; i++)

@@ -1,5 +1,6 @@
 /* Volumes of functions and points against what double precision says. */
 #include "apps/techniques/voxel/inputs/implicit.h"
+#include "apps/techniques/voxel/inputs/parametric.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/random.h"

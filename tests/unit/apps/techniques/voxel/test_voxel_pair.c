@@ -1,6 +1,7 @@
 /* Two models in one volume: where the second lies, and what becomes of their voxels. */
 #include "apps/techniques/voxel/inputs/pair.h"
 #include "tests/support/unit.h"
+#include "tests/support/voxel_case.h"
 
 enum { SIZE = 32, BYTES = SIZE * SIZE * SIZE / 8 };
 

@@ -1,11 +1,13 @@
 /* Parametric surfaces as points: close enough that none of their voxels is missed, or not. */
-#include "apps/techniques/voxel/inputs/implicit.h"
+#include "apps/techniques/voxel/inputs/parametric.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 
 #include <math.h>
 
 enum { MOST = 64, FULL = MOST * MOST * MOST / 8 };
+
+static const char *const names[] = { "sphere", "torus", "moebius", "klein", "teapot", NULL };
 
 typedef struct Parametric {
     const char *name;
@@ -133,7 +135,7 @@ static void every_surface_is_one_piece(void **state)
     (void)state;
     static uint8_t bits[FULL], denser[FULL];
     const uint32_t size = 48;
-    for (const char *const *name = voxel_parametric_names; *name; name++) {
+    for (const char *const *name = names; *name; name++) {
         const Parametric fine = { *name, VOXEL_PARAMETRIC_STEP };
         const Parametric finer = { *name, VOXEL_PARAMETRIC_STEP / 2 };
         const Parametric coarse = { *name, 8 * VOXEL_PARAMETRIC_STEP };
@@ -160,8 +162,7 @@ static void the_teapot_is_the_teapot(void **state)
     VoxelCase mesh = voxel_case_open("teapot", 0, SIZE);
     VoxelBox box;
     assert_int_equal(voxel_parametric_box("teapot", SIZE, &box, NULL), GP_OK);
-    const VoxelSpace space = { SIZE, box.scale, { box.offset[0], box.offset[1], box.offset[2] } };
-    voxel_triangles(mesh.model.positions, mesh.model.indices, mesh.model.triangle_count, &space,
+    voxel_triangles(mesh.model.positions, mesh.model.indices, mesh.model.triangle_count, &box,
                     mesh.triangles);
     memset(touched, 0, FULL);
     memset(deep, 0, FULL);
@@ -183,7 +184,7 @@ static void unknown_surfaces_and_too_many_points_are_refused(void **state)
     GpError error = { "" };
     assert_int_equal(voxel_parametric_box("cup", 64, &box, &error), GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "'cup' is no parametric surface"));
-    for (const char *const *name = voxel_parametric_names; *name; name++) {
+    for (const char *const *name = names; *name; name++) {
         assert_int_equal(voxel_parametric_box(*name, flat.size, &box, &error), GP_OK);
         assert_int_equal(voxel_parametric(*name, 0.01, &box, &frame, &flat, &error),
                          GP_ERROR_INVALID);
@@ -196,7 +197,7 @@ static void every_device_draws_the_same_bits(void **state)
 {
     (void)state;
     static uint8_t bits[FULL];
-    for (const char *const *name = voxel_parametric_names; *name; name++) {
+    for (const char *const *name = names; *name; name++) {
         const Parametric p = { *name, 1 };
         voxel_run(append_parametric, &p, 33, true, bits);
         assert_true(voxel_count(bits, 33) > 500);

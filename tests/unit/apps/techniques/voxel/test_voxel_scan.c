@@ -31,8 +31,6 @@ static void scans_are_linear_between_samples(void **state)
         }
         assert_int_equal(voxels[i], inside ? sum : 0);
     }
-    const double spacing[3] = { 1, 1, 2.5 };
-    assert_int_equal(voxel_scan_size((uint32_t[3]){ 30, 12, 13 }, spacing), 40);
     frame_free(&frame);
 }
 

@@ -1,10 +1,11 @@
 /* Pictures of volumes: each pixel's voxel, and how much light comes through, against rays. */
+#include "apps/frame/view_slices.h"
 #include "apps/techniques/voxel/pictures/scan.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 #include "tests/support/view_case.h"
-#include "apps/truth/voxel_walk.h"
+#include "tests/support/voxel_walk.h"
 
 #include <math.h>
 
@@ -327,9 +328,11 @@ static void what_cannot_be_drawn_is_refused(void **state)
     assert_int_equal(voxel_view_build(&a, &view, SIDE, SIDE, &frame, &error), GP_ERROR_INVALID);
     assert_non_null(strstr(error.text, "too wide"));
     const VoxelRange range = { { 3, 4, 5 }, { 13, 14, 15 } };
-    assert_int_equal(voxel_view_slices(&range, &view.camera, 1), 0);
+    ViewSlices found;
+    assert_int_equal(view_slices_find(&range, &view.camera, 1, &found, &error), GP_ERROR_INVALID);
     view.camera = view_case_camera(16, 1, 1, 1, 2, 30);
-    const uint32_t slices = voxel_view_slices(&range, &view.camera, 1);
+    assert_int_equal(view_slices_find(&range, &view.camera, 1, &found, &error), GP_OK);
+    const uint32_t slices = view_slices_count(&found);
     assert_true(slices >= 10 && slices % 10 == 0);
     view.second = &b;
     assert_int_equal(voxel_view_build(&a, &view, SIDE, SIDE, &frame, &error), GP_ERROR_INVALID);

@@ -1,6 +1,6 @@
 /* The voxels along a ray, in order, in double: what slices are compared with. */
-#ifndef APPS_TRUTH_VOXEL_WALK_H
-#define APPS_TRUTH_VOXEL_WALK_H
+#ifndef TESTS_VOXEL_WALK_H
+#define TESTS_VOXEL_WALK_H
 
 #include "pipeline/base/base.h"
 

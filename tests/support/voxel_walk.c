@@ -1,4 +1,4 @@
-#include "apps/truth/voxel_walk.h"
+#include "tests/support/voxel_walk.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Where a volume lies in its model's space. */
-#ifndef APPS_TECHNIQUES_VOXEL_VOLUME_BOX_H
-#define APPS_TECHNIQUES_VOXEL_VOLUME_BOX_H
+#ifndef APPS_BASE_VOXEL_BOX_H
+#define APPS_BASE_VOXEL_BOX_H
 
 #include "apps/base/bounds.h"
 
@@ -23,5 +23,9 @@ VoxelBox voxel_box(const float *positions, const uint32_t *indices, uint32_t cou
 
 /* The same map as a matrix of rows, for shaders. */
 void voxel_box_matrix(const VoxelBox *box, float matrix[4][4]);
+
+/* Bytes of a volume's bits: that of voxel (x, y, z) is i = x + size (y + size z), bit i % 8 of byte
+ * i / 8 from the low end. */
+size_t voxel_bytes(uint32_t size);
 
 #endif

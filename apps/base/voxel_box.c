@@ -1,4 +1,4 @@
-#include "apps/techniques/voxel/volume/box.h"
+#include "apps/base/voxel_box.h"
 
 #include <string.h>
 
@@ -26,4 +26,9 @@ void voxel_box_matrix(const VoxelBox *box, float matrix[4][4])
         matrix[k][3] = (float)box->offset[k];
     }
     matrix[3][3] = 1;
+}
+
+size_t voxel_bytes(uint32_t size)
+{
+    return ((size_t)size * size * size + 7) / 8;
 }
