@@ -128,7 +128,7 @@ static PatternFn *const patterns[] = { checker, gradient, bricks, uv_grid, noise
                                        dots,    leaf,     glow,   checker };
 
 static const char *const pattern_names[] = { "checker", "gradient", "bricks", "uv",     "noise",
-                                      "dots",    "leaf",     "glow",   "levels", NULL };
+                                             "dots",    "leaf",     "glow",   "levels", NULL };
 
 static void draw(GpSurface *surface, PatternFn *texel)
 {
