@@ -140,7 +140,7 @@ int cmd_explain(int argc, char **argv)
     Explain explain = { .scene = NULL };
     command_parse(&syntax, argc, argv, &explain);
     Scene scene = { .picture = NULL };
-    SceneOptions size = { 0, 0 };
+    SceneOptions size = { .width = 0 };
     GpError error = { "" };
     GpResult result = scene_load(explain.scene, &size, &scene, &error);
     int code = result ? report(exit_of_input(result), "%s", error.text)

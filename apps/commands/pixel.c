@@ -135,7 +135,7 @@ int cmd_pixel(int argc, char **argv)
     Pixel pixel = { .pass = NULL };
     command_parse(&syntax, argc, argv, &pixel);
     Scene scene = { .picture = NULL };
-    SceneOptions size = { pixel.options.width, pixel.options.height };
+    SceneOptions size = { .width = pixel.options.width, .height = pixel.options.height };
     GpError error = { "" };
     GpResult result = scene_load(pixel.arguments[0], &size, &scene, &error);
     int code = result ? report(exit_of_input(result), "%s", error.text) : follow(&pixel, &scene);

@@ -96,7 +96,7 @@ int cmd_render(int argc, char **argv)
         return code;
 
     Scene scene = { .picture = NULL };
-    SceneOptions size = { render.options.width, render.options.height };
+    SceneOptions size = { .width = render.options.width, .height = render.options.height };
     GpResult result = scene_load(render.scene, &size, &scene, &error);
     if (result)
         code = report(exit_of_input(result), "%s", error.text);

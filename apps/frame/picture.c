@@ -164,6 +164,53 @@ void picture_print_hash(const GpSurface *surface, uint64_t hash)
            surface->height, hash);
 }
 
+/* The format that loses nothing. */
+static GpFormat format_of(GpImageType type)
+{
+    return type == GP_IMAGE_U8    ? GP_A8R8G8B8
+           : type == GP_IMAGE_F16 ? GP_A16B16G16R16F
+                                  : GP_A32B32G32R32F;
+}
+
+static void fill_surface(const GpImage *image, GpSurface *surface)
+{
+    const GpFormat format = format_of(image->type); /* sRGB is how bytes are read, not stored */
+    const size_t bytes = gp_format_info(format)->bytes;
+    const int channels = (int)image->channels;
+    for (uint32_t y = 0; y < image->height; y++)
+        for (uint32_t x = 0; x < image->width; x++) {
+            float pixel[4], rgba[4];
+            for (size_t c = 0; c < image->channels; c++)
+                pixel[c] = load_sample(image, ((size_t)y * image->width + x) * image->channels + c);
+            for (int c = 0; c < 4; c++)
+                rgba[c] = channel_of(pixel, channels, c, 4);
+            gp_texel_store(format, gp_surface_texel(&surface->level[0], bytes, x, y), rgba, 0);
+        }
+}
+
+GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface **surface,
+                              GpError *error)
+{
+    GpImage image = { .data = NULL };
+    GpResult result = gp_image_read(path, &image, error);
+    if (result)
+        return result;
+    const GpFormat format = format_of(image.type);
+    const GpSurfaceDesc desc = { .format =
+                                     srgb && format == GP_A8R8G8B8 ? GP_A8R8G8B8_SRGB : format,
+                                 .width = image.width,
+                                 .height = image.height,
+                                 .levels = mips ? GP_MAX_LEVELS : 1,
+                                 .name = "picture" };
+    result = gp_surface_create(&desc, surface, error);
+    if (!result)
+        fill_surface(&image, *surface);
+    if (!result && mips)
+        gp_surface_build_mips(*surface);
+    gp_image_free(&image);
+    return result;
+}
+
 /* Level 0 as floats. Codes survive: dividing by the largest and rounding back is exact (R23, R24).
  * Two channels become red and green of three, since a picture's two are grey and alpha. */
 static GpResult picture_of_surface(const GpSurface *surface, Picture *picture, GpError *error)

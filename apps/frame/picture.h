@@ -31,6 +31,13 @@ GpResult picture_write(const char *path, const Picture *picture, GpError *error)
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
+/* Reads a picture file into a surface that loses nothing: A8R8G8B8, A8R8G8B8_SRGB (srgb: the bytes
+ * stay those of the file), A16B16G16R16F or A32B32G32R32F; grey is repeated, a missing alpha is 1.
+ * in   mips: with all levels, averaged
+ * errors those of picture_read; owns: the caller destroys the surface */
+GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface **surface,
+                              GpError *error);
+
 /* Prints "hash FORMAT WxH 0123456789abcdef" to stdout; hash is gp_surface_hash's. */
 void picture_print_hash(const GpSurface *surface, uint64_t hash);
 

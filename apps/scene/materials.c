@@ -1,10 +1,9 @@
-/* Materials from JSON: which program, and what stands in its uniforms.
- *
- * A table says for each program where every uniform comes from: from the material, by its key, with
+/* A table says for each program where every uniform comes from: from the material, by its key, with
  * a default and limits; or from the pass (matrix, eye, light).
  */
-#include "apps/scene/loader.h"
+#include "apps/scene/materials.h"
 
+#include "apps/scene/textures.h"
 #include "shaders_c/common/blit.h"
 #include "shaders_c/materials/deferred.h"
 #include "shaders_c/materials/depth.h"
@@ -218,7 +217,7 @@ void scene_read_material(Loader *loader, Node node, const SceneView *view, const
 {
     Node program_node = node_member(&node, "program"), textures = node_member(&node, "textures");
     const Entry *entry = find_program(&program_node, node_string(&program_node, program));
-    char *uniforms = entry ? scene_alloc(loader, 1, entry->program->uniform_bytes) : NULL;
+    char *uniforms = entry ? frame_alloc(loader->frame, 1, entry->program->uniform_bytes) : NULL;
     if (!uniforms)
         return;
     for (const Uniform *u = entry->uniforms; u->count; u++)

@@ -1,7 +1,9 @@
-/* Objects from JSON: geometry, brought to the world, with material and state. */
+#include "apps/scene/objects.h"
+
 #include "apps/base/bounds.h"
-#include "apps/scene/loader.h"
+#include "apps/scene/materials.h"
 #include "apps/scene/model.h"
+#include "apps/scene/state.h"
 
 #include <math.h>
 #include <string.h>
@@ -240,9 +242,10 @@ static void bind_streams(const Shape *shape, GpGeometry *geometry)
 /* Hands the arrays over to the scene; an empty shape where that failed. */
 static void keep_shape(Loader *loader, const Node *node, Shape *shape)
 {
-    bool vertices = scene_own_memory(loader, shape->vertices);
-    bool indices = !shape->indices || scene_own_memory(loader, shape->indices);
-    if (!vertices || !indices)
+    Arena *arena = &loader->frame->arena;
+    void *vertices = arena_own(arena, shape->vertices);
+    void *indices = shape->indices ? arena_own(arena, shape->indices) : NULL;
+    if (!vertices || (shape->indices && !indices))
         *shape = (Shape){ 0 };
     if (!shape->vertex_count)
         node_fail(node, GP_ERROR_FORMAT, "no vertices");

@@ -1,5 +1,7 @@
-/* Passes from JSON: targets, and the draws into them. */
-#include "apps/scene/loader.h"
+#include "apps/scene/passes.h"
+
+#include "apps/scene/objects.h"
+#include "apps/scene/state.h"
 
 #include <string.h>
 
@@ -25,22 +27,13 @@ static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view
         const char *name = node_string(&use, NULL);
         return name ? scene_target(loader, &use, name) : NULL;
     }
-    GpSurfaceDesc desc = { .format = read_format(&format_node, format),
-                           .width = view->width,
-                           .height = view->height };
-    GpSurface *surface = NULL;
-    GpError reason = { "" };
-    loader->texels += (uint64_t)desc.width * desc.height * gp_format_info(desc.format)->bytes;
+    format = read_format(&format_node, format);
+    loader->texels += (uint64_t)view->width * view->height * gp_format_info(format)->bytes;
     if (loader->texels > max_texels)
         node_fail(node, GP_ERROR_FORMAT, "the targets take over %d MB", (int)(max_texels >> 20));
-    if (loader->reader.result)
-        return NULL;
-    GpResult result = gp_surface_create(&desc, &surface, &reason);
-    if (result)
-        scene_fail(node, result, &reason);
-    else
-        scene_own(loader, surface);
-    return surface;
+    return loader->reader.result
+               ? NULL
+               : frame_surface(loader->frame, format, view->width, view->height, 1);
 }
 
 /* "clear": a colour, or false. What is not said: the background for new surfaces. */
@@ -100,41 +93,31 @@ static void read_targets(Loader *loader, Node *node, const SceneView *view, GpPa
     read_depth_target(loader, node_member(node, "depth"), view, &pass->depth);
 }
 
-static void read_draws(Loader *loader, Node *node, const SceneView *view, GpPass *pass)
+static void read_draws(Loader *loader, Node *node, const SceneView *view)
 {
+    const GpGeometry none = { .vertex_count = 0 };
     Node objects = node_member(node, "objects"), quad = node_member(node, "quad");
-    size_t count = node_length(&objects, SCENE_MAX_OBJECTS);
-    GpDraw *draws = scene_alloc(loader, count + 1, sizeof *draws);
-    if (!draws)
-        return;
-    pass->draws = draws;
+    size_t count = node_length(&objects, SIZE_MAX);
     for (size_t i = 0; i < count && !loader->reader.result; i++)
-        scene_read_object(loader, node_element(&objects, i), view, &draws[i]);
+        scene_read_object(loader, node_element(&objects, i), view,
+                          frame_draw(loader->frame, NULL, NULL, &none));
     if (node_exists(&quad))
-        scene_read_quad(loader, quad, view, &draws[count++]);
-    pass->draw_count = (uint32_t)count;
+        scene_read_quad(loader, quad, view, frame_draw(loader->frame, NULL, NULL, &none));
 }
 
-const char *scene_copy(Loader *loader, const char *text)
-{
-    size_t size = strlen(text) + 1;
-    char *copy = scene_alloc(loader, size, 1);
-    return copy ? memcpy(copy, text, size) : "";
-}
-
-void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, GpPass *pass)
+void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, const char *name)
 {
     SceneView own = *view;
     scene_read_viewport(node_member(node, "viewport"), &own.viewport);
     double width = (double)own.viewport.width, height = (double)own.viewport.height;
     double aspect = width > 0 ? width / height : (double)own.width / own.height;
     camera_matrix(&own.camera, aspect, own.world_to_clip);
-    if (!pass->name)
-        pass->name = "main";
+    GpPass *pass = frame_pass(loader->frame, name, NULL, NULL, NULL);
     read_targets(loader, node, &own, pass);
     own.has_depth = pass->depth.surface != NULL;
     if (!loader->reader.result)
-        read_draws(loader, node, &own, pass);
+        read_draws(loader, node, &own);
+    loader->pass_count = loader->frame->list.pass_count;
 }
 
 void scene_read_size(const Node *node, SceneView *view)
@@ -150,19 +133,18 @@ void scene_read_size(const Node *node, SceneView *view)
     view->height = (uint32_t)node_integer(&height, view->height, 1, GP_MAX_SIZE);
 }
 
-void scene_read_pass(Loader *loader, Node node, GpPass *pass)
+void scene_read_pass(Loader *loader, Node node)
 {
     SceneView view = loader->view;
-    Node name = node_member(&node, "name"), size_node = node_member(&node, "size");
-    node_require(&name);
-    pass->name = scene_copy(loader, node_string(&name, ""));
-    if (strchr(pass->name, '.') || !pass->name[0])
-        node_fail(&name, GP_ERROR_FORMAT, "expected a name without dots");
-    for (uint32_t i = 0; i < loader->scene->list.pass_count; i++)
-        if (strcmp(loader->scene->list.passes[i].name, pass->name) == 0)
-            node_fail(&name, GP_ERROR_FORMAT, "another pass has this name");
+    Node name_node = node_member(&node, "name"), size_node = node_member(&node, "size");
+    node_require(&name_node);
+    const char *name = scene_copy(loader, node_string(&name_node, ""));
+    if (strchr(name, '.') || !name[0])
+        node_fail(&name_node, GP_ERROR_FORMAT, "expected a name without dots");
+    if (scene_find_pass(loader, name, strlen(name)))
+        node_fail(&name_node, GP_ERROR_FORMAT, "another pass has this name");
     scene_read_size(&size_node, &view);
     scene_read_camera(node_member(&node, "camera"), &view.camera);
-    scene_read_pass_body(loader, &node, &view, pass);
+    scene_read_pass_body(loader, &node, &view, name);
     node_close(&node);
 }

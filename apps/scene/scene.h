@@ -3,12 +3,13 @@
 #define APPS_SCENE_SCENE_H
 
 #include "apps/base/camera.h"
-#include "pipeline/glasspipe.h"
+#include "apps/frame/frame.h"
 
 enum { SCENE_MAX_LIGHTS = 8 };
 
 typedef struct SceneOptions {
     uint32_t width, height; /* 0: the scene's own size */
+    uint32_t fails;         /* for tests, as an arena has it */
 } SceneOptions;
 
 /* What a light's shadow map shall see and be; zero where the scene leaves it to the technique. */
@@ -42,7 +43,7 @@ typedef struct Scene {
     SceneLight lights[SCENE_MAX_LIGHTS];
     uint32_t light_count;
     float ambient[3], background[4];
-    struct SceneStore *store; /* meshes, textures, uniforms, draws: private */
+    Frame frame; /* private: what all this is made of */
 } Scene;
 
 /* Reads a scene file and everything it names.

@@ -1,6 +1,5 @@
-/* Fixed-function state, cameras and viewports from JSON. The names are those of the tables in
- * pipeline/resources/state.c. */
-#include "apps/scene/loader.h"
+/* The names are those of the tables in pipeline/resources/state.c. */
+#include "apps/scene/state.h"
 
 #include <string.h>
 

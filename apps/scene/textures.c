@@ -1,45 +1,46 @@
-/* Textures from JSON: procedural pictures, files, and targets of earlier passes. */
-#include "apps/scene/patterns.h"
-#include "apps/scene/loader.h"
+#include "apps/scene/textures.h"
 
+#include "apps/frame/picture.h"
+#include "apps/scene/model.h"
+#include "apps/scene/patterns.h"
 #include "pipeline/io/file.h"
 
 #include <string.h>
 
 /* --- pictures -------------------------------------------------------------------------------- */
 
-static GpResult load_file(const char *name, bool srgb, bool mips, GpSurface **surface,
-                          GpError *error)
+static GpResult open_picture(const char *name, bool srgb, bool mips, GpSurface **surface,
+                             GpError *error)
 {
-    char path[1024];
+    char path[4096];
+    const char *pattern = model_after(name, "builtin:");
+    if (pattern)
+        return pattern_create(pattern, srgb, mips, surface, error);
     GpResult result = gp_data_find(name, path, sizeof path, error);
-    return result ? result : scene_load_image(path, srgb, mips, surface, error);
+    return result ? result : picture_read_surface(path, srgb, mips, surface, error);
 }
 
 /* A picture that the scene has already, or a new one. */
 static const GpSurface *find_image(Loader *loader, const Node *node, const char *name, bool srgb,
                                    bool mips)
 {
-    for (uint32_t i = 0; i < loader->image_count; i++) {
-        const SceneImage *image = &loader->images[i];
+    for (const SceneImage *image = loader->images; image; image = image->next)
         if (strcmp(image->name, name) == 0 && image->srgb == srgb && image->mips == mips)
             return image->surface;
-    }
-    if (loader->image_count == GP_COUNT(loader->images)) {
-        node_fail(node, GP_ERROR_FORMAT, "more than %zu pictures", GP_COUNT(loader->images));
-        return NULL;
-    }
     GpSurface *surface = NULL;
     GpError reason = { "" };
-    GpResult result = strncmp(name, "builtin:", 8) == 0
-                          ? pattern_create(name + 8, srgb, mips, &surface, &reason)
-                          : load_file(name, srgb, mips, &surface, &reason);
+    GpResult result = open_picture(name, srgb, mips, &surface, &reason);
     if (result) {
         scene_fail(node, result, &reason);
         return NULL;
     }
-    loader->images[loader->image_count++] = (SceneImage){ name, surface, srgb, mips };
-    scene_own(loader, surface);
+    surface = arena_own_surface(&loader->frame->arena, surface);
+    const SceneImage image = { loader->images, name, surface, srgb, mips };
+    SceneImage *kept = frame_alloc(loader->frame, 1, sizeof *kept);
+    if (kept) {
+        *kept = image;
+        loader->images = kept;
+    }
     return surface;
 }
 

@@ -93,7 +93,7 @@ static GpResult open_scene(const TechniqueInput *input, void **made, GpError *er
     Opened *opened = gp_alloc(1, sizeof *opened);
     if (!opened)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory");
-    const SceneOptions options = { input->width, input->height };
+    const SceneOptions options = { .width = input->width, .height = input->height };
     GpResult result = scene_load(input->path, &options, &opened->scene, error);
     if (result)
         gp_free(opened);

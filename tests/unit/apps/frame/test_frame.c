@@ -171,10 +171,8 @@ static void a_picture_of_volumes_without_memory_is_refused(void **state)
 static void benchmark_cases_without_memory_are_refused(void **state)
 {
     (void)state;
-    static const char *const names[] = {
-        "clear",       "fill",   "fill_tex_tri", "discard_tex",
-        "small_draws", "sheets", "volume_union", "volume_collide"
-    };
+    static const char *const names[] = { "clear",       "fill",   "fill_tex_tri", "discard_tex",
+                                         "small_draws", "sheets", "voxel_union",  "voxel_collide" };
     size_t found = 0;
     for (size_t i = 0; i < GP_COUNT(names); i++)
         for (const BenchCase *bench = bench_cases; bench < bench_cases + bench_case_count;

@@ -18,16 +18,22 @@
 #include <cmocka.h>
 
 /* Loads a scene from text by way of a file. */
-static GpResult load_text(const char *text, size_t length, Scene *scene, GpError *error)
+static GpResult load_with(const char *text, size_t length, const SceneOptions *options,
+                          Scene *scene, GpError *error)
 {
     char path[] = "/tmp/test_scene_XXXXXX";
     int handle = mkstemp(path);
     assert_true(handle >= 0);
     assert_int_equal(write(handle, text, length), (ssize_t)length);
     close(handle);
-    GpResult result = scene_load(path, NULL, scene, error);
+    GpResult result = scene_load(path, options, scene, error);
     unlink(path);
     return result;
+}
+
+static GpResult load_text(const char *text, size_t length, Scene *scene, GpError *error)
+{
+    return load_with(text, length, NULL, scene, error);
 }
 
 static Scene load(const char *text)
@@ -52,7 +58,7 @@ static void refused(const char *text, const char *expected)
     const char *line = strchr(error.text, ':');
     if (!line || strncmp(line + 1, expected, strlen(expected)) != 0)
         fail_msg("'%s' instead of '%s'", error.text, expected);
-    assert_null(scene.store);
+    assert_null(scene.frame.arena.chunks);
 }
 
 /* --- lines ------------------------------------------------------------------------------------- */
@@ -112,7 +118,7 @@ static void one_object_is_enough(void **state)
     assert_true(draw->state.depth.write);
     assert_true(pass->color[0].clear && pass->depth.clear_depth && pass->depth.depth_value == 1);
     scene_free(&scene);
-    assert_null(scene.store);
+    assert_null(scene.frame.arena.chunks);
 }
 
 static const float *position(const GpDraw *draw, uint32_t vertex)
@@ -384,18 +390,62 @@ static void what_is_not_json_is_refused_with_its_line(void **state)
     refused(deep, "1: ");
 }
 
-/* Hundreds of passes, gigabytes of targets: refused before anything is allocated. */
+/* Gigabytes of targets: refused before anything is allocated. */
 static void excess_is_refused(void **state)
 {
     (void)state;
-    static char text[20000] = "{ \"passes\": [";
-    for (int i = 0; i < 65; i++)
-        snprintf(text + strlen(text), 64, "%s{ \"name\": \"p%d\" }", i ? "," : "", i);
-    strcat(text, "] }");
-    refused(text, "1: passes: 65 elements, at most 64");
     refused("{ \"size\": [8192, 8192], \"targets\": [ { \"format\": \"a32b32g32r32f\" }, {} ] }",
             "1: targets[1]: the targets take over 1024 MB");
     refused("{ \"targets\": [ {}, {}, {}, {}, {} ] }", "1: targets: 5 elements, at most 4");
+}
+
+/* Passes, objects and pictures are as many as there is memory for. */
+static void hundreds_of_passes_are_read(void **state)
+{
+    (void)state;
+    enum { PASSES = 300 };
+    static char text[200 * PASSES] = "{ \"passes\": [";
+    char image[20] = "builtin:checker";
+    for (int i = 0; i < PASSES; i++) {
+        snprintf(text + strlen(text), 200,
+                 "%s{ \"name\": \"p%d\", \"size\": [8, 8], \"quad\": { \"material\": {"
+                 " \"textures\": [ { \"image\": \"%s\" } ] } } }",
+                 i ? "," : "", i, image);
+        snprintf(image, sizeof image, "pass:p%d", i);
+    }
+    strcat(text, "] }");
+    Scene scene = load(text);
+    assert_int_equal(scene.list.pass_count, PASSES);
+    for (uint32_t p = 1; p < PASSES; p++)
+        assert_ptr_equal(scene.list.passes[p].draws[0].textures[0].surface,
+                         scene.list.passes[p - 1].color[0].surface);
+    scene_free(&scene);
+}
+
+static void memory_that_runs_short_is_told(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "{ \"passes\": ["
+        " { \"name\": \"one\", \"size\": [64, 32], \"targets\": [ {}, { \"format\": \"r32f\" } ],"
+        "   \"objects\": [ { \"mesh\": \"builtin:cube\" }, { \"points\": \"builtin:grid\","
+        "   \"size\": 2 } ] },"
+        " { \"name\": \"two\", \"quad\": { \"material\": { \"textures\": ["
+        "   { \"image\": \"pass:one\" } ] } } },"
+        " { \"name\": \"three\", \"objects\": [ { \"mesh\": \"builtin:plane\", \"material\": {"
+        "   \"program\": \"textured\", \"textures\": [ { \"image\": \"builtin:bricks\" } ] } } ] } "
+        "],"
+        " \"picture\": \"two\" }";
+    GpResult result = GP_ERROR_MEMORY;
+    for (uint32_t n = 1; result; n++) {
+        Scene scene = { 0 };
+        GpError error = { "" };
+        result = load_with(text, strlen(text), &(SceneOptions){ .fails = n }, &scene, &error);
+        if (result && (result != GP_ERROR_MEMORY || !strstr(error.text, ": out of memory")))
+            fail_msg("%u pieces of memory: %s", n, error.text);
+        assert_true(result ? !scene.frame.arena.chunks : scene.frame.arena.calls < n && n > 20);
+        scene_free(&scene);
+    }
 }
 
 static void a_missing_file_is_an_io_error(void **state)
@@ -479,6 +529,8 @@ int main(void)
         cmocka_unit_test(mistakes_in_lights_are_named),
         cmocka_unit_test(what_is_not_json_is_refused_with_its_line),
         cmocka_unit_test(excess_is_refused),
+        cmocka_unit_test(hundreds_of_passes_are_read),
+        cmocka_unit_test(memory_that_runs_short_is_told),
         cmocka_unit_test(a_missing_file_is_an_io_error),
         cmocka_unit_test(damaged_scenes_do_no_harm),
         cmocka_unit_test(every_scene_of_the_project_is_valid),

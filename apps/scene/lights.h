@@ -1,0 +1,10 @@
+/* Lights from JSON, and what their shadow maps see. */
+#ifndef APPS_SCENE_LIGHTS_H
+#define APPS_SCENE_LIGHTS_H
+
+#include "apps/scene/loader.h"
+
+/* "lights" of a scene; where there are none, a direction from above. */
+void scene_read_lights(Loader *loader, Node node);
+
+#endif

@@ -1,0 +1,12 @@
+/* Materials from JSON: which program, and what stands in its uniforms. */
+#ifndef APPS_SCENE_MATERIALS_H
+#define APPS_SCENE_MATERIALS_H
+
+#include "apps/scene/loader.h"
+
+/* "material": program, uniforms, textures.
+ * in   program: the one where none is named */
+void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,
+                         GpDraw *draw);
+
+#endif

@@ -1,0 +1,13 @@
+/* Objects from JSON: geometry, brought to the world, with material and state. */
+#ifndef APPS_SCENE_OBJECTS_H
+#define APPS_SCENE_OBJECTS_H
+
+#include "apps/scene/loader.h"
+
+/* One element of "objects": mesh or points, transformed to the world, with material and state. */
+void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw);
+
+/* "quad" of a pass: a rectangle over the whole viewport, in clip space, without depth test. */
+void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *draw);
+
+#endif
