@@ -16,8 +16,8 @@ typedef enum OrbitUp {
 
 typedef struct Orbit {
     double azimuth, elevation; /* of the eye, in degrees: to the right, upwards */
-    int up;                    /* OrbitUp */
-    double zoom;               /* larger by so much than what fills the picture */
+    OrbitUp up;
+    double zoom; /* larger by so much than what fills the picture */
 } Orbit;
 
 /* Looks at the centre of a box, from just so far that every corner is in the picture.

@@ -66,16 +66,11 @@ static GpSurface *draw_marks(const ShadowBuild *build, const GpSurface *request)
 }
 
 /* Runs the passes from `first` on. */
-static GpResult run(const Frame *frame, uint32_t first, GpError *error)
+static GpResult run(const ShadowBuild *build, uint32_t first, GpError *error)
 {
-    GpDevice *device;
-    GpResult result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
-    if (result)
-        return result;
-    const GpList list = { frame->list.passes + first, frame->list.pass_count - first };
-    result = gp_device_run(device, &list, error);
-    gp_device_destroy(&device);
-    return result;
+    const GpList *all = &build->frame->list;
+    const GpList list = { all->passes + first, all->pass_count - first };
+    return gp_device_run(build->device, &list, error);
 }
 
 /* --- places ----------------------------------------------------------------------------------- */
@@ -179,7 +174,7 @@ GpResult shadow_draw_tiles(const ShadowBuild *build, ShadowLight *light, GpError
     const GpSurface *marks = draw_marks(build, draw_request(build, light));
     GpResult result = frame_result(frame, error);
     if (!result)
-        result = run(frame, first, error);
+        result = run(build, first, error);
     if (result)
         return result;
 

@@ -10,6 +10,7 @@
 typedef struct ShadowBuild {
     const Scene *scene;
     const ShadowSetting *setting;
+    GpDevice *device;
     Frame *frame;
 } ShadowBuild;
 

@@ -26,7 +26,13 @@ typedef enum ShadowCasters { SHADOW_ALL_SIDES, SHADOW_NEAR_SIDES, SHADOW_FAR_SID
 typedef enum ShadowOutside { SHADOW_OUTSIDE_LIT, SHADOW_OUTSIDE_PRINTED } ShadowOutside;
 
 typedef struct ShadowSetting {
-    int method, filter, facing, depth, casters, fit, outside; /* of the enumerations above */
+    ShadowMethod method;
+    ShadowFilter filter;
+    ShadowFacing facing;
+    ShadowDepth depth;
+    ShadowCasters casters;
+    LightFit fit;
+    ShadowOutside outside;
     uint32_t map;  /* texels a side; 0: the light's, or 1024 */
     double bias;   /* the printed epsilon: taken from the depth that is compared, in depth units */
     double slope;  /* added to the map's depth: times the depth's change over a texel (R22) */

@@ -114,8 +114,7 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
                       GpError *error)
 {
     const Opened *opened = made;
-    (void)device;
-    return shadow_build(&opened->scene, setting, frame, error);
+    return shadow_build(&opened->scene, setting, device, frame, error);
 }
 
 /* All triangles of the scene, for rays. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */

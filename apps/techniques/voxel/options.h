@@ -13,7 +13,7 @@ typedef struct VoxelOptions {
     bool takes_points;
     double twist;            /* degrees */
     const char *with, *scan; /* NULL: none */
-    int combine;             /* VoxelCombine, VOXEL_TOUCHING */
+    VoxelCombine combine;
     VoxelPlace place;
 
     bool wants_report;

@@ -105,7 +105,7 @@ static void combine(const VoxelPair *pair, const VoxelRange ranges[2], Frame *fr
     if (pair->combine == VOXEL_TOUCHING)
         voxel_collide(frame, first, second, &common, &made->result);
     else
-        voxel_combine(frame, first, second, (VoxelCombine)pair->combine, &made->result);
+        voxel_combine(frame, first, second, pair->combine, &made->result);
 }
 
 GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Frame *frame,

@@ -6,9 +6,6 @@
 #include "apps/techniques/voxel/volume/combine.h"
 #include "apps/techniques/voxel/inputs/scene.h"
 
-/* Follows VoxelCombine. */
-enum { VOXEL_TOUCHING = VOXEL_DIFFERENCE + 1 }; /* the voxels that both have; both can be shown */
-
 /* How a model is put beside, or into, something else. */
 typedef struct VoxelPlace {
     double fit;     /* its longest side in those of the other, with the same centre; 0: as it is */
@@ -19,7 +16,7 @@ typedef struct VoxelPair {
     const VoxelScene *scenes[2]; /* the second NULL: none */
     const char *names[2];        /* for messages */
     VoxelPlace place;            /* of the second; without one, of the first in its volume */
-    int combine;                 /* VoxelCombine, VOXEL_TOUCHING */
+    VoxelCombine combine;
 } VoxelPair;
 
 typedef struct VoxelPairMade {

@@ -23,12 +23,13 @@ typedef enum VoxelBlend { VOXEL_ADD, VOXEL_OR } VoxelBlend;
 typedef enum VoxelValue { VOXEL_DENSITY, VOXEL_NORMAL, VOXEL_COLOR } VoxelValue;
 
 typedef struct VoxelSetting {
-    int kind, method; /* of the enumerations above */
+    VoxelKind kind;
+    VoxelMethod method;
     uint32_t size;    /* voxels a side */
     uint32_t bits;    /* a voxel: 1, 8, 16 */
-    int blend;        /* of the printed method: VoxelBlend */
+    VoxelBlend blend; /* of the printed method */
     uint32_t axes;    /* of the printed method: 3, or 1: along z only */
-    int value;        /* VoxelValue, of 8 and 16 bits */
+    VoxelValue value; /* of 8 and 16 bits */
 } VoxelSetting;
 
 #endif

@@ -9,7 +9,8 @@
 
 typedef struct VoxelPicture {
     uint32_t width, height;
-    int look, shading; /* VoxelViewMode, VoxelShading */
+    VoxelViewMode look;
+    VoxelShading shading;
     Orbit orbit;
     bool shows_both; /* both models, and where they touch; else their result */
     bool is_solid;

@@ -17,7 +17,8 @@ typedef struct VoxelPaint {
 
 typedef struct VoxelView {
     Camera camera; /* in voxels */
-    int mode, shading;
+    VoxelViewMode mode;
+    VoxelShading shading;
     VoxelRange range;          /* where voxels may be, which is faster; empty: anywhere */
     VoxelPaint paint;          /* of the volume */
     const FlatTexture *second; /* NULL: none; else of the same layout */

@@ -5,11 +5,17 @@
 #include "apps/base/voxel_range.h"
 #include "apps/techniques/voxel/volume/flat_texture.h"
 
-typedef enum VoxelCombine { VOXEL_UNION, VOXEL_INTERSECTION, VOXEL_DIFFERENCE } VoxelCombine;
+typedef enum VoxelCombine {
+    VOXEL_UNION,
+    VOXEL_INTERSECTION,
+    VOXEL_DIFFERENCE,
+    VOXEL_TOUCHING, /* of voxel_collide: what both have, and both can be shown */
+} VoxelCombine;
 
 /* Appends the passes that make result = a OP b: with one bit a voxel of the bits, with eight of
  * densities, the greater, the lesser, and the lesser of a and what b leaves to 255.
- * in   a, b, result: of one layout, 1 or 8 bits; b is not the result. Where a is the result it is
+ * in   operation: not VOXEL_TOUCHING
+ *      a, b, result: of one layout, 1 or 8 bits; b is not the result. Where a is the result it is
  *      changed in place, by half the work
  *      where b was drawn by the list's last passes it is still in the tiles, and not read again
  * source Dong et al., Pacific Graphics 2004: CSG as blending of flat textures. DEVIATES: blending

@@ -44,7 +44,7 @@ static ShadowSetting setting_of(LightFit fit)
     return (ShadowSetting){ .method = SHADOW_HARDWARE,
                             .filter = SHADOW_BILINEAR,
                             .facing = SHADOW_FLAT,
-                            .fit = (int)fit,
+                            .fit = fit,
                             .map = 128,
                             .slope = 2 };
 }
@@ -53,8 +53,11 @@ static Frame build(const Scene *scene, const ShadowSetting *setting)
 {
     Frame frame = { .color = NULL };
     GpError error = { "" };
-    if (shadow_build(scene, setting, &frame, &error))
+    GpDevice *device;
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, &error), GP_OK);
+    if (shadow_build(scene, setting, device, &frame, &error))
         fail_msg("%s", error.text);
+    gp_device_destroy(&device);
     return frame;
 }
 
@@ -203,7 +206,8 @@ static void refuses_what_has_no_tiles(void **state)
     (void)state;
     const struct {
         const char *light, *reason;
-        int method, filter;
+        ShadowMethod method;
+        ShadowFilter filter;
     } cases[] = { { sun, "the adaptive fit", SHADOW_PLAIN, SHADOW_BILINEAR },
                   { sun, "the adaptive fit", SHADOW_HARDWARE, SHADOW_NEAREST },
                   { bulb, "shines to all sides", SHADOW_HARDWARE, SHADOW_BILINEAR } };
@@ -215,7 +219,7 @@ static void refuses_what_has_no_tiles(void **state)
         setting.slope = 0;
         Frame frame = { .color = NULL };
         GpError error = { "" };
-        assert_int_equal(shadow_build(&scene, &setting, &frame, &error), GP_ERROR_INVALID);
+        assert_int_equal(shadow_build(&scene, &setting, NULL, &frame, &error), GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, cases[i].reason));
         assert_null(frame.color);
         scene_free(&scene);
