@@ -45,7 +45,7 @@ names_data='"(meshes|images|points|volumes)/'
 # The names that an option takes, from the refusal of another; none for numbers.
 names_of() {
     "$program" "$1" none.json "--$2" '?' 2>&1 |
-        sed -n "s/.*: expected \\(.*\\), not '?'\$/\\1/p" | grep -v number | sed 's/,//g; s/ or / /'
+        sed -n "s/.*: expected \\(.*\\), not '?'\$/\\1/p" | grep -vE 'number|such as' | sed 's/,//g; s/ or / /'
 }
 
 check_scenes() {
