@@ -131,18 +131,14 @@ static void draw_legend(const Chart *chart, const Plot *plot, Text *svg)
     svg_words(svg, LEGEND_X + 24, y + LEGEND_ROW, "start", "", note);
 }
 
-static void draw_words(const Chart *chart, const Plot *plot, int height, Text *svg)
+static void draw_notes(const Chart *chart, const Plot *plot, Text *svg)
 {
-    char machine[PLOT_MACHINE], scene[320];
+    char scene[320];
     chart_print_scene(chart, scene, sizeof scene);
-    plot_machine(chart->machine, chart->isa, chart->threads, machine);
-    plot_heading(svg, chart->title);
-    plot_note(svg, 0, "Scene %s. %s", scene, machine);
+    plot_note(svg, 0, "Scene %s. Measured on %s, %s, %d thread%s.", scene, chart->machine,
+              chart->isa, chart->threads, chart->threads == 1 ? "" : "s");
     plot_note(svg, 1, "%u settings of %d method%s, %u of them best.", chart->count,
               plot->method_count, plot->method_count == 1 ? "" : "s", plot->best_count);
-    plot_foot(svg, height,
-              "How to read: left and low is better. In colour: no other setting is both faster and "
-              "more exact. Grey: another setting is both faster and more exact.");
 }
 
 void chart_draw(const Chart *chart, Text *svg)
@@ -154,13 +150,15 @@ void chart_draw(const Chart *chart, Text *svg)
     }
     int needed = (int)plot_box.top + (plot.method_count + 4) * LEGEND_ROW;
     int height = needed > HEIGHT ? needed : HEIGHT;
-    svg_begin(svg, WIDTH, height, chart->title);
+    plot_begin(svg, WIDTH, height, chart->title);
+    draw_notes(chart, &plot, svg);
     draw_axes(chart, &plot, svg);
     draw_front(&plot, svg);
     draw_points(chart, &plot, svg);
     draw_labels(&plot, svg);
     draw_legend(chart, &plot, svg);
-    draw_words(chart, &plot, height, svg);
-    svg_end(svg);
+    plot_end(svg, height,
+             "How to read: left and low is better. In colour: no other setting is both faster and "
+             "more exact. Grey: another setting is both faster and more exact.");
     plot_free(&plot);
 }

@@ -30,12 +30,6 @@ static const char *const shapes[] = {
     "M0 -6.8L6.5 -2.1L4 5.5H-4L-6.5 -2.1Z",                /* pentagon */
 };
 
-/* More series than shapes: the second round pairs them with other colours. */
-static const char *shape_of(int series)
-{
-    return shapes[(size_t)series % GP_COUNT(shapes)];
-}
-
 int plot_series(const char **names, int *count, const char *name)
 {
     for (int i = 0; i < *count; i++)
@@ -45,6 +39,7 @@ int plot_series(const char **names, int *count, const char *name)
     return (*count)++;
 }
 
+/* More series than shapes: the second round pairs them with other colours. */
 const char *plot_color(int series)
 {
     size_t number = (size_t)series;
@@ -56,14 +51,24 @@ void plot_marker(Text *svg, double x, double y, int series, bool grey)
     text_add(svg,
              "<path d=\"%s\" transform=\"translate(%.1f %.1f)\" fill=\"%s\" stroke=\"%s\" "
              "stroke-width=\"1\"/>",
-             shape_of(series), x, y, grey ? "#d3d8df" : plot_color(series),
+             shapes[(size_t)series % GP_COUNT(shapes)], x, y, grey ? "#d3d8df" : plot_color(series),
              grey ? "#9ea7b3" : "#ffffff");
 }
 
-/* --- words around a plot ---------------------------------------------------------------------- */
+/* --- around a plot ---------------------------------------------------------------------------- */
 
-void plot_heading(Text *svg, const char *title)
+void plot_begin(Text *svg, int width, int height, const char *title)
 {
+    text_add(svg,
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+             "height=\"%d\" role=\"img\" font-family=\"system-ui, 'DejaVu Sans', sans-serif\" "
+             "font-size=\"12\">\n<title>",
+             width, height, width, height);
+    text_add_escaped(svg, title);
+    text_add(svg,
+             "</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n"
+             "<g fill=\"%s\">\n",
+             svg_ink);
     svg_words(svg, PLOT_MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"", title);
 }
 
@@ -77,16 +82,11 @@ void plot_note(Text *svg, int line, const char *format, ...)
     svg_words(svg, PLOT_MARGIN, 74 + 20 * line, "start", " font-size=\"13\"", note);
 }
 
-void plot_foot(Text *svg, int height, const char *words)
+void plot_end(Text *svg, int height, const char *words)
 {
     svg_words(svg, PLOT_MARGIN, height - 18, "start", " font-size=\"13\" font-style=\"italic\"",
               words);
-}
-
-void plot_machine(const char *machine, const char *isa, int threads, char text[PLOT_MACHINE])
-{
-    snprintf(text, PLOT_MACHINE, "Measured on %s, %s, %d thread%s.", machine, isa, threads,
-             threads == 1 ? "" : "s");
+    text_add(svg, "</g>\n</svg>\n");
 }
 
 void plot_tooltip_line(Text *svg, const char *words)

@@ -4,7 +4,7 @@
 
 #include "apps/charts/axis.h"
 
-enum { PLOT_MARGIN = 32, PLOT_MACHINE = 256 };
+enum { PLOT_MARGIN = 32 };
 
 /* The number of a name in a list, in which it is then, if it was not before. in names: room for it */
 int plot_series(const char **names, int *count, const char *name);
@@ -15,13 +15,10 @@ const char *plot_color(int series);
 /* grey: without its colour */
 void plot_marker(Text *svg, double x, double y, int series, bool grey);
 
-/* The title of a picture, lines of notes below it, and one at the picture's lower edge. */
-void plot_heading(Text *svg, const char *title);
+/* A picture on white with its title, lines of notes below that, and words at its lower edge. */
+void plot_begin(Text *svg, int width, int height, const char *title);
 void plot_note(Text *svg, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
-void plot_foot(Text *svg, int height, const char *words);
-
-/* "Measured on ..." */
-void plot_machine(const char *machine, const char *isa, int threads, char text[PLOT_MACHINE]);
+void plot_end(Text *svg, int height, const char *words);
 
 /* Lines of a tooltip, which is an element <title>. */
 void plot_tooltip_line(Text *svg, const char *words);

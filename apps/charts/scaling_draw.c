@@ -219,18 +219,15 @@ static void draw_legend(const Scaling *scaling, Text *svg)
 
 void scaling_draw(const Scaling *scaling, Text *svg)
 {
-    char machine[PLOT_MACHINE];
-    svg_begin(svg, WIDTH, HEIGHT, scaling->technique->scaling->title);
-    plot_heading(svg, scaling->technique->scaling->title);
-    plot_machine(scaling->machine, scaling->isa, scaling->threads, machine);
-    plot_note(svg, 0, "%s", machine);
+    plot_begin(svg, WIDTH, HEIGHT, scaling->technique->scaling->title);
+    plot_note(svg, 0, "Measured on %s, %s, %d thread%s.", scaling->machine, scaling->isa,
+              scaling->threads, scaling->threads == 1 ? "" : "s");
     draw_legend(scaling, svg);
     for (int number = 0; number < TECHNIQUE_PANELS; number++) {
         Panel panel = make_panel(scaling, number);
         draw_panel(&panel, svg);
     }
-    plot_foot(svg, HEIGHT,
-              "How to read: low is better. A line that rises less steeply than a dotted one grows "
-              "by less than that.");
-    svg_end(svg);
+    plot_end(svg, HEIGHT,
+             "How to read: low is better. A line that rises less steeply than a dotted one grows "
+             "by less than that.");
 }

@@ -8,25 +8,6 @@ const char svg_small_words[] =
     " font-size=\"11\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\" "
     "stroke-linejoin=\"round\"";
 
-void svg_begin(Text *svg, int width, int height, const char *title)
-{
-    text_add(svg,
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
-             "height=\"%d\" role=\"img\" font-family=\"system-ui, 'DejaVu Sans', sans-serif\" "
-             "font-size=\"12\">\n<title>",
-             width, height, width, height);
-    text_add_escaped(svg, title);
-    text_add(svg,
-             "</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n"
-             "<g fill=\"%s\">\n",
-             svg_ink);
-}
-
-void svg_end(Text *svg)
-{
-    text_add(svg, "</g>\n</svg>\n");
-}
-
 void svg_line(Text *svg, double x1, double y1, double x2, double y2, const char *color)
 {
     text_add(svg, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n", x1, y1,

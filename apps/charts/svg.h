@@ -1,14 +1,10 @@
-/* Pieces of pictures, as SVG. */
+/* Pieces of pictures, as SVG: see plot.h for whole ones. */
 #ifndef APPS_CHARTS_SVG_H
 #define APPS_CHARTS_SVG_H
 
 #include "apps/base/text.h"
 
 extern const char svg_ink[], svg_soft[], svg_grid[], svg_frame[]; /* colours */
-
-/* Begins a picture on white, with its title; svg_end ends it. */
-void svg_begin(Text *svg, int width, int height, const char *title);
-void svg_end(Text *svg);
 
 void svg_line(Text *svg, double x1, double y1, double x2, double y2, const char *color);
 

@@ -130,14 +130,13 @@ static GpResult draw(json_t *root, Text *svg)
     for (size_t i = 0; whole && i + 1 < count; i++)
         whole = read_row(json_array_get(cases, i), &rows[i]);
     if (whole) {
-        svg_begin(svg, WIDTH, TOP + (int)count * PITCH + GAP + 40, title);
-        plot_heading(svg, title);
+        plot_begin(svg, WIDTH, TOP + (int)count * PITCH + GAP + 40, title);
         plot_note(svg, 0, "%s, %d threads each, %s", machine, threads, date);
         plot_note(svg, 1, "%s; %s; medians of %d rounds, both drawn in turn", peer, version,
                   rounds);
         draw_legend(svg);
         draw_rows(rows, count, svg);
-        svg_end(svg);
+        plot_end(svg, 0, "");
     }
     gp_free(rows);
     return whole ? GP_OK : GP_ERROR_FORMAT;
