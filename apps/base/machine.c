@@ -1,5 +1,7 @@
 #include "apps/base/machine.h"
 
+#include "apps/base/text.h"
+
 #include <fcntl.h>
 #include <malloc.h>
 #include <stdio.h>
@@ -74,6 +76,7 @@ void machine_describe(char *text, size_t size)
         fclose(file);
     struct utsname system;
     uname(&system);
-    snprintf(text, size, "%ld x %s, %s %s", sysconf(_SC_NPROCESSORS_ONLN), model, system.sysname,
-             system.machine);
+    snprintf(line, sizeof line, "%ld x %s, %.60s %.60s", sysconf(_SC_NPROCESSORS_ONLN), model,
+             system.sysname, system.machine);
+    text_copy(text, size, line);
 }

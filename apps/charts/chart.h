@@ -1,15 +1,12 @@
 /* Speed against accuracy: every setting of an experiment's sweep, timed and held against the truth.
  *
- * chart_run.c measures, chart_file.c writes and reads CSV and JSON, chart_layout.c lays out,
- * chart_draw.c draws, chart_page.c gathers all charts on one page.
+ * chart_run measures, chart_file writes and reads CSV and JSON, chart_layout lays out, chart_draw
+ * draws, chart_page gathers all charts on one page.
  */
 #ifndef APPS_CHARTS_CHART_H
 #define APPS_CHARTS_CHART_H
 
 #include "apps/techniques/technique.h"
-#include "apps/base/text.h"
-
-#include <jansson.h>
 
 enum { CHART_MAX_POINTS = 4096, CHART_MAX_PICTURES = 6, CHART_MAX_PATH = 4096 };
 
@@ -49,37 +46,5 @@ const ChartPoint *chart_choose(const Chart *chart, double error);
 
 /* What was drawn: "scenes/a.json, 640 x 480 pixels". */
 void chart_print_scene(const Chart *chart, char *text, size_t size);
-
-/* --- files ------------------------------------------------------------------------------------ */
-
-/* Where charts are: out/charts where out exists, else charts. */
-const char *chart_folder(void);
-
-/* What the files of a chart are called, without folder and extension: "shadow", or
- * "shadow_SCENE" where the scene is not the experiment's own. */
-void chart_name(const Experiment *experiment, const char *scene, char *name, size_t size);
-
-/* The caller owns it; NULL without memory. */
-json_t *chart_json(const Chart *chart);
-
-/* Writes PATH.json, PATH.csv and PATH.svg. errors GP_ERROR_IO, GP_ERROR_MEMORY */
-GpResult chart_write(const char *path, const Chart *chart, GpError *error);
-
-/* Reads a JSON file that chart_write wrote; all numbers have the same bits again.
- * out    chart: untouched on failure
- * errors GP_ERROR_IO, GP_ERROR_FORMAT (with file, line and value), GP_ERROR_MEMORY
- * owns   the caller, until chart_free */
-GpResult chart_read(const char *path, Chart *chart, GpError *error);
-
-/* --- pictures --------------------------------------------------------------------------------- */
-
-/* Appends the chart as an SVG element that needs nothing but itself. */
-void chart_draw(const Chart *chart, Text *svg);
-
-/* Writes FOLDER/index.html: all charts found there as JSON, each with the table of its front and
- * the pictures of it, and the scaling of these techniques (scaling.h). A file that is no chart is named on
- * the page, with the reason.
- * errors GP_ERROR_IO, GP_ERROR_MEMORY */
-GpResult chart_write_page(const char *folder, const Technique *const *techniques, GpError *error);
 
 #endif

@@ -1,5 +1,5 @@
-/* A chart as a picture: time against error, both logarithmic, a shape and a colour for each method,
- * the front as a line of steps, and all other points in grey. */
+#include "apps/charts/chart_draw.h"
+
 #include "apps/charts/chart_layout.h"
 #include "apps/charts/plot.h"
 

@@ -1,8 +1,8 @@
-/* Charts as files: CSV for tables, JSON to be read back. */
-#include "apps/charts/chart.h"
+#include "apps/charts/chart_file.h"
 
 #include "apps/base/json.h"
 #include "apps/base/json_reader.h"
+#include "apps/charts/chart_draw.h"
 #include "pipeline/io/file.h"
 
 #include <math.h>

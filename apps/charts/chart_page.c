@@ -1,6 +1,7 @@
-/* All charts of a folder, of accuracy and of scaling, on one page that needs no other file: pictures
- * are in it. */
-#include "apps/charts/chart.h"
+#include "apps/charts/chart_page.h"
+
+#include "apps/charts/chart_draw.h"
+#include "apps/charts/chart_file.h"
 
 #include "pipeline/io/file.h"
 

@@ -1,20 +1,19 @@
 #include "apps/charts/chart_run.h"
+#include "apps/charts/chart_file.h"
 
 #include "apps/base/machine.h"
 #include "apps/frame/picture.h"
-#include "apps/frame/timing.h"
+#include "apps/techniques/timed_setting.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
-
 /* What the settings of one chart share. */
 typedef struct Run {
     const ChartJob *job;
-    void *scene, *setting;
-    double *each;   /* times of frames */
+    void *scene;
+    TechniqueClock clock;
     uint32_t total; /* settings of the sweep */
     Chart chart;
     GpError *error;
@@ -26,14 +25,11 @@ typedef struct Run {
 static GpResult draw_first(const Run *run, const char *options, Frame *frame,
                            RunStatistics *statistics, bool *goes, GpError *error)
 {
-    const Technique *technique = run->job->technique;
-    memcpy(run->setting, technique->defaults, technique->setting_bytes);
-    GpResult result = setting_parse(technique->settings, run->setting, options, error);
-    if (result)
-        return result;
-    result = technique->build(run->scene, run->setting, run->job->device, frame, error);
+    GpDevice *device = run->job->device;
+    GpResult result =
+        technique_build(run->job->technique, run->scene, options, device, frame, error);
     *goes = result != GP_ERROR_INVALID;
-    return result ? result : run_first(run->job->device, &frame->list, statistics, error);
+    return result ? result : run_first(device, &frame->list, statistics, error);
 }
 
 static void describe_frame(Chart *chart, bool is_picture, const Frame *frame,
@@ -49,17 +45,14 @@ static void describe_frame(Chart *chart, bool is_picture, const Frame *frame,
 /* The error belongs to the first frame, the times to those after it. */
 static GpResult measure(Run *run, const Frame *frame, RunStatistics *statistics, ChartPoint *point)
 {
-    double seconds = run->job->seconds;
-    const TimingPlan plan = { .seconds = seconds,
-                              .least_frames = LEAST_FRAMES,
-                              .most_seconds = seconds > MOST_SECONDS ? seconds : MOST_SECONDS };
+    const TechniqueClock *clock = &run->clock;
     Timing timing;
     describe_frame(&run->chart, !run->job->technique->volume, frame, statistics);
     GpResult result =
         run->job->experiment->measure(run->scene, frame, &point->measured, run->error);
     if (!result)
-        result = timing_run(run->job->device, &frame->list, &plan, run->each, statistics, &timing,
-                            run->error);
+        result = timing_run(clock->device, &frame->list, &clock->plan, clock->each, statistics,
+                            &timing, run->error);
     if (result)
         return result;
     point->ms = timing.ms;
@@ -207,23 +200,19 @@ static void describe(const ChartJob *job, Chart *chart)
         text_copy(chart->metrics[i], sizeof chart->metrics[i], experiment->metrics[i]);
         chart->metric_count = i + 1;
     }
-    char machine[256];
-    machine_describe(machine, sizeof machine);
-    text_copy(chart->machine, sizeof chart->machine, machine);
+    machine_describe(chart->machine, sizeof chart->machine);
 }
 
 static GpResult run_opened(Run *run)
 {
-    const Technique *technique = run->job->technique;
-    run->setting = gp_alloc(1, technique->setting_bytes);
-    run->each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run->each);
-    if (!run->setting || !run->each)
-        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
-    GpResult result = run->job->experiment->find_truth(
-        run->scene, gp_device_threads(run->job->device), run->error);
+    const ChartJob *job = run->job;
+    GpResult result = technique_clock_open(job->device, job->seconds, &run->clock, run->error);
+    if (!result)
+        result =
+            job->experiment->find_truth(run->scene, gp_device_threads(job->device), run->error);
     if (!result)
         result = sweep_all(run);
-    if (!result && run->job->folder)
+    if (!result && job->folder)
         result = write_pictures(run);
     return result;
 }
@@ -238,8 +227,7 @@ GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error)
     describe(job, &run.chart);
     result = run_opened(&run);
     job->technique->close(run.scene);
-    gp_free(run.setting);
-    gp_free(run.each);
+    gp_free(run.clock.each);
     if (result)
         chart_free(&run.chart);
     else

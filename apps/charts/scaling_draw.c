@@ -1,6 +1,5 @@
-/* Scaling as a picture: a panel for each thing that grows, time upwards, all axes logarithmic, so
- * that powers are straight lines. */
-#include "apps/charts/scaling.h"
+#include "apps/charts/scaling_draw.h"
+
 #include "apps/charts/plot.h"
 
 #include <math.h>

@@ -1,22 +1,11 @@
-/* Scaling as files, and as JSON. */
-#include "apps/charts/scaling.h"
+#include "apps/charts/scaling_file.h"
 
 #include "apps/base/json.h"
-
-void scaling_free(Scaling *scaling)
-{
-    gp_free(scaling->points);
-    *scaling = (Scaling){ .points = NULL };
-}
+#include "apps/charts/scaling_draw.h"
 
 static const TechniquePanel *panel_of(const Scaling *scaling, const ScalingPoint *point)
 {
     return &scaling->technique->scaling->panels[point->panel];
-}
-
-const char *scaling_name(const Scaling *scaling, const ScalingPoint *point)
-{
-    return panel_of(scaling, point)->lines[point->line].name;
 }
 
 static void write_csv(const Scaling *scaling, Text *csv)

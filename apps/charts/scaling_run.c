@@ -1,13 +1,11 @@
-/* Measuring the scaling of a technique. */
-#include "apps/charts/scaling.h"
+#include "apps/charts/scaling_run.h"
 
 #include "apps/base/machine.h"
+#include "apps/base/text.h"
 #include "apps/techniques/timed_setting.h"
 
 #include <stdio.h>
 #include <string.h>
-
-enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
 
 /* What all lines share. */
 typedef struct Run {
@@ -124,17 +122,11 @@ GpResult scaling_run(const Technique *technique, GpDevice *device, const ChartLi
                      double seconds, Scaling *scaling, GpError *error)
 {
     Run run = { .listener = listener, .error = error };
-    run.clock = (TechniqueClock){ .device = device,
-                                  .plan = { seconds, LEAST_FRAMES,
-                                            seconds > MOST_SECONDS ? seconds : MOST_SECONDS },
-                                  .each = gp_alloc(TIMING_MAX_FRAMES, sizeof *run.clock.each) };
+    GpResult result = technique_clock_open(device, seconds, &run.clock, error);
     run.scaling.technique = technique;
     run.scaling.points = gp_alloc(count_points(technique->scaling), sizeof *run.scaling.points);
-    char machine[256];
-    machine_describe(machine, sizeof machine);
-    text_copy(run.scaling.machine, sizeof run.scaling.machine, machine);
-    GpResult result = GP_OK;
-    if (!run.clock.each || !run.scaling.points)
+    machine_describe(run.scaling.machine, sizeof run.scaling.machine);
+    if (!result && !run.scaling.points)
         result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (int panel = 0; panel < TECHNIQUE_PANELS && !result; panel++)
         result = run_panel(&run, panel);

@@ -3,8 +3,11 @@
 
 #include "apps/base/json.h"
 #include "apps/base/machine.h"
+#include "apps/charts/chart_file.h"
+#include "apps/charts/chart_page.h"
 #include "apps/charts/chart_run.h"
-#include "apps/charts/scaling.h"
+#include "apps/charts/scaling_file.h"
+#include "apps/charts/scaling_run.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/options.h"
 

@@ -1,7 +1,7 @@
 #include "apps/commands/technique_command.h"
 
 #include "apps/base/json.h"
-#include "apps/charts/chart.h"
+#include "apps/charts/chart_file.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/options.h"
 #include "apps/commands/output.h"

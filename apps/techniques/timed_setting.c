@@ -1,5 +1,16 @@
 #include "apps/techniques/timed_setting.h"
 
+enum { LEAST_FRAMES = 5, MOST_SECONDS = 4 };
+
+GpResult technique_clock_open(GpDevice *device, double seconds, TechniqueClock *clock,
+                              GpError *error)
+{
+    const double most = seconds > MOST_SECONDS ? seconds : MOST_SECONDS;
+    *clock = (TechniqueClock){ device, { seconds, LEAST_FRAMES, most }, NULL };
+    clock->each = gp_alloc(TIMING_MAX_FRAMES, sizeof *clock->each);
+    return clock->each ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+}
+
 GpResult technique_time(const TechniqueClock *clock, const Technique *technique, void *scene,
                         const char *options, Frame *frame, RunStatistics *statistics,
                         Timing *timing, GpError *error)

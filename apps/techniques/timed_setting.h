@@ -12,6 +12,11 @@ typedef struct TechniqueClock {
     double *each; /* room for TIMING_MAX_FRAMES numbers */
 } TechniqueClock;
 
+/* The clock of charts: so many seconds for each setting, longer for a slow one's first five frames.
+ * owns the caller, until gp_free of each. errors GP_ERROR_MEMORY */
+GpResult technique_clock_open(GpDevice *device, double seconds, TechniqueClock *clock,
+                              GpError *error);
+
 /* Builds the frame of a setting, a text of options, and draws it by the clock's plan.
  * in     frame: zeroed
  * out    frame: as it was drawn; statistics: of the last; timing

@@ -1,6 +1,7 @@
 /* Charts: the run of a small technique whose errors are known beforehand, which points are on the
  * front, and which is chosen. */
 #include "apps/bench/data.h"
+#include "apps/charts/chart_file.h"
 #include "apps/charts/chart_run.h"
 #include "apps/frame/timing.h"
 #include "shaders_c/bench/scaled_color.h"

@@ -1,5 +1,5 @@
 /* Files of charts: JSON that restores every bit and refuses what is none, CSV with its quotes. */
-#include "apps/charts/chart.h"
+#include "apps/charts/chart_file.h"
 #include "tests/support/folder.h"
 #include "tests/support/random.h"
 

@@ -1,5 +1,8 @@
 /* Pictures and the page of charts: well formed whatever the names and metrics, and all in it. */
+#include "apps/charts/chart_draw.h"
+#include "apps/charts/chart_file.h"
 #include "apps/charts/chart_layout.h"
+#include "apps/charts/chart_page.h"
 #include "tests/support/folder.h"
 #include "tests/support/markup.h"
 

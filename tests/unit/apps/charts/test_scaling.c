@@ -1,7 +1,9 @@
 /* Scaling: which points a run makes of a table, the layout of their picture, and their files; no
  * time is judged. */
-#include "apps/charts/chart.h"
-#include "apps/charts/scaling.h"
+#include "apps/charts/chart_page.h"
+#include "apps/charts/scaling_draw.h"
+#include "apps/charts/scaling_file.h"
+#include "apps/charts/scaling_run.h"
 #include "apps/techniques/registry.h"
 #include "apps/techniques/voxel/models.h"
 #include "apps/techniques/voxel/technique.h"
