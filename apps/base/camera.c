@@ -1,6 +1,5 @@
 #include "apps/base/camera.h"
 
-#include <math.h>
 #include <string.h>
 
 void angle_sincos(double degrees, double *sine, double *cosine)
@@ -33,25 +32,6 @@ void angle_sincos(double degrees, double *sine, double *cosine)
         *cosine = s;
         break;
     }
-}
-
-double vector_dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-void vector_cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-void vector_normalize(double v[3])
-{
-    double length = sqrt(vector_dot(v, v));
-    for (int i = 0; i < 3 && length > 0.0; i++)
-        v[i] /= length;
 }
 
 void matrix_round(double from[4][4], float to[4][4])
@@ -125,8 +105,7 @@ double matrix_inverse(double m[4][4], double inverse[4][4])
 void camera_view(const Camera *camera, double view[4][4])
 {
     double forward[3], right[3], up[3];
-    for (int i = 0; i < 3; i++)
-        forward[i] = camera->at[i] - camera->eye[i];
+    vector_subtract(camera->at, camera->eye, forward);
     vector_normalize(forward);
     vector_cross(forward, camera->up, right);
     vector_normalize(right);

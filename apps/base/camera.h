@@ -5,6 +5,8 @@
 #ifndef APPS_BASE_CAMERA_H
 #define APPS_BASE_CAMERA_H
 
+#include "apps/base/vector.h"
+
 typedef struct Camera {
     double eye[3], at[3], up[3]; /* world; up need not be square to the view, only not along it */
     double fovy;                 /* degrees, vertical; 0: parallel rays */
@@ -52,11 +54,5 @@ void matrix_normals(double m[4][4], double normals[3][3]);
 
 /* Inverse by cofactors. Returns the determinant; 0 leaves inverse untouched. */
 double matrix_inverse(double m[4][4], double inverse[4][4]);
-
-double vector_dot(const double a[3], const double b[3]);
-void vector_cross(const double a[3], const double b[3], double out[3]);
-
-/* Scales to length 1; the zero vector stays. */
-void vector_normalize(double v[3]);
 
 #endif

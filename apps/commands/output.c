@@ -4,6 +4,7 @@
 #include "apps/base/json.h"
 #include "apps/frame/picture.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -35,6 +36,12 @@ void output_verbose(const Options *options, const RunStatistics *statistics)
 
 /* The picture is written and hashed before the second, timed frame: a list that does not clear its
  * targets draws over its first. */
+void output_hash(const GpSurface *surface, uint64_t hash)
+{
+    printf("hash %s %ux%u %016" PRIx64 "\n", gp_format_info(surface->format)->name, surface->width,
+           surface->height, hash);
+}
+
 int output_frame(const Options *options, const char *input, const char *output, GpDevice *device,
                  const GpList *list, const GpSurface *surface, bool opaque, json_t *more)
 {
@@ -49,7 +56,7 @@ int output_frame(const Options *options, const char *input, const char *output, 
     notice(options, "wrote %s", output);
     output_verbose(options, &statistics);
     if (!options->json) {
-        picture_print_hash(surface, hash);
+        output_hash(surface, hash);
         return EXIT_DONE;
     }
     result = run_again(device, list, &statistics, &error);

@@ -14,6 +14,9 @@ void output_default_path(const char *input, const char *extension, char *path, s
 /* What --verbose says of a first frame. */
 void output_verbose(const Options *options, const RunStatistics *statistics);
 
+/* Prints "hash FORMAT WxH 0123456789abcdef"; hash is gp_surface_hash's. */
+void output_hash(const GpSurface *surface, uint64_t hash);
+
 /* Draws a list, writes the picture and prints its hash; with --json draws it a second time, which is
  * the one that is timed, and prints run_json's object with the file's name and `more`.
  * in   input: what the user gave, for messages; opaque: alpha stays out of the file; more: members to add, borrowed, NULL for none

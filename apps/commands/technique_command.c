@@ -277,7 +277,7 @@ static void print_lines(const Result *result)
     const uint32_t *dims = result->volume.dims;
     const Text *lines = &result->report.lines;
     if (result->picture)
-        picture_print_hash(result->picture, result->hash);
+        output_hash(result->picture, result->hash);
     else
         printf("hash VOXELS %ux%ux%u %016" PRIx64 "\n", dims[0], dims[1], dims[2], result->hash);
     fputs(lines->data ? lines->data : "", stdout);

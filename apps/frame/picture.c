@@ -3,8 +3,6 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image_file.h"
 
-#include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -157,12 +155,6 @@ GpResult picture_write(const char *path, const Picture *picture, GpError *error)
 }
 
 /* --- surfaces --------------------------------------------------------------------------------- */
-
-void picture_print_hash(const GpSurface *surface, uint64_t hash)
-{
-    printf("hash %s %ux%u %016" PRIx64 "\n", gp_format_info(surface->format)->name, surface->width,
-           surface->height, hash);
-}
 
 /* The format that loses nothing. */
 static GpFormat format_of(GpImageType type)

@@ -38,9 +38,6 @@ GpResult picture_write(const char *path, const Picture *picture, GpError *error)
 GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface **surface,
                               GpError *error);
 
-/* Prints "hash FORMAT WxH 0123456789abcdef" to stdout; hash is gp_surface_hash's. */
-void picture_print_hash(const GpSurface *surface, uint64_t hash);
-
 /* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
  * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.
  * Errors as picture_write's. */

@@ -1,5 +1,7 @@
 #include "apps/scene/mesh_report.h"
 
+#include "apps/base/vector.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -178,25 +180,21 @@ static void count_duplicates(const Groups *groups, MeshReport *report)
 static void measure(const float *positions, const uint32_t *indices, uint32_t triangle_count,
                     MeshReport *report)
 {
-    const float *origin = positions + 3 * (size_t)indices[0];
-    double sum = 0;
+    double origin[3], sum = 0;
+    for (size_t k = 0; k < 3; k++)
+        origin[k] = (double)positions[3 * (size_t)indices[0] + k];
     for (size_t i = 0; i < triangle_count; i++) {
-        double corner[3][3], side[2][3], normal[3], cone = 0;
+        double corner[3][3], side[2][3], normal[3], from[3];
         for (int c = 0; c < 3; c++)
             for (int k = 0; k < 3; k++)
                 corner[c][k] =
                     (double)positions[3 * (size_t)indices[3 * i + (size_t)c] + (size_t)k];
-        for (int k = 0; k < 3; k++) {
-            side[0][k] = corner[1][k] - corner[0][k];
-            side[1][k] = corner[2][k] - corner[0][k];
-        }
-        for (int k = 0; k < 3; k++) {
-            int u = (k + 1) % 3, v = (k + 2) % 3;
-            normal[k] = side[0][u] * side[1][v] - side[0][v] * side[1][u];
-            cone += normal[k] * (corner[0][k] - (double)origin[k]);
-        }
+        vector_subtract(corner[1], corner[0], side[0]);
+        vector_subtract(corner[2], corner[0], side[1]);
+        vector_cross(side[0], side[1], normal);
+        vector_subtract(corner[0], origin, from);
         report->degenerate += normal[0] == 0 && normal[1] == 0 && normal[2] == 0;
-        sum += cone;
+        sum += vector_dot(normal, from);
     }
     report->volume = sum / 6;
 }

@@ -235,8 +235,7 @@ void scene_read_camera(Node node, Camera *camera)
         node_fail(node_exists(&far) ? &far : &near, GP_ERROR_FORMAT, "far is not beyond near");
 
     double forward[3], square[3];
-    for (int i = 0; i < 3; i++)
-        forward[i] = camera->at[i] - camera->eye[i];
+    vector_subtract(camera->at, camera->eye, forward);
     vector_cross(forward, camera->up, square);
     if (vector_dot(square, square) == 0.0)
         node_fail(&node, GP_ERROR_FORMAT, "eye, at and up give no direction");

@@ -83,7 +83,7 @@ const TruthTriangle *truth_scene_triangle(const TruthScene *scene, uint32_t numb
 /* A length that is nothing beside the scene and the point, and far above what rounding moves. */
 static double nothing_at(const TruthScene *scene, const double point[3])
 {
-    return 0x1p-40 * fmax(scene->extent, truth_extent(point));
+    return 0x1p-40 * fmax(scene->extent, vector_extent(point));
 }
 
 static Search make_search(const TruthScene *scene, const double origin[3],
@@ -166,8 +166,8 @@ bool truth_first_hit(const TruthScene *scene, const double origin[3], const doub
 bool truth_blocked(const TruthScene *scene, const double from[3], const double to[3], uint32_t skip)
 {
     double direction[3];
-    truth_subtract(to, from, direction);
-    double length = truth_extent(direction);
+    vector_subtract(to, from, direction);
+    double length = vector_extent(direction);
     if (length == 0)
         return false;
     Search search = make_search(scene, from, direction);
@@ -182,7 +182,7 @@ bool truth_blocked_along(const TruthScene *scene, const double from[3], const do
                          uint32_t skip)
 {
     Search search = make_search(scene, from, direction);
-    search.from = nothing_at(scene, from) / truth_extent(direction);
+    search.from = nothing_at(scene, from) / vector_extent(direction);
     search.skip = skip;
     search.any = true;
     return run_search(scene, &search);

@@ -30,7 +30,7 @@ typedef struct Cut {
 static double box_area(const Bounds *box)
 {
     double size[3];
-    truth_subtract(box->high, box->low, size);
+    vector_subtract(box->high, box->low, size);
     return size[0] < 0 ? 0 : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
 

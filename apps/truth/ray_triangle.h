@@ -11,7 +11,7 @@
 #ifndef APPS_TRUTH_RAY_TRIANGLE_H
 #define APPS_TRUTH_RAY_TRIANGLE_H
 
-#include "apps/truth/vector.h"
+#include "apps/base/vector.h"
 
 #include <stdbool.h>
 

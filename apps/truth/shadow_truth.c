@@ -30,11 +30,11 @@ typedef struct Job {
 static Axes get_axes(const Camera *camera, double aspect)
 {
     Axes axes = { .parallel = camera->fovy == 0 };
-    truth_subtract(camera->at, camera->eye, axes.forward);
-    truth_normalize(axes.forward);
-    truth_cross(axes.forward, camera->up, axes.right);
-    truth_normalize(axes.right);
-    truth_cross(axes.right, axes.forward, axes.up);
+    vector_subtract(camera->at, camera->eye, axes.forward);
+    vector_normalize(axes.forward);
+    vector_cross(axes.forward, camera->up, axes.right);
+    vector_normalize(axes.right);
+    vector_cross(axes.right, axes.forward, axes.up);
     axes.half[1] = axes.parallel ? camera->height / 2 : tan(camera->fovy / 2 * radians_per_degree);
     axes.half[0] = axes.half[1] * aspect;
     return axes;
@@ -55,9 +55,9 @@ static void get_pixel_ray(const Job *job, uint32_t i, uint32_t j, double origin[
         origin[k] = view->camera.eye[k];
         direction[k] = axes->forward[k];
     }
-    truth_add_scaled(moved, x, axes->right, moved);
-    truth_add_scaled(moved, y, axes->up, moved);
-    truth_add_scaled(origin, view->camera.near, direction, origin);
+    vector_add_scaled(moved, x, axes->right, moved);
+    vector_add_scaled(moved, y, axes->up, moved);
+    vector_add_scaled(origin, view->camera.near, direction, origin);
 }
 
 static bool find_surface(const Job *job, uint32_t i, uint32_t j, Surface *surface)
@@ -71,12 +71,12 @@ static bool find_surface(const Job *job, uint32_t i, uint32_t j, Surface *surfac
     const TruthTriangle *triangle = truth_scene_triangle(job->scene, hit.triangle);
     *surface = (Surface){ .triangle = hit.triangle };
     for (int k = 0; k < 3; k++)
-        truth_add_scaled(surface->position, hit.share[k], triangle->corner[k], surface->position);
-    truth_subtract(triangle->corner[1], triangle->corner[0], edge[0]);
-    truth_subtract(triangle->corner[2], triangle->corner[0], edge[1]);
-    truth_cross(edge[0], edge[1], surface->normal);
-    if (truth_dot(surface->normal, direction) > 0)
-        truth_add_scaled(surface->normal, -2, surface->normal, surface->normal);
+        vector_add_scaled(surface->position, hit.share[k], triangle->corner[k], surface->position);
+    vector_subtract(triangle->corner[1], triangle->corner[0], edge[0]);
+    vector_subtract(triangle->corner[2], triangle->corner[0], edge[1]);
+    vector_cross(edge[0], edge[1], surface->normal);
+    if (vector_dot(surface->normal, direction) > 0)
+        vector_add_scaled(surface->normal, -2, surface->normal, surface->normal);
     return true;
 }
 
@@ -85,23 +85,23 @@ static bool find_surface(const Job *job, uint32_t i, uint32_t j, Surface *surfac
 static bool sees_point(const Job *job, const Surface *surface, const double point[3])
 {
     double way[3];
-    truth_subtract(point, surface->position, way);
-    return truth_dot(surface->normal, way) > 0 &&
+    vector_subtract(point, surface->position, way);
+    return vector_dot(surface->normal, way) > 0 &&
            !truth_blocked(job->scene, surface->position, point, surface->triangle);
 }
 
 static bool sees_direction(const Job *job, const Surface *surface, const double towards[3])
 {
-    return truth_dot(surface->normal, towards) > 0 &&
+    return vector_dot(surface->normal, towards) > 0 &&
            !truth_blocked_along(job->scene, surface->position, towards, surface->triangle);
 }
 
 static bool in_cone(const TruthLight *light, const double position[3])
 {
     double way[3];
-    truth_subtract(position, light->position, way);
-    double along = truth_dot(way, light->axis);
-    double lengths = sqrt(truth_dot(way, way) * truth_dot(light->axis, light->axis));
+    vector_subtract(position, light->position, way);
+    double along = vector_dot(way, light->axis);
+    double lengths = sqrt(vector_dot(way, way) * vector_dot(light->axis, light->axis));
     return along >= lengths * cos(light->half_angle * radians_per_degree);
 }
 
@@ -110,13 +110,13 @@ static bool sees_frustum(const Job *job, const Surface *surface)
     const Axes *axes = &job->frustum;
     const double *eye = job->view->light.frustum.eye;
     double way[3], source[3];
-    truth_subtract(surface->position, eye, way);
-    double depth = truth_dot(way, axes->forward);
+    vector_subtract(surface->position, eye, way);
+    double depth = vector_dot(way, axes->forward);
     double spread = axes->parallel ? 1 : depth;
-    if (depth <= 0 || fabs(truth_dot(way, axes->right)) > spread * axes->half[0] ||
-        fabs(truth_dot(way, axes->up)) > spread * axes->half[1])
+    if (depth <= 0 || fabs(vector_dot(way, axes->right)) > spread * axes->half[0] ||
+        fabs(vector_dot(way, axes->up)) > spread * axes->half[1])
         return false;
-    truth_add_scaled(surface->position, -depth, axes->forward, source);
+    vector_add_scaled(surface->position, -depth, axes->forward, source);
     return sees_point(job, surface, axes->parallel ? source : eye);
 }
 
@@ -138,8 +138,8 @@ static double seen_of_area(const Job *job, const Surface *surface)
         bits++;
     for (unsigned int k = 0; k < samples; k++) {
         double point[3];
-        truth_add_scaled(light->position, (k + 0.5) / samples - 0.5, light->side[0], point);
-        truth_add_scaled(point, spread_bits(k, bits) - 0.5, light->side[1], point);
+        vector_add_scaled(light->position, (k + 0.5) / samples - 0.5, light->side[0], point);
+        vector_add_scaled(point, spread_bits(k, bits) - 0.5, light->side[1], point);
         seen += sees_point(job, surface, point);
     }
     return (double)seen / samples;

@@ -15,9 +15,9 @@ static inline void truth_bounds(const TruthTriangle *t, int axis, double *low, d
 static inline void truth_normal(const TruthTriangle *t, double normal[3])
 {
     double edge[2][3];
-    truth_subtract(t->corner[1], t->corner[0], edge[0]);
-    truth_subtract(t->corner[2], t->corner[0], edge[1]);
-    truth_cross(edge[0], edge[1], normal);
+    vector_subtract(t->corner[1], t->corner[0], edge[0]);
+    vector_subtract(t->corner[2], t->corner[0], edge[1]);
+    vector_cross(edge[0], edge[1], normal);
 }
 
 /* --- along an axis ---------------------------------------------------------------------------- */
@@ -75,13 +75,13 @@ static inline double truth_square_to_segment(const double p[3], const double a[3
                                              const double b[3])
 {
     double along[3], from[3], off[3];
-    truth_subtract(b, a, along);
-    truth_subtract(p, a, from);
-    double length = truth_dot(along, along);
-    double t = length > 0 ? fmin(fmax(truth_dot(from, along) / length, 0), 1) : 0;
+    vector_subtract(b, a, along);
+    vector_subtract(p, a, from);
+    double length = vector_dot(along, along);
+    double t = length > 0 ? fmin(fmax(vector_dot(from, along) / length, 0), 1) : 0;
     for (int k = 0; k < 3; k++)
         off[k] = from[k] - t * along[k];
-    return truth_dot(off, off);
+    return vector_dot(off, off);
 }
 
 /* To the plane where the foot is inside all edges, else to the nearest edge. */
@@ -93,13 +93,13 @@ static inline double truth_square_to_triangle(const double p[3], const TruthTria
     for (int i = 0; i < 3; i++) {
         const double *a = t->corner[i], *b = t->corner[(i + 1) % 3];
         double edge[3], out[3];
-        truth_subtract(b, a, edge);
-        truth_subtract(p, a, from);
-        truth_cross(normal, edge, out);
-        inside = inside && truth_dot(out, from) >= 0;
+        vector_subtract(b, a, edge);
+        vector_subtract(p, a, from);
+        vector_cross(normal, edge, out);
+        inside = inside && vector_dot(out, from) >= 0;
         nearest = fmin(nearest, truth_square_to_segment(p, a, b));
     }
-    double height = truth_dot(normal, from), square = truth_dot(normal, normal);
+    double height = vector_dot(normal, from), square = vector_dot(normal, normal);
     return inside && square > 0 ? height * height / square : nearest;
 }
 

@@ -12,7 +12,7 @@ static double area_of(const TruthTriangle *triangle)
 {
     double normal[3];
     truth_normal(triangle, normal);
-    return 0.5 * sqrt(truth_dot(normal, normal));
+    return 0.5 * sqrt(vector_dot(normal, normal));
 }
 
 /* Uniform in a triangle where `place` is in the square.

@@ -45,7 +45,7 @@ static bool parts(const double axis[3], double corner[3][3], double half)
 {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (int i = 0; i < 3; i++) {
-        double place = truth_dot(axis, corner[i]);
+        double place = vector_dot(axis, corner[i]);
         low = fmin(low, place);
         high = fmax(high, place);
     }
@@ -57,7 +57,7 @@ static bool touches(const TruthTriangle *t, const double centre[3], double half)
 {
     double corner[3][3], normal[3];
     for (int i = 0; i < 3; i++)
-        truth_subtract(t->corner[i], centre, corner[i]);
+        vector_subtract(t->corner[i], centre, corner[i]);
     truth_normal(t, normal);
     if (parts(normal, corner, half))
         return false;
@@ -67,8 +67,8 @@ static bool touches(const TruthTriangle *t, const double centre[3], double half)
             return false;
         for (int i = 0; i < 3; i++) {
             double edge[3], axis[3];
-            truth_subtract(corner[(i + 1) % 3], corner[i], edge);
-            truth_cross(side, edge, axis);
+            vector_subtract(corner[(i + 1) % 3], corner[i], edge);
+            vector_cross(side, edge, axis);
             if (parts(axis, corner, half))
                 return false;
         }

@@ -21,9 +21,9 @@ static inline void make_ball(const double centre[3], double radius, TruthTriangl
         for (int i = 0; i < BALL_AROUND; i++) {
             double phi = i * 2 * pi / BALL_AROUND, theta = j * pi / BALL_ACROSS;
             double ring = j % BALL_ACROSS ? radius * sin(theta) : 0;
-            truth_add_scaled(centre, radius * cos(theta), axes[2], corner[j][i]);
-            truth_add_scaled(corner[j][i], ring * cos(phi), axes[0], corner[j][i]);
-            truth_add_scaled(corner[j][i], ring * sin(phi), axes[1], corner[j][i]);
+            vector_add_scaled(centre, radius * cos(theta), axes[2], corner[j][i]);
+            vector_add_scaled(corner[j][i], ring * cos(phi), axes[0], corner[j][i]);
+            vector_add_scaled(corner[j][i], ring * sin(phi), axes[1], corner[j][i]);
         }
     for (int n = 0; n < BALL; n++) {
         int j = n / 2 / BALL_AROUND, i = n / 2 % BALL_AROUND, next = (i + 1) % BALL_AROUND;

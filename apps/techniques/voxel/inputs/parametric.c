@@ -1,7 +1,7 @@
 /* Voxels of parametric surfaces and of points. */
 #include "apps/techniques/voxel/inputs/parametric.h"
 
-#include "apps/scene/shapes.h"
+#include "apps/scene/teapot.h"
 #include "shaders_c/voxel/inputs/parametric.h"
 #include "shaders_c/voxel/inputs/points.h"
 
@@ -53,9 +53,9 @@ static GpResult refuse_name(const char *name, GpError *error)
 GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, GpError *error)
 {
     if (strcmp(name, teapot) == 0) {
-        float control[SHAPE_TEAPOT_PATCHES][4][4][3];
-        shape_teapot_control(control);
-        *box = voxel_box(control[0][0][0], NULL, SHAPE_TEAPOT_PATCHES * 4 * 4, size);
+        float control[TEAPOT_PATCHES][4][4][3];
+        teapot_control(control);
+        *box = voxel_box(control[0][0][0], NULL, TEAPOT_PATCHES * 4 * 4, size);
         return GP_OK;
     }
     const Surface *surface = find_surface(name);
@@ -141,10 +141,10 @@ static GpResult check_points(double points, double step, GpError *error)
 static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame, const FlatTexture *flat,
                             GpError *error)
 {
-    float control[SHAPE_TEAPOT_PATCHES][4][4][3];
-    double slope[SHAPE_TEAPOT_PATCHES][2], points = 0;
-    shape_teapot_control(control);
-    for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
+    float control[TEAPOT_PATCHES][4][4][3];
+    double slope[TEAPOT_PATCHES][2], points = 0;
+    teapot_control(control);
+    for (int i = 0; i < TEAPOT_PATCHES; i++) {
         bound_slopes(control[i], slope[i]);
         points += points_of(slope[i], step, box);
     }
@@ -152,7 +152,7 @@ static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame, cons
     if (result)
         return result;
     flat_texture_pass(frame, "patches", flat);
-    for (int i = 0; i < SHAPE_TEAPOT_PATCHES; i++) {
+    for (int i = 0; i < TEAPOT_PATCHES; i++) {
         VoxelParametricUniforms uniforms = { .place = place_points(box, flat) };
         memcpy(uniforms.control, control[i], sizeof control[i]);
         draw_grid(frame, &voxel_bezier_program, &uniforms, slope[i], step, box);

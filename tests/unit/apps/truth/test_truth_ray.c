@@ -42,7 +42,7 @@ static void fill_soup(Random *random, SoupKind kind, TruthTriangle soup[SOUP])
         for (int corner = 0; corner < 3; corner++) {
             double *p = soup[i].corner[corner];
             random_point(random, -size, size, p);
-            truth_add_scaled(p, 1, centre, p);
+            vector_add_scaled(p, 1, centre, p);
             for (int k = 0; k < 3 && kind == FLAT; k++)
                 p[k] = k == 1 ? 0 : round(p[k] * 8) / 8;
         }
@@ -67,7 +67,7 @@ static void random_ray(Random *random, const TruthTriangle soup[SOUP], double or
         break;
     }
     case 1:
-        truth_subtract(soup[random_int(random, 0, SOUP - 1)].corner[0], origin, direction);
+        vector_subtract(soup[random_int(random, 0, SOUP - 1)].corner[0], origin, direction);
         break;
     default:
         break;
@@ -128,7 +128,7 @@ static void what_blocks_is_what_a_list_has_in_between(void **state)
         bool between = false, beyond = false;
         random_point(&random, -1, 1, from);
         random_point(&random, -1, 1, to);
-        truth_subtract(to, from, direction);
+        vector_subtract(to, from, direction);
         TruthRay ray = truth_ray(from, direction);
         for (uint32_t k = 0; k < SOUP; k++) {
             double t, share[3];
@@ -194,10 +194,10 @@ static void a_meeting_is_where_cramers_rule_puts_it(void **state)
         met++;
         double point[3] = { 0 };
         for (int corner = 0; corner < 3; corner++)
-            truth_add_scaled(point, share[corner], triangle.corner[corner], point);
-        truth_add_scaled(point, -t, direction, point);
-        truth_subtract(point, origin, point);
-        assert_true(truth_extent(point) < 1e-10);
+            vector_add_scaled(point, share[corner], triangle.corner[corner], point);
+        vector_add_scaled(point, -t, direction, point);
+        vector_subtract(point, origin, point);
+        assert_true(vector_extent(point) < 1e-10);
         assert_true(fabs(t - expected) < 1e-10 * (1 + fabs(expected)));
     }
     assert_in_range(met, 1000, 10000);
@@ -218,8 +218,8 @@ static void pick_point(Random *random, const TruthTriangle *triangle, double poi
     for (int i = 0; i < 3; i++)
         point[i] = 0;
     for (int i = 0; i < 3; i++)
-        truth_add_scaled(point, kind == 2 ? share[i] > 0 : share[i] / sum, triangle->corner[i],
-                         point);
+        vector_add_scaled(point, kind == 2 ? share[i] > 0 : share[i] / sum, triangle->corner[i],
+                          point);
 }
 
 static void no_ray_leaves_a_closed_mesh(void **state)
@@ -234,7 +234,7 @@ static void no_ray_leaves_a_closed_mesh(void **state)
         TruthHit hit;
         random_point(&random, -0.3, 0.3, origin);
         pick_point(&random, &ball[random_int(&random, 0, BALL - 1)], aim);
-        truth_subtract(aim, origin, direction);
+        vector_subtract(aim, origin, direction);
         assert_true(truth_first_hit(scene, origin, direction, &hit));
         assert_true(fabs(hit.t - 1) < 1e-12);
     }
@@ -255,14 +255,14 @@ static void a_convex_mesh_never_shades_its_lit_side(void **state)
         double point[3], light[3], edge[2][3], normal[3], way[3];
         pick_point(&random, &ball[number], point);
         random_point(&random, -8, 8, light);
-        truth_subtract(ball[number].corner[1], ball[number].corner[0], edge[0]);
-        truth_subtract(ball[number].corner[2], ball[number].corner[0], edge[1]);
-        truth_cross(edge[0], edge[1], normal);
-        truth_subtract(light, point, way);
-        double facing = truth_dot(normal, way);
-        if (sqrt(truth_dot(light, light)) < 1.1 || fabs(facing) < 1e-6)
+        vector_subtract(ball[number].corner[1], ball[number].corner[0], edge[0]);
+        vector_subtract(ball[number].corner[2], ball[number].corner[0], edge[1]);
+        vector_cross(edge[0], edge[1], normal);
+        vector_subtract(light, point, way);
+        double facing = vector_dot(normal, way);
+        if (sqrt(vector_dot(light, light)) < 1.1 || fabs(facing) < 1e-6)
             continue;
-        if (truth_dot(normal, point) < 0)
+        if (vector_dot(normal, point) < 0)
             facing = -facing;
         if (facing > 0) {
             assert_false(truth_blocked(scene, point, light, number));

@@ -125,8 +125,8 @@ static bool get_ground(double inverse[4][4], double x, double y, double point[3]
             end[e][k] = world[k] / world[3];
     }
     double way[3], t = end[0][1] / (end[0][1] - end[1][1]);
-    truth_subtract(end[1], end[0], way);
-    truth_add_scaled(end[0], t, way, point);
+    vector_subtract(end[1], end[0], way);
+    vector_add_scaled(end[0], t, way, point);
     return t > 0 && t < 1 && fabs(point[0]) < 4 && fabs(point[2]) < 4;
 }
 
@@ -403,9 +403,9 @@ static void the_bunny_shades_the_ground(void **state)
         low[i % 3] = fmin(low[i % 3], (double)mesh.positions[i]);
         high[i % 3] = fmax(high[i % 3], (double)mesh.positions[i]);
     }
-    truth_subtract(high, low, size);
+    vector_subtract(high, low, size);
     double x = (low[0] + high[0]) / 2, z = (low[2] + high[2]) / 2,
-           half = 1.5 * sqrt(truth_dot(size, size));
+           half = 1.5 * sqrt(vector_dot(size, size));
     model.count = 0;
     add_level(x - half, x + half, z - half, z + half, low[1]);
 

@@ -215,7 +215,7 @@ static double plain_nearest(const uint8_t *volume, uint32_t size, const double p
         for (int k = 0; k < 3; k++)
             off[k] = at[k] + 0.5 - point[k];
         if (volume[i / 8] >> i % 8 & 1)
-            nearest = fmin(nearest, sqrt(truth_dot(off, off)));
+            nearest = fmin(nearest, sqrt(vector_dot(off, off)));
     }
     return nearest;
 }

@@ -28,9 +28,9 @@ static VoxelSetting with_or(uint32_t size)
 static bool is_tie(const TruthTriangle *t)
 {
     double edge[2][3], normal[3], most = 0;
-    truth_subtract(t->corner[1], t->corner[0], edge[0]);
-    truth_subtract(t->corner[2], t->corner[0], edge[1]);
-    truth_cross(edge[0], edge[1], normal);
+    vector_subtract(t->corner[1], t->corner[0], edge[0]);
+    vector_subtract(t->corner[2], t->corner[0], edge[1]);
+    vector_cross(edge[0], edge[1], normal);
     int near = 0;
     for (int k = 0; k < 3; k++)
         most = fmax(most, fabs(normal[k]));

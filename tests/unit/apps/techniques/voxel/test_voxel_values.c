@@ -131,7 +131,7 @@ static void normals_point_outwards(void **state)
                                      (double)(v / SIZE / SIZE) + 0.5 - SIZE / 2 };
             double normal[3];
             decode_normal(code, cases[i].bits, normal);
-            worst = fmin(worst, truth_dot(normal, away) / sqrt(truth_dot(away, away)));
+            worst = fmin(worst, vector_dot(normal, away) / sqrt(vector_dot(away, away)));
             found++;
         }
         assert_true(found > 1000);

@@ -8,7 +8,7 @@
  * patches along and one on either side of the plane of symmetry.
  * DEVIATES: Newell rounded k * 0.8 on the lid's knob to 0.45; here it is 0.448.
  */
-#include "apps/scene/shapes.h"
+#include "apps/scene/teapot.h"
 
 enum { STEPS = 12 }; /* quads along a patch */
 
@@ -143,7 +143,7 @@ static void sweep_control(const double *rows, uint32_t side, float control[4][4]
         }
 }
 
-void shape_teapot_control(float control[SHAPE_TEAPOT_PATCHES][4][4][3])
+void teapot_control(float control[TEAPOT_PATCHES][4][4][3])
 {
     uint32_t n = 0;
     for (uint32_t quarter = 0; quarter < 4; quarter++) {
@@ -157,10 +157,10 @@ void shape_teapot_control(float control[SHAPE_TEAPOT_PATCHES][4][4][3])
             sweep_control(handle + 15 * i, side, control[n++]);
             sweep_control(spout + 15 * i, side, control[n++]);
         }
-    GP_ASSERT(n == SHAPE_TEAPOT_PATCHES);
+    GP_ASSERT(n == TEAPOT_PATCHES);
 }
 
-GpResult shape_teapot(Shape *shape)
+GpResult teapot_create(Shape *shape)
 {
     static const ShapePatch patches[] = {
         { revolve, 4 * STEPS, 4 * STEPS, true, false, body },
