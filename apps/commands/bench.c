@@ -1,11 +1,11 @@
 /* glasspipe bench: frames that other renderers can draw too, against the clock. */
 #include "apps/bench/cases.h"
 #include "apps/commands/paper_tables.h"
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/frame/run_statistics.h"
 #include "apps/base/json.h"
 #include "apps/base/machine.h"
-#include "apps/commands/options.h"
 #include "apps/frame/timing.h"
 #include "pipeline/io/image/image_file.h"
 
@@ -15,7 +15,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { MAX_CASES = 64, MIN_FRAMES = 20, KEY_IMAGES = 0x200, KEY_PHASES, KEY_TABLE };
+enum { MAX_CASES = 64, MIN_FRAMES = 20 };
 
 typedef struct Bench {
     Options options; /* first: see options.h */
@@ -27,100 +27,68 @@ typedef struct Bench {
     const char *table; /* number; NULL: cases are drawn */
 } Bench;
 
-/* clang-format off */
-static const struct argp_option own_options[] = {
-    { "list", 'l', NULL, 0, "List the cases", 0 },
-    { "time", 't', "SECONDS", 0, "Draw each case for so long (default: 3)", 0 },
-    { "images", KEY_IMAGES, "DIR", 0, "Write each case's picture to DIR/CASE.png", 0 },
-    { "table", KEY_TABLE, "NUMBER", 0, "Measure a table of the publications again, beside what was "
-      "printed: 2.1, 2.2 (voxelization), 4.1 or 4.2 (shadows)", 0 },
-    { "phases", KEY_PHASES, NULL, 0, "Look at the clock inside tiles too: costs some time", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
+static const SettingField options[] = {
+    { "list", NULL, "List the cases", SETTING_FLAG, .offset = offsetof(Bench, list),
+      .letter = 'l' },
+    { "time", "SECONDS", "Draw each case for so long (default: 3)", SETTING_NUMBER,
+      .offset = offsetof(Bench, seconds), .high = OPTIONS_ANY, .letter = 't' },
+    { "images", "DIR", "Write each case's picture to DIR/CASE.png", SETTING_TEXT,
+      .offset = offsetof(Bench, images) },
+    { "table", "NUMBER",
+      "Measure a table of the publications again, beside what was "
+      "printed: 2.1, 2.2 (voxelization), 4.1 or 4.2 (shadows)",
+      SETTING_TEXT, .offset = offsetof(Bench, table) },
+    { "phases", NULL, "Look at the clock inside tiles too: costs some time", SETTING_FLAG,
+      .offset = offsetof(Bench, options.timed) },
+    { .name = NULL },
 };
-/* clang-format on */
 
-static error_t add_case(struct argp_state *state, Bench *bench, const char *name)
+static void add_case(struct argp_state *state, void *args, const char *name)
 {
+    Bench *bench = args;
     const BenchCase *found = bench_case_find(name);
     if (!found)
         argp_error(state, "no case '%s'; -l lists them", name);
     if (bench->case_count == MAX_CASES)
         argp_error(state, "more than %d cases", MAX_CASES);
     bench->cases[bench->case_count++] = found;
-    return 0;
 }
 
-static error_t set_table(struct argp_state *state, Bench *bench, const char *id)
+static void check(struct argp_state *state, void *args)
 {
+    Bench *bench = args;
     char list[64];
     const Technique *technique;
     paper_tables_list(technique_registry, list, sizeof list);
-    if (!paper_table_find(technique_registry, id, &technique))
-        argp_error(state, "--table: expected one of %s, not '%s'", list, id);
-    bench->table = id;
-    return 0;
+    if (bench->table && !paper_table_find(technique_registry, bench->table, &technique))
+        argp_error(state, "--table: expected one of %s, not '%s'", list, bench->table);
+    if (bench->table && bench->case_count)
+        argp_error(state, "--table draws scenes of its own, no cases");
+    if (bench->options.size[0])
+        argp_error(state, "--size: the cases have sizes of their own");
+    for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)
+        bench->cases[i] = &bench_cases[i];
+    if (bench->case_count == 0)
+        bench->case_count = bench_case_count;
 }
 
-static error_t parse_bench(int key, char *text, struct argp_state *state)
-{
-    Bench *bench = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case 'l':
-        bench->list = true;
-        return 0;
-    case 't':
-        bench->seconds = options_real(state, "--time", text);
-        return 0;
-    case KEY_IMAGES:
-        bench->images = text;
-        return 0;
-    case KEY_TABLE:
-        return set_table(state, bench, text);
-    case KEY_PHASES:
-        bench->options.timed = true;
-        return 0;
-    case ARGP_KEY_ARG:
-        return add_case(state, bench, text);
-    case ARGP_KEY_END:
-        if (bench->table && bench->case_count)
-            argp_error(state, "--table draws scenes of its own, no cases");
-        if (bench->options.width)
-            argp_error(state, "--size: the cases have sizes of their own");
-        for (size_t i = 0; bench->case_count == 0 && i < bench_case_count; i++)
-            bench->cases[i] = &bench_cases[i];
-        if (bench->case_count == 0)
-            bench->case_count = bench_case_count;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {
-    { &options_frame, 0, NULL, 0 },
-    { NULL, 0, NULL, 0 },
-};
-
-static const struct argp parser = {
-    own_options,
-    parse_bench,
-    "[CASE...]",
-    "Examples:\n"
-    "  glasspipe bench\n"
-    "  glasspipe bench -l\n"
-    "  glasspipe bench bunny_phong points -t 1 --threads 2\n"
-    "  glasspipe bench --images out/bench\n"
-    "  glasspipe bench --table 2.1\n"
-    "\n"
-    "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
-    "median "
-    "and the least time of a frame, and what was drawn.\v"
-    "Cases that need a mesh which is not there are left out with a message.",
-    children,
-    options_help,
-    NULL,
+static const CommandSyntax syntax = {
+    .shared = OPTIONS_FRAME,
+    .options = options,
+    .arguments = "[CASE...]",
+    .help =
+        "Examples:\n"
+        "  glasspipe bench\n"
+        "  glasspipe bench -l\n"
+        "  glasspipe bench bunny_phong points -t 1 --threads 2\n"
+        "  glasspipe bench --images out/bench\n"
+        "  glasspipe bench --table 2.1\n"
+        "\n"
+        "Draws the named cases, or all, again and again, and prints a line of JSON for each: the "
+        "median and the least time of a frame, and what was drawn.\v"
+        "Cases that need a mesh which is not there are left out with a message.",
+    .take = add_case,
+    .check = check,
 };
 
 /* --- measuring ----------------------------------------------------------------------------------- */
@@ -281,7 +249,7 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 int cmd_bench(int argc, char **argv)
 {
     Bench bench = { .seconds = 3 };
-    options_parse(&parser, argc, argv, &bench);
+    command_parse(&syntax, NULL, argc, argv, &bench);
     if (bench.list) {
         for (size_t i = 0; i < bench_case_count; i++)
             puts(bench_cases[i].name);

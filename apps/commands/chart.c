@@ -8,8 +8,8 @@
 #include "apps/charts/chart_run.h"
 #include "apps/charts/scaling_file.h"
 #include "apps/charts/scaling_run.h"
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
-#include "apps/commands/options.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -20,24 +20,25 @@
 typedef struct ChartCommand {
     Options options; /* first: see options.h */
     const Technique *const *techniques;
-    const char *name, *scene,
-        *folder; /* name: of an experiment, or of a technique with --scaling */
+    const char *name; /* of an experiment, or of a technique with --scaling */
+    const char *scene, *folder;
     double seconds;
     bool scaling;
 } ChartCommand;
 
-enum { KEY_SCALING = 0x200 };
-
-/* clang-format off */
-static const struct argp_option own_options[] = {
-    { "output", 'o', "DIR", 0, "Write to the folder DIR, made where it does not exist "
-      "(default: out/charts where out/ exists, else charts)", 0 },
-    { "time", 't', "SECONDS", 0, "Draw each setting for so long (default: 0.3)", 0 },
-    { "scaling", KEY_SCALING, NULL, 0, "Instead of accuracy, chart how time grows with what the technique "
-      "is asked for: sizes and scenes of its own", 0 },
-    { NULL, 0, NULL, 0, NULL, 0 },
+static const SettingField options[] = {
+    { "output", "DIR",
+      "Write to the folder DIR, made where it does not exist "
+      "(default: out/charts where out/ exists, else charts)",
+      SETTING_TEXT, .offset = offsetof(ChartCommand, folder), .letter = 'o' },
+    { "time", "SECONDS", "Draw each setting for so long (default: 0.3)", SETTING_NUMBER,
+      .offset = offsetof(ChartCommand, seconds), .high = OPTIONS_ANY, .letter = 't' },
+    { "scaling", NULL,
+      "Instead of accuracy, chart how time grows with what the technique is asked for: "
+      "sizes and scenes of its own",
+      SETTING_FLAG, .offset = offsetof(ChartCommand, scaling) },
+    { .name = NULL },
 };
-/* clang-format on */
 
 /* "voxelize, solids, shadow" */
 static void list_experiments(const Technique *const *techniques, char *list, size_t size)
@@ -48,8 +49,9 @@ static void list_experiments(const Technique *const *techniques, char *list, siz
             used += (size_t)snprintf(list + used, size - used, "%s%s", used ? ", " : "", one->name);
 }
 
-static void check(struct argp_state *state, const ChartCommand *command)
+static void check(struct argp_state *state, void *args)
 {
+    const ChartCommand *command = args;
     char list[256];
     list_experiments(command->techniques, list, sizeof list);
     if (!command->name)
@@ -61,62 +63,29 @@ static void check(struct argp_state *state, const ChartCommand *command)
     const Technique *technique = technique_find(command->techniques, command->name);
     if (!technique || !technique->scaling)
         argp_error(state, "--scaling: %s has no table of what grows", command->name);
-    if (command->scene || command->options.width)
+    if (command->scene || command->options.size[0])
         argp_error(state, "--scaling draws scenes and sizes of its own");
 }
 
-static error_t parse_chart(int key, char *text, struct argp_state *state)
-{
-    ChartCommand *command = state->input;
-    const char *slots[] = { command->name, command->scene };
-    error_t result;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case 'o':
-        command->folder = text;
-        return 0;
-    case 't':
-        command->seconds = options_real(state, "--time", text);
-        return 0;
-    case KEY_SCALING:
-        command->scaling = true;
-        return 0;
-    case ARGP_KEY_ARG:
-        result = options_positional(state, slots, GP_COUNT(slots), text);
-        command->name = slots[0];
-        command->scene = slots[1];
-        return result;
-    case ARGP_KEY_END:
-        check(state, command);
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {
-    { &options_frame, 0, NULL, 0 },
-    { NULL, 0, NULL, 0 },
-};
-
-static const struct argp parser = {
-    own_options,
-    parse_chart,
-    "TECHNIQUE [SCENE.json]",
-    "Examples:\n"
-    "  glasspipe chart shadow\n"
-    "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
-    "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
-    "  glasspipe chart voxelize --scaling\n"
-    "\n"
-    "Draws a scene with every setting of a technique's sweep, measures time and distance from the "
-    "exact result, and writes a chart as SVG, CSV and JSON, and a page of all charts.\v"
-    "Without a scene, the technique's own is drawn. Printed are the best settings: nothing else "
-    "measured is both faster and more exact.",
-    children,
-    options_help,
-    NULL,
+static const CommandSyntax syntax = {
+    .shared = OPTIONS_FRAME,
+    .options = options,
+    .arguments = "TECHNIQUE [SCENE.json]",
+    .help = "Examples:\n"
+            "  glasspipe chart shadow\n"
+            "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
+            "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
+            "  glasspipe chart voxelize --scaling\n"
+            "\n"
+            "Draws a scene with every setting of a technique's sweep, measures time and distance "
+            "from the "
+            "exact result, and writes a chart as SVG, CSV and JSON, and a page of all charts.\v"
+            "Without a scene, the technique's own is drawn. Printed are the best settings: nothing "
+            "else "
+            "measured is both faster and more exact.",
+    .offset = offsetof(ChartCommand, name),
+    .most = 2,
+    .check = check,
 };
 
 /* --- messages --------------------------------------------------------------------------------- */
@@ -199,8 +168,8 @@ static int finish(const ChartCommand *command, const ChartJob *job, const Chart 
 static int chart_accuracy(const ChartCommand *command, GpDevice *device,
                           const ChartListener *listener)
 {
-    ChartJob job = { .width = command->options.width,
-                     .height = command->options.height,
+    ChartJob job = { .width = command->options.size[0],
+                     .height = command->options.size[1],
                      .folder = command->folder,
                      .seconds = command->seconds,
                      .device = device,
@@ -261,7 +230,7 @@ static int chart_scaling(const ChartCommand *command, GpDevice *device,
 int chart_command(const Technique *const *techniques, int argc, char **argv)
 {
     ChartCommand command = { .techniques = techniques, .seconds = 0.3, .folder = chart_folder() };
-    options_parse(&parser, argc, argv, &command);
+    command_parse(&syntax, NULL, argc, argv, &command);
     const Listening listening = { &command.options, machine_clock_ms(CLOCK_MONOTONIC) };
     const ChartListener listener = { tell_notice, tell_progress, &listening };
     GpDevice *device;

@@ -1,46 +1,94 @@
 #include "apps/commands/command.h"
 
+#include "apps/commands/commands.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_KEY = 0x200 };
+enum {
+    MAX_TABLES = 5,
+    MAX_OPTIONS = 64,
+    KEY_USAGE = 0x100, /* options without a letter */
+    KEY_VERSION,
+    FIRST_KEY = 0x200, /* and SETTING_MAX_FIELDS for each table */
+};
+
+static const struct argp_option help_options[] = {
+    { "help", 'h', NULL, 0, "Show this help", -1 },
+    { "usage", KEY_USAGE, NULL, 0, "Show a short usage line", -1 },
+    { "version", KEY_VERSION, NULL, 0, "Show the version", -1 },
+    { .name = NULL },
+};
 
 typedef struct Parse {
     const CommandSyntax *syntax;
+    CommandOptions *tables[MAX_TABLES];
+    int table_count;
     char *args;
     int count; /* of positional arguments */
 } Parse;
 
-static int key_of(const CommandOption *options, int i)
+/* --- options ---------------------------------------------------------------------------------- */
+
+static int key_of(const Parse *parse, int table, int i)
 {
-    return options[i].letter ? options[i].letter : FIRST_KEY + i;
+    const SettingField *field = &parse->tables[table]->fields[i];
+    return field->letter ? field->letter : FIRST_KEY + table * SETTING_MAX_FIELDS + i;
 }
 
-static const CommandOption *find(const CommandOption *options, int key)
+/* What argp is told of them; text: "plain|hardware", what it refers to. */
+static void list_options(const Parse *parse, struct argp_option options[MAX_OPTIONS],
+                         char text[MAX_OPTIONS][96])
 {
-    for (int i = 0; options && options[i].name; i++)
-        if (key_of(options, i) == key)
-            return &options[i];
-    return NULL;
-}
-
-static void set(struct argp_state *state, const CommandOption *option, const char *text, char *args)
-{
-    const bool given = true;
-    char what[40];
-    snprintf(what, sizeof what, "--%s", option->name);
-    const double real = option->type == OPTION_REAL ? options_real(state, what, text) : 0;
-    switch (option->type) {
-    case OPTION_FLAG:
-        memcpy(args + option->offset, &given, sizeof given);
-        break;
-    case OPTION_TEXT:
-        memcpy(args + option->offset, &text, sizeof text);
-        break;
-    case OPTION_REAL:
-        memcpy(args + option->offset, &real, sizeof real);
-        break;
+    size_t count = 0;
+    for (int table = 0; table < parse->table_count; table++) {
+        const SettingField *fields = parse->tables[table]->fields;
+        for (int i = 0; fields[i].name; i++, count++) {
+            GP_ASSERT(i < SETTING_MAX_FIELDS && count < MAX_OPTIONS - GP_COUNT(help_options));
+            if (fields[i].names)
+                setting_list_names(&fields[i], text[count], sizeof text[count]);
+            options[count] = (struct argp_option){
+                .name = fields[i].name,
+                .key = key_of(parse, table, i),
+                .arg = fields[i].names && !fields[i].argument ? text[count] : fields[i].argument,
+                .doc = fields[i].help,
+            };
+        }
     }
+    memcpy(options + count, help_options, sizeof help_options);
 }
+
+/* Sets the member of a field from argp's argument and, of a vector, the words that follow it. */
+static void set(struct argp_state *state, CommandOptions *table, int i, const char *text)
+{
+    const SettingField *field = &table->fields[i];
+    char words[SETTING_MAX_TEXT];
+    GpError error = { "" };
+    int length = snprintf(words, sizeof words, "%s", text ? text : "");
+    for (int word = 1; word < setting_words(field) && state->next < state->argc; word++)
+        length +=
+            snprintf(words + length, sizeof words - (size_t)length, " %.*s",
+                     (int)(sizeof words - 2) / SETTING_MAX_VECTOR, state->argv[state->next++]);
+    if (setting_set(table->fields, table->object, field->name,
+                    setting_words(field) > 1 ? words : text, &error))
+        argp_error(state, "%s", error.text);
+    table->given |= 1u << i;
+}
+
+static bool take_option(struct argp_state *state, const Parse *parse, int key, const char *text)
+{
+    for (int table = 0; table < parse->table_count; table++)
+        for (int i = 0; parse->tables[table]->fields[i].name; i++)
+            if (key_of(parse, table, i) == key) {
+                set(state, parse->tables[table], i, text);
+                return true;
+            }
+    return false;
+}
+
+/* --- arguments -------------------------------------------------------------------------------- */
 
 static void take_positional(struct argp_state *state, Parse *parse, const char *text)
 {
@@ -59,15 +107,16 @@ static error_t parse_key(int key, char *text, struct argp_state *state)
 {
     Parse *parse = state->input;
     const CommandSyntax *syntax = parse->syntax;
-    const CommandOption *option = find(syntax->options, key);
-    if (option) {
-        set(state, option, text, parse->args);
-        return 0;
-    }
     switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = parse->args;
+    case 'h':
+        argp_state_help(state, stdout, ARGP_HELP_STD_HELP);
         return 0;
+    case KEY_USAGE:
+        argp_state_help(state, stdout, ARGP_HELP_USAGE | ARGP_HELP_EXIT_OK);
+        return 0;
+    case KEY_VERSION:
+        puts("glasspipe " GP_VERSION);
+        exit(EXIT_DONE);
     case ARGP_KEY_ARG:
         take_positional(state, parse, text);
         return 0;
@@ -78,24 +127,54 @@ static error_t parse_key(int key, char *text, struct argp_state *state)
             syntax->check(state, parse->args);
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return take_option(state, parse, key, text) ? 0 : ARGP_ERR_UNKNOWN;
     }
 }
 
-void command_parse(const CommandSyntax *syntax, int argc, char **argv, void *args)
+/* Drops argp's note about arguments of short options. */
+static char *filter_help(int key, const char *text, void *args)
 {
-    const CommandOption *options = syntax->options;
-    struct argp_option own[COMMAND_MAX_OPTIONS + 1] = { { .name = NULL } };
-    for (int i = 0; options && options[i].name; i++) {
-        GP_ASSERT(i < COMMAND_MAX_OPTIONS);
-        own[i] = (struct argp_option){ .name = options[i].name,
-                                       .key = key_of(options, i),
-                                       .arg = options[i].argument,
-                                       .doc = options[i].help };
-    }
-    const struct argp_child children[] = { { syntax->shared, 0, NULL, 0 }, { .argp = NULL } };
-    const struct argp parser = { own,          parse_key, syntax->arguments, syntax->help, children,
-                                 options_help, NULL };
+    (void)args;
+    return key == ARGP_KEY_HELP_DUP_ARGS_NOTE ? NULL : (char *)text;
+}
+
+void command_parse(const CommandSyntax *syntax, CommandOptions *more, int argc, char **argv,
+                   void *args)
+{
+    CommandOptions own = { .fields = syntax->options, .object = args };
+    CommandOptions shared[] = { { .fields = options_common, .object = args },
+                                { .fields = options_run, .object = args },
+                                { .fields = options_frame, .object = args } };
     Parse parse = { .syntax = syntax, .args = args };
-    options_parse(&parser, argc, argv, &parse);
+    for (int i = 0; i <= (int)syntax->shared; i++)
+        parse.tables[parse.table_count++] = &shared[i];
+    if (own.fields)
+        parse.tables[parse.table_count++] = &own;
+    if (more)
+        parse.tables[parse.table_count++] = more;
+
+    struct argp_option options[MAX_OPTIONS];
+    char text[MAX_OPTIONS][96];
+    list_options(&parse, options, text);
+    const struct argp parser = { .options = options,
+                                 .parser = parse_key,
+                                 .args_doc = syntax->arguments,
+                                 .doc = syntax->help,
+                                 .help_filter = filter_help };
+    argp_err_exit_status = EXIT_USAGE;
+    /* argp's own help has no -h, hence ARGP_NO_HELP. */
+    if (argp_parse(&parser, argc, argv, ARGP_NO_HELP, NULL, &parse))
+        exit(report(EXIT_INTERNAL, "out of memory"));
+}
+
+long command_number(struct argp_state *state, const char *what, const char *text, long low,
+                    long high)
+{
+    char *end;
+    errno = 0;
+    long value = strtol(text, &end, 10);
+    bool digits = text[0] >= '0' && text[0] <= '9' && *end == '\0';
+    if (!digits || errno || value < low || value > high)
+        argp_error(state, "%s: '%s' is not a whole number in [%ld, %ld]", what, text, low, high);
+    return value;
 }

@@ -3,26 +3,15 @@
 #define APPS_COMMANDS_COMMAND_H
 
 #include "apps/commands/options.h"
+#include "apps/techniques/settings.h"
 
-typedef enum OptionType {
-    OPTION_FLAG = 1, /* bool: there, or not; without a value */
-    OPTION_TEXT,     /* const char *, borrowed */
-    OPTION_REAL,     /* double >= 0 */
-} OptionType;
-
-typedef struct CommandOption {
-    const char *name; /* "output": the option --output; NULL ends a table */
-    char letter;      /* 'o': the option -o too; 0: none */
-    const char *argument, *help;
-    OptionType type;
-    size_t offset; /* of the member that it sets */
-} CommandOption;
+#include <argp.h>
 
 typedef struct CommandSyntax {
-    const struct argp *shared;    /* options_common, options_run or options_frame */
-    const CommandOption *options; /* NULL: none */
-    const char *arguments;        /* for the help: "SCENE.json X Y" */
-    const char *help;             /* examples first; behind \v what follows the options */
+    OptionsShared shared;
+    const SettingField *options; /* of the command's struct; NULL: none */
+    const char *arguments;       /* for the help: "SCENE.json X Y" */
+    const char *help;            /* examples first; behind \v what follows the options */
 
     /* Positional arguments: members const char *[most], NULL where they were not given. */
     size_t offset;
@@ -35,10 +24,21 @@ typedef struct CommandSyntax {
     void (*check)(struct argp_state *state, void *args);
 } CommandSyntax;
 
-enum { COMMAND_MAX_OPTIONS = 12 };
+/* A table of options and the struct whose members they set. */
+typedef struct CommandOptions {
+    const SettingField *fields;
+    void *object;
+    uint32_t given; /* out: bit i: fields[i] was given */
+} CommandOptions;
 
 /* Parses a command's arguments into its struct, which begins with an Options and has its defaults.
- * Does not return after a usage error (exit 2), --help, --usage or --version (exit 0). */
-void command_parse(const CommandSyntax *syntax, int argc, char **argv, void *args);
+ * Does not return after a usage error (exit 2), --help, --usage or --version (exit 0).
+ * in/out more: options of another struct; NULL: none */
+void command_parse(const CommandSyntax *syntax, CommandOptions *more, int argc, char **argv,
+                   void *args);
+
+/* A usage error where a word is no decimal number of low..high; `what` names it. */
+long command_number(struct argp_state *state, const char *what, const char *text, long low,
+                    long high);
 
 #endif

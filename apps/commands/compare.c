@@ -16,29 +16,29 @@ typedef struct Compare {
     CompareLimits limits;
 } Compare;
 
-static const CommandOption options[] = {
-    { "output", 'o', "FILE",
+static const SettingField options[] = {
+    { "output", "FILE",
       "Write the absolute difference of the pictures to FILE (.png, .exr, .pfm or .ppm)",
-      OPTION_TEXT, offsetof(Compare, output) },
-    { "scale", 0, "S", "Multiply the difference picture by S", OPTION_REAL,
-      offsetof(Compare, scale) },
-    { "fail", 0, "F", "Call a pixel failing if it differs by more than F (default: 0)", OPTION_REAL,
-      offsetof(Compare, limits.fail) },
-    { "failpercent", 0, "P", "Allow P percent of failing pixels (default: 0)", OPTION_REAL,
-      offsetof(Compare, limits.fail_percent) },
-    { "hardfail", 0, "H", "Fail if any pixel differs by more than H", OPTION_REAL,
-      offsetof(Compare, limits.hard_fail) },
-    { "warn", 0, "F", "Warn about pixels that differ by more than F", OPTION_REAL,
-      offsetof(Compare, limits.warn) },
-    { "warnpercent", 0, "P", "Allow P percent of them (default: 0)", OPTION_REAL,
-      offsetof(Compare, limits.warn_percent) },
-    { "hardwarn", 0, "H", "Warn if any pixel differs by more than H", OPTION_REAL,
-      offsetof(Compare, limits.hard_warn) },
+      SETTING_TEXT, .offset = offsetof(Compare, output), .letter = 'o' },
+    { "scale", "S", "Multiply the difference picture by S", SETTING_NUMBER,
+      .offset = offsetof(Compare, scale), .high = OPTIONS_ANY },
+    { "fail", "F", "Call a pixel failing if it differs by more than F (default: 0)", SETTING_NUMBER,
+      .offset = offsetof(Compare, limits.fail), .high = OPTIONS_ANY },
+    { "failpercent", "P", "Allow P percent of failing pixels (default: 0)", SETTING_NUMBER,
+      .offset = offsetof(Compare, limits.fail_percent), .high = OPTIONS_ANY },
+    { "hardfail", "H", "Fail if any pixel differs by more than H", SETTING_NUMBER,
+      .offset = offsetof(Compare, limits.hard_fail), .high = OPTIONS_ANY },
+    { "warn", "F", "Warn about pixels that differ by more than F", SETTING_NUMBER,
+      .offset = offsetof(Compare, limits.warn), .high = OPTIONS_ANY },
+    { "warnpercent", "P", "Allow P percent of them (default: 0)", SETTING_NUMBER,
+      .offset = offsetof(Compare, limits.warn_percent), .high = OPTIONS_ANY },
+    { "hardwarn", "H", "Warn if any pixel differs by more than H", SETTING_NUMBER,
+      .offset = offsetof(Compare, limits.hard_warn), .high = OPTIONS_ANY },
     { .name = NULL },
 };
 
 static const CommandSyntax syntax = {
-    .shared = &options_common,
+    .shared = OPTIONS_COMMON,
     .options = options,
     .arguments = "A B",
     .help =
@@ -187,7 +187,7 @@ static int compare_pair(const Compare *compare, Picture pictures[2])
 int cmd_compare(int argc, char **argv)
 {
     Compare compare = { .scale = 1 };
-    command_parse(&syntax, argc, argv, &compare);
+    command_parse(&syntax, NULL, argc, argv, &compare);
     GpError error = { "" };
     if (compare.output && picture_check_path(compare.output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);

@@ -15,7 +15,7 @@ typedef struct Explain {
 } Explain;
 
 static const CommandSyntax syntax = {
-    .shared = &options_common,
+    .shared = OPTIONS_COMMON,
     .arguments = "SCENE.json",
     .help = "Examples:\n"
             "  glasspipe explain scenes/bunny.json\n"
@@ -138,7 +138,7 @@ static int explain_list(const Explain *explain, const GpList *list)
 int cmd_explain(int argc, char **argv)
 {
     Explain explain = { .scene = NULL };
-    command_parse(&syntax, argc, argv, &explain);
+    command_parse(&syntax, NULL, argc, argv, &explain);
     Scene scene = { .picture = NULL };
     SceneOptions size = { .width = 0 };
     GpError error = { "" };

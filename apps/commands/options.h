@@ -1,56 +1,30 @@
-/* Options that the subcommands share, parsed by argp, and how they talk to the user: results go to
+/* Options that the subcommands share, and how they talk to the user: results go to
  * stdout, everything else to stderr. */
 #ifndef APPS_COMMANDS_OPTIONS_H
 #define APPS_COMMANDS_OPTIONS_H
 
+#include "apps/techniques/settings.h"
 #include "pipeline/glasspipe.h"
 
-#include <argp.h>
-
-/* Set by the parsers below. A command puts this struct first in its own, so that one pointer
- * serves as input of both its own parser and these. */
+/* A command puts this struct first in its own. */
 typedef struct Options {
     bool json, quiet, verbose;
-    uint32_t width, height; /* --size; 0: the scene's own */
-    int threads;            /* 0: one a processor */
-    const char *isa;        /* NULL: automatic */
+    uint32_t size[2]; /* 0 x 0: the scene's own */
+    uint32_t threads; /* 0: one a processor */
+    const char *isa;  /* NULL: automatic */
     GpExecutor executor;
     bool timed; /* GpDeviceDesc.timed */
 } Options;
 
-/* --json, -q, -v, -h, --usage, --version. */
-extern const struct argp options_common;
+/* Which of them a command has: each has those before it too. */
+typedef enum OptionsShared { OPTIONS_COMMON, OPTIONS_RUN, OPTIONS_FRAME } OptionsShared;
 
-/* --threads, --isa, --executor, and the common ones. */
-extern const struct argp options_run;
+extern const SettingField options_common[]; /* --json, -q, -v */
+extern const SettingField options_run[];    /* --threads, --isa, --executor */
+extern const SettingField options_frame[];  /* --size */
 
-/* --size, and those of options_run. */
-extern const struct argp options_frame;
-
-/* Parses a command's arguments into args, which begins with an Options. Does not return after a
- * usage error (exit 2), --help, --usage or --version (exit 0). */
-void options_parse(const struct argp *parser, int argc, char **argv, void *args);
-
-/* Help filter of every command's parser: drops argp's note about arguments of short options. */
-char *options_help(int key, const char *text, void *args);
-
-/* To be called by a command's parser on ARGP_KEY_INIT: hands args to its one child. */
-error_t options_start(struct argp_state *state);
-
-/* Decimal number without sign or trailing text, low..high; usage error (exit 2) naming `what`. */
-long options_number(struct argp_state *state, const char *what, const char *text, long low,
-                    long high);
-
-/* WIDTHxHEIGHT, such as 1024x768; usage error naming `what`. */
-void options_size(struct argp_state *state, const char *what, const char *text, uint32_t *width,
-                  uint32_t *height);
-
-/* Finite decimal number, not negative; usage error naming `what`. */
-double options_real(struct argp_state *state, const char *what, const char *text);
-
-/* The next positional argument: fills the first empty slot; a usage error past the last.
- * in   slots: count pointers, NULL where still empty */
-error_t options_positional(struct argp_state *state, const char **slots, int count, char *text);
+/* The most that a number without a limit may be. */
+#define OPTIONS_ANY 1e300
 
 /* Creates the device that the options ask for.
  * returns EXIT_DONE, or an exit code after a message: an isa that does not exist or that this

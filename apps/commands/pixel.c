@@ -17,23 +17,23 @@ typedef struct Pixel {
     uint32_t x, y;
 } Pixel;
 
-static const CommandOption options[] = {
-    { "pass", 0, "PASS",
+static const SettingField options[] = {
+    { "pass", "PASS",
       "Follow the pixel through pass PASS (name or number) only "
       "(default: through all passes of the picture's size)",
-      OPTION_TEXT, offsetof(Pixel, pass) },
+      SETTING_TEXT, .offset = offsetof(Pixel, pass) },
     { .name = NULL },
 };
 
 static void read_place(struct argp_state *state, void *args)
 {
     Pixel *pixel = args;
-    pixel->x = (uint32_t)options_number(state, "X", pixel->arguments[1], 0, INT32_MAX);
-    pixel->y = (uint32_t)options_number(state, "Y", pixel->arguments[2], 0, INT32_MAX);
+    pixel->x = (uint32_t)command_number(state, "X", pixel->arguments[1], 0, INT32_MAX);
+    pixel->y = (uint32_t)command_number(state, "Y", pixel->arguments[2], 0, INT32_MAX);
 }
 
 static const CommandSyntax syntax = {
-    .shared = &options_frame,
+    .shared = OPTIONS_FRAME,
     .options = options,
     .arguments = "SCENE.json X Y",
     .help = "Examples:\n"
@@ -133,9 +133,9 @@ static int follow(const Pixel *pixel, const Scene *scene)
 int cmd_pixel(int argc, char **argv)
 {
     Pixel pixel = { .pass = NULL };
-    command_parse(&syntax, argc, argv, &pixel);
+    command_parse(&syntax, NULL, argc, argv, &pixel);
     Scene scene = { .picture = NULL };
-    SceneOptions size = { .width = pixel.options.width, .height = pixel.options.height };
+    SceneOptions size = { .width = pixel.options.size[0], .height = pixel.options.size[1] };
     GpError error = { "" };
     GpResult result = scene_load(pixel.arguments[0], &size, &scene, &error);
     int code = result ? report(exit_of_input(result), "%s", error.text) : follow(&pixel, &scene);

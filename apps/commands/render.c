@@ -14,22 +14,22 @@ typedef struct Render {
     bool list_passes;
 } Render;
 
-static const CommandOption options[] = {
-    { "output", 'o', "FILE",
+static const SettingField options[] = {
+    { "output", "FILE",
       "Write the picture to FILE: .png, .exr, .pfm or .ppm "
       "(default: out/NAME.png where out/ exists, else NAME.png)",
-      OPTION_TEXT, offsetof(Render, output) },
-    { "dump", 0, "PASS",
+      SETTING_TEXT, .offset = offsetof(Render, output), .letter = 'o' },
+    { "dump", "PASS",
       "Write what pass PASS (name or number) left in its first "
       "target; PASS.1, PASS.2, PASS.3 for the others, PASS.depth for its depth",
-      OPTION_TEXT, offsetof(Render, dump) },
-    { "list-passes", 0, NULL, "Print the passes instead of rendering", OPTION_FLAG,
-      offsetof(Render, list_passes) },
+      SETTING_TEXT, .offset = offsetof(Render, dump) },
+    { "list-passes", NULL, "Print the passes instead of rendering", SETTING_FLAG,
+      .offset = offsetof(Render, list_passes) },
     { .name = NULL },
 };
 
 static const CommandSyntax syntax = {
-    .shared = &options_frame,
+    .shared = OPTIONS_FRAME,
     .options = options,
     .arguments = "SCENE.json",
     .help = "Examples:\n"
@@ -81,7 +81,7 @@ static int list_passes(const Render *render, const GpList *list)
 int cmd_render(int argc, char **argv)
 {
     Render render = { .scene = NULL };
-    command_parse(&syntax, argc, argv, &render);
+    command_parse(&syntax, NULL, argc, argv, &render);
 
     /* Everything that can be refused without reading the scene is refused first. */
     GpError error = { "" };
@@ -96,7 +96,7 @@ int cmd_render(int argc, char **argv)
         return code;
 
     Scene scene = { .picture = NULL };
-    SceneOptions size = { .width = render.options.width, .height = render.options.height };
+    SceneOptions size = { .width = render.options.size[0], .height = render.options.size[1] };
     GpResult result = scene_load(render.scene, &size, &scene, &error);
     if (result)
         code = report(exit_of_input(result), "%s", error.text);

@@ -2,10 +2,9 @@
 
 #include "apps/base/json.h"
 #include "apps/charts/chart_file.h"
+#include "apps/commands/command.h"
 #include "apps/commands/commands.h"
-#include "apps/commands/options.h"
 #include "apps/commands/output.h"
-#include "apps/commands/setting_options.h"
 #include "apps/frame/picture.h"
 #include "apps/frame/run_statistics.h"
 #include "pipeline/io/file.h"
@@ -16,30 +15,16 @@
 #include <sys/stat.h>
 #include <xxhash.h>
 
-enum { KEY_ERROR = 0x200, KEY_CURVE, OWN_OPTIONS = 3 };
-
 typedef struct TechniqueArgs {
     Options options; /* first: see options.h */
     const Technique *technique;
-    void *setting;
-    uint32_t given; /* settings: bit i of the table's field i */
+    CommandOptions settings;
     const char *scene, *output, *curve;
     char extension[8]; /* of the output */
-    bool has_error;
-    double error;
+    double error;      /* --error; negative: not given */
 } TechniqueArgs;
 
 /* --- options ---------------------------------------------------------------------------------- */
-
-/* clang-format off */
-static const struct argp_option own_options[OWN_OPTIONS] = {
-    { "output", 'o', "FILE", 0, NULL, 0 },
-    { "error", KEY_ERROR, "E", 0, "Take the cheapest setting of a stored chart whose error is at "
-      "most E, and say which", 0 },
-    { "curve", KEY_CURVE, "FILE", 0, "The chart for --error: JSON as `glasspipe chart' writes it "
-      "(default: the technique's in out/charts, or in charts)", 0 },
-};
-/* clang-format on */
 
 static const char picture_help[] =
     "Write the picture to FILE: .png, .exr, .pfm or .ppm (default: out/NAME.png where out/ exists, "
@@ -52,78 +37,56 @@ static const char volume_or_picture_help[] =
     "out/NAME.nrrd where out/ exists, else NAME.nrrd); or a picture of it: .png, .exr, .pfm or "
     ".ppm";
 
-static error_t take_setting(struct argp_state *state, TechniqueArgs *args, int key, char *text)
-{
-    const SettingField *fields = args->technique->settings, *field = setting_of_key(fields, key);
-    if (!field)
-        return ARGP_ERR_UNKNOWN;
-    setting_take(state, fields, field, text, args->setting);
-    args->given |= 1u << (field - fields);
-    return 0;
-}
-
 /* Whether the user gave a part of the key. */
 static bool has_key(const TechniqueArgs *args)
 {
     const SettingField *fields = args->technique->settings;
     for (int i = 0; fields[i].name; i++)
-        if (!fields[i].aside && args->given >> i & 1)
+        if (!fields[i].aside && args->settings.given >> i & 1)
             return true;
     return false;
 }
 
-static error_t parse_technique(int key, char *text, struct argp_state *state)
+static void check(struct argp_state *state, void *object)
 {
-    TechniqueArgs *args = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        return options_start(state);
-    case 'o':
-        args->output = text;
-        return 0;
-    case KEY_ERROR:
-        args->error = options_real(state, "--error", text);
-        args->has_error = true;
-        return 0;
-    case KEY_CURVE:
-        args->curve = text;
-        return 0;
-    case ARGP_KEY_ARG:
-        return options_positional(state, &args->scene, 1, text);
-    case ARGP_KEY_END:
-        if (!args->scene)
-            argp_error(state, "expected %s", args->technique->input);
-        if (args->has_error && has_key(args))
-            argp_error(state, "--error chooses the setting: no option of it can be given too");
-        if (args->curve && !args->has_error)
-            argp_error(state, "--curve is for --error");
-        return 0;
-    default:
-        return take_setting(state, args, key, text);
-    }
+    const TechniqueArgs *args = object;
+    if (args->error >= 0 && has_key(args))
+        argp_error(state, "--error chooses the setting: no option of it can be given too");
+    if (args->curve && args->error < 0)
+        argp_error(state, "--curve is for --error");
 }
 
 /* Those of the settings, and of all techniques. */
 static void parse(int argc, char **argv, TechniqueArgs *args)
 {
     const Technique *technique = args->technique;
-    const struct argp_child children[] = {
-        { setting_find(technique->settings, "size") ? &options_run : &options_frame, 0, NULL, 0 },
-        { NULL, 0, NULL, 0 },
+    const SettingField options[] = {
+        { "output", "FILE",
+          !technique->volume ? picture_help
+          : technique->show  ? volume_or_picture_help
+                             : volume_help,
+          SETTING_TEXT, .offset = offsetof(TechniqueArgs, output), .letter = 'o' },
+        { "error", "E",
+          "Take the cheapest setting of a stored chart whose error is at most E, and say which",
+          SETTING_NUMBER, .offset = offsetof(TechniqueArgs, error), .high = OPTIONS_ANY },
+        { "curve", "FILE",
+          "The chart for --error: JSON as `glasspipe chart' writes it (default: the "
+          "technique's in out/charts, or in charts)",
+          SETTING_TEXT, .offset = offsetof(TechniqueArgs, curve) },
+        { .name = NULL },
     };
-    SettingOptions own;
-    struct argp_option options[SETTING_MAX_FIELDS + OWN_OPTIONS + 1] = { { .name = NULL } };
-    setting_options(technique->settings, &own);
-    memcpy(options, own.option, (size_t)own.count * sizeof *options);
-    memcpy(options + own.count, own_options, sizeof own_options);
-    options[own.count].doc = !technique->volume ? picture_help
-                             : technique->show  ? volume_or_picture_help
-                                                : volume_help;
-    const struct argp parser = {
-        options, parse_technique, technique->arguments, technique->help, children, options_help,
-        NULL
+    const CommandSyntax syntax = {
+        .shared = setting_find(technique->settings, "size") ? OPTIONS_RUN : OPTIONS_FRAME,
+        .options = options,
+        .arguments = technique->arguments,
+        .help = technique->help,
+        .offset = offsetof(TechniqueArgs, scene),
+        .least = 1,
+        .most = 1,
+        .expected = technique->input,
+        .check = check,
     };
-    options_parse(&parser, argc, argv, args);
+    command_parse(&syntax, &args->settings, argc, argv, args);
 }
 
 /* --- the output ------------------------------------------------------------------------------- */
@@ -163,10 +126,11 @@ static GpResult check_output(TechniqueArgs *args, GpError *error)
         return gp_fail(error, result, "-o %s", reason.text);
     for (const SettingField *field = technique->settings; field->name; field++)
         if (field->for_pictures && !picture &&
-            setting_is_given(technique->settings, args->given, field->name))
+            setting_is_given(technique->settings, args->settings.given, field->name))
             return gp_fail(error, GP_ERROR_INVALID, "--%s is for pictures: -o FILE.png",
                            field->name);
-    return technique->check ? technique->check(args->setting, args->given, args->extension, error)
+    return technique->check ? technique->check(args->settings.object, args->settings.given,
+                                               args->extension, error)
                             : GP_OK;
 }
 
@@ -218,7 +182,7 @@ static int choose(TechniqueArgs *args)
     else if (!point)
         code = report(EXIT_INPUT, "%s: no setting has at most %g %s", curve, args->error,
                       chart.error_name);
-    else if (setting_parse(technique->settings, args->setting, point->options, &error))
+    else if (setting_parse(technique->settings, args->settings.object, point->options, &error))
         code = report(EXIT_INPUT, "%s: %s", curve, error.text);
     else
         explain_choice(args, &chart, point);
@@ -266,9 +230,9 @@ static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, 
                       GpError *error)
 {
     const Technique *technique = args->technique;
-    GpResult done = technique->build(scene, args->setting, device, &result->frame, error);
+    GpResult done = technique->build(scene, args->settings.object, device, &result->frame, error);
     if (!done && technique->show && is_picture(args))
-        done = technique->show(scene, args->setting, &result->frame, error);
+        done = technique->show(scene, args->settings.object, &result->frame, error);
     return done;
 }
 
@@ -288,7 +252,8 @@ static void print_object(const TechniqueArgs *args, const Result *result)
     const Technique *technique = args->technique;
     const GpVolume *volume = &result->volume;
     char setting[SETTING_MAX_TEXT];
-    setting_print(technique->settings, args->setting, technique->defaults, setting, sizeof setting);
+    setting_print(technique->settings, args->settings.object, technique->defaults, setting,
+                  sizeof setting);
     json_t *object = run_json(&result->statistics, result->hash, result->frame.color);
     if (!result->picture) {
         json_t *size =
@@ -324,8 +289,8 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, Result
     if (take(args, result, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     result->report.members = options->json ? json_object() : NULL;
-    done = technique->report ? technique->report(scene, args->setting, &result->frame, device,
-                                                 &result->report, &error)
+    done = technique->report ? technique->report(scene, args->settings.object, &result->frame,
+                                                 device, &result->report, &error)
                              : GP_OK;
     if (done)
         return report(exit_of_input(done), "%s: %s", args->scene, error.text);
@@ -349,8 +314,8 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, Result
 static int open_and_draw(const TechniqueArgs *args, GpDevice *device)
 {
     const Technique *technique = args->technique;
-    const TechniqueInput input = { args->scene, args->options.width, args->options.height,
-                                   args->setting };
+    const TechniqueInput input = { args->scene, args->options.size[0], args->options.size[1],
+                                   args->settings.object };
     GpError error = { "" };
     void *scene;
     GpResult done = technique->open(&input, &scene, &error);
@@ -374,7 +339,7 @@ static int run(TechniqueArgs *args)
     args->output = args->output ? args->output : path;
     if (check_output(args, &error))
         return report(EXIT_USAGE, "%s", error.text);
-    int code = args->has_error ? choose(args) : EXIT_DONE;
+    int code = args->error >= 0 ? choose(args) : EXIT_DONE;
     if (!code)
         code = options_device(&args->options, NULL, &device);
     if (code)
@@ -386,13 +351,15 @@ static int run(TechniqueArgs *args)
 
 int technique_command(const Technique *technique, int argc, char **argv)
 {
-    TechniqueArgs args = { .technique = technique };
-    args.setting = gp_alloc(1, technique->setting_bytes);
-    if (!args.setting)
+    void *setting = gp_alloc(1, technique->setting_bytes);
+    if (!setting)
         return report(EXIT_INTERNAL, "out of memory");
-    memcpy(args.setting, technique->defaults, technique->setting_bytes);
+    memcpy(setting, technique->defaults, technique->setting_bytes);
+    TechniqueArgs args = { .technique = technique,
+                           .settings = { .fields = technique->settings, .object = setting },
+                           .error = -1 };
     parse(argc, argv, &args);
     int code = run(&args);
-    gp_free(args.setting);
+    gp_free(setting);
     return code;
 }

@@ -153,7 +153,7 @@ static void describe(const SettingField *field, char *text, size_t size)
     char low[32], high[32];
     text_of_number(field->low, low);
     text_of_number(field->high, high);
-    if (field->type == SETTING_NAME)
+    if (field->names)
         list_names(field, ", ", " or ", text, size);
     else if (field->type == SETTING_SIZE)
         snprintf(text, size, "WIDTHxHEIGHT, such as 1024x768, each from %s to %s", low, high);
@@ -163,7 +163,7 @@ static void describe(const SettingField *field, char *text, size_t size)
                  low, high);
 }
 
-/* A flag and a text take everything. */
+/* A flag takes everything, and so does a text without names. */
 static GpResult read_value(const SettingField *field, const char *text, Value *value,
                            GpError *error)
 {
@@ -193,6 +193,7 @@ static GpResult read_value(const SettingField *field, const char *text, Value *v
         wrong = word;
         break;
     case SETTING_TEXT:
+        good = !field->names || read_name(field, text, &value->name);
         value->text = text;
         break;
     }

@@ -18,7 +18,7 @@ typedef enum SettingType {
     SETTING_FLAG,     /* bool: there, or not; without a value */
     SETTING_SIZE,     /* uint32_t[2], each in 1..high: WIDTHxHEIGHT */
     SETTING_VECTOR,   /* double[count], each in low..high: so many words */
-    SETTING_TEXT,     /* const char *, borrowed; aside of the key */
+    SETTING_TEXT,     /* const char *, borrowed; one of the names, if any; aside of the key */
 } SettingType;
 
 typedef struct SettingField {
@@ -28,7 +28,7 @@ typedef struct SettingField {
     SettingType type;
     size_t offset;
     double low, high;         /* of integers, numbers and vectors, both included */
-    const char *const *names; /* of SETTING_NAME, NULL at the end */
+    const char *const *names; /* of SETTING_NAME and SETTING_TEXT, NULL at the end */
     int count;                /* of SETTING_VECTOR: at most SETTING_MAX_VECTOR */
     char letter;              /* 'n': the option -n too; 0: none */
     bool aside;               /* no part of the key */
