@@ -10,6 +10,7 @@
 #ifndef GLASSPIPE_H
 #define GLASSPIPE_H
 
+#include "pipeline/list/counters.h"
 #include "pipeline/list/list.h"
 #include "pipeline/list/needs.h"
 #include "pipeline/list/trace.h"
@@ -32,27 +33,6 @@ typedef struct GpDeviceDesc {
 } GpDeviceDesc;
 
 typedef struct GpDevice GpDevice;
-
-/* Work done since the device was created. */
-typedef struct GpCounters {
-    uint64_t passes, draws;
-    uint64_t vertices;           /* vertices shaded */
-    uint64_t primitives;         /* assembled */
-    uint64_t primitives_clipped; /* cut by a plane */
-    uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart; the fast executor
-                                    shades only what may be seen */
-    /* what follows is counted by the reference executor only */
-    uint64_t primitives_drawn; /* that covered at least one pixel */
-    uint64_t fragments;        /* pixels covered */
-    uint64_t pixels_written;   /* fragments that passed every test */
-} GpCounters;
-
-/* Where the time of the last run went, in milliseconds. Fast executor only. */
-typedef struct GpPhases {
-    double prepare, vertices, bins, tiles; /* by the clock; they follow each other */
-    /* inside the tiles, where GpDeviceDesc.timed is set: of all threads together */
-    double raster, shading, transfer;
-} GpPhases;
 
 /* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace on another
  * executor than the reference), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),

@@ -40,7 +40,8 @@
 #ifndef GP_FAST_H
 #define GP_FAST_H
 
-#include "pipeline/glasspipe.h"
+#include "pipeline/list/counters.h"
+#include "pipeline/list/list.h"
 
 typedef struct GpFast GpFast;
 

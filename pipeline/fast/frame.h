@@ -3,7 +3,8 @@
 #define GP_FAST_FRAME_H
 
 #include "pipeline/units/clip.h"
-#include "pipeline/glasspipe.h"
+#include "pipeline/list/counters.h"
+#include "pipeline/list/needs.h"
 #include "pipeline/units/interpolate.h"
 #include "pipeline/units/setup.h"
 #include "pipeline/units/vertex_stage.h"
@@ -112,9 +113,7 @@ static inline uint32_t fast_draw_blocks(const FastDraw *draw)
  * colour and alpha alike.) */
 static inline bool fast_is_bitwise(const GpBlend *blend, GpFormat format)
 {
-    return format == GP_A8R8G8B8 &&
-           (blend->op == GP_BLEND_LOGIC_AND || blend->op == GP_BLEND_LOGIC_OR ||
-            blend->op == GP_BLEND_LOGIC_XOR);
+    return format == GP_A8R8G8B8 && gp_blend_is_logic(blend->op);
 }
 
 /* A triangle that the clipper cut: a fan of triangles, with corners of their own. */

@@ -8,7 +8,7 @@ void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height)
     *height = surface->height;
 }
 
-static bool renders_to(const GpPass *pass, const GpSurface *surface)
+bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface)
 {
     for (int t = 0; t < GP_MAX_TARGETS; t++)
         if (pass->color[t].surface == surface)
@@ -31,7 +31,7 @@ static bool depends_elsewhere(const GpPass *pass, const GpPass *writer)
         const GpDraw *draw = &pass->draws[i];
         unsigned anywhere = draw->program->samplers | draw->program->vertex_samplers;
         for (; anywhere; anywhere &= anywhere - 1)
-            if (renders_to(writer, draw->textures[__builtin_ctz(anywhere)].surface))
+            if (gp_pass_renders_to(writer, draw->textures[__builtin_ctz(anywhere)].surface))
                 return true;
     }
     return false;

@@ -50,6 +50,9 @@ typedef struct GpList {
 /* Size that all targets of a pass share, after gp_list_check. */
 void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
 
+/* Whether a surface is one of the targets of a pass. */
+bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
+
 /* Checks everything that can be checked before the first pixel: targets (formats, equal sizes, no
  * surface twice, none that is also a texture of the pass), programs (gp_program_check, targets
  * written against targets bound), geometry (streams present, indices in range), state (enumerations,

@@ -256,11 +256,6 @@ static GpResult check_depth_state(const Place *place)
     return GP_OK;
 }
 
-static bool is_logic(GpBlendOp op)
-{
-    return op >= GP_BLEND_LOGIC_AND && op <= GP_BLEND_LOGIC_XOR;
-}
-
 static GpResult check_blend_state(const Place *place)
 {
     static const char field[] = "state.blend[%d]";
@@ -278,8 +273,8 @@ static GpResult check_blend_state(const Place *place)
             return refuse(&at, field, "src-alpha-sat is a source factor only");
         if (blend->op == GP_BLEND_OFF && blend->alpha_op != GP_BLEND_OFF)
             return refuse(&at, field, "alpha blends, but colour does not");
-        bool logic = is_logic(blend->op);
-        if (blend->alpha_op != GP_BLEND_OFF && logic != is_logic(blend->alpha_op))
+        bool logic = gp_blend_is_logic(blend->op);
+        if (blend->alpha_op != GP_BLEND_OFF && logic != gp_blend_is_logic(blend->alpha_op))
             return refuse(&at, field, "logical operations serve colour and alpha alike");
         const GpSurface *target = pass->color[i].surface;
         if (logic && target && gp_format_info(target->format)->is_float)
@@ -290,14 +285,6 @@ static GpResult check_blend_state(const Place *place)
 }
 
 /* --- textures ------------------------------------------------------------------------------------------------ */
-
-static bool is_target_of(const GpPass *pass, const GpSurface *surface)
-{
-    for (int i = 0; i < GP_MAX_TARGETS; i++)
-        if (pass->color[i].surface == surface)
-            return true;
-    return pass->depth.surface == surface;
-}
 
 static GpResult check_sampler(const Place *place, const char *field, const GpTexture *texture)
 {
@@ -327,7 +314,7 @@ static GpResult check_textures(const Place *place)
         const GpSurface *surface = draw->textures[i].surface;
         if (!surface)
             return refuse(&at, field, "not bound, but %s reads slot %d", program->name, i);
-        if (is_target_of(pass_at(place), surface))
+        if (gp_pass_renders_to(pass_at(place), surface))
             return refuse(&at, field, "'%s' is a render target of this pass", surface->name);
         GpResult result = check_sampler(&at, field, &draw->textures[i]);
         if (result)

@@ -1,11 +1,12 @@
 #include "pipeline/reference/reference.h"
 
+#include "pipeline/list/index_range.h"
+#include "pipeline/reference/reference_draw.h"
 #include "pipeline/units/alpha_test.h"
 #include "pipeline/units/blend.h"
 #include "pipeline/units/input_assembly.h"
 #include "pipeline/units/output.h"
 #include "pipeline/units/raster.h"
-#include "pipeline/reference/reference_draw.h"
 #include "pipeline/units/scissor.h"
 #include "pipeline/units/texture_read.h"
 
@@ -233,13 +234,18 @@ static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pa
     return d;
 }
 
-static void run_draw(GpReferenceDraw *d)
+static uint32_t vertices_in(GpIndexRange range)
+{
+    return range.low > range.high ? 0 : range.high - range.low + 1;
+}
+
+static void run_draw(GpReferenceDraw *d, GpIndexRange range)
 {
     const GpGeometry *geometry = &d->draw->geometry;
-    uint32_t vertices, primitives = gp_geometry_primitives(geometry);
-    gp_vertex_range(geometry, &d->first_vertex, &vertices);
+    uint32_t primitives = gp_geometry_primitives(geometry);
+    d->first_vertex = range.low;
     d->vertex_stage.executor = d->pixel_stage.executor = d;
-    shade_vertices(d, vertices);
+    shade_vertices(d, vertices_in(range));
     for (d->primitive = 0; d->primitive < primitives; d->primitive++) {
         gp_assemble(geometry, d->primitive, d->corner_numbers);
         if (geometry->primitive == GP_TRIANGLES)
@@ -262,21 +268,22 @@ static void clear_targets(const GpPass *pass)
                                depth->clear_depth, depth->clear_stencil);
 }
 
-static uint32_t largest_vertex_range(const GpList *list)
+static uint32_t most_vertices(const GpList *list, GpIndexRanges *ranges)
 {
-    uint32_t largest = 0;
+    uint32_t most = 0;
     for (uint32_t p = 0; p < list->pass_count; p++)
         for (uint32_t i = 0; i < list->passes[p].draw_count; i++) {
-            uint32_t first, count;
-            gp_vertex_range(&list->passes[p].draws[i].geometry, &first, &count);
-            largest = count > largest ? count : largest;
+            const GpGeometry *geometry = &list->passes[p].draws[i].geometry;
+            uint32_t count = vertices_in(gp_index_range(ranges, geometry));
+            most = count > most ? count : most;
         }
-    return largest;
+    return most;
 }
 
 GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpError *error)
 {
-    uint32_t most = largest_vertex_range(list);
+    GpIndexRanges ranges = { .pool = NULL };
+    uint32_t most = most_vertices(list, &ranges);
     GpVertex *vertices = gp_alloc(most, sizeof *vertices);
     if (!vertices)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u shaded vertices", most);
@@ -295,7 +302,7 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
             GpReferenceDraw d = begin_draw(reference, pass, draw, varyings_read, vertices);
             d.pass_number = p;
             d.draw_number = i;
-            run_draw(&d);
+            run_draw(&d, gp_index_range(&ranges, &draw->geometry));
         }
         reference->counters->passes++;
     }

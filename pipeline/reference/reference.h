@@ -2,7 +2,8 @@
 #ifndef GP_REFERENCE_H
 #define GP_REFERENCE_H
 
-#include "pipeline/glasspipe.h"
+#include "pipeline/list/counters.h"
+#include "pipeline/list/trace.h"
 
 typedef struct GpReference {
     int lanes;            /* width of the shader code to run: 4, 8 or 16 */

@@ -2,11 +2,12 @@
 #ifndef GP_REFERENCE_DRAW_H
 #define GP_REFERENCE_DRAW_H
 
+#include "pipeline/list/needs.h"
+#include "pipeline/reference/reference.h"
 #include "pipeline/units/clip.h"
 #include "pipeline/units/depth_stencil.h"
 #include "pipeline/units/interpolate.h"
 #include "pipeline/units/pixel_stage.h"
-#include "pipeline/reference/reference.h"
 #include "pipeline/units/setup.h"
 #include "pipeline/units/vertex_stage.h"
 #include "pipeline/units/viewport.h"

@@ -1,15 +1,9 @@
 /* How the reference executor reports to a trace. */
-#include "pipeline/list/trace.h"
-
-#include "pipeline/units/input_assembly.h"
 #include "pipeline/reference/reference_draw.h"
 
-#include <string.h>
+#include "pipeline/units/input_assembly.h"
 
-const char *const gp_trace_kind_names[GP_TRACE_KINDS] = {
-    "clear",       "vertex",  "clip",  "setup", "raster",
-    "interpolate", "texture", "pixel", "test",  "output",
-};
+#include <string.h>
 
 /* --- the filter ----------------------------------------------------------------------------------- */
 

@@ -2,7 +2,23 @@
 #ifndef GP_GEOMETRY_H
 #define GP_GEOMETRY_H
 
-#include "pipeline/shader/program.h"
+#include "pipeline/base/base.h"
+
+/* What a vertex stream holds, and what a program's input wants. */
+typedef enum GpSemantic {
+    GP_POSITION = 0,
+    GP_NORMAL,
+    GP_COLOR,
+    GP_TEXCOORD0,
+    GP_TEXCOORD1,
+    GP_TEXCOORD2,
+    GP_TEXCOORD3,
+    GP_TANGENT,
+    GP_POINT_SIZE,
+    GP_SEMANTICS
+} GpSemantic;
+
+extern const char *const gp_semantic_names[GP_SEMANTICS];
 
 typedef enum GpPrimitive {
     GP_TRIANGLES = 0, /* three indices (or vertices) a triangle */

@@ -103,6 +103,11 @@ typedef enum GpBlendOp {
     GP_BLEND_OPS
 } GpBlendOp;
 
+static inline bool gp_blend_is_logic(GpBlendOp op)
+{
+    return op >= GP_BLEND_LOGIC_AND && op <= GP_BLEND_LOGIC_XOR;
+}
+
 typedef enum GpBlendFactor {
     GP_ZERO = 0,
     GP_ONE,

@@ -4,11 +4,6 @@
 
 #include <string.h>
 
-const char *const gp_semantic_names[GP_SEMANTICS] = {
-    "position",  "normal",    "color",   "texcoord0",  "texcoord1",
-    "texcoord2", "texcoord3", "tangent", "point_size",
-};
-
 #define REFUSE(...) gp_fail(error, GP_ERROR_INVALID, __VA_ARGS__)
 
 /* --- the program against itself ----------------------------------------------------------------- */

@@ -16,23 +16,8 @@
 extern "C" {
 #endif
 
+#include "pipeline/resources/geometry.h"
 #include "pipeline/resources/state.h"
-
-/* What a vertex stream or a program's input means. */
-typedef enum GpSemantic {
-    GP_POSITION = 0,
-    GP_NORMAL,
-    GP_COLOR,
-    GP_TEXCOORD0,
-    GP_TEXCOORD1,
-    GP_TEXCOORD2,
-    GP_TEXCOORD3,
-    GP_TANGENT,
-    GP_POINT_SIZE,
-    GP_SEMANTICS
-} GpSemantic;
-
-extern const char *const gp_semantic_names[GP_SEMANTICS];
 
 typedef enum GpProfile {
     GP_PROFILE_NONE = 0, /* nothing declared: treated as the _sw profile */

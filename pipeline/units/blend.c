@@ -55,11 +55,6 @@ static float operate(GpBlendOp op, float s, float d, float source_factor, float 
     }
 }
 
-static bool is_logic(GpBlendOp op)
-{
-    return op >= GP_BLEND_LOGIC_AND && op <= GP_BLEND_LOGIC_XOR;
-}
-
 static float logic(GpBlendOp op, float s, float d)
 {
     uint32_t source = gp_unorm_from_float(s, 8), target = gp_unorm_from_float(d, 8);
@@ -95,7 +90,7 @@ void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format, co
         GpBlendOp op = separate ? blend->alpha_op : blend->op;
         GpBlendFactor by_source = separate ? blend->alpha_src : blend->src;
         GpBlendFactor by_target = separate ? blend->alpha_dst : blend->dst;
-        if (is_logic(op))
+        if (gp_blend_is_logic(op))
             blended[c] = logic(op, s[c], destination[c]);
         else
             blended[c] = operate(op, s[c], destination[c], factor(by_source, c, s, destination, k),

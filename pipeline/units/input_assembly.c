@@ -40,20 +40,3 @@ void gp_assemble(const GpGeometry *geometry, uint32_t primitive, uint32_t vertic
         vertices[i] = geometry->indices ? geometry->indices[at] : at;
     }
 }
-
-void gp_vertex_range(const GpGeometry *geometry, uint32_t *first, uint32_t *count)
-{
-    uint32_t primitives = gp_geometry_primitives(geometry);
-    uint32_t used = geometry->primitive == GP_TRIANGLES ? primitives * 3 : primitives;
-    *first = 0;
-    *count = used;
-    if (!geometry->indices || used == 0)
-        return;
-    uint32_t low = UINT32_MAX, high = 0;
-    for (uint32_t i = 0; i < used; i++) {
-        low = geometry->indices[i] < low ? geometry->indices[i] : low;
-        high = geometry->indices[i] > high ? geometry->indices[i] : high;
-    }
-    *first = low;
-    *count = high - low + 1;
-}

@@ -3,6 +3,7 @@
 #define GP_INPUT_ASSEMBLY_H
 
 #include "pipeline/resources/geometry.h"
+#include "pipeline/shader/program.h"
 
 /* Bytes from vertex to vertex. */
 static inline size_t gp_stream_stride(const GpStream *stream)
@@ -15,7 +16,7 @@ static inline size_t gp_stream_stride(const GpStream *stream)
  * in   index < geometry->vertex_count
  * out  input: components that the stream lacks are (0, 0, 0, 1); signalling NaNs become the
  *      canonical quiet one
- * source pipeline facts A1 */
+ * source rule A1 */
 void gp_fetch_input(const GpStream *stream, int components, uint32_t index, float *input);
 
 /* All inputs of one vertex for a program.
@@ -26,9 +27,5 @@ void gp_fetch_vertex(const GpGeometry *geometry, const GpProgram *program, uint3
 /* Vertex numbers of a primitive, three of a triangle or one of a point, in the order given.
  * in   primitive < gp_geometry_primitives(geometry) */
 void gp_assemble(const GpGeometry *geometry, uint32_t primitive, uint32_t vertices[3]);
-
-/* Smallest range [first, first + count) that holds every vertex the primitives use; 0, 0 without
- * primitives. */
-void gp_vertex_range(const GpGeometry *geometry, uint32_t *first, uint32_t *count);
 
 #endif

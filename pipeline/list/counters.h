@@ -1,0 +1,28 @@
+/* What a device tells of the lists it has run: work and time. */
+#ifndef GP_COUNTERS_H
+#define GP_COUNTERS_H
+
+#include <stdint.h>
+
+/* Work done since the device was created. */
+typedef struct GpCounters {
+    uint64_t passes, draws;
+    uint64_t vertices;           /* vertices shaded */
+    uint64_t primitives;         /* assembled */
+    uint64_t primitives_clipped; /* cut by a plane */
+    uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart; the fast executor
+                                    shades only what may be seen */
+    /* what follows is counted by the reference executor only */
+    uint64_t primitives_drawn; /* that covered at least one pixel */
+    uint64_t fragments;        /* pixels covered */
+    uint64_t pixels_written;   /* fragments that passed every test */
+} GpCounters;
+
+/* Where the time of the last run went, in milliseconds. Fast executor only. */
+typedef struct GpPhases {
+    double prepare, vertices, bins, tiles; /* by the clock; they follow each other */
+    /* inside the tiles, where GpDeviceDesc.timed is set: of all threads together */
+    double raster, shading, transfer;
+} GpPhases;
+
+#endif
