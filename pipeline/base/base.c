@@ -44,8 +44,9 @@ void gp_assert_failed(const char *condition, const char *file, int line)
 
 enum { HUGE_PAGE = 2 << 20 };
 
-/* Rows of a large surface lie pages apart, and there are more pages in a frame than processors
- * keep addresses of: asks for large ones. */
+/* Rows of a large surface lie pages apart, and blocks of many pages are read at random: there are more
+ * pages than processors keep addresses of. Asks for large ones, where a wish that is not met loses
+ * nothing. */
 static void *alloc_huge(size_t bytes)
 {
     void *memory;
@@ -57,15 +58,20 @@ static void *alloc_huge(size_t bytes)
     return memory;
 }
 
+void *gp_alloc_unset(size_t bytes)
+{
+    if (bytes > SIZE_MAX - 64)
+        return NULL;
+    bytes = bytes ? (bytes + 63) & ~(size_t)63 : 64;
+    return bytes < HUGE_PAGE ? aligned_alloc(64, bytes) : alloc_huge(bytes);
+}
+
 void *gp_alloc(size_t count, size_t size)
 {
     size_t bytes;
-    if (__builtin_mul_overflow(count, size, &bytes) || bytes > SIZE_MAX - 64)
+    if (__builtin_mul_overflow(count, size, &bytes))
         return NULL;
-    bytes = (bytes + 63) & ~(size_t)63;
-    if (bytes == 0)
-        bytes = 64;
-    void *memory = bytes < HUGE_PAGE ? aligned_alloc(64, bytes) : alloc_huge(bytes);
+    void *memory = gp_alloc_unset(bytes);
     if (memory)
         memset(memory, 0, bytes);
     return memory;

@@ -43,9 +43,10 @@ __attribute__((noreturn)) void gp_assert_failed(const char *condition, const cha
 /* Zeroed array of count elements of size bytes, aligned to 64 bytes; count or size 0 gives a valid
  * pointer to nothing. NULL when memory is short or the product overflows. Free with gp_free. */
 void *gp_alloc(size_t count, size_t size);
+void *gp_alloc_unset(size_t bytes); /* the same, but with whatever was there */
 void gp_free(void *memory);
 
-/* The bits of a float, and back: the only type punning in the project. */
+/* The bits of a float, and back. (Vectors of lanes are cast, which keeps their bits.) */
 static inline uint32_t gp_float_bits(float value)
 {
     union {

@@ -1,30 +1,15 @@
 #include "pipeline/fast/arena.h"
 
-#include <stdlib.h>
-#include <sys/mman.h>
-
-enum { HEADER = 64, SMALLEST = 1 << 16, LARGE_PAGE = 1 << 21 };
+enum { HEADER = 64, SMALLEST = 1 << 16 };
 
 typedef struct FastArenaBlock {
     struct FastArenaBlock *next;
     size_t size; /* bytes after the header */
 } FastArenaBlock;
 
-/* Blocks of many pages are read at random: large pages keep their addresses at hand. */
-static void *new_block(size_t size)
-{
-    const size_t page = size < LARGE_PAGE ? 64 : LARGE_PAGE;
-    void *block = aligned_alloc(page, (size + page - 1) & ~(page - 1));
-#ifdef MADV_HUGEPAGE
-    if (block && page == LARGE_PAGE)
-        madvise(block, size, MADV_HUGEPAGE); /* a wish: where it is not met, nothing is lost */
-#endif
-    return block;
-}
-
 static bool add_block(FastArena *arena, size_t size)
 {
-    FastArenaBlock *block = new_block(HEADER + size);
+    FastArenaBlock *block = gp_alloc_unset(HEADER + size);
     if (!block)
         return false;
     *block = (FastArenaBlock){ arena->blocks, size };
@@ -55,7 +40,7 @@ void fast_arena_free(FastArena *arena)
 {
     while (arena->blocks) {
         FastArenaBlock *next = arena->blocks->next;
-        free(arena->blocks);
+        gp_free(arena->blocks);
         arena->blocks = next;
     }
     *arena = (FastArena){ 0 };

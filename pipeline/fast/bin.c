@@ -1,6 +1,7 @@
 /* Binning: which tiles each triangle or point touches, in submission order. */
 #include "pipeline/fast/frame.h"
 
+#include "pipeline/base/search.h"
 #include "pipeline/units/input_assembly.h"
 #include "pipeline/units/texture_read.h"
 
@@ -11,28 +12,13 @@
 
 uint32_t fast_find_draw(const FastPass *pass, uint32_t primitive)
 {
-    uint32_t low = 0, high = pass->draw_count;
-    while (high - low > 1) {
-        uint32_t middle = (low + high) / 2;
-        if (pass->draws[middle].first_primitive <= primitive)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
+    return gp_last_at_most(&pass->draws->first_primitive, sizeof *pass->draws, pass->draw_count,
+                           primitive);
 }
 
 uint32_t fast_find_block(const FastPass *pass, uint32_t block)
 {
-    uint32_t low = 0, high = pass->draw_count;
-    while (high - low > 1) {
-        uint32_t middle = (low + high) / 2;
-        if (pass->draws[middle].first_block <= block)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
+    return gp_last_at_most(&pass->draws->first_block, sizeof *pass->draws, pass->draw_count, block);
 }
 
 /* --- bins ---------------------------------------------------------------------------------------- */
@@ -119,15 +105,8 @@ void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, co
 
 const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive)
 {
-    uint32_t low = 0, high = range->polygon_count;
-    while (low < high) {
-        uint32_t middle = (low + high) / 2;
-        if (range->polygons[middle].primitive < primitive)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return &range->polygons[low];
+    return &range->polygons[gp_last_at_most(&range->polygons->primitive, sizeof *range->polygons,
+                                            range->polygon_count, primitive)];
 }
 
 /* --- boxes ---------------------------------------------------------------------------------------- */

@@ -1,5 +1,7 @@
 #include "pipeline/fast/group.h"
 
+#include "pipeline/base/search.h"
+
 static int find(GpSurface *const *slots, int count, const GpSurface *surface)
 {
     for (int i = 0; i < count; i++)
@@ -42,20 +44,12 @@ int fast_depth_slot(const FastSlots *slots, const GpSurface *surface)
 
 const FastPass *fast_find_pass_of_block(const FastGroup *group, uint32_t block)
 {
-    uint32_t low = 0, high = group->pass_count;
-    while (high - low > 1) {
-        uint32_t middle = (low + high) / 2;
-        *(group->passes[middle].first_block <= block ? &low : &high) = middle;
-    }
-    return &group->passes[low];
+    return &group->passes[gp_last_at_most(&group->passes->first_block, sizeof *group->passes,
+                                          group->pass_count, block)];
 }
 
 const FastPass *fast_find_pass_of_range(const FastGroup *group, uint32_t range)
 {
-    uint32_t low = 0, high = group->pass_count;
-    while (high - low > 1) {
-        uint32_t middle = (low + high) / 2;
-        *(group->passes[middle].first_range <= range ? &low : &high) = middle;
-    }
-    return &group->passes[low];
+    return &group->passes[gp_last_at_most(&group->passes->first_range, sizeof *group->passes,
+                                          group->pass_count, range)];
 }
