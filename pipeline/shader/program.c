@@ -36,12 +36,21 @@ static GpResult check_varyings(const GpProgram *p, GpError *error)
         const GpVaryingDecl *varying = &p->varyings[i];
         if (!varying->name || !varying->name[0])
             return REFUSE("program %s: varyings[%d] has no name", p->name, (int)i);
-        if (varying->components > 4 || (unsigned)varying->mode > GP_FLAT)
+        if (varying->components > 4 || (unsigned)varying->mode >= GP_INTERPOLATIONS)
             return REFUSE("program %s: varying '%s': more than 4 components, or an unknown mode",
                           p->name, varying->name);
-        for (size_t j = 0; j < i; j++)
+        const bool sprite = varying->mode == GP_SPRITE_COORD;
+        if (sprite && varying->components != 2)
+            return REFUSE("program %s: varying '%s': sprite coordinates have 2 components, not %d",
+                          p->name, varying->name, varying->components);
+        for (size_t j = 0; j < i; j++) {
             if (strcmp(p->varyings[j].name, varying->name) == 0)
                 return REFUSE("program %s: varying '%s' appears twice", p->name, varying->name);
+            if (sprite && p->varyings[j].mode == GP_SPRITE_COORD)
+                return REFUSE("program %s: varying '%s': a program has one varying of sprite "
+                              "coordinates",
+                              p->name, varying->name);
+        }
         sum += varying->components;
     }
     if (sum != p->varying_components || sum > GP_MAX_VARYINGS)

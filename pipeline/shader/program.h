@@ -38,6 +38,9 @@ typedef enum GpInterpolation {
     GP_PERSPECTIVE = 0, /* a/w linear, divided by 1/w (R16) */
     GP_LINEAR_SCREEN,   /* linear on the screen */
     GP_FLAT,            /* the value of the triangle's first vertex */
+    GP_SPRITE_COORD, /* of points: 0..1 over the square, x and y, whatever the vertex shader wrote;
+                           of triangles as GP_PERSPECTIVE. One varying of two components (R12) */
+    GP_INTERPOLATIONS
 } GpInterpolation;
 
 typedef struct GpInputDecl {

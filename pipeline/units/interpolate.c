@@ -1,18 +1,17 @@
 #include "pipeline/units/interpolate.h"
 
-#include <string.h>
-
 GpVaryingModes gp_varying_modes(const GpProgram *program)
 {
     GpVaryingModes modes = { .sprite = -1 };
     for (size_t i = 0; i < GP_COUNT(program->varyings) && program->varyings[i].components; i++) {
         const GpVaryingDecl *varying = &program->varyings[i];
-        if (varying->components >= 2 && strcmp(varying->name, "sprite") == 0)
+        const bool sprite = varying->mode == GP_SPRITE_COORD;
+        if (sprite)
             modes.sprite = modes.components;
         for (int c = 0; c < varying->components; c++) {
             if (varying->mode == GP_FLAT)
                 modes.flat |= (uint64_t)1 << modes.components;
-            modes.mode[modes.components++] = varying->mode;
+            modes.mode[modes.components++] = sprite ? GP_PERSPECTIVE : varying->mode;
         }
     }
     return modes;

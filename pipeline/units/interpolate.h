@@ -8,10 +8,9 @@
 /* How each varying component of a program is interpolated. */
 typedef struct GpVaryingModes {
     int components;
-    GpInterpolation mode[GP_MAX_VARYINGS];
-    uint64_t flat; /* bit i: component i is flat */
-    int sprite;    /* first of the two components that take a point sprite's coordinates (those of
-                      the varying named "sprite"), or -1 */
+    GpInterpolation mode[GP_MAX_VARYINGS]; /* in triangles; never GP_SPRITE_COORD */
+    uint64_t flat;                         /* bit i: component i is flat */
+    int sprite; /* first of the two components that take a point sprite's coordinates, or -1 */
 } GpVaryingModes;
 
 GpVaryingModes gp_varying_modes(const GpProgram *program);

@@ -28,7 +28,7 @@ vertex_shader(soft_sprite_vs, SoftSpriteUniforms, Vertex, SoftVarying)
     flt lambert = max(dp3(in->position, u3(c->light)), 0);
     *position = m4x4(in->position, c->mvp);
     *point_size = bcast(c->size);
-    out->sprite = vec2(0, 0); /* the executor runs it from 0 to 1 over the square */
+    out->sprite = vec2(0, 0); /* of points it runs from 0 to 1 over the square */
     out->color = mul(u3(c->color), lrp(lambert, bcast(1), c->ambient));
 }
 
@@ -42,7 +42,7 @@ pixel_shader(soft_sprite_ps, SoftSpriteUniforms, SoftVarying)
 
 program(soft_sprite_program, soft_sprite_vs, soft_sprite_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
-        .varyings = { { "sprite", 2, GP_PERSPECTIVE }, { "color", 3, GP_FLAT } },
+        .varyings = { { "sprite", 2, GP_SPRITE_COORD }, { "color", 3, GP_FLAT } },
         .may_discard = true, .writes_point_size = true)
 
 /* --- spots of a sheet ------------------------------------------------------------------------- */
@@ -69,5 +69,5 @@ pixel_shader(sheet_sprite_ps, SheetSpriteUniforms, SheetVarying)
 
 program(sheet_sprite_program, sheet_sprite_vs, sheet_sprite_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
-        .varyings = { { "sprite", 2, GP_PERSPECTIVE }, { "value", 1, GP_FLAT } },
+        .varyings = { { "sprite", 2, GP_SPRITE_COORD }, { "value", 1, GP_FLAT } },
         .writes_point_size = true)

@@ -28,7 +28,7 @@ vertex_shader(sprite_vs, SpriteUniforms, Vertex, Varying)
 
     *position = clip;
     *point_size = in->diameter * (c->height * 0.5f) / (clip.w * per_length);
-    out->sprite = vec2(0, 0); /* the executor runs it from 0 to 1 over the square */
+    out->sprite = vec2(0, 0); /* of points it runs from 0 to 1 over the square */
     out->color = in->color;
     out->light =
         vec3(dp3(nrm(u3(c->mvp[0])), L), dp3(row1, L) * per_length, -dp3(u3(c->mvp[3]), L));
@@ -48,7 +48,7 @@ pixel_shader(sprite_ps, SpriteUniforms, Varying)
 program(sprite_program, sprite_vs, sprite_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0,
         .inputs = { { GP_POSITION, 3 }, { GP_COLOR, 4 }, { GP_POINT_SIZE, 1 } },
-        .varyings = { { "sprite", 2, GP_PERSPECTIVE },
+        .varyings = { { "sprite", 2, GP_SPRITE_COORD },
                       { "color", 4, GP_PERSPECTIVE },
                       { "light", 3, GP_FLAT } },
         .may_discard = true, .writes_point_size = true)

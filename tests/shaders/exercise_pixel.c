@@ -21,7 +21,7 @@ typedef struct Varying {
     }
 #define VARYINGS                                                                                   \
     {                                                                                              \
-        { "sprite", 2, GP_PERSPECTIVE },                                                           \
+        { "sprite", 2, GP_SPRITE_COORD },                                                          \
         {                                                                                          \
             "color", 4, GP_PERSPECTIVE                                                             \
         }                                                                                          \

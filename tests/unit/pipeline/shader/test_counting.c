@@ -352,6 +352,10 @@ static void declarations_must_agree_with_the_structs(void **state)
     p.varyings[1].name = "a";
     assert_refused(&p, "program count_lean: varying 'a' appears twice");
     p = count_lean;
+    p.varyings[0].mode = GP_SPRITE_COORD;
+    assert_refused(&p, "program count_lean: varying 'a': sprite coordinates have 2 components, not "
+                       "4");
+    p = count_lean;
     p.color_components = 20;
     assert_refused(&p, "program count_lean: 20 colour components are not 0 to 4 targets of 4");
     p = count_lean;

@@ -270,6 +270,20 @@ static void sprite_coordinates_run_from_0_to_1(void **state)
     assert_int_equal(pixels, 256);
 }
 
+static void a_varying_of_sprite_coordinates_is_perspective_in_triangles(void **state)
+{
+    (void)state;
+    const GpProgram program = { .varyings = { { "sprite", 2, GP_FLAT },
+                                              { "corner", 2, GP_SPRITE_COORD },
+                                              { "rest", 1, GP_LINEAR_SCREEN } } };
+    GpVaryingModes modes = gp_varying_modes(&program);
+    assert_int_equal(modes.components, 5);
+    assert_int_equal(modes.sprite, 2); /* by its mode: a name means nothing */
+    assert_int_equal(modes.flat, 3);
+    assert_true(modes.mode[2] == GP_PERSPECTIVE && modes.mode[3] == GP_PERSPECTIVE);
+    assert_true(modes.mode[4] == GP_LINEAR_SCREEN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -282,6 +296,7 @@ int main(void)
         cmocka_unit_test(r18_depth_is_clamped_to_the_viewport_range),
         cmocka_unit_test(r22_depth_bias_is_slope_times_the_larger_gradient_plus_bias),
         cmocka_unit_test(sprite_coordinates_run_from_0_to_1),
+        cmocka_unit_test(a_varying_of_sprite_coordinates_is_perspective_in_triangles),
     };
     return cmocka_run_group_tests_name("interpolate", tests, NULL, NULL);
 }
