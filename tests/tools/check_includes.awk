@@ -34,7 +34,7 @@ function check_project(from, to,    fault)
         complain("applications know the machine by pipeline/glasspipe.h, not by " to)
     if (below(from, "apps/techniques") && to ~ /^pipeline\/io\/(file|image\/)/)
         complain("a technique reads no files: " to)
-    if (below(from, "apps/truth") && to !~ /^apps\/truth\/|^apps\/base\/(camera|bounds)\.h$|^pipeline\/base\//)
+    if (below(from, "apps/truth") && to !~ /^apps\/truth\/|^apps\/base\/(camera|bounds|voxel_box)\.h$|^pipeline\/base\//)
         complain("the truth shares no arithmetic with what it judges: " to)
 }
 
