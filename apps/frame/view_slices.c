@@ -144,11 +144,11 @@ GpGeometry view_slices_quads(Frame *frame, const ViewSlices *slices, bool neares
     };
 }
 
-VoxelViewUniforms view_slices_uniforms(const ViewSlices *slices, double aspect)
+SliceUniforms view_slices_uniforms(const ViewSlices *slices, double aspect)
 {
     const Camera *camera = slices->camera;
     const CameraAxes axes = camera_axes(camera, aspect);
-    VoxelViewUniforms uniforms = { .thickness = (float)(slices->toward / slices->parts) };
+    SliceUniforms uniforms = { .thickness = (float)(slices->toward / slices->parts) };
     float to_clip[4][4];
     camera_matrix(camera, aspect, to_clip);
     for (int k = 0; k < 3; k++) {

@@ -5,7 +5,7 @@
 #include "apps/base/camera.h"
 #include "apps/base/voxel_range.h"
 #include "apps/frame/frame.h"
-#include "shaders_c/voxel/pictures/view.h"
+#include "shaders_c/common/slices.h"
 
 /* Slices in their order from the eye. */
 typedef struct ViewSlices {
@@ -29,7 +29,6 @@ uint32_t view_slices_count(const ViewSlices *slices);
  * through other sides pass there; nearest first, or last. Those behind the eye are left out. */
 GpGeometry view_slices_quads(Frame *frame, const ViewSlices *slices, bool nearest_first);
 
-/* All uniforms but the sheet and the colours. */
-VoxelViewUniforms view_slices_uniforms(const ViewSlices *slices, double aspect);
+SliceUniforms view_slices_uniforms(const ViewSlices *slices, double aspect);
 
 #endif

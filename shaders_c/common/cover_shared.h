@@ -12,14 +12,10 @@ typedef struct CoverVarying {
     float2 place; /* (0, 0) the top left of the viewport, (1, 1) the opposite corner */
 } CoverVarying;
 
-GP_INLINE float4 cover_position(float2 corner)
+GP_INLINE float4 cover(const CoverVertex *in, CoverVarying *out)
 {
-    return vec4(corner.x, corner.y, 0.5f, 1);
-}
-
-GP_INLINE float2 cover_place(float2 corner)
-{
-    return vec2(corner.x * 0.5f + 0.5f, 0.5f - corner.y * 0.5f);
+    out->place = vec2(in->corner.x * 0.5f + 0.5f, 0.5f - in->corner.y * 0.5f);
+    return vec4(in->corner.x, in->corner.y, 0.5f, 1);
 }
 
 /* clang-format off */

@@ -4,8 +4,7 @@
 
 vertex_shader(voxel_field_vs, VoxelFieldUniforms, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 GP_INLINE float4 bits_inside(GpInvocation *gp, const VoxelFieldUniforms *c, float2 place)

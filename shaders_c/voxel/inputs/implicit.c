@@ -8,8 +8,7 @@
 
 vertex_shader(voxel_implicit_vs, VoxelImplicitUniforms, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 /* The factor of z^k, at x and y. */

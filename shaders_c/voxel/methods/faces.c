@@ -7,8 +7,7 @@
 
 vertex_shader(voxel_faces_vs, FlatTextureSlab, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 /* 1 where places along an axis, 0..1, are between two depths. */

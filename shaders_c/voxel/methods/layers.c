@@ -53,8 +53,7 @@ program(voxel_peel_next_program, voxel_peel_vs, voxel_peel_next_ps, PEEL_DECLARA
 
 vertex_shader(voxel_layer_vs, FlatTextureSlab, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 pixel_shader(voxel_layer_ps, FlatTextureSlab, CoverVarying)

@@ -49,8 +49,7 @@ program(voxel_parity_program, voxel_parity_vs, voxel_parity_ps, .vertex_profile 
 
 vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 pixel_shader(voxel_parity_resolve_ps, VoxelParityResolveUniforms, CoverVarying)

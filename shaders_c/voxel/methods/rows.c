@@ -10,8 +10,7 @@
 
 vertex_shader(voxel_rows_vs, VoxelRowsUniforms, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 /* What eight voxels fill, and the state after them. */

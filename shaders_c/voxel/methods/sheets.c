@@ -15,9 +15,7 @@ typedef struct Varying {
 
 vertex_shader(voxel_place_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
-    float3 place = m4x3(in->position, c->to_flat);
-    *position = patch_position(c, place);
-    out->depth = place.z;
+    *position = place_on_patch(c, in->position, &out->depth);
 }
 
 pixel_shader_targets(voxel_bits_ps, VoxelSheetsUniforms, Varying, Targets)

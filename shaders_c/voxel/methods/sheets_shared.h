@@ -15,9 +15,12 @@ typedef struct Place {
     flt voxel;  /* of its texel */
 } Place;
 
-/* Over the whole viewport, which is the slab's patch. Depth is not clipped. */
-GP_INLINE float4 patch_position(const VoxelSheetsUniforms *c, float3 place)
+/* Over the whole viewport, which is the slab's patch; depth, which is not clipped, goes to the
+ * fragments. */
+GP_INLINE float4 place_on_patch(const VoxelSheetsUniforms *c, float3 position, flt *depth)
 {
+    float3 place = m4x3(position, c->to_flat);
+    *depth = place.z;
     return vec4(place.x * (2.0f / c->size) - 1.0f, 1.0f - place.y * (2.0f / c->size), 0.5f, 1);
 }
 

@@ -10,8 +10,7 @@
 
 vertex_shader(voxel_turn_vs, VoxelTurnUniforms, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = cover_place(in->corner);
+    *position = cover(in, out);
 }
 
 /* Texels in a row: the first one's place in the texture, and how far it is to the next. */

@@ -16,9 +16,7 @@ typedef struct Varying {
 
 vertex_shader(voxel_normals_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
-    float3 place = m4x3(in->position, c->to_flat);
-    *position = patch_position(c, place);
-    out->depth = place.z;
+    *position = place_on_patch(c, in->position, &out->depth);
     out->value = m3x3(in->value, c->to_volume);
 }
 
@@ -48,9 +46,7 @@ program(voxel_normals_program, voxel_normals_vs, voxel_normals_ps, .vertex_profi
 
 vertex_shader(voxel_colors_vs, VoxelSheetsUniforms, Vertex, Varying)
 {
-    float3 place = m4x3(in->position, c->to_flat);
-    *position = patch_position(c, place);
-    out->depth = place.z;
+    *position = place_on_patch(c, in->position, &out->depth);
     out->value = in->value;
 }
 

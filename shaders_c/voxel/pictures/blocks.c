@@ -1,17 +1,10 @@
 /* Blocks of voxels: the greatest byte of ten columns. A byte of a flat texture of bits is eight
  * voxels along z, and not 0 where any of them is there. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/quad_shared.h"
 #include "shaders_c/voxel/pictures/blocks.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-typedef struct Vertex {
-    float3 position;
-} Vertex;
-
-typedef struct Nothing {
-} Nothing;
-
-vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms, Vertex, Nothing)
+vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms, QuadVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }
@@ -26,7 +19,7 @@ GP_INLINE flt tenth(const VoxelBlocksUniforms *c, flt block, int i)
 
 enum { TEN = VOXEL_BLOCK + 2 };
 
-pixel_shader(voxel_block_rows_ps, VoxelBlocksUniforms, Nothing)
+pixel_shader(voxel_block_rows_ps, VoxelBlocksUniforms, NoVarying)
 {
     float2 at = vpos();
     flt slab = whole_part(at.x, c->columns), block = at.x - slab * c->columns;
@@ -43,7 +36,7 @@ pixel_shader(voxel_block_rows_ps, VoxelBlocksUniforms, Nothing)
 
 /* The blocks below the first slab's and above the last slab's do not exist: reads stay inside the
  * texture, and what they find makes blocks full that might be empty, which does no harm. */
-pixel_shader(voxel_blocks_ps, VoxelBlocksUniforms, Nothing)
+pixel_shader(voxel_blocks_ps, VoxelBlocksUniforms, NoVarying)
 {
     float2 at = add(vpos(), 0.5f);
     flt below = max((at.x - c->columns) * (1.0f / c->width), 0);

@@ -2,20 +2,13 @@
  * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: a voxelized model inside a scanned
  *        volume; samples, normals and transfer: Levoy, "Display of surfaces from volume data", IEEE
  *        CG&A 8(3), 1988 */
-#include "pipeline/shader.h"
+#include "shaders_c/common/quad_shared.h"
 #include "shaders_c/voxel/pictures/scan.h"
 #include "shaders_c/voxel/pictures/view_shared.h"
 
 /* --- slopes ----------------------------------------------------------------------------------- */
 
-typedef struct Corner {
-    float3 position;
-} Corner;
-
-typedef struct Nothing {
-} Nothing;
-
-vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms, Corner, Nothing)
+vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms, QuadVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }
@@ -31,7 +24,7 @@ GP_INLINE flt sample_at(GpInvocation *gp, const FlatTextureLayout *scan, flt x, 
                sel(place.bit < 3.0f, bytes.x, bytes.w));
 }
 
-pixel_shader(voxel_slopes_ps, VoxelSlopesUniforms, Nothing)
+pixel_shader(voxel_slopes_ps, VoxelSlopesUniforms, NoVarying)
 {
     const FlatTextureLayout *scan = &c->scan;
     float3 at = texel_column(&c->slopes, vpos());
@@ -59,10 +52,10 @@ typedef struct Varying {
 
 vertex_shader(voxel_scan_vs, VoxelScanUniforms, SlabVertex, Varying)
 {
-    *position = m4x4(in->position, c->slices.to_clip);
-    out->ray = slab_ray(&c->slices, in->position, in->layer);
-    out->centre = in->position.z + c->slices.thickness * 0.5f;
-    out->fading = log_(bcast(1 - c->slices.colors[0][3]));
+    *position = m4x4(in->position, c->view.slices.to_clip);
+    out->ray = slab_ray(&c->view.slices, in);
+    out->centre = in->position.z + c->view.slices.thickness * 0.5f;
+    out->fading = log_(bcast(1 - c->view.colors[0][3]));
 }
 
 /* A texel of one layer's patch, linear between four; at the patch's edge they stay inside it. */
@@ -79,7 +72,7 @@ GP_INLINE float4 layer_at(GpInvocation *gp, const FlatTextureLayout *flat, float
 GP_INLINE float4 scan_haze(GpInvocation *gp, const VoxelScanUniforms *c, const Varying *in)
 {
     float2 centre = mul(add(in->ray.start, in->ray.end), 0.5f);
-    float3 place = voxel_at(&c->slices, centre, in->centre);
+    float3 place = voxel_at(&c->view.slices, centre, in->centre);
     flt below = floor_(place.z - 0.5f);
     float4 sample = lrp(place.z - 0.5f - below, layer_at(gp, &c->slopes, place, below + 1.0f),
                         layer_at(gp, &c->slopes, place, below));
@@ -88,7 +81,7 @@ GP_INLINE float4 scan_haze(GpInvocation *gp, const VoxelScanUniforms *c, const V
     float3 past = abs_(sub(place, c->slopes.size * 0.5f));
     msk inside = max(past.x, max(past.y, past.z)) < c->slopes.size * 0.5f;
     flt lost = sel(inside, matter.w, 0);
-    flt alpha = 1.0f - exp_(log_(1.0f - lost) * way_through(&c->slices, &in->ray));
+    flt alpha = 1.0f - exp_(log_(1.0f - lost) * way_through(&c->view.slices, &in->ray));
 
     float3 slope = sub(xyz(sample), 0.5f), normal = mul(slope, rsq(dp3(slope, slope) + 1e-4f));
     flt facing = max(dp3(normal, u3(c->light)), 0);
@@ -107,17 +100,16 @@ pixel_shader(voxel_scan_ps, VoxelScanUniforms, Varying)
 /* In a slab voxels come first. */
 pixel_shader(voxel_scan_mixed_ps, VoxelScanUniforms, Varying)
 {
-    flt way = way_in_first(gp, &c->slices, &in->ray), seen = exp_(in->fading * way);
+    flt way = way_in_first(gp, &c->view, &in->ray), seen = exp_(in->fading * way);
     float4 scan = mul(scan_haze(gp, c, in), seen);
-    return add(scan, mul(rgba(u3(c->slices.colors[0]), 1), 1.0f - seen));
+    return add(scan, mul(rgba(u3(c->view.colors[0]), 1), 1.0f - seen));
 }
 
 /* clang-format off */
 #define SCAN_DECLARATIONS                                                                          \
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 1 } },                                         \
-    .varyings = { { "start", 2, GP_PERSPECTIVE }, { "end", 2, GP_PERSPECTIVE },                    \
-                  { "layer", 1, GP_FLAT }, { "centre", 1, GP_FLAT }, { "fading", 1, GP_FLAT } }
+    .inputs = { SLAB_INPUTS },                                                                     \
+    .varyings = { SLAB_VARYINGS, { "centre", 1, GP_FLAT }, { "fading", 1, GP_FLAT } }
 
 program(voxel_scan_program, voxel_scan_vs, voxel_scan_ps, SCAN_DECLARATIONS,
         .samplers = 1 << 1 | 1 << 2)

@@ -13,7 +13,7 @@ typedef struct VoxelSlopesUniforms {
 extern const GpProgram voxel_slopes_program;
 
 typedef struct VoxelScanUniforms {
-    VoxelViewUniforms slices; /* of the voxels; thickness and the rest of the scan too */
+    VoxelViewUniforms view; /* of the voxels; thickness and the rest of the scan too */
     FlatTextureLayout slopes;
     float light[3];  /* towards it, unit length; x, y, z */
     float to_eye[3]; /* from the volume's centre */

@@ -16,8 +16,8 @@ typedef struct Varying {
 
 vertex_shader(voxel_view_vs, VoxelViewUniforms, SlabVertex, Varying)
 {
-    *position = m4x4(in->position, c->to_clip);
-    out->ray = slab_ray(c, in->position, in->layer);
+    *position = m4x4(in->position, c->slices.to_clip);
+    out->ray = slab_ray(&c->slices, in);
     out->fading = vec3(log_(bcast(1 - c->colors[0][3])), log_(bcast(1 - c->colors[1][3])),
                        log_(bcast(1 - c->colors[2][3])));
 }
@@ -37,7 +37,7 @@ GP_INLINE float4 first_voxel(GpInvocation *gp, const VoxelViewUniforms *c, const
         found = sel(kind > 0.0f, kind, found);
     }
     discard(~near | (msk)(found == 0.0f));
-    return rgba(voxel_at(c, across, in->ray.layer), found);
+    return rgba(voxel_at(&c->slices, across, in->ray.layer), found);
 }
 
 pixel_shader(voxel_first_ps, VoxelViewUniforms, Varying)
@@ -61,7 +61,7 @@ GP_INLINE float4 haze(GpInvocation *gp, const VoxelViewUniforms *c, const Varyin
 GP_INLINE float4 haze_of_two(GpInvocation *gp, const VoxelViewUniforms *c, const Varying *in)
 {
     Walk walk = walk_slab(&in->ray);
-    flt length = way_through(c, &in->ray), seen = bcast(1); /* of what is behind */
+    flt length = way_through(&c->slices, &in->ray), seen = bcast(1); /* of what is behind */
     float3 color = sp3(bcast(0));
     msk near = is_near_voxels(gp, c, &in->ray);
     for (int i = 0; i < STEPS && any(near); i++) {
@@ -90,9 +90,7 @@ pixel_shader(voxel_haze_two_ps, VoxelViewUniforms, Varying)
 /* clang-format off */
 #define SLICE_DECLARATIONS                                                                         \
     .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 1 } },                                         \
-    .varyings = { { "start", 2, GP_PERSPECTIVE }, { "end", 2, GP_PERSPECTIVE },                    \
-                  { "layer", 1, GP_FLAT }, { "fading", 3, GP_FLAT } }
+    .inputs = { SLAB_INPUTS }, .varyings = { SLAB_VARYINGS, { "fading", 3, GP_FLAT } }
 
 program(voxel_first_program, voxel_view_vs, voxel_first_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 3, .may_discard = true)

@@ -1,23 +1,18 @@
-/* Pictures of volumes of bits by slices: planes through every layer of voxels across the view. A
- * slice stands for the slab of space behind it, up to the next one, in which a ray moves by at most
- * one voxel along any axis, and so meets at most three. */
+/* Pictures of volumes of bits by slices (slices.h): in a slab a ray meets at most three voxels. */
 #ifndef SHADERS_VOXEL_PICTURES_VIEW_H
 #define SHADERS_VOXEL_PICTURES_VIEW_H
 
 #include "pipeline/shader/program.h"
+#include "shaders_c/common/slices.h"
 #include "shaders_c/voxel/volume/flat_texture.h"
 
 /* A voxel's kind: which volumes have it. */
 enum { VOXEL_KIND_FIRST = 1, VOXEL_KIND_SECOND, VOXEL_KIND_BOTH, VOXEL_KINDS };
 
-/* Places are (u, v, w): w goes across the slices, u and v are the two other axes. */
 typedef struct VoxelViewUniforms {
     FlatTextureLayout flat;
     float block_columns, blocks_width, blocks_height; /* of voxel_blocks */
-    float to_clip[4][4];                              /* from (u, v, w) */
-    float axes[3][3];                                 /* x, y, z of (u, v, w) */
-    float eye[4];       /* 1: a place; 0: where rays come from, all parallel */
-    float thickness;    /* of a slab, by w, with the sign of the rays */
+    SliceUniforms slices;
     float colors[3][4]; /* of the kinds from VOXEL_KIND_FIRST on, and how much of what is behind one
                              voxel is lost: voxel_haze only */
 } VoxelViewUniforms;

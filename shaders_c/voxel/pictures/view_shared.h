@@ -2,6 +2,7 @@
 #ifndef SHADERS_VOXEL_PICTURES_VIEW_SHARED_H
 #define SHADERS_VOXEL_PICTURES_VIEW_SHARED_H
 
+#include "shaders_c/common/slices_shared.h"
 #include "shaders_c/voxel/pictures/blocks.h"
 #include "shaders_c/voxel/pictures/view.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
@@ -36,27 +37,6 @@ GP_INLINE msk has_bit(float4 word, flt bit)
 
 /* --- the ray in a slab ------------------------------------------------------------------------ */
 
-/* Of the slab's near side. */
-typedef struct SlabVertex {
-    float3 position; /* (u, v, w) */
-    flt layer;       /* of voxels */
-} SlabVertex;
-
-typedef struct SlabRay {
-    float2 start, end; /* u, v where the ray enters and leaves the slab */
-    flt layer;         /* of voxels */
-} SlabRay;
-
-/* At a vertex of the slab's near side. */
-GP_INLINE SlabRay slab_ray(const VoxelViewUniforms *c, float3 position, flt layer)
-{
-    float3 way = sub(mul(position, c->eye[3]), u3(c->eye));
-    flt share = c->thickness * rcp(way.z);
-    return (SlabRay){ .start = vec2(position.x, position.y),
-                      .end = vec2(position.x + way.x * share, position.y + way.y * share),
-                      .layer = layer };
-}
-
 enum { STEPS = 3 };
 
 /* The voxels that it goes through, and for which share of its way. */
@@ -85,19 +65,13 @@ GP_INLINE Walk walk_slab(const SlabRay *ray)
                    .share = { one, two - one, 1.0f - two } };
 }
 
-GP_INLINE float3 voxel_at(const VoxelViewUniforms *c, float2 across, flt layer)
-{
-    float3 at = vec3(across.x, across.y, layer);
-    return vec3(dp3(at, u3(c->axes[0])), dp3(at, u3(c->axes[1])), dp3(at, u3(c->axes[2])));
-}
-
 /* The voxel's kind; 0: empty, or beside the volume along u or v. */
 GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 across, flt layer,
                       bool two)
 {
     float2 from_centre = abs_(sub(across, (c->flat.size - 1) * 0.5f));
     msk inside = max(from_centre.x, from_centre.y) < c->flat.size * 0.5f;
-    VoxelPlace place = place_of_voxel(&c->flat, voxel_at(c, across, layer));
+    VoxelPlace place = place_of_voxel(&c->flat, voxel_at(&c->slices, across, layer));
     flt kind = sel(has_bit(texld(0, place.coord), place.bit), bcast(VOXEL_KIND_FIRST), 0);
     if (two)
         kind = kind + sel(has_bit(texld(1, place.coord), place.bit), bcast(VOXEL_KIND_SECOND), 0);
@@ -108,7 +82,7 @@ GP_INLINE flt kind_at(GpInvocation *gp, const VoxelViewUniforms *c, float2 acros
 GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
 {
     float2 inside = min(max(floor_(ray->start), 0.0f), c->flat.size - 1);
-    float3 block = floor_(mul(voxel_at(c, inside, ray->layer), 1.0f / (float)VOXEL_BLOCK));
+    float3 block = floor_(mul(voxel_at(&c->slices, inside, ray->layer), 1.0f / (float)VOXEL_BLOCK));
     flt slab = floor_(block.z * 0.25f), byte = block.z - slab * 4.0f;
     float4 blocks =
         texld(3, vec2((slab * c->block_columns + block.x + 0.5f) * (1.0f / c->blocks_width),
@@ -118,14 +92,7 @@ GP_INLINE msk is_near_voxels(GpInvocation *gp, const VoxelViewUniforms *c, const
     return own > 0.0f;
 }
 
-/* Length of the ray in the slab, in voxels. */
-GP_INLINE flt way_through(const VoxelViewUniforms *c, const SlabRay *ray)
-{
-    float2 across = sub(ray->end, ray->start);
-    return sqrt_(dp2add(across, across, bcast(c->thickness * c->thickness)));
-}
-
-/* Length of it in voxels of the volume in slot 0. What absorbs does so by the length of the way in
+/* Length of the ray in voxels of the volume in slot 0. What absorbs does so by the length of the way in
  * it: light loses the same share in each unit. */
 GP_INLINE flt way_in_first(GpInvocation *gp, const VoxelViewUniforms *c, const SlabRay *ray)
 {
@@ -136,7 +103,7 @@ GP_INLINE flt way_in_first(GpInvocation *gp, const VoxelViewUniforms *c, const S
         flt kind = kind_at(gp, c, walk.voxel[i], ray->layer, false);
         share = mad(kind, walk.share[i], share);
     }
-    return sel(near, share * way_through(c, ray), 0);
+    return sel(near, share * way_through(&c->slices, ray), 0);
 }
 
 #endif

@@ -5,8 +5,8 @@
 
 vertex_shader(patch_copy_vs, PatchCopyUniforms, CoverVertex, CoverVarying)
 {
-    *position = cover_position(in->corner);
-    out->place = mad(cover_place(in->corner), u2(c->extent), u2(c->origin));
+    *position = cover(in, out);
+    out->place = mad(out->place, u2(c->extent), u2(c->origin));
 }
 
 pixel_shader(patch_copy_ps, PatchCopyUniforms, CoverVarying)

@@ -63,7 +63,7 @@ static VoxelViewUniforms slices_uniforms(const ViewBuild *build)
 {
     const VoxelView *view = build->view;
     const VoxelPaint *paints[3] = { &view->paint, &view->second_paint, &view->hit_paint };
-    VoxelViewUniforms uniforms = view_slices_uniforms(&build->slices, build->aspect);
+    VoxelViewUniforms uniforms = { .slices = view_slices_uniforms(&build->slices, build->aspect) };
     uniforms.flat = flat_texture_layout(build->flat);
     uniforms.block_columns = (float)build->blocks->height;
     uniforms.blocks_width = (float)build->blocks->width;
@@ -199,7 +199,7 @@ static GpDraw *draw_scan(const ViewBuild *build)
     const VoxelView *view = build->view;
     VoxelLightUniforms light;
     set_ray(build, &light);
-    VoxelScanUniforms uniforms = { .slices = slices_uniforms(build),
+    VoxelScanUniforms uniforms = { .view = slices_uniforms(build),
                                    .slopes = flat_texture_layout(view->scan) };
     for (int k = 0; k < 3; k++) {
         uniforms.light[k] = light.light[k];
