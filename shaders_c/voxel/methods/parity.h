@@ -28,7 +28,7 @@ typedef struct VoxelParityResolveUniforms {
     float patch, patches; /* of slot 0 and 1 */
 } VoxelParityResolveUniforms;
 
-/* To be drawn with cover_surface.h's triangle. */
+/* To be drawn with flat_texture_cover. */
 extern const GpProgram voxel_parity_resolve_program;
 
 #endif

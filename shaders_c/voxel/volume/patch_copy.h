@@ -8,7 +8,7 @@ typedef struct PatchCopyUniforms {
     float origin[2], extent[2]; /* of the rectangle, in texture space */
 } PatchCopyUniforms;
 
-/* Drawn with cover_surface.h's triangle. Slot 0: the texture. */
+/* Drawn with flat_texture_cover. Slot 0: the texture. */
 extern const GpProgram patch_copy_program;
 
 #endif

@@ -2,7 +2,7 @@
 #include "apps/techniques/voxel/methods/solid_rows.h"
 
 #include "apps/techniques/voxel/methods/synthesis.h"
-#include "shaders_c/voxel/volume/patch_copy.h"
+#include "shaders_c/common/texel_copy.h"
 #include "shaders_c/voxel/methods/rows.h"
 
 /* Eight voxels of a row at once (shaders_c/voxel/methods/rows.h). */
@@ -56,15 +56,6 @@ static void scan_rows(Frame *frame, const Scan *scan, const FlatTexture *crossin
     draw_scan(frame, &voxel_rows_program, scan, uniforms, crossings);
 }
 
-/* A whole flat texture onto another. */
-static void draw_whole(Frame *frame, const FlatTexture *from, GpBlendOp op)
-{
-    static const PatchCopyUniforms all = { .extent = { 1, 1 } };
-    GpDraw *draw = frame_draw(frame, &patch_copy_program, &all, &flat_texture_cover);
-    draw->textures[0] = voxel_texels(from->texels);
-    draw->state.blend[0].op = op;
-}
-
 VoxelDirections voxel_row_scan(const VoxelSetting *setting, Frame *frame,
                                const VoxelDirections *crossings, const FlatTexture *solid)
 {
@@ -86,12 +77,12 @@ VoxelDirections voxel_row_scan(const VoxelSetting *setting, Frame *frame,
     scan_rows(frame, &scan, both, &z);
 
     flat_texture_pass(frame, "both", both);
-    draw_whole(frame, x, GP_BLEND_OFF);
-    draw_whole(frame, y, GP_BLEND_LOGIC_AND);
+    flat_texture_blend(frame, &texel_copy_program, x, GP_BLEND_OFF);
+    flat_texture_blend(frame, &texel_copy_program, y, GP_BLEND_LOGIC_AND);
     flat_texture_pass(frame, "majority", solid); /* ((x | y) & z) | (x & y) */
-    draw_whole(frame, x, GP_BLEND_OFF);
-    draw_whole(frame, y, GP_BLEND_LOGIC_OR);
-    draw_whole(frame, &z, GP_BLEND_LOGIC_AND);
-    draw_whole(frame, both, GP_BLEND_LOGIC_OR);
+    flat_texture_blend(frame, &texel_copy_program, x, GP_BLEND_OFF);
+    flat_texture_blend(frame, &texel_copy_program, y, GP_BLEND_LOGIC_OR);
+    flat_texture_blend(frame, &texel_copy_program, &z, GP_BLEND_LOGIC_AND);
+    flat_texture_blend(frame, &texel_copy_program, both, GP_BLEND_LOGIC_OR);
     return (VoxelDirections){ .along = { *x, *y, z } };
 }

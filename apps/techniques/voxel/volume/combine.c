@@ -21,15 +21,6 @@ static void begin_result(Frame *frame, const char *name, const FlatTexture *a, c
     begin_pass(frame, name, result);
 }
 
-static GpDraw *draw_whole(Frame *frame, const GpProgram *program, const FlatTexture *flat,
-                          GpBlendOp blend)
-{
-    GpDraw *draw = frame_draw(frame, program, NULL, &flat_texture_cover);
-    draw->textures[0].surface = flat->texels;
-    draw->state.blend[0].op = blend;
-    return draw;
-}
-
 static bool are_alike(const FlatTexture *a, const FlatTexture *b)
 {
     return a->size == b->size && a->bits == b->bits && a->texels->width == b->texels->width &&
@@ -54,9 +45,9 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
     GP_ASSERT(b->texels != result->texels);
     begin_result(frame, "combine", a, b, result);
     if (!in_place)
-        draw_whole(frame, &texel_copy_program, a, GP_BLEND_OFF);
-    draw_whole(frame, ways[operation].program, b,
-               a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
+        flat_texture_blend(frame, &texel_copy_program, a, GP_BLEND_OFF);
+    flat_texture_blend(frame, ways[operation].program, b,
+                       a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
 }
 
 /* --- collision -------------------------------------------------------------------------------- */
@@ -87,10 +78,10 @@ void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
     for (uint32_t slab = common->low[2] / 32; slab * 32 < common->end[2]; slab++) {
         GpDraw *draw;
         if (a->texels != result->texels) {
-            draw = draw_whole(frame, &texel_copy_program, a, GP_BLEND_OFF);
+            draw = flat_texture_blend(frame, &texel_copy_program, a, GP_BLEND_OFF);
             cut_to_slab(&draw->state.raster, result, common, slab);
         }
-        draw = draw_whole(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
+        draw = flat_texture_blend(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
         cut_to_slab(&draw->state.raster, result, common, slab);
     }
 }

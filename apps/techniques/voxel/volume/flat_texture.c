@@ -67,6 +67,15 @@ GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *un
     return draw;
 }
 
+GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const FlatTexture *from,
+                           GpBlendOp op)
+{
+    GpDraw *draw = frame_draw(frame, program, NULL, &flat_texture_cover);
+    draw->textures[0].surface = from->texels;
+    draw->state.blend[0].op = op;
+    return draw;
+}
+
 FlatTextureLayout flat_texture_layout(const FlatTexture *flat)
 {
     return (FlatTextureLayout){ .size = (float)flat->size,

@@ -44,6 +44,10 @@ extern const GpGeometry flat_texture_cover;
 GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
                           const FlatTexture *flat, uint32_t slab);
 
+/* A draw over all of a flat texture of the same layout, by a program of texel_copy.h. */
+GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const FlatTexture *from,
+                           GpBlendOp op);
+
 /* What shaders need to know of it. */
 FlatTextureLayout flat_texture_layout(const FlatTexture *flat);
 const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *flat, uint32_t slab);
