@@ -1,7 +1,6 @@
 #include "apps/base/json.h"
 
 #include <math.h>
-#include <stdio.h>
 
 json_t *json_number(double value)
 {
@@ -21,11 +20,4 @@ json_t *json_floats(const float *values, int count)
 json_t *json_text(const char *text)
 {
     return text ? json_string(text) : json_null();
-}
-
-void json_print(json_t *value)
-{
-    json_dumpf(value, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
-    fputc('\n', stdout);
-    json_decref(value);
 }

@@ -1,4 +1,4 @@
-/* Small additions to jansson: numbers that may be no numbers, and printing a result. */
+/* Small additions to jansson: numbers that may be no numbers. */
 #ifndef APPS_BASE_JSON_H
 #define APPS_BASE_JSON_H
 
@@ -12,9 +12,5 @@ json_t *json_floats(const float *values, int count);
 
 /* A string, or null for NULL. */
 json_t *json_text(const char *text);
-
-/* Prints the value and a line end to stdout and releases it. Nine digits: enough to restore every
- * float exactly. Keys come in the order in which they were set. */
-void json_print(json_t *value);
 
 #endif

@@ -3,8 +3,8 @@
 #include "apps/commands/paper_tables.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
+#include "apps/commands/output.h"
 #include "apps/frame/run_statistics.h"
-#include "apps/base/json.h"
 #include "apps/base/machine.h"
 #include "apps/frame/timing.h"
 #include "pipeline/io/image/image_file.h"
@@ -190,10 +190,7 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
         json_object_set_new(object, "phases", phases_json(bench, times));
     json_object_set_new(object, "isa", json_string(statistics->isa));
     json_object_set_new(object, "executor", json_string(reference ? "reference" : "fast"));
-    json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
-    putchar('\n');
-    fflush(stdout);
-    json_decref(object);
+    output_json_line(object);
 }
 
 static int show_picture(const Bench *bench, const BenchCase *drawn, const Frame *frame,

@@ -1,7 +1,6 @@
 /* glasspipe chart: speed against accuracy of a technique's settings. */
 #include "apps/commands/chart.h"
 
-#include "apps/base/json.h"
 #include "apps/base/machine.h"
 #include "apps/charts/chart_file.h"
 #include "apps/charts/chart_page.h"
@@ -10,6 +9,7 @@
 #include "apps/charts/scaling_run.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
+#include "apps/commands/output.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -140,14 +140,6 @@ static int make_path(const char *folder, const char *name, char path[CHART_MAX_P
     return EXIT_DONE;
 }
 
-static int print_object(json_t *object)
-{
-    if (!object)
-        return report(EXIT_INTERNAL, "out of memory");
-    json_print(object);
-    return EXIT_DONE;
-}
-
 /* --- speed against accuracy ------------------------------------------------------------------- */
 
 /* Writes the chart and the page, then reports. */
@@ -162,7 +154,7 @@ static int finish(const ChartCommand *command, const ChartJob *job, const Chart 
         chart_write_page(job->folder, command->techniques, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(&command->options, "wrote %s.svg, .csv, .json and %s/index.html", path, job->folder);
-    return command->options.json ? print_object(chart_json(chart)) : print_best(chart);
+    return command->options.json ? output_json(chart_json(chart)) : print_best(chart);
 }
 
 static int chart_accuracy(const ChartCommand *command, GpDevice *device,
@@ -209,7 +201,7 @@ static int finish_scaling(const ChartCommand *command, const Scaling *scaling)
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(&command->options, "wrote %s.svg, .csv and %s/index.html", path, command->folder);
     if (command->options.json)
-        return print_object(scaling_json(scaling));
+        return output_json(scaling_json(scaling));
     print_scaling(scaling);
     return EXIT_DONE;
 }

@@ -1,7 +1,5 @@
 #include "apps/commands/command.h"
 
-#include "apps/commands/commands.h"
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

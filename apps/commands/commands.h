@@ -1,18 +1,17 @@
-/* The subcommands of `glasspipe` but those of techniques (technique_command.h), one file each, and
- * what they all share: the exit codes. */
+/* The subcommands of `glasspipe`, one file each. */
 #ifndef APPS_COMMANDS_COMMANDS_H
 #define APPS_COMMANDS_COMMANDS_H
 
-/* What the program tells its caller. */
-enum {
-    EXIT_DONE = 0,
-    EXIT_DIFFERS = 1,  /* compared, and the pictures differ; or a check failed */
-    EXIT_USAGE = 2,    /* a wrong command, option or argument */
-    EXIT_INPUT = 3,    /* an input file that is missing, broken, or asks for the impossible */
-    EXIT_INTERNAL = 4, /* no memory, or the output could not be written */
-};
+#include <stdio.h>
 
-/* A subcommand: argv[0] is "glasspipe NAME", for messages; returns one of the codes above. */
+/* The program's help. */
+void commands_help(FILE *file);
+
+/* Runs the subcommand of a name, of a technique or one of those below; argv[0] is replaced.
+ * returns the program's exit code; EXIT_USAGE, after a message, where there is none of this name */
+int commands_run(const char *name, int argc, char **argv);
+
+/* A subcommand: argv[0] is "glasspipe NAME", for messages; returns an exit code. */
 typedef int CommandFn(int argc, char **argv);
 
 CommandFn cmd_render;

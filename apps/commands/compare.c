@@ -1,6 +1,7 @@
 /* glasspipe compare: two pictures, bit by bit and by figures. */
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
+#include "apps/commands/output.h"
 #include "apps/base/compare.h"
 #include "apps/base/json.h"
 #include "apps/frame/picture.h"
@@ -112,7 +113,7 @@ static void print_json(const CompareReport *r, const Picture *picture)
                                       (json_int_t)r->tile_y, "differing",
                                       (json_int_t)r->tile_differing));
     }
-    json_print(object);
+    output_json(object);
 }
 
 /* --- comparing
@@ -146,9 +147,9 @@ static int different_sizes(const Compare *compare, const Picture pictures[2])
 {
     const Picture *a = &pictures[0], *b = &pictures[1];
     if (compare->options.json)
-        json_print(json_pack("{s:b, s:b, s:[[II][II]]}", "same", 0, "failed", 1, "sizes",
-                             (json_int_t)a->width, (json_int_t)a->height, (json_int_t)b->width,
-                             (json_int_t)b->height));
+        output_json(json_pack("{s:b, s:b, s:[[II][II]]}", "same", 0, "failed", 1, "sizes",
+                              (json_int_t)a->width, (json_int_t)a->height, (json_int_t)b->width,
+                              (json_int_t)b->height));
     else
         printf("different sizes: %ux%u and %ux%u\n", a->width, a->height, b->width, b->height);
     return EXIT_DIFFERS;

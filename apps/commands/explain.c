@@ -1,7 +1,7 @@
 /* glasspipe explain: which units every draw needs, and what its shaders cost. */
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
-#include "apps/base/json.h"
+#include "apps/commands/output.h"
 #include "apps/commands/shader_limits.h"
 #include "apps/commands/pass_list.h"
 #include "apps/scene/scene.h"
@@ -130,7 +130,7 @@ static int explain_list(const Explain *explain, const GpList *list)
             print_pass(object);
     }
     if (explain->options.json)
-        json_print(json_pack("{s:O}", "passes", passes));
+        output_json(json_pack("{s:O}", "passes", passes));
     json_decref(passes);
     return code;
 }

@@ -1,7 +1,5 @@
 #include "apps/commands/options.h"
 
-#include "apps/commands/commands.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,6 +6,15 @@
 #include "apps/techniques/settings.h"
 #include "pipeline/glasspipe.h"
 
+/* What the program tells its caller. */
+enum {
+    EXIT_DONE = 0,
+    EXIT_DIFFERS = 1,  /* compared, and the pictures differ; or a check failed */
+    EXIT_USAGE = 2,    /* a wrong command, option or argument */
+    EXIT_INPUT = 3,    /* an input file that is missing, broken, or asks for the impossible */
+    EXIT_INTERNAL = 4, /* no memory, or the output could not be written */
+};
+
 /* A command puts this struct first in its own. */
 typedef struct Options {
     bool json, quiet, verbose;

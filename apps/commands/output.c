@@ -1,8 +1,6 @@
 #include "apps/commands/output.h"
 
-#include "apps/commands/commands.h"
-#include "apps/base/json.h"
-#include "apps/frame/picture.h"
+#include "apps/base/text.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,18 +10,15 @@
 void output_default_path(const char *input, const char *extension, char *path, size_t size)
 {
     static const char *const prefixes[] = { "builtin:", "parametric:" }; /* of names, not files */
-    static const char function[] = "implicit:";
     struct stat status;
     bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
-    const char *slash = strrchr(input, '/'), *name = slash ? slash + 1 : input;
+    char name[256] = "implicit"; /* of a function, whose text is no name */
     for (size_t i = 0; i < GP_COUNT(prefixes); i++)
         if (strncmp(input, prefixes[i], strlen(prefixes[i])) == 0)
-            name = input + strlen(prefixes[i]);
-    if (strncmp(input, function, strlen(function)) == 0)
-        name = "implicit";
-    const char *dot = strrchr(name, '.');
-    int length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
-    snprintf(path, size, "%s%.*s.%s", out ? "out/" : "", length, name, extension);
+            input += strlen(prefixes[i]);
+    if (strncmp(input, "implicit:", 9) != 0)
+        text_stem(input, name, sizeof name);
+    snprintf(path, size, "%s%s.%s", out ? "out/" : "", name, extension);
 }
 
 void output_verbose(const Options *options, const RunStatistics *statistics)
@@ -34,37 +29,26 @@ void output_verbose(const Options *options, const RunStatistics *statistics)
                (unsigned long long)statistics->counters.fragments_shaded, statistics->isa);
 }
 
-/* The picture is written and hashed before the second, timed frame: a list that does not clear its
- * targets draws over its first. */
 void output_hash(const GpSurface *surface, uint64_t hash)
 {
     printf("hash %s %ux%u %016" PRIx64 "\n", gp_format_info(surface->format)->name, surface->width,
            surface->height, hash);
 }
 
-int output_frame(const Options *options, const char *input, const char *output, GpDevice *device,
-                 const GpList *list, const GpSurface *surface, bool opaque, json_t *more)
+int output_json(json_t *value)
 {
-    GpError error = { "" };
-    RunStatistics statistics;
-    GpResult result = run_first(device, list, &statistics, &error);
-    if (result)
-        return report(exit_of_run(result), "%s: %s", input, error.text);
-    uint64_t hash = gp_surface_hash(surface);
-    if (picture_write_surface(output, surface, opaque, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    notice(options, "wrote %s", output);
-    output_verbose(options, &statistics);
-    if (!options->json) {
-        output_hash(surface, hash);
-        return EXIT_DONE;
-    }
-    result = run_again(device, list, &statistics, &error);
-    if (result)
-        return report(exit_of_run(result), "%s: %s", input, error.text);
-    json_t *object = run_json(&statistics, hash, surface);
-    json_object_set_new(object, "file", json_string(output));
-    json_object_update(object, more);
-    json_print(object);
+    if (!value)
+        return report(EXIT_INTERNAL, "out of memory");
+    json_dumpf(value, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
+    putchar('\n');
+    json_decref(value);
     return EXIT_DONE;
+}
+
+void output_json_line(json_t *value)
+{
+    json_dumpf(value, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
+    putchar('\n');
+    fflush(stdout);
+    json_decref(value);
 }

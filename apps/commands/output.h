@@ -1,4 +1,4 @@
-/* A command's frame: drawn, hashed, written to a picture and reported. */
+/* What commands write and print. */
 #ifndef APPS_COMMANDS_OUTPUT_H
 #define APPS_COMMANDS_OUTPUT_H
 
@@ -17,11 +17,13 @@ void output_verbose(const Options *options, const RunStatistics *statistics);
 /* Prints "hash FORMAT WxH 0123456789abcdef"; hash is gp_surface_hash's. */
 void output_hash(const GpSurface *surface, uint64_t hash);
 
-/* Draws a list, writes the picture and prints its hash; with --json draws it a second time, which is
- * the one that is timed, and prints run_json's object with the file's name and `more`.
- * in   input: what the user gave, for messages; opaque: alpha stays out of the file; more: members to add, borrowed, NULL for none
+/* Prints a value with nine digits, enough to restore every float exactly, and releases it. Keys come in
+ * the order in which they were set.
+ * in   value: NULL: there was no memory for it
  * returns the command's exit code, after a message where it is not EXIT_DONE */
-int output_frame(const Options *options, const char *input, const char *output, GpDevice *device,
-                 const GpList *list, const GpSurface *surface, bool opaque, json_t *more);
+int output_json(json_t *value);
+
+/* The same as one of several lines, with six digits. */
+void output_json_line(json_t *value);
 
 #endif

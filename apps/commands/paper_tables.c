@@ -1,6 +1,6 @@
 #include "apps/commands/paper_tables.h"
 
-#include "apps/commands/commands.h"
+#include "apps/commands/output.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -80,9 +80,7 @@ static void print_json(const PaperTable *table, const PaperRow *row, const doubl
         json_decref(printed);
         json_decref(here);
     }
-    json_dumpf(object, stdout, JSON_COMPACT | JSON_REAL_PRECISION(6));
-    putchar('\n');
-    json_decref(object);
+    output_json_line(object);
 }
 
 /* --- measuring -------------------------------------------------------------------------------- */

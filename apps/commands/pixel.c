@@ -1,9 +1,9 @@
 /* glasspipe pixel: the history of one pixel, from the clear to the stored value. */
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
+#include "apps/commands/output.h"
 #include "apps/commands/pixel_json.h"
 #include "apps/commands/pixel_text.h"
-#include "apps/base/json.h"
 #include "apps/frame/passes.h"
 #include "apps/scene/scene.h"
 
@@ -95,9 +95,9 @@ static int tell(const Pixel *pixel, const Watch *watch, GpTrace trace)
     else if (watch->text)
         pixel_text_end(watch->text);
     else
-        json_print(json_pack("{s:I, s:I, s:I, s:I, s:O}", "x", (json_int_t)pixel->x, "y",
-                             (json_int_t)pixel->y, "width", (json_int_t)watch->width, "height",
-                             (json_int_t)watch->height, "events", watch->events));
+        output_json(json_pack("{s:I, s:I, s:I, s:I, s:O}", "x", (json_int_t)pixel->x, "y",
+                              (json_int_t)pixel->y, "width", (json_int_t)watch->width, "height",
+                              (json_int_t)watch->height, "events", watch->events));
     gp_device_destroy(&device);
     return code;
 }

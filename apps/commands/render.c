@@ -1,7 +1,6 @@
 /* glasspipe render: a scene by its passes, to a picture. */
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
-#include "apps/base/json.h"
 #include "apps/commands/output.h"
 #include "apps/commands/pass_list.h"
 #include "apps/frame/passes.h"
@@ -48,6 +47,34 @@ static const CommandSyntax syntax = {
 
 /* --- rendering ------------------------------------------------------------------------------- */
 
+/* The picture is written and hashed before the second, timed frame: a list that does not clear its
+ * targets draws over its first. */
+static int draw(const Render *render, const char *output, GpDevice *device, const GpList *list,
+                const GpSurface *surface)
+{
+    const Options *common = &render->options;
+    GpError error = { "" };
+    RunStatistics statistics;
+    GpResult result = run_first(device, list, &statistics, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
+    uint64_t hash = gp_surface_hash(surface);
+    if (picture_write_surface(output, surface, false, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(common, "wrote %s", output);
+    output_verbose(common, &statistics);
+    if (!common->json) {
+        output_hash(surface, hash);
+        return EXIT_DONE;
+    }
+    result = run_again(device, list, &statistics, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
+    json_t *object = run_json(&statistics, hash, surface);
+    json_object_set_new(object, "file", json_string(output));
+    return output_json(object);
+}
+
 static int render_scene(const Render *render, const char *output, GpDevice *device,
                         const Scene *scene)
 {
@@ -60,19 +87,16 @@ static int render_scene(const Render *render, const char *output, GpDevice *devi
             return report(EXIT_USAGE, "--dump %s; see --list-passes", error.text);
         list.pass_count = pass + 1;
     }
-    return output_frame(&render->options, render->scene, output, device, &list, surface, false,
-                        NULL);
+    return draw(render, output, device, &list, surface);
 }
 
 static int list_passes(const Render *render, const GpList *list)
 {
     json_t *passes = pass_list_json(list);
+    if (render->options.json)
+        return output_json(passes ? json_pack("{s:o}", "passes", passes) : NULL);
     if (!passes)
         return report(EXIT_INTERNAL, "out of memory");
-    if (render->options.json) {
-        json_print(json_pack("{s:o}", "passes", passes));
-        return EXIT_DONE;
-    }
     pass_list_print(passes);
     json_decref(passes);
     return EXIT_DONE;

@@ -1,9 +1,7 @@
 #include "apps/commands/technique_command.h"
 
-#include "apps/base/json.h"
 #include "apps/charts/chart_file.h"
 #include "apps/commands/command.h"
-#include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 #include "apps/frame/picture.h"
 #include "apps/frame/run_statistics.h"
@@ -247,7 +245,7 @@ static void print_lines(const Result *result)
     fputs(lines->data ? lines->data : "", stdout);
 }
 
-static void print_object(const TechniqueArgs *args, const Result *result)
+static int print_object(const TechniqueArgs *args, const Result *result)
 {
     const Technique *technique = args->technique;
     const GpVolume *volume = &result->volume;
@@ -266,7 +264,7 @@ static void print_object(const TechniqueArgs *args, const Result *result)
     json_object_update(object, result->report.members);
     json_object_set_new(object, "file", json_string(args->output));
     json_object_set_new(object, "setting", json_string(setting));
-    json_print(object);
+    return output_json(object);
 }
 
 static void print_warnings(const TechniqueReport *told)
@@ -307,8 +305,7 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, Result
     done = run_again(device, list, &result->statistics, &error);
     if (done)
         return report(exit_of_run(done), "%s: %s", args->scene, error.text);
-    print_object(args, result);
-    return EXIT_DONE;
+    return print_object(args, result);
 }
 
 static int open_and_draw(const TechniqueArgs *args, GpDevice *device)

@@ -1,0 +1,92 @@
+#include "apps/commands/commands.h"
+
+#include "apps/base/edit_distance.h"
+#include "apps/commands/options.h"
+#include "apps/commands/technique_command.h"
+#include "apps/techniques/registry.h"
+
+#include <string.h>
+
+typedef struct Command {
+    const char *name;
+    CommandFn *run;
+    const char *arguments, *summary;
+} Command;
+
+static const Command commands[] = {
+    { "render", cmd_render, "SCENE.json", "render a scene, pass by pass, to a picture" },
+    { "compare", cmd_compare, "A B", "compare two pictures" },
+    { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
+    { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
+    { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
+    { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
+};
+
+static void print_line(FILE *file, const char *name, const char *arguments, const char *summary)
+{
+    fprintf(file, "  %-8s %-15s %s\n", name, arguments, summary);
+}
+
+void commands_help(FILE *file)
+{
+    fputs("Examples:\n"
+          "  glasspipe render scenes/bunny.json -o bunny.png\n"
+          "  glasspipe compare bunny.png yesterday.png\n"
+          "  glasspipe pixel scenes/bunny.json 256 200\n"
+          "\n"
+          "Usage: glasspipe COMMAND [OPTION...]\n"
+          "\n"
+          "A software GPU of the 2005 class that gives the same bits everywhere.\n"
+          "\n"
+          "Commands:\n",
+          file);
+    for (size_t i = 0; i < GP_COUNT(commands); i++)
+        print_line(file, commands[i].name, commands[i].arguments, commands[i].summary);
+    for (const Technique *const *one = technique_registry; *one; one++)
+        print_line(file, (*one)->name, (*one)->arguments, (*one)->summary);
+    fputs("  help     [COMMAND]       this help, or a command's\n"
+          "\n"
+          "  -h, --help                 this help; after a command, its options\n"
+          "      --version              the version\n"
+          "\n"
+          "Exit codes: 0 done; 1 compared and differ, or a check failed; 2 usage;\n"
+          "3 bad input; 4 internal error, or the output could not be written.\n",
+          file);
+}
+
+/* The i'th name of a command; NULL behind the last. */
+static const char *command_name(size_t i)
+{
+    if (i < GP_COUNT(commands))
+        return commands[i].name;
+    const Technique *const technique = technique_registry[i - GP_COUNT(commands)];
+    return technique ? technique->name : NULL;
+}
+
+static int unknown_command(const char *name)
+{
+    const char *closest = command_name(0);
+    for (size_t i = 1; command_name(i); i++)
+        if (edit_distance(name, command_name(i)) < edit_distance(name, closest))
+            closest = command_name(i);
+    if (name[0] == '-')
+        report(EXIT_USAGE, "unknown option '%s' before the command", name);
+    else if (edit_distance(name, closest) <= 3)
+        report(EXIT_USAGE, "unknown command '%s'; did you mean '%s'?", name, closest);
+    else
+        report(EXIT_USAGE, "unknown command '%s'", name);
+    fputs("Try 'glasspipe --help'.\n", stderr);
+    return EXIT_USAGE;
+}
+
+int commands_run(const char *name, int argc, char **argv)
+{
+    char title[32];
+    const Technique *technique = technique_find(technique_registry, name);
+    snprintf(title, sizeof title, "glasspipe %s", name);
+    argv[0] = title;
+    for (size_t i = 0; i < GP_COUNT(commands); i++)
+        if (strcmp(commands[i].name, name) == 0)
+            return commands[i].run(argc, argv);
+    return technique ? technique_command(technique, argc, argv) : unknown_command(name);
+}
