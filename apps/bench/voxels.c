@@ -10,7 +10,7 @@ enum { SIZE = 256, SLAB = 32 };
 
 /* --- meshes ----------------------------------------------------------------------------------- */
 
-/* Triangles in their box, in the work's memory. */
+/* Triangles in their box, in the frame's memory. */
 static GpResult read_model(const char *name, Frame *frame, VoxelModel *model, GpError *error)
 {
     VoxelScene scene;

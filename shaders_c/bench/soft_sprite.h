@@ -10,7 +10,7 @@ typedef struct SoftSpriteUniforms {
     float color[3];  /* linear colour in full light */
     float ambient;   /* share of the colour without light */
     float size;      /* pixels */
-    float opacity;   /* in the middle */
+    float opacity;   /* in the centre */
 } SoftSpriteUniforms;
 
 /* The normal of a point is its position, as on the unit sphere. */

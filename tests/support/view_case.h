@@ -20,7 +20,7 @@ FlatTexture view_case_random(Frame *frame, uint32_t size, int32_t rarity, uint64
  * rays. */
 Camera view_case_camera(uint32_t size, double x, double y, double z, double distance, double fovy);
 
-/* Builds a picture, and draws all of the work's list. */
+/* Builds a picture, and draws all of the frame's list. */
 void view_case_draw(Frame *frame, const FlatTexture *flat, const VoxelView *view);
 
 /* A pixel of the target of a pass. */

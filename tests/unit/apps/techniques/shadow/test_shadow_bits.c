@@ -140,7 +140,7 @@ static void record_event(void *user, const GpTraceEvent *event)
 }
 
 /* Draws with the reference executor and records the fragments of the lit pass.
- * owns   the caller frees *work and the record */
+ * owns   the caller frees *frame and the record */
 static Record *record_frame(void *opened, const char *options, Frame *frame)
 {
     Record *record = gp_alloc(1, sizeof *record);
