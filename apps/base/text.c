@@ -42,7 +42,7 @@ void text_add(Text *text, const char *format, ...)
     text->length += (size_t)length;
 }
 
-void text_add_escaped(Text *text, const char *plain)
+static void add_plain(Text *text, const char *plain)
 {
     static const char special[] = "&<>\"'";
     static const char *const entities[] = { "&amp;", "&lt;", "&gt;", "&quot;", "&#39;" };
@@ -53,6 +53,40 @@ void text_add_escaped(Text *text, const char *plain)
         else
             text_add(text, "%c", (unsigned char)*plain < ' ' && *plain != '\n' ? ' ' : *plain);
     }
+}
+
+void text_add_escaped(Text *text, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    for (size_t length; *format; format += length) {
+        char directive[16];
+        length = strcspn(format, "%");
+        text_add(text, "%.*s", (int)length, format);
+        format += length;
+        length = *format ? strcspn(format + 1, "%sdufg") + 2 : 0;
+        GP_ASSERT(length < sizeof directive);
+        snprintf(directive, sizeof directive, "%.*s", (int)length, format);
+        switch (length ? directive[length - 1] : '\0') {
+        case 's':
+            add_plain(text, va_arg(args, const char *));
+            break;
+        case 'd':
+            text_add(text, directive, va_arg(args, int));
+            break;
+        case 'u':
+            text_add(text, directive, va_arg(args, unsigned));
+            break;
+        case 'f':
+        case 'g':
+            text_add(text, directive, va_arg(args, double));
+            break;
+        default:
+            GP_ASSERT(length == 0 || strcmp(directive, "%%") == 0);
+            text_add(text, "%s", length ? "%" : "");
+        }
+    }
+    va_end(args);
 }
 
 void text_add_csv(Text *text, const char *field, const char *end)

@@ -51,18 +51,11 @@ static void draw_front(const Plot *plot, Text *svg)
 /* What shows where the pointer rests. */
 static void add_tooltip(const Chart *chart, const ChartPoint *point, Text *svg)
 {
-    text_add(svg, "<title>");
-    plot_tooltip_line(svg, point->method);
-    plot_tooltip_line(svg, point->options);
+    text_add_escaped(svg, "<title>%s\n%s\n", point->method, point->options);
     plot_tooltip_times(svg, point->ms, point->min_ms, point->cpu_ms, point->frames);
-    text_add(svg, "\n");
-    text_add_escaped(svg, chart->error_name);
-    text_add(svg, ": %.6g", point->measured.error);
-    for (int i = 0; i < chart->metric_count; i++) {
-        text_add(svg, "\n");
-        text_add_escaped(svg, chart->metrics[i]);
-        text_add(svg, ": %.6g", point->measured.metrics[i]);
-    }
+    text_add_escaped(svg, "\n%s: %.6g", chart->error_name, point->measured.error);
+    for (int i = 0; i < chart->metric_count; i++)
+        text_add_escaped(svg, "\n%s: %.6g", chart->metrics[i], point->measured.metrics[i]);
     text_add(svg, "</title>");
 }
 

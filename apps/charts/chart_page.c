@@ -37,8 +37,7 @@ static const char style[] =
 static void add_cell(Text *page, const char *element, const char *attributes, const char *content)
 {
     text_add(page, "<%s%s>", element, attributes);
-    text_add_escaped(page, content);
-    text_add(page, "</%s>", element);
+    text_add_escaped(page, "%s</%s>", content, element);
 }
 
 static void add_head(const Chart *chart, Text *page)
@@ -54,10 +53,9 @@ static void add_head(const Chart *chart, Text *page)
 static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
 {
     add_cell(page, "td", "", point->method);
-    text_add(page, "<td><code>");
-    text_add_escaped(page, point->options);
-    text_add(page, "</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>", point->ms,
-             point->measured.error);
+    text_add_escaped(page,
+                     "<td><code>%s</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>",
+                     point->options, point->ms, point->measured.error);
     for (int i = 0; i < chart->metric_count; i++)
         text_add(page, "<td class=\"n\">%.6g</td>", point->measured.metrics[i]);
 }
@@ -103,12 +101,9 @@ static void add_picture(const char *folder, const ChartPoint *point, Text *page)
         return;
     text_add(page, "<figure><img alt=\"\" src=\"data:image/png;base64,");
     add_base64(page, (const unsigned char *)file.data, file.size);
-    text_add(page, "\"><figcaption>");
-    text_add_escaped(page, point->method);
-    text_add(page, ": <code>");
-    text_add_escaped(page, point->options);
-    text_add(page, "</code>, %.3g ms, error %.6g</figcaption></figure>\n", point->ms,
-             point->measured.error);
+    text_add_escaped(
+        page, "\"><figcaption>%s: <code>%s</code>, %.3g ms, error %.6g</figcaption></figure>\n",
+        point->method, point->options, point->ms, point->measured.error);
     gp_file_free(&file);
 }
 
@@ -122,11 +117,7 @@ static void add_chart(const char *folder, const Chart *chart, const char *name, 
         return;
     }
     uint32_t best = chart_list_best(chart, points);
-    text_add(page, "<section id=\"");
-    text_add_escaped(page, name);
-    text_add(page, "\">\n");
-    add_cell(page, "h2", "", chart->title);
-    text_add(page, "\n");
+    text_add_escaped(page, "<section id=\"%s\">\n<h2>%s</h2>\n", name, chart->title);
     chart_draw(chart, page);
     text_add(page, "<p>The best settings, the fastest first: for each, nothing else measured is "
                    "both faster and more exact.</p>\n");
@@ -144,14 +135,6 @@ static void add_chart(const char *folder, const Chart *chart, const char *name, 
 
 /* --- scaling ----------------------------------------------------------------------------------- */
 
-static void begin_line(const char *name, const char *title, Text *contents)
-{
-    text_add(contents, "<a href=\"#");
-    text_add_escaped(contents, name);
-    text_add(contents, "\">");
-    text_add_escaped(contents, title);
-}
-
 /* The picture as scaling_write left it, and the technique's words on it, if there is one. */
 static void add_scaling(const char *folder, const Technique *technique, Text *contents,
                         Text *sections)
@@ -162,15 +145,12 @@ static void add_scaling(const char *folder, const Technique *technique, Text *co
     snprintf(path, sizeof path, "%s/%s.svg", folder, name);
     if (!technique->scaling || gp_file_read(path, &file, NULL))
         return;
-    begin_line(name, technique->scaling->title, contents);
-    text_add(contents, "</a>\n");
-    text_add(sections, "<section id=\"%s\">\n", name);
-    add_cell(sections, "h2", "", technique->scaling->title);
-    text_add(sections, "\n%.*s", (int)file.size, file.data);
-    for (const char *const *text = technique->scaling->text; *text; text++) {
-        add_cell(sections, "p", "", *text);
-        text_add(sections, "\n");
-    }
+    const char *title = technique->scaling->title;
+    text_add_escaped(contents, "<a href=\"#%s\">%s</a>\n", name, title);
+    text_add_escaped(sections, "<section id=\"%s\">\n<h2>%s</h2>\n", name, title);
+    text_add(sections, "%.*s", (int)file.size, file.data);
+    for (const char *const *text = technique->scaling->text; *text; text++)
+        text_add_escaped(sections, "<p>%s</p>\n", *text);
     text_add(sections, "</section>\n");
     gp_file_free(&file);
 }
@@ -194,14 +174,10 @@ static void add_file(const char *folder, const char *file, Text *contents, Text 
     GpResult result = chart_read(path, &chart, &error);
     sections->failed |= result == GP_ERROR_MEMORY;
     if (result) {
-        add_cell(sections, "p", " class=\"note\"", error.text);
-        text_add(sections, "\n");
+        text_add_escaped(sections, "<p class=\"note\">%s</p>\n", error.text);
         return;
     }
-    begin_line(name, chart.title, contents);
-    text_add(contents, " (");
-    text_add_escaped(contents, chart.scene);
-    text_add(contents, ")</a>\n");
+    text_add_escaped(contents, "<a href=\"#%s\">%s (%s)</a>\n", name, chart.title, chart.scene);
     add_chart(folder, &chart, name, sections);
     chart_free(&chart);
 }

@@ -59,16 +59,13 @@ void plot_marker(Text *svg, double x, double y, int series, bool grey)
 
 void plot_begin(Text *svg, int width, int height, const char *title)
 {
-    text_add(svg,
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
-             "height=\"%d\" role=\"img\" font-family=\"system-ui, 'DejaVu Sans', sans-serif\" "
-             "font-size=\"12\">\n<title>",
-             width, height, width, height);
-    text_add_escaped(svg, title);
-    text_add(svg,
-             "</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n"
-             "<g fill=\"%s\">\n",
-             svg_ink);
+    text_add_escaped(
+        svg,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+        "height=\"%d\" role=\"img\" font-family=\"system-ui, 'DejaVu Sans', sans-serif\" "
+        "font-size=\"12\">\n<title>%s</title>\n"
+        "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n<g fill=\"%s\">\n",
+        width, height, width, height, title, svg_ink);
     svg_words(svg, PLOT_MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"", title);
 }
 
@@ -87,12 +84,6 @@ void plot_end(Text *svg, int height, const char *words)
     svg_words(svg, PLOT_MARGIN, height - 18, "start", " font-size=\"13\" font-style=\"italic\"",
               words);
     text_add(svg, "</g>\n</svg>\n");
-}
-
-void plot_tooltip_line(Text *svg, const char *words)
-{
-    text_add_escaped(svg, words);
-    text_add(svg, "\n");
 }
 
 void plot_tooltip_times(Text *svg, double ms, double min_ms, double cpu_ms, uint32_t frames)

@@ -20,8 +20,7 @@ void plot_begin(Text *svg, int width, int height, const char *title);
 void plot_note(Text *svg, int line, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void plot_end(Text *svg, int height, const char *words);
 
-/* Lines of a tooltip, which is an element <title>. */
-void plot_tooltip_line(Text *svg, const char *words);
+/* A line of a tooltip. */
 void plot_tooltip_times(Text *svg, double ms, double min_ms, double cpu_ms, uint32_t frames);
 
 #endif

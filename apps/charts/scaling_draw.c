@@ -87,12 +87,8 @@ static const ScalingPoint *next_point(const Panel *panel, int line, const Scalin
 
 static void add_tooltip(const Panel *panel, const ScalingPoint *point, Text *svg)
 {
-    text_add(svg, "<title>");
-    plot_tooltip_line(svg, panel->table->lines[point->line].name);
-    plot_tooltip_line(svg, point->scene);
-    plot_tooltip_line(svg, point->options);
-    text_add(svg, "%.10g ", point->amount);
-    plot_tooltip_line(svg, panel->table->axis);
+    text_add_escaped(svg, "<title>%s\n%s\n%s\n%.10g %s\n", panel->table->lines[point->line].name,
+                     point->scene, point->options, point->amount, panel->table->axis);
     plot_tooltip_times(svg, point->ms, point->min_ms, point->cpu_ms, point->frames);
     text_add(svg, "</title>");
 }

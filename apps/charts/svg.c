@@ -37,6 +37,5 @@ void svg_words(Text *svg, double x, double y, const char *anchor, const char *mo
     if (!content[0])
         return;
     text_add(svg, "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", x, y, anchor, more);
-    text_add_escaped(svg, content);
-    text_add(svg, "</text>\n");
+    text_add_escaped(svg, "%s</text>\n", content);
 }

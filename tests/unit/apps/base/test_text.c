@@ -1,0 +1,79 @@
+/* Text that grows: what is escaped, what is quoted, and that numbers come back. */
+#include "apps/base/text.h"
+#include "tests/support/unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static void escaping_is_for_what_stands_for_s(void **state)
+{
+    (void)state;
+    Text text = { .data = NULL };
+    text_add_escaped(&text, "<a b='%s'>%d %5.2f%% %u", "<&>\"'\x01\n", -3, 1.5, 7u);
+    text_add_escaped(&text, "%s", "");
+    text_add_escaped(&text, "|%.3g|%s|</a>", 1e-9, "\xc3\xa9");
+    assert_string_equal(text.data,
+                        "<a b='&lt;&amp;&gt;&quot;&#39; \n'>-3  1.50% 7|1e-09|\xc3\xa9|</a>");
+    assert_int_equal(text.length, strlen(text.data));
+    text_free(&text);
+}
+
+static void csv_is_quoted_where_it_must_be(void **state)
+{
+    (void)state;
+    Text text = { .data = NULL };
+    text_add_csv(&text, "plain words", ",");
+    text_add_csv(&text, "a,b", ",");
+    text_add_csv(&text, "\"c\"", "\n");
+    assert_string_equal(text.data, "plain words,\"a,b\",\"\"\"c\"\"\"\n");
+    text_free(&text);
+}
+
+static void numbers_come_back_bit_by_bit(void **state)
+{
+    (void)state;
+    const double values[] = { 0, -0.0, 1.0 / 3, 0.1, 1e300, 5e-324, -HUGE_VAL };
+    for (size_t i = 0; i < GP_COUNT(values); i++) {
+        char text[32];
+        text_of_number(values[i], text);
+        const double back = strtod(text, NULL);
+        assert_memory_equal(&back, &values[i], sizeof back);
+    }
+}
+
+static void names_are_cut_out_of_paths(void **state)
+{
+    (void)state;
+    static const char *const paths[][2] = {
+        { "a/b/c.json", "c" }, { "c", "c" }, { "a.b/.c", ".c" }, { "x.tar.gz", "x.tar" }
+    };
+    for (size_t i = 0; i < GP_COUNT(paths); i++) {
+        char name[16];
+        text_stem(paths[i][0], name, sizeof name);
+        assert_string_equal(name, paths[i][1]);
+    }
+}
+
+static void what_is_copied_is_utf_8(void **state)
+{
+    (void)state;
+    char text[8];
+    text_copy(text, sizeof text, "a\xc3\xa9z");
+    assert_string_equal(text, "a\xc3\xa9z");
+    text_copy(text, sizeof text, "a\xe9z");
+    assert_string_equal(text, "a?z");
+    text_copy(text, 3, "a\xc3\xa9z"); /* cut in the middle of a character */
+    assert_string_equal(text, "a?");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(escaping_is_for_what_stands_for_s),
+        cmocka_unit_test(csv_is_quoted_where_it_must_be),
+        cmocka_unit_test(numbers_come_back_bit_by_bit),
+        cmocka_unit_test(names_are_cut_out_of_paths),
+        cmocka_unit_test(what_is_copied_is_utf_8),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
