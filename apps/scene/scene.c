@@ -83,8 +83,9 @@ GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene,
         return result;
     read_scene(&loader, options);
     result = loader.reader.result;
-    if (frame_result(loader.frame, NULL))
-        result = gp_fail(error, GP_ERROR_MEMORY, "%.200s: out of memory", path);
+    if (made.frame.arena.result)
+        result = gp_fail(error, made.frame.arena.result, "%.200s: %s", path,
+                         made.frame.arena.error.text);
     reader_close(&loader.reader);
     if (result)
         scene_free(&made);

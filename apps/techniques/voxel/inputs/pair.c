@@ -73,13 +73,17 @@ static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpErro
     return flat_texture_check(setting->size, setting->bits, error);
 }
 
+/* Whoever draws the first names it; the second is named here. */
 static GpResult draw_model(const VoxelPair *pair, int which, const VoxelSetting *setting,
                            const VoxelBox *box, Frame *frame, VoxelPairMade *made, GpError *error)
 {
     GpError reason;
     GpResult result =
         voxel_scene_draw(pair->scenes[which], setting, box, frame, &made->volumes[which], &reason);
-    return result ? gp_fail(error, result, "%.100s: %s", pair->names[which], reason.text) : GP_OK;
+    if (!result)
+        return GP_OK;
+    return which ? gp_fail(error, result, "%.100s: %s", pair->names[which], reason.text)
+                 : gp_fail(error, result, "%s", reason.text);
 }
 
 static VoxelRange range_around(const VoxelRange *a, const VoxelRange *b)
