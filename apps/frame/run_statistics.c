@@ -8,8 +8,25 @@
 
 enum { COUNTED_BY_ALL = 6 };
 
+/* A device counts on and on. */
+static GpCounters counted_since(const GpCounters *before, const GpCounters *now)
+{
+    return (GpCounters){
+        .passes = now->passes - before->passes,
+        .draws = now->draws - before->draws,
+        .vertices = now->vertices - before->vertices,
+        .primitives = now->primitives - before->primitives,
+        .primitives_clipped = now->primitives_clipped - before->primitives_clipped,
+        .fragments_shaded = now->fragments_shaded - before->fragments_shaded,
+        .primitives_drawn = now->primitives_drawn - before->primitives_drawn,
+        .fragments = now->fragments - before->fragments,
+        .pixels_written = now->pixels_written - before->pixels_written,
+    };
+}
+
 GpResult run_first(GpDevice *device, const GpList *list, RunStatistics *statistics, GpError *error)
 {
+    const GpCounters before = *gp_device_counters(device);
     double start = machine_clock_ms(CLOCK_MONOTONIC);
     double cpu = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID);
     GpResult result = gp_device_run(device, list, error);
@@ -17,7 +34,7 @@ GpResult run_first(GpDevice *device, const GpList *list, RunStatistics *statisti
         return result;
     *statistics = (RunStatistics){ .first_ms = machine_clock_ms(CLOCK_MONOTONIC) - start,
                                    .first_cpu_ms = machine_clock_ms(CLOCK_PROCESS_CPUTIME_ID) - cpu,
-                                   .counters = *gp_device_counters(device),
+                                   .counters = counted_since(&before, gp_device_counters(device)),
                                    .phases = *gp_device_phases(device),
                                    .isa = gp_device_isa(device),
                                    .executor = gp_device_executor(device),

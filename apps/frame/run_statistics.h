@@ -18,7 +18,7 @@ typedef struct RunStatistics {
     int threads;
 } RunStatistics;
 
-/* Runs a list for the first time on a new device. Errors: those of gp_device_run. */
+/* Runs a list for the first time. Errors: those of gp_device_run. */
 GpResult run_first(GpDevice *device, const GpList *list, RunStatistics *statistics, GpError *error);
 
 /* Runs it again, for the clock. A list that does not clear its targets draws over its first frame:

@@ -1,0 +1,302 @@
+/* A technique that is made up: command, help, chart and --error come by themselves. */
+#include "apps/commands/chart.h"
+#include "apps/commands/commands.h"
+#include "apps/commands/technique_command.h"
+#include "apps/scene/scene.h"
+#include "tests/shaders/blur.h"
+#include "tests/support/program.h"
+
+#include <math.h>
+
+/* --- the technique: a scene, blurred by steps, of which MOST are the truth ---------------------- */
+
+enum { MOST = 6 };
+
+typedef enum BlurBetween { BLUR_BYTES, BLUR_FLOATS } BlurBetween;
+
+typedef struct BlurSetting {
+    uint32_t steps;
+    BlurBetween between;
+} BlurSetting;
+
+typedef struct Blurred {
+    Scene scene;
+    double *truth; /* [height][width], of blue */
+} Blurred;
+
+static const char *const betweens[] = { "bytes", "floats", NULL };
+
+static const SettingField blur_settings[] = {
+    { "steps", "N", "How often, 1 to 6 (default: 6)", SETTING_INTEGER, offsetof(BlurSetting, steps),
+      .low = 1, .high = MOST },
+    { "between", NULL, "What steps are kept in", SETTING_NAME, offsetof(BlurSetting, between),
+      .names = betweens },
+    { .name = NULL },
+};
+
+static const BlurSetting blur_defaults = { .steps = MOST };
+
+static GpResult blur_open(const TechniqueInput *input, void **opened, GpError *error)
+{
+    Blurred *blurred = gp_alloc(1, sizeof *blurred);
+    const SceneOptions options = { .width = input->width, .height = input->height };
+    GpResult result = scene_load(input->path, &options, &blurred->scene, error);
+    if (result)
+        gp_free(blurred);
+    else
+        *opened = blurred;
+    return result;
+}
+
+static void blur_close(void *opened)
+{
+    Blurred *blurred = opened;
+    scene_free(&blurred->scene);
+    gp_free(blurred->truth);
+    gp_free(blurred);
+}
+
+static GpResult blur_build(void *opened, const void *setting, GpDevice *device, Frame *frame,
+                           GpError *error)
+{
+    static const float corners[] = { -1, -1, 0, -1, 3, 0, 3, -1, 0 }, black[4] = { 0 };
+    static const GpGeometry cover = {
+        .vertex_count = 3, .streams = { [GP_POSITION] = { .data = corners, .components = 3 } }
+    };
+    static const GpFormat formats[] = { GP_A8R8G8B8, GP_A32B32G32R32F };
+    const Blurred *blurred = opened;
+    const BlurSetting *blur = setting;
+    const GpSurface *from = blurred->scene.picture;
+    GpResult result = gp_device_run(device, &blurred->scene.list, error);
+    for (uint32_t i = 1; i <= 2 * blur->steps; i++) {
+        const GpFormat format = i == 2 * blur->steps ? GP_A8R8G8B8 : formats[blur->between];
+        const BlurUniforms uniforms = { { i % 2 ? 1.0f / (float)from->width : 0,
+                                          i % 2 ? 0 : 1.0f / (float)from->height } };
+        frame->color = frame_surface(frame, format, from->width, from->height, 1);
+        frame_pass(frame, "blur", frame->color, NULL, black);
+        GpDraw *draw =
+            frame_draw(frame, &blur_program, frame_copy(frame, &uniforms, sizeof uniforms), &cover);
+        draw->textures[0] = (GpTexture){ from, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } };
+        from = frame->color;
+    }
+    result = result ? result : frame_result(frame, error);
+    if (result)
+        frame_free(frame);
+    return result;
+}
+
+/* The mean of three along an axis, in double. */
+static void blur_truth(double *values, int width, int height, int dx, int dy)
+{
+    double *old = gp_alloc((size_t)(width * height), sizeof *old);
+    memcpy(old, values, sizeof *old * (size_t)(width * height));
+    for (int i = 0; i < width * height; i++) {
+        const int x = i % width, y = i / width;
+        const int left = x >= dx ? x - dx : x, right = x + dx < width ? x + dx : x;
+        const int up = y >= dy ? y - dy : y, down = y + dy < height ? y + dy : y;
+        values[i] = (old[i] + old[left + up * width] + old[right + down * width]) / 3;
+    }
+    gp_free(old);
+}
+
+static GpResult blur_find_truth(void *opened, int threads, GpError *error)
+{
+    Blurred *blurred = opened;
+    const GpSurface *picture = blurred->scene.picture;
+    const int width = (int)picture->width, height = (int)picture->height;
+    GpDevice *device;
+    GpResult result = gp_device_create(&(GpDeviceDesc){ .threads = threads }, &device, error);
+    if (!result)
+        result = gp_device_run(device, &blurred->scene.list, error);
+    gp_device_destroy(&device);
+    blurred->truth = gp_alloc((size_t)(width * height), sizeof *blurred->truth);
+    for (int i = 0; i < width * height; i++)
+        blurred->truth[i] = picture->level[0].texels[4 * i];
+    for (int i = 0; i < 2 * MOST; i++)
+        blur_truth(blurred->truth, width, height, i % 2 == 0, i % 2);
+    return result;
+}
+
+static GpResult blur_measure(void *opened, const Frame *frame, TechniqueError *measured,
+                             GpError *error)
+{
+    const Blurred *blurred = opened;
+    const size_t pixels = (size_t)frame->color->width * frame->color->height;
+    double sum = 0;
+    (void)error;
+    *measured = (TechniqueError){ .error = 0 };
+    for (size_t i = 0; i < pixels; i++) {
+        const double off = fabs(frame->color->level[0].texels[4 * i] - blurred->truth[i]);
+        sum += off * off;
+        measured->metrics[0] = fmax(measured->metrics[0], off);
+    }
+    measured->error = sqrt(sum / (double)pixels);
+    return GP_OK;
+}
+
+static const TechniqueSweep blur_sweep[] = {
+    { "bytes", "--steps 1|2|6" },
+    { "floats", "--between floats --steps 1|6" },
+    { .method = NULL },
+};
+
+static const char *const blur_metrics[] = { "worst", NULL };
+
+static const Experiment blur_experiments[] = {
+    { .name = "blur",
+      .title = "Blur: time against codes",
+      .scene = "scene.json",
+      .sweep = blur_sweep,
+      .error_name = "codes",
+      .metrics = blur_metrics,
+      .find_truth = blur_find_truth,
+      .measure = blur_measure },
+    { .name = NULL },
+};
+
+static const Technique blur = {
+    .name = "blur",
+    .arguments = "SCENE.json",
+    .input = "a scene file",
+    .summary = "a scene, blurred",
+    .help = "Examples:\n  glasspipe blur scenes/cube.json\n\nBlurs.",
+    .settings = blur_settings,
+    .defaults = &blur_defaults,
+    .setting_bytes = sizeof(BlurSetting),
+    .experiments = blur_experiments,
+    .open = blur_open,
+    .close = blur_close,
+    .build = blur_build,
+};
+
+static const Technique *const made_up[] = { &blur, NULL };
+
+/* --- what comes by itself ----------------------------------------------------------------------- */
+
+/* Runs a line as the program would that has this technique; fills out and err; the exit code. */
+static int glasspipe(const char *line)
+{
+    char words[256], title[32], *argv[32];
+    int argc = 0;
+    snprintf(words, sizeof words, "%s", line);
+    for (char *word = strtok(words, " "); word; word = strtok(NULL, " "))
+        argv[argc++] = word;
+    argv[argc] = NULL;
+    snprintf(title, sizeof title, "glasspipe %s", argv[0]);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        bool is_chart = strcmp(argv[0], "chart") == 0;
+        argv[0] = title;
+        assert_true(freopen(".out", "w", stdout) && freopen(".err", "w", stderr));
+        exit(is_chart ? chart_command(made_up, argc, argv) : technique_command(&blur, argc, argv));
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    read_file(".out", out, sizeof out);
+    read_file(".err", err, sizeof err);
+    unlink(".out");
+    unlink(".err");
+    assert_true(WIFEXITED(status));
+    return WEXITSTATUS(status);
+}
+
+static void the_help_is_made_of_the_settings(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {
+        "Usage: glasspipe blur [OPTION...] SCENE.json",
+        "--steps=N              How often, 1 to 6 (default: 6)",
+        "--between=bytes|floats",
+        "--error=E",
+        "--output=FILE          Write the picture to FILE",
+        "--size=WxH",
+        "--threads=N",
+    };
+    assert_int_equal(glasspipe("blur --help"), EXIT_DONE);
+    for (size_t i = 0; i < GP_COUNT(parts); i++)
+        expect_contains(out, parts[i]);
+}
+
+static void the_command_draws_and_tells(void **state)
+{
+    (void)state;
+    char first[256];
+    assert_int_equal(glasspipe("blur scene.json -o a.png"), EXIT_DONE);
+    expect_matches(out, "^hash A8R8G8B8 64x48 [0-9a-f]{16}\n$");
+    expect_contains(err, "wrote a.png");
+    strcpy(first, out);
+    assert_int_equal(glasspipe("blur -q scene.json --executor reference"), EXIT_DONE);
+    assert_string_equal(out, first);
+    assert_int_equal(glasspipe("blur scene.json --json --size 32x32 --steps 2 --between floats"),
+                     EXIT_DONE);
+    json_t *object = parse_output();
+    assert_string_equal(json_string_value(json_object_get(object, "setting")),
+                        "--steps 2 --between floats");
+    assert_int_equal(json_integer_value(json_object_get(object, "width")), 32);
+    assert_int_equal(json_integer_value(json_object_get(object, "passes")), 4);
+    json_decref(object);
+    expect_files("a.png scene.json scene.png");
+}
+
+static void mistakes_are_told(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *line;
+        int code;
+        const char *message;
+    } wrong[] = {
+        { "blur", EXIT_USAGE, "expected a scene file" },
+        { "blur scene.json --steps 7", EXIT_USAGE, "--steps: expected a whole number from 1 to 6" },
+        { "blur scene.json --between bits", EXIT_USAGE, "--between: expected bytes or floats" },
+        { "blur scene.json -o a.nrrd", EXIT_USAGE, "a.nrrd" },
+        { "blur missing.json", EXIT_INPUT, "missing.json" },
+        { "blur scene.json --error 1", EXIT_INPUT, "`glasspipe chart blur' makes it" },
+        { "chart shadow", EXIT_USAGE, "no technique 'shadow' (there are: blur)" },
+        { "chart blur --scaling", EXIT_USAGE, "blur has no table of what grows" },
+    };
+    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
+        assert_int_equal(glasspipe(wrong[i].line), wrong[i].code);
+        expect_contains(err, wrong[i].message);
+        assert_string_equal(out, "");
+    }
+    expect_files("scene.json");
+}
+
+/* More steps are nearer to the truth, and floats nearer than bytes. */
+static void a_chart_is_drawn_and_an_error_chooses_from_it(void **state)
+{
+    (void)state;
+    assert_int_equal(glasspipe("chart blur -t 0 -o . --json"), EXIT_DONE);
+    json_t *chart = parse_output(), *points = json_object_get(chart, "points");
+    assert_int_equal(json_array_size(points), 5);
+    double errors[5];
+    for (size_t i = 0; i < GP_COUNT(errors); i++)
+        errors[i] = json_number_value(json_object_get(json_array_get(points, i), "error"));
+    assert_true(errors[0] > errors[1] && errors[1] > errors[2] && errors[2] > errors[4]);
+    assert_true(errors[4] < 0.5 && errors[2] < 6);
+    assert_string_equal(json_string_value(json_object_get(chart, "technique")), "blur");
+    json_decref(chart);
+    assert_int_equal(access("blur.svg", R_OK) | access("blur.csv", R_OK), 0);
+    assert_int_equal(access("blur_1.png", R_OK) | access("index.html", R_OK), 0);
+
+    assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 0.2"), EXIT_DONE);
+    expect_contains(err, "chose --between floats --steps 6 (floats): ");
+    assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 0"), EXIT_INPUT);
+    expect_contains(err, "no setting has at most 0 codes");
+    assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 9 --steps 2"),
+                     EXIT_USAGE);
+}
+
+int main(void)
+{
+#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
+    const struct CMUnitTest tests[] = {
+        TEST(the_help_is_made_of_the_settings),
+        TEST(the_command_draws_and_tells),
+        TEST(mistakes_are_told),
+        TEST(a_chart_is_drawn_and_an_error_chooses_from_it),
+    };
+    return cmocka_run_group_tests_name("a made-up technique", tests, NULL, NULL);
+}
