@@ -17,6 +17,11 @@ static inline uint64_t random_bits(Random *random)
     return z ^ (z >> 31);
 }
 
+static inline uint32_t random_word(Random *random)
+{
+    return (uint32_t)(random_bits(random) >> 32);
+}
+
 /* Integer in [low, high]. */
 static inline int32_t random_int(Random *random, int32_t low, int32_t high)
 {

@@ -1,14 +1,8 @@
 /* Matrices of cameras, against their definitions and libm. */
 #include "apps/base/camera.h"
+#include "tests/support/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 static const Camera some_camera = {
     .eye = { 3, 2, 5 },

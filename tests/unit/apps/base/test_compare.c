@@ -1,12 +1,9 @@
 /* The picture comparison: figures worked out by hand, and a brute-force SSIM as oracle. */
 #include "apps/base/compare.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum { SIDE = 70 }; /* two tiles a side, the second one narrow */
 
@@ -20,11 +17,9 @@ static Pair pair;
 /* Two equal pictures of a fixed pattern in [0, 1). */
 static void fill_pair(uint32_t width, uint32_t height, int channels)
 {
-    uint32_t state = 12345;
-    for (size_t i = 0; i < GP_COUNT(pair.a); i++) {
-        state = state * 1664525u + 1013904223u;
-        pair.a[i] = (float)(state >> 8) / 16777216.0f;
-    }
+    Random random = { 12345 };
+    for (size_t i = 0; i < GP_COUNT(pair.a); i++)
+        pair.a[i] = random_float(&random, 0, 1);
     memcpy(pair.b, pair.a, sizeof pair.a);
     pair.pa = (ComparePicture){ width, height, channels, pair.a };
     pair.pb = (ComparePicture){ width, height, channels, pair.b };

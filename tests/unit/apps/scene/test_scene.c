@@ -3,19 +3,13 @@
 #include "apps/scene/scene.h"
 
 #include "shaders_c/materials/phong.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
 
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 /* Loads a scene from text by way of a file. */
 static GpResult load_with(const char *text, size_t length, const SceneOptions *options,
@@ -86,12 +80,11 @@ static void broken_text_does_not_lead_the_search_outside(void **state)
     (void)state;
     static const char alphabet[] = "{}[]\",:\\ 1a\n";
     static const JsonStep path[] = { { "a", 0 }, { NULL, 1 } };
-    uint32_t random = 1;
+    Random random = { 1 };
     for (int round = 0; round < 20000; round++) {
         char text[24];
         for (size_t i = 0; i < sizeof text; i++) {
-            random = random * 1664525u + 1013904223u;
-            text[i] = alphabet[(random >> 16) % (sizeof alphabet - 1)];
+            text[i] = alphabet[random_word(&random) % (sizeof alphabet - 1)];
         }
         int line = json_line(text, sizeof text, path, 2);
         assert_true(line >= 1 && line <= (int)sizeof text + 1);

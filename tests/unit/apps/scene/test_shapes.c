@@ -1,15 +1,8 @@
 /* Procedural shapes: closed, turned outwards, and of the size that geometry says. */
 #include "apps/scene/shapes.h"
+#include "tests/support/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 static const double pi = 3.14159265358979323846;
 

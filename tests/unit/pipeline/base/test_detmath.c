@@ -1,12 +1,9 @@
 /* The arithmetic unit's functions: against the C library in double, at every edge, and the same
  * bits in every build. */
 #include "tests/kernel/detmath_oracle.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
 #include <xxhash.h>
 
 static bool same_bits_or_both_nan(float a, float b)
@@ -89,16 +86,6 @@ static void r52_rsq_exp2_log2_sin_cos_are_within_two_ulp(void **state)
     assert_within_bounds(names, GP_COUNT(names));
 }
 
-/* The next of a fixed sequence of 64-bit numbers. */
-static uint64_t next_random(uint64_t *state)
-{
-    *state += UINT64_C(0x9e3779b97f4a7c15);
-    uint64_t z = *state;
-    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
-    return z ^ z >> 31;
-}
-
 /* Asserts 15 bits of pow(x, y) where the true result is a normal float; tells whether it is. */
 static bool pow_is_accurate(float x, float y)
 {
@@ -114,16 +101,16 @@ static bool pow_is_accurate(float x, float y)
 static void r52_pow_of_random_pairs_has_15_bits(void **state)
 {
     (void)state;
-    uint64_t random = 1;
+    Random random = { 1 };
     uint32_t normal = 0;
     for (uint32_t i = 0; i < 600000; i++) {
-        uint32_t bits = (uint32_t)next_random(&random) & 0x7fffffff;
+        uint32_t bits = (uint32_t)random_bits(&random) & 0x7fffffff;
         float scale = gp_bits_float((bits & 15) << 23 | 0x38000000); /* 2^-15 ... 1 */
         float x = i % 3 == 0   ? gp_bits_float(bits)
                   : i % 3 == 1 ? (float)(bits >> 7) * 0x1p-24f
                                : 1.0f + ((float)(bits >> 7) - 0x1p23f) * 0x1p-24f * scale;
         /* The exponent that takes x anywhere in the range of floats. */
-        double target = (double)(next_random(&random) >> 11) * 0x1p-53 * 254.0 - 126.0;
+        double target = (double)(random_bits(&random) >> 11) * 0x1p-53 * 254.0 - 126.0;
         float y = (float)(target / log2((double)x));
         if (isfinite(x) && isfinite(y))
             normal += pow_is_accurate(x, y);

@@ -5,6 +5,7 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image_file.h"
 #include "tests/support/folder.h"
+#include "tests/support/random.h"
 
 #include <errno.h>
 #include <fenv.h>
@@ -15,12 +16,6 @@
 
 static GpError error;
 
-static uint32_t next_random(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (uint32_t)(*seed >> 33);
-}
-
 static size_t image_bytes(const GpImage *image)
 {
     return (size_t)image->width * image->height * image->channels *
@@ -29,13 +24,14 @@ static size_t image_bytes(const GpImage *image)
 
 /* A picture of random bits; floats are kept from being signalling NaNs only. */
 static GpImage random_image(uint32_t width, uint32_t height, uint32_t channels, GpImageType type,
-                            uint64_t seed)
+                            uint64_t number)
 {
+    Random seed = { number };
     GpImage image = { .width = width, .height = height, .channels = channels, .type = type };
     image.data = gp_alloc(image_bytes(&image), 1);
     assert_non_null(image.data);
     for (size_t i = 0; i < image_bytes(&image); i++)
-        ((uint8_t *)image.data)[i] = (uint8_t)next_random(&seed);
+        ((uint8_t *)image.data)[i] = (uint8_t)random_word(&seed);
     size_t samples = image_bytes(&image) / gp_image_sample_size(type);
     for (size_t i = 0; i < samples; i++) {
         if (type == GP_IMAGE_F32 && (((uint32_t *)image.data)[i] & 0x7f800000u) == 0x7f800000u)
@@ -418,7 +414,7 @@ static void damaged_bytes_give_a_picture_or_an_error(void **state)
     GpFile samples[24];
     const char *names[24];
     size_t count = make_samples(samples, names);
-    uint64_t seed = 2005;
+    Random seed = { 2005 };
     unsigned refused = 0, read = 0;
     for (size_t i = 0; i < count; i++) {
         const GpFile *file = &samples[i];
@@ -426,13 +422,13 @@ static void damaged_bytes_give_a_picture_or_an_error(void **state)
         FILE *open_file = fopen(path, "r+b");
         assert_non_null(open_file);
         for (int round = 0; round < 1000; round++) {
-            uint32_t changes = 1 + next_random(&seed) % 3;
+            uint32_t changes = 1 + random_word(&seed) % 3;
             size_t at[3];
             for (uint32_t c = 0; c < changes; c++) {
                 /* Half of the changes hit the header. */
-                size_t range = next_random(&seed) % 2 || file->size < 400 ? file->size : 400;
-                at[c] = next_random(&seed) % range;
-                poke(open_file, at[c], (char)next_random(&seed));
+                size_t range = random_word(&seed) % 2 || file->size < 400 ? file->size : 400;
+                at[c] = random_word(&seed) % range;
+                poke(open_file, at[c], (char)random_word(&seed));
             }
             GpImage image;
             GpResult result = gp_image_read(path, &image, &error);

@@ -1,5 +1,6 @@
 /* Ranges of index arrays: as a plain loop finds them, by lanes, threads, and from memory. */
 #include "pipeline/list/index_range.h"
+#include "tests/support/random.h"
 #include "tests/support/unit.h"
 
 enum { MOST = 300001 }; /* some parts, and a rest that fills no lanes */
@@ -8,9 +9,9 @@ static uint32_t indices[MOST];
 
 static void set_up(void)
 {
-    uint32_t state = 1;
+    Random random = { 1 };
     for (uint32_t i = 0; i < MOST; i++)
-        indices[i] = state = state * 1664525u + 1013904223u;
+        indices[i] = random_word(&random);
 }
 
 static void agrees(GpIndexRanges *ranges, const uint32_t *first, uint32_t count)

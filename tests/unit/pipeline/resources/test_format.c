@@ -1,23 +1,13 @@
 /* Formats: every rounding between floats and stored bits (R19-R21, R23, R24, R26-R28, R31, R37). */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
 
 #include "pipeline/resources/format.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
 
 #define assert_float_bits(a, b) assert_int_equal(gp_float_bits(a), gp_float_bits(b))
 
 /* A small generator of its own: the same numbers on every machine. */
-static uint32_t next_random(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return *seed ^ *seed >> 16;
-}
-
 static float above(float value)
 {
     return nextafterf(value, INFINITY);
@@ -45,10 +35,10 @@ static uint32_t exact_unorm(float value, int bits)
 static void r19_float_to_depth_adds_half_and_truncates(void **state)
 {
     (void)state;
-    uint32_t seed = 19;
+    Random seed = { 19 };
     for (int i = 0; i < 400000; i++) {
         /* Evenly spread values, and values of all sizes down to the denormals. */
-        uint32_t random = next_random(&seed);
+        uint32_t random = random_word(&seed);
         float value = i & 1 ? (float)(random >> 8) * 0x1p-24f : gp_bits_float(random % 0x3f800001u);
         assert_int_equal(gp_depth_code(GP_D16, value), exact_unorm(value, 16));
         assert_int_equal(gp_depth_code(GP_D24S8, value), exact_unorm(value, 24));
@@ -86,11 +76,11 @@ static void r21_depth_codes_order_as_depths_do(void **state)
 {
     (void)state;
     static const GpFormat formats[] = { GP_D16, GP_D24S8, GP_D32F };
-    uint32_t seed = 21;
+    Random seed = { 21 };
     for (size_t f = 0; f < GP_COUNT(formats); f++) {
         for (int i = 0; i < 100000; i++) {
-            float a = gp_bits_float(next_random(&seed) % 0x3f800001u);
-            float b = i & 1 ? above(a) : (float)(next_random(&seed) >> 8) * 0x1p-24f;
+            float a = gp_bits_float(random_word(&seed) % 0x3f800001u);
+            float b = i & 1 ? above(a) : (float)(random_word(&seed) >> 8) * 0x1p-24f;
             if (b > 1.0f)
                 continue;
             uint32_t code_a = gp_depth_code(formats[f], a), code_b = gp_depth_code(formats[f], b);
@@ -371,9 +361,9 @@ static void r31_depth_texels_round_trip(void **state)
         assert_int_equal(stencil, 0);
         assert_int_equal(texel[2], 0xaa);
     }
-    uint32_t seed = 31;
+    Random seed = { 31 };
     for (int i = 0; i < 100000; i++) {
-        uint32_t word = next_random(&seed), code;
+        uint32_t word = random_word(&seed), code;
         uint8_t texel[4], stencil;
         gp_depth_store(GP_D24S8, texel, word >> 8, (uint8_t)word);
         gp_depth_load(GP_D24S8, texel, &code, &stencil);
@@ -392,13 +382,13 @@ static void r31_floats_round_trip_and_nan_is_canonical(void **state)
     static const uint32_t nans[] = { 0x7f800001u, 0x7fbfffffu, 0xffc00000u, 0xffffffffu,
                                      0x7fc00000u };
     static const GpFormat formats[] = { GP_R32F, GP_A32B32G32R32F };
-    uint32_t seed = 32;
+    Random seed = { 32 };
     for (size_t f = 0; f < GP_COUNT(formats); f++) {
         size_t bytes = gp_format_info(formats[f])->bytes;
         for (int i = 0; i < 50000; i++) {
             uint32_t words[4];
             for (int c = 0; c < 4; c++)
-                words[c] = next_random(&seed) % 0x7f800001u | (next_random(&seed) & 0x80000000u);
+                words[c] = random_word(&seed) % 0x7f800001u | (random_word(&seed) & 0x80000000u);
             uint8_t texel[16], back[16];
             for (int b = 0; b < 16; b++)
                 texel[b] = (uint8_t)(words[b / 4] >> 8 * (b % 4));
@@ -465,7 +455,7 @@ static void channels_lie_in_memory_as_the_format_is_named(void **state)
 static void r37_kept_channels_keep_their_bits(void **state)
 {
     (void)state;
-    uint32_t seed = 37;
+    Random seed = { 37 };
     for (size_t f = 0; f < GP_COUNT(byte_layouts); f++) {
         GpFormat format = byte_layouts[f].format;
         const char *layout = byte_layouts[f].channel_of_byte;
@@ -474,9 +464,9 @@ static void r37_kept_channels_keep_their_bits(void **state)
                 uint8_t before[16], masked[16], written[16];
                 float rgba[4];
                 for (int b = 0; b < 16; b++) /* any bits, NaN payloads too */
-                    before[b] = masked[b] = (uint8_t)(next_random(&seed) >> 24);
+                    before[b] = masked[b] = (uint8_t)(random_word(&seed) >> 24);
                 for (int c = 0; c < 4; c++)
-                    rgba[c] = (float)(next_random(&seed) >> 8) * 0x1p-24f;
+                    rgba[c] = (float)(random_word(&seed) >> 8) * 0x1p-24f;
                 gp_texel_store(format, written, rgba, 0);
                 gp_texel_store(format, masked, rgba, keep);
                 for (size_t b = 0; b < 16; b++) {

@@ -1,15 +1,10 @@
 /* Surfaces: sizes, limits, clears, mip levels, hashes. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <xxhash.h>
-#include <cmocka.h>
 
 #include "pipeline/resources/surface.h"
+#include "tests/support/unit.h"
 
 static GpSurface *make(GpFormat format, uint32_t width, uint32_t height, uint32_t levels)
 {

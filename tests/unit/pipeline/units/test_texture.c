@@ -1,22 +1,12 @@
 /* Texture filtering, depth comparison, borders and sample reports (R46, R48, R49; A7). */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
 
 #include "pipeline/units/texture.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
 
 #define assert_float_bits(a, b) assert_int_equal(gp_float_bits(a), gp_float_bits(b))
-
-static uint32_t next_random(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return *seed ^ *seed >> 16;
-}
 
 static GpSurface *make(GpFormat format, uint32_t width, uint32_t height, uint32_t levels)
 {
@@ -55,14 +45,14 @@ static void sample(const GpTexture *texture, float u, float v, float lod, float 
 }
 
 /* Texel values of every size a format can hold, from tiny to huge, and of both signs. */
-static float wild_value(GpFormat format, uint32_t *seed)
+static float wild_value(GpFormat format, Random *seed)
 {
-    uint32_t bits = next_random(seed);
+    uint32_t bits = random_word(seed);
     if (!gp_format_info(format)->is_float)
         return (float)(bits >> 8) * 0x1p-24f;
     if (gp_format_info(format)->bytes / gp_format_info(format)->channels == 2)
         return gp_float_from_half((uint16_t)(bits % 0x7c00u | (bits & 0x80000000u) >> 16));
-    return gp_bits_float(bits % 0x7f800000u | (next_random(seed) & 0x80000000u));
+    return gp_bits_float(bits % 0x7f800000u | (random_word(seed) & 0x80000000u));
 }
 
 /* --- R46 -------------------------------------------------------------------------------------- */
@@ -70,7 +60,7 @@ static float wild_value(GpFormat format, uint32_t *seed)
 static void r46_a_constant_texture_gives_that_constant_bit_for_bit(void **state)
 {
     (void)state;
-    uint32_t seed = 46;
+    Random seed = { 46 };
     for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
         GpSurface *s = make(format, 5, 3, GP_MAX_LEVELS);
         for (int round = 0; round < 60; round++) {
@@ -86,9 +76,9 @@ static void r46_a_constant_texture_gives_that_constant_bit_for_bit(void **state)
             GpTexture texture = linear(s, GP_MIRROR);
             texture.sampler.mip = GP_MIP_LINEAR;
             for (int i = 0; i < 200; i++) {
-                float u = (float)(next_random(&seed) >> 8) * 0x1p-22f;
-                float v = (float)(next_random(&seed) >> 8) * 0x1p-22f;
-                sample(&texture, u, v, (float)(next_random(&seed) >> 8) * 0x1p-22f, rgba);
+                float u = (float)(random_word(&seed) >> 8) * 0x1p-22f;
+                float v = (float)(random_word(&seed) >> 8) * 0x1p-22f;
+                sample(&texture, u, v, (float)(random_word(&seed) >> 8) * 0x1p-22f, rgba);
                 for (int c = 0; c < 4; c++)
                     assert_float_bits(rgba[c], expected[c]);
             }
@@ -116,7 +106,7 @@ static void r46_every_8_bit_constant_survives_every_weight(void **state)
 static void r46_the_output_lies_between_the_texels(void **state)
 {
     (void)state;
-    uint32_t seed = 461;
+    Random seed = { 461 };
     for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
         GpSurface *s = make(format, 2, 2, 1);
         GpTexture texture = linear(s, GP_CLAMP);
@@ -134,8 +124,8 @@ static void r46_the_output_lies_between_the_texels(void **state)
                 }
             }
             for (int i = 0; i < 20; i++) {
-                float u = 0.25f + (float)(next_random(&seed) & 255) / 512.0f;
-                float v = 0.25f + (float)(next_random(&seed) & 255) / 512.0f;
+                float u = 0.25f + (float)(random_word(&seed) & 255) / 512.0f;
+                float v = 0.25f + (float)(random_word(&seed) & 255) / 512.0f;
                 sample(&texture, u, v, 0, rgba);
                 for (int c = 0; c < 4; c++)
                     assert_true(rgba[c] >= low[c] && rgba[c] <= high[c]);
@@ -172,7 +162,7 @@ static void assert_monotone(GpFormat format, float texels[2][4], bool along_v)
 static void r46_filtering_is_monotone_in_u_and_in_v(void **state)
 {
     (void)state;
-    uint32_t seed = 462;
+    Random seed = { 462 };
     for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
         for (int round = 0; round < 24; round++) {
             float texels[2][4];
@@ -223,15 +213,15 @@ static void r46_a_rising_texel_never_lowers_the_result(void **state)
 static void r46_unorm8_is_the_exact_bilinear_value_correctly_rounded(void **state)
 {
     (void)state;
-    uint32_t seed = 463;
+    Random seed = { 463 };
     GpSurface *s = make(GP_A8R8G8B8, 2, 2, 1);
     GpTexture texture = linear(s, GP_CLAMP);
     static const int byte_of_channel[4] = { 2, 1, 0, 3 };
     for (int round = 0; round < 100000; round++) {
-        int fx = (int)(next_random(&seed) >> 24), fy = (int)(next_random(&seed) >> 24);
+        int fx = (int)(random_word(&seed) >> 24), fy = (int)(random_word(&seed) >> 24);
         float rgba[4];
         for (int b = 0; b < 16; b++)
-            s->level[0].texels[b] = (uint8_t)(next_random(&seed) >> 24);
+            s->level[0].texels[b] = (uint8_t)(random_word(&seed) >> 24);
         sample(&texture, 0.25f + (float)fx / 512.0f, 0.25f + (float)fy / 512.0f, 0, rgba);
         for (int c = 0; c < 4; c++) {
             const uint8_t *t = s->level[0].texels + byte_of_channel[c];
@@ -250,14 +240,14 @@ static void r46_unorm8_is_the_exact_bilinear_value_correctly_rounded(void **stat
 static void r46_float_filtering_is_within_two_roundings_of_exact(void **state)
 {
     (void)state;
-    uint32_t seed = 464;
+    Random seed = { 464 };
     GpSurface *s = make(GP_R32F, 2, 2, 1);
     GpTexture texture = linear(s, GP_CLAMP);
     for (int round = 0; round < 50000; round++) {
         long double t[4], exact;
-        int fx = (int)(next_random(&seed) >> 24), fy = (int)(next_random(&seed) >> 24);
+        int fx = (int)(random_word(&seed) >> 24), fy = (int)(random_word(&seed) >> 24);
         for (uint32_t i = 0; i < 4; i++) {
-            float value = 1.0f + (float)(next_random(&seed) >> 8) * 0x1p-20f;
+            float value = 1.0f + (float)(random_word(&seed) >> 8) * 0x1p-20f;
             put(s, 0, i & 1, i >> 1, (const float[4]){ value });
             t[i] = (long double)value;
         }
@@ -286,7 +276,7 @@ static void srgb_is_filtered_in_linear_light(void **state)
 
 /* --- R48 -------------------------------------------------------------------------------------- */
 
-static GpSurface *make_random(GpFormat format, uint32_t size, uint32_t seed)
+static GpSurface *make_random(GpFormat format, uint32_t size, Random seed)
 {
     GpSurface *s = make(format, size, size, 1);
     for (uint32_t t = 0; t < size * size; t++) {
@@ -302,7 +292,7 @@ static void r48_texel_centres_reproduce_the_texture_exactly(void **state)
 {
     (void)state;
     for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
-        GpSurface *s = make_random(format, 4, 48);
+        GpSurface *s = make_random(format, 4, (Random){ 48 });
         for (GpAddress mode = GP_WRAP; mode < GP_ADDRESSES; mode++) {
             GpTexture texture = linear(s, mode);
             for (uint32_t t = 0; t < 16; t++) {
@@ -320,7 +310,7 @@ static void r48_texel_centres_reproduce_the_texture_exactly(void **state)
 static void r48_texel_corners_mix_four_texels_equally(void **state)
 {
     (void)state;
-    GpSurface *s = make_random(GP_A8R8G8B8, 4, 481);
+    GpSurface *s = make_random(GP_A8R8G8B8, 4, (Random){ 481 });
     GpTexture texture = linear(s, GP_CLAMP);
     static const int byte_of_channel[4] = { 2, 1, 0, 3 };
     for (uint32_t t = 0; t < 16; t++) { /* pixel (x, y) of a quad from (0,0) to (4,4) */
@@ -405,9 +395,10 @@ static void r49_both_sides_are_compared_as_stored_codes(void **state)
     for (size_t f = 0; f < GP_COUNT(formats); f++) {
         GpSurface *s = make(formats[f], 1, 1, 1);
         GpTexture texture = { .surface = s, .sampler = { .compare = true } };
-        uint32_t seed = 49, lit_against_the_float = 0;
+        Random seed = { 49 };
+        uint32_t lit_against_the_float = 0;
         for (int i = 0; i < 20000; i++) {
-            float depth = (float)(next_random(&seed) >> 8) * 0x1p-26f; /* finer than D24 */
+            float depth = (float)(random_word(&seed) >> 8) * 0x1p-26f; /* finer than D24 */
             uint32_t code = gp_depth_code(formats[f], depth);
             float stored = gp_depth_from_code(formats[f], code);
             put(s, 0, 0, 0, (const float[4]){ depth });
@@ -428,9 +419,9 @@ static void r49_d32f_is_compared_as_floats(void **state)
     (void)state;
     GpSurface *s = make(GP_D32F, 1, 1, 1);
     GpTexture texture = { .surface = s, .sampler = { .compare = true } };
-    uint32_t seed = 491;
+    Random seed = { 491 };
     for (int i = 0; i < 20000; i++) {
-        float depth = gp_bits_float(next_random(&seed) % 0x3f800000u);
+        float depth = gp_bits_float(random_word(&seed) % 0x3f800000u);
         put(s, 0, 0, 0, (const float[4]){ depth });
         assert_float_bits(compare(&texture, 0.5f, 0.5f, depth), 1.0f);
         assert_float_bits(compare(&texture, 0.5f, 0.5f, nextafterf(depth, 2.0f)), 0.0f);
@@ -670,22 +661,22 @@ static void odd_coordinates_and_lods_stay_inside(void **state)
 static void a_report_explains_its_sample(void **state)
 {
     (void)state;
-    uint32_t seed = 8;
+    Random seed = { 8 };
     for (GpFormat format = GP_A8R8G8B8; format < GP_D16; format++) {
         GpSurface *s = make(format, 8, 4, GP_MAX_LEVELS);
         for (uint32_t l = 0; l < s->levels; l++)
             for (uint32_t t = 0; t < s->level[l].width * s->level[l].height; t++) {
                 float color[4];
                 for (int c = 0; c < 4; c++)
-                    color[c] = (float)(next_random(&seed) >> 8) * 0x1p-24f;
+                    color[c] = (float)(random_word(&seed) >> 8) * 0x1p-24f;
                 put(s, l, t % s->level[l].width, t / s->level[l].width, color);
             }
         GpTexture texture = linear(s, GP_BORDER);
         texture.sampler.mip = GP_MIP_LINEAR;
         for (int i = 0; i < 2000; i++) {
-            float uvr[3] = { (float)(next_random(&seed) >> 8) * 0x1p-23f - 0.5f,
-                             (float)(next_random(&seed) >> 8) * 0x1p-23f - 0.5f, 0 };
-            float lod = (float)(next_random(&seed) >> 8) * 0x1p-22f, rgba[4], again[4];
+            float uvr[3] = { (float)(random_word(&seed) >> 8) * 0x1p-23f - 0.5f,
+                             (float)(random_word(&seed) >> 8) * 0x1p-23f - 0.5f, 0 };
+            float lod = (float)(random_word(&seed) >> 8) * 0x1p-22f, rgba[4], again[4];
             GpSampleReport report;
             gp_texture_sample(&texture, uvr, lod, rgba, &report);
             gp_texture_sample(&texture, uvr, lod, again, NULL);
@@ -719,7 +710,7 @@ static void a_report_explains_its_sample(void **state)
 static void a_point_report_names_one_texel(void **state)
 {
     (void)state;
-    GpSurface *s = make_random(GP_A8R8G8B8, 4, 11);
+    GpSurface *s = make_random(GP_A8R8G8B8, 4, (Random){ 11 });
     GpTexture texture = { .surface = s };
     const float uvr[3] = { 0.8f, 0.3f, 0 };
     float rgba[4];

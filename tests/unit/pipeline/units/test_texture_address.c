@@ -1,14 +1,11 @@
 /* Texture addressing and level of detail (R40-R44). */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 
 #include "pipeline/units/texture.h"
 #include "pipeline/units/texture_address.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
 
 static const uint32_t sizes[] = { 1, 2, 3, 4, 5, 7, 16, 100, 255, 1024, 4095, 8191, 8192 };
 
@@ -308,12 +305,12 @@ static void r44_lod_is_log2_of_the_longer_axis(void **state)
         assert_true(gp_texture_lod(along_u, shorter, 256, 64) == (float)k);
         assert_true(gp_texture_lod(shorter, along_v, 256, 64) == (float)k);
     }
-    uint32_t seed = 44;
+    Random random = { 44 };
     for (int i = 0; i < 20000; i++) {
         float d[4];
         for (int c = 0; c < 4; c++) {
-            seed = seed * 1664525u + 1013904223u;
-            d[c] = ldexpf((float)(int32_t)seed * 0x1p-31f, (int)(seed >> 8 & 15) - 10);
+            const int exponent = random_int(&random, -10, 5);
+            d[c] = ldexpf(random_float(&random, -1, 1), exponent);
         }
         double x = hypot((double)d[0] * 300, (double)d[1] * 200);
         double y = hypot((double)d[2] * 300, (double)d[3] * 200);
