@@ -521,34 +521,31 @@ static void compare_json_holds_the_metrics(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(no_command_shows_the_help_on_stderr_and_is_a_usage_error),
-        TEST(help_and_version_go_to_stdout),
-        TEST(every_command_shows_examples_before_options),
-        TEST(help_and_man_page_have_the_same_options),
-        TEST(unknown_commands_are_usage_errors_with_a_suggestion),
-        TEST(wrong_option_values_are_usage_errors_that_name_the_option),
-        TEST(wrong_settings_of_a_technique_are_usage_errors),
-        TEST(an_unknown_isa_in_the_environment_is_a_usage_error),
-        TEST(bad_outputs_are_refused_before_rendering),
-        TEST(bad_scenes_are_input_errors_that_name_the_file),
-        TEST(scenes_and_settings_that_do_not_go_together_are_input_errors),
-        TEST(unreadable_pictures_are_input_errors),
-        TEST(render_writes_the_picture_and_prints_its_hash),
-        TEST(render_names_its_picture_after_the_scene),
-        TEST(threads_isa_and_executor_never_change_the_hash),
-        TEST(shadow_draws_the_same_bits_on_everything_and_tells_its_setting),
-        TEST(render_json_has_the_hash_times_and_counters),
-        TEST(passes_can_be_listed_and_dumped),
-        TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),
-        TEST(a_full_or_closed_stdout_is_an_internal_error_with_a_message),
-        TEST(a_reader_that_left_is_an_error_and_no_signal),
-        TEST(compare_tells_same_different_and_different_sizes),
-        TEST(compare_writes_the_scaled_difference),
-        TEST(compare_json_holds_the_metrics),
+        PROGRAM_TEST(no_command_shows_the_help_on_stderr_and_is_a_usage_error),
+        PROGRAM_TEST(help_and_version_go_to_stdout),
+        PROGRAM_TEST(every_command_shows_examples_before_options),
+        PROGRAM_TEST(help_and_man_page_have_the_same_options),
+        PROGRAM_TEST(unknown_commands_are_usage_errors_with_a_suggestion),
+        PROGRAM_TEST(wrong_option_values_are_usage_errors_that_name_the_option),
+        PROGRAM_TEST(wrong_settings_of_a_technique_are_usage_errors),
+        PROGRAM_TEST(an_unknown_isa_in_the_environment_is_a_usage_error),
+        PROGRAM_TEST(bad_outputs_are_refused_before_rendering),
+        PROGRAM_TEST(bad_scenes_are_input_errors_that_name_the_file),
+        PROGRAM_TEST(scenes_and_settings_that_do_not_go_together_are_input_errors),
+        PROGRAM_TEST(unreadable_pictures_are_input_errors),
+        PROGRAM_TEST(render_writes_the_picture_and_prints_its_hash),
+        PROGRAM_TEST(render_names_its_picture_after_the_scene),
+        PROGRAM_TEST(threads_isa_and_executor_never_change_the_hash),
+        PROGRAM_TEST(shadow_draws_the_same_bits_on_everything_and_tells_its_setting),
+        PROGRAM_TEST(render_json_has_the_hash_times_and_counters),
+        PROGRAM_TEST(passes_can_be_listed_and_dumped),
+        PROGRAM_TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),
+        PROGRAM_TEST(a_full_or_closed_stdout_is_an_internal_error_with_a_message),
+        PROGRAM_TEST(a_reader_that_left_is_an_error_and_no_signal),
+        PROGRAM_TEST(compare_tells_same_different_and_different_sizes),
+        PROGRAM_TEST(compare_writes_the_scaled_difference),
+        PROGRAM_TEST(compare_json_holds_the_metrics),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("program", tests, find_program, NULL);
 }

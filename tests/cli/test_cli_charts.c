@@ -108,13 +108,10 @@ static void a_case_of_bench_is_one_picture(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(a_chart_chooses_the_setting_that_is_drawn),
-        TEST(an_error_that_no_setting_reaches_is_refused),
-        TEST(a_case_of_bench_is_one_picture),
+        PROGRAM_TEST(a_chart_chooses_the_setting_that_is_drawn),
+        PROGRAM_TEST(an_error_that_no_setting_reaches_is_refused),
+        PROGRAM_TEST(a_case_of_bench_is_one_picture),
     };
-    return cmocka_run_group_tests_name("charts", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("charts", tests, find_program, NULL);
 }

@@ -101,13 +101,10 @@ static void names_are_those_that_the_option_takes(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(commands_are_those_of_the_help),
-        TEST(options_are_those_of_every_commands_help),
-        TEST(names_are_those_that_the_option_takes),
+        PROGRAM_TEST(commands_are_those_of_the_help),
+        PROGRAM_TEST(options_are_those_of_every_commands_help),
+        PROGRAM_TEST(names_are_those_that_the_option_takes),
     };
-    return cmocka_run_group_tests_name("completion", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("completion", tests, find_program, NULL);
 }

@@ -124,15 +124,12 @@ static void a_pixel_can_be_followed_through_one_pass(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(explain_tells_units_and_limits_of_every_draw),
-        TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
-        TEST(the_history_of_a_covered_pixel_names_every_stage),
-        TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
-        TEST(a_pixel_can_be_followed_through_one_pass),
+        PROGRAM_TEST(explain_tells_units_and_limits_of_every_draw),
+        PROGRAM_TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
+        PROGRAM_TEST(the_history_of_a_covered_pixel_names_every_stage),
+        PROGRAM_TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
+        PROGRAM_TEST(a_pixel_can_be_followed_through_one_pass),
     };
-    return cmocka_run_group_tests_name("explain and pixel", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("explain and pixel", tests, find_program, NULL);
 }

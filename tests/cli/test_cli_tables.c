@@ -145,15 +145,12 @@ static void scaling_is_charted_for_the_meshes_that_are_there(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(tables_are_known_by_their_numbers),
-        TEST(rows_without_a_file_are_left_out),
-        TEST(table_2_1_has_the_steps_beside_the_print),
-        TEST(table_2_2_has_a_row_for_each_size),
-        TEST(scaling_is_charted_for_the_meshes_that_are_there),
+        PROGRAM_TEST(tables_are_known_by_their_numbers),
+        PROGRAM_TEST(rows_without_a_file_are_left_out),
+        PROGRAM_TEST(table_2_1_has_the_steps_beside_the_print),
+        PROGRAM_TEST(table_2_2_has_a_row_for_each_size),
+        PROGRAM_TEST(scaling_is_charted_for_the_meshes_that_are_there),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("tables", tests, find_program, NULL);
 }

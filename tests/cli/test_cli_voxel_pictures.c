@@ -141,15 +141,12 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(functions_surfaces_and_points_are_models_too),
-        TEST(two_models_are_combined_or_collide),
-        TEST(a_solid_warns_of_the_second_model_too),
-        TEST(pictures_are_drawn_of_volumes),
-        TEST(stored_pictures_are_what_their_commands_draw),
+        PROGRAM_TEST(functions_surfaces_and_points_are_models_too),
+        PROGRAM_TEST(two_models_are_combined_or_collide),
+        PROGRAM_TEST(a_solid_warns_of_the_second_model_too),
+        PROGRAM_TEST(pictures_are_drawn_of_volumes),
+        PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
     };
-    return cmocka_run_group_tests_name("voxelize pictures", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("voxelize pictures", tests, find_program, NULL);
 }

@@ -310,20 +310,17 @@ static void the_chart_of_solids_serves_too(void **state)
 
 int main(void)
 {
-    if (!find_program())
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
     const struct CMUnitTest tests[] = {
-        TEST(wrong_arguments_are_usage_errors),
-        TEST(wrong_meshes_and_settings_are_input_errors),
-        TEST(an_error_chooses_the_size),
-        TEST(the_chart_of_solids_serves_too),
-        TEST(volumes_are_written_and_hashed),
-        TEST(a_volume_is_the_same_on_everything),
-        TEST(a_placed_model_lies_where_it_is_told),
-        TEST(json_has_the_volume_its_times_and_the_report),
-        TEST(a_solid_of_an_open_mesh_warns),
-        TEST(the_report_tells_what_is_open),
+        PROGRAM_TEST(wrong_arguments_are_usage_errors),
+        PROGRAM_TEST(wrong_meshes_and_settings_are_input_errors),
+        PROGRAM_TEST(an_error_chooses_the_size),
+        PROGRAM_TEST(the_chart_of_solids_serves_too),
+        PROGRAM_TEST(volumes_are_written_and_hashed),
+        PROGRAM_TEST(a_volume_is_the_same_on_everything),
+        PROGRAM_TEST(a_placed_model_lies_where_it_is_told),
+        PROGRAM_TEST(json_has_the_volume_its_times_and_the_report),
+        PROGRAM_TEST(a_solid_of_an_open_mesh_warns),
+        PROGRAM_TEST(the_report_tells_what_is_open),
     };
-    return cmocka_run_group_tests_name("voxelize command", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("voxelize command", tests, find_program, NULL);
 }

@@ -63,6 +63,18 @@ static inline const char *put_file(const char *name, const void *bytes, size_t s
     return path;
 }
 
+/* Reads a file of the folder as text, cut where there is no room; returns its length. */
+static inline size_t get_text(const char *name, char *text, size_t size)
+{
+    FILE *file = fopen(in_folder(name), "rb");
+    if (!file)
+        fail_msg("%s is not there", name);
+    const size_t length = fread(text, 1, size - 1, file);
+    fclose(file);
+    text[length] = '\0';
+    return length;
+}
+
 static inline const char *put_text(const char *name, const char *text)
 {
     return put_file(name, text, strlen(text));

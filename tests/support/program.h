@@ -140,16 +140,19 @@ static inline int leave(void **state)
     return chdir("/") || system(line);
 }
 
-/* To be called first: false, after a message, where there is no program. */
-static inline bool find_program(void)
+/* The setup of each group: fails, after a message, where there is no program. */
+static inline int find_program(void **state)
 {
     const char *path = getenv("GLASSPIPE_BIN"), *man = getenv("GLASSPIPE_MAN");
+    (void)state;
     unsetenv("GP_ISA");
     if (realpath(path ? path : "out/bin/glasspipe", binary) &&
         realpath(man ? man : "apps/man", man_pages))
-        return true;
+        return 0;
     fputs("no glasspipe binary or man pages; see GLASSPIPE_BIN, GLASSPIPE_MAN\n", stderr);
-    return false;
+    return -1;
 }
+
+#define PROGRAM_TEST(function) cmocka_unit_test_setup_teardown(function, enter, leave)
 
 #endif

@@ -1,37 +1,24 @@
 #include "tests/support/technique_case.h"
 
-#include "tests/support/unit.h"
+#include "tests/support/scene_text.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 enum { THREADS = 2 };
 
 /* --- scenes ----------------------------------------------------------------------------------- */
 
-/* Writes a scene that is given as text to a file of its own. */
-static bool write_scene(const char *text, char *path)
-{
-    int handle = mkstemp(path);
-    FILE *file = handle < 0 ? NULL : fdopen(handle, "w");
-    if (!file)
-        return false;
-    for (const char *c = text; *c; c++)
-        fputc(*c == '\'' ? '"' : *c, file);
-    return fclose(file) == 0;
-}
-
 static GpResult open_scene(const Technique *technique, const char *scene, uint32_t width,
                            uint32_t height, void **opened, GpError *error)
 {
-    char path[] = "/tmp/glasspipe-scene-XXXXXX";
+    char path[TEMPORARY_PATH], text[4096];
     if (scene[0] != '{')
         return technique_open(technique, scene, width, height, opened, error);
-    if (!write_scene(scene, path))
-        return gp_fail(error, GP_ERROR_IO, "%s: cannot be written", path);
+    const size_t length = strlen(scene);
+    assert_true(length < sizeof text);
+    for (size_t i = 0; i < length; i++)
+        text[i] = scene[i] == '\'' ? '"' : scene[i];
+    put_temporary(text, length, path);
     GpResult result = technique_open(technique, path, width, height, opened, error);
     unlink(path);
     return result;

@@ -219,11 +219,8 @@ static void pictures_are_of_the_front_and_older_ones_go(void **state)
         assert_int_equal(point->best, point->picture[0] != '\0');
         if (!point->best)
             continue;
-        char magic[4] = "";
-        FILE *file = fopen(in_folder(point->picture), "rb");
-        assert_non_null(file);
-        assert_int_equal(fread(magic, 1, 4, file), 4);
-        fclose(file);
+        char magic[5];
+        assert_int_equal(get_text(point->picture, magic, sizeof magic), 4);
         assert_memory_equal(magic, "\x89PNG", 4);
         pictures++;
     }

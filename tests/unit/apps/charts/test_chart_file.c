@@ -105,12 +105,9 @@ static void csv_quotes_what_needs_it(void **state)
                           .points = points,
                           .count = 2 };
     GpError error = { "" };
-    char text[1024] = "";
+    char text[1024];
     assert_int_equal(chart_write(in_folder("c"), &chart, &error), GP_OK);
-    FILE *file = fopen(in_folder("c.csv"), "rb");
-    assert_non_null(file);
-    assert_true(fread(text, 1, sizeof text - 1, file) > 0);
-    fclose(file);
+    get_text("c.csv", text, sizeof text);
     assert_string_equal(text, "method,options,ms,min_ms,cpu_ms,frames,\"wrong, pixels\",x,y,best\n"
                               "\"a, b\",\"--c \"\"d\"\"\",0.1,0.5,2,7,1e-300,3,nan,1\n"
                               "plain,\"two\nlines\",0.3333333333333333,0,0,0,0,0,0,0\n");

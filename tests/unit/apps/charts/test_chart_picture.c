@@ -12,14 +12,6 @@ static const Technique *const no_techniques[] = { NULL };
 
 static char page[1 << 20];
 
-static void read_page(const char *name)
-{
-    FILE *file = fopen(in_folder(name), "rb");
-    assert_non_null(file);
-    page[fread(page, 1, sizeof page - 1, file)] = '\0';
-    fclose(file);
-}
-
 /* --- a chart ------------------------------------------------------------------------------------ */
 
 static const char nasty[] = "<b> & \"c\" 'd' </title> \x01";
@@ -226,7 +218,7 @@ static void the_page_holds_all_charts_and_nothing_from_elsewhere(void **state)
     put_text("broken.json", "{\"technique\": <\"a\"");
     put_text("readme.txt", "not ours");
     assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
-    read_page("index.html");
+    get_text("index.html", page, sizeof page);
     markup_check(page);
     assert_int_equal(markup_count(page, "<section"), 2);
     assert_int_equal(markup_count(page, "<svg"), 2);
@@ -246,7 +238,7 @@ static void a_page_without_charts_is_a_page(void **state)
     (void)state;
     GpError error = { "" };
     assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
-    read_page("index.html");
+    get_text("index.html", page, sizeof page);
     markup_check(page);
     assert_int_equal(chart_write_page(in_folder("none"), no_techniques, &error), GP_ERROR_IO);
     assert_non_null(strstr(error.text, "none"));
@@ -272,7 +264,7 @@ static void pictures_are_in_the_page_as_base64(void **state)
         char expected[64];
         put_text("a_1.png", vectors[i][0]);
         assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
-        read_page("index.html");
+        get_text("index.html", page, sizeof page);
         markup_check(page);
         snprintf(expected, sizeof expected, "src=\"data:image/png;base64,%s\"", vectors[i][1]);
         assert_true(markup_count(page, expected) > 0);
@@ -287,7 +279,7 @@ static void pictures_that_are_missing_or_elsewhere_are_left_out(void **state)
     write_chart("b", "Second", "../b.png");
     put_text("c.png", "abc");
     assert_int_equal(chart_write_page(folder, no_techniques, &error), GP_OK);
-    read_page("index.html");
+    get_text("index.html", page, sizeof page);
     assert_int_equal(markup_count(page, "<section"), 2);
     assert_int_equal(markup_count(page, "<img"), 0);
 }

@@ -241,14 +241,6 @@ static void no_points_are_a_picture_too(void **state)
 
 static char content[1 << 17];
 
-static void read_content(const char *name)
-{
-    FILE *file = fopen(in_folder(name), "rb");
-    assert_non_null(file);
-    content[fread(content, 1, sizeof content - 1, file)] = '\0';
-    fclose(file);
-}
-
 static void files_are_csv_and_svg(void **state)
 {
     (void)state;
@@ -258,13 +250,13 @@ static void files_are_csv_and_svg(void **state)
     scaling.count = 2;
     assert_int_equal(scaling_write(in_folder("g"), &scaling, &error), GP_OK);
     assert_int_equal(folder_count(false), 2);
-    read_content("g.csv");
+    get_text("g.csv", content, sizeof content);
     assert_string_equal(content, "grows,amount,method,scene,options,ms,min_ms,cpu_ms,frames\n"
                                  "\"voxels, a side\",8,\"thin, \"\"1\"\"\",a/mesh<0>.ply,--size 0,"
                                  "0.64,0.32,1.28,9\n"
                                  "\"voxels, a side\",16,\"thin, \"\"1\"\"\",a/mesh<1>.ply,--size 1,"
                                  "2.56,1.28,5.12,9\n");
-    read_content("g.svg");
+    get_text("g.svg", content, sizeof content);
     markup_check(content);
     assert_int_equal(scaling_write(in_folder("none/g"), &scaling, &error), GP_ERROR_IO);
     scaling_free(&scaling);
@@ -297,7 +289,7 @@ static void the_page_shows_the_scaling_of_techniques_that_declare_it(void **stat
     put_text("shadow_scaling.svg", "<svg>");
     put_text("other_scaling.svg", "<svg>");
     assert_int_equal(chart_write_page(folder, technique_registry, &error), GP_OK);
-    read_content("index.html");
+    get_text("index.html", content, sizeof content);
     markup_check(content);
     assert_int_equal(markup_count(content, "<svg"), 1);
     assert_int_equal(markup_count(content, "<section id=\"voxelize_scaling\">"), 1);

@@ -4,38 +4,17 @@
 
 #include "shaders_c/materials/phong.h"
 #include "tests/support/random.h"
-#include "tests/support/unit.h"
+#include "tests/support/scene_text.h"
 
 #include <dirent.h>
 #include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
-/* Loads a scene from text by way of a file. */
-static GpResult load_with(const char *text, size_t length, const SceneOptions *options,
-                          Scene *scene, GpError *error)
-{
-    char path[] = "/tmp/test_scene_XXXXXX";
-    int handle = mkstemp(path);
-    assert_true(handle >= 0);
-    assert_int_equal(write(handle, text, length), (ssize_t)length);
-    close(handle);
-    GpResult result = scene_load(path, options, scene, error);
-    unlink(path);
-    return result;
-}
-
-static GpResult load_text(const char *text, size_t length, Scene *scene, GpError *error)
-{
-    return load_with(text, length, NULL, scene, error);
-}
-
 static Scene load(const char *text)
 {
-    Scene scene = { 0 };
+    Scene scene = load_scene(text);
     GpError error = { "" };
-    if (load_text(text, strlen(text), &scene, &error))
-        fail_msg("%s", error.text);
     if (gp_list_check(&scene.list, &error))
         fail_msg("%s", error.text);
     return scene;
@@ -46,7 +25,7 @@ static void refused(const char *text, const char *expected)
 {
     Scene scene = { 0 };
     GpError error = { "" };
-    GpResult result = load_text(text, strlen(text), &scene, &error);
+    GpResult result = load_scene_text(text, strlen(text), NULL, &scene, &error);
     if (result != GP_ERROR_FORMAT)
         fail_msg("%s gives '%s', not '%s'", text, gp_result_name(result), expected);
     const char *line = strchr(error.text, ':');
@@ -268,16 +247,12 @@ static void pictures_from_files_keep_their_bytes(void **state)
 static void the_size_can_be_overridden(void **state)
 {
     (void)state;
-    char path[] = "/tmp/test_scene_XXXXXX";
-    int handle = mkstemp(path);
-    assert_int_equal(write(handle, "{\"size\":[30,20]}", 16), 16);
-    close(handle);
     Scene scene = { 0 };
-    assert_int_equal(scene_load(path, &(SceneOptions){ .width = 7, .height = 5 }, &scene, NULL),
+    assert_int_equal(load_scene_text("{\"size\":[30,20]}", 16,
+                                     &(SceneOptions){ .width = 7, .height = 5 }, &scene, NULL),
                      GP_OK);
     assert_true(scene.picture->width == 7 && scene.depth->height == 5);
     scene_free(&scene);
-    unlink(path);
 }
 
 /* --- what is refused --------------------------------------------------------------------------- */
@@ -433,7 +408,7 @@ static void memory_that_runs_short_is_told(void **state)
     for (uint32_t n = 1; result; n++) {
         Scene scene = { 0 };
         GpError error = { "" };
-        result = load_with(text, strlen(text), &(SceneOptions){ .fails = n }, &scene, &error);
+        result = load_scene_text(text, strlen(text), &(SceneOptions){ .fails = n }, &scene, &error);
         if (result && (result != GP_ERROR_MEMORY || !strstr(error.text, ": out of memory")))
             fail_msg("%u pieces of memory: %s", n, error.text);
         assert_true(result ? !scene.frame.arena.chunks : scene.frame.arena.calls < n && n > 20);
@@ -466,7 +441,8 @@ static void damaged_scenes_do_no_harm(void **state)
             text[i] = *byte;
             Scene scene = { 0 };
             GpError error = { "" };
-            GpResult result = load_text(text, *byte == '0' ? i : sizeof good - 1, &scene, &error);
+            GpResult result =
+                load_scene_text(text, *byte == '0' ? i : sizeof good - 1, NULL, &scene, &error);
             assert_true(result == GP_OK || (result == GP_ERROR_FORMAT && error.text[0]));
             scene_free(&scene);
         }

@@ -1,7 +1,7 @@
 /* What a light's map sees under each fit, against the vertices and points of scenes. */
 #include "apps/techniques/shadow/light_fit.h"
 #include "apps/scene/bounds.h"
-#include "tests/support/unit.h"
+#include "tests/support/scene_text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,26 +15,19 @@ static const char spot[] = "{ \"position\": [-20, 30, -10], \"at\": [0, 0, -16],
 /* A long floor with blocks in two rows that go away from the eye. */
 static Scene load(const char *light, const char *camera)
 {
-    char path[] = "/tmp/test_light_fit_XXXXXX";
-    FILE *file = fdopen(mkstemp(path), "w");
-    assert_non_null(file);
-    fprintf(file, "{ \"size\": [64, 48], \"camera\": %s, \"lights\": [ %s ], \"objects\": [",
-            camera, light);
+    char text[4096];
+    size_t used = (size_t)snprintf(
+        text, sizeof text,
+        "{ \"size\": [64, 48], \"camera\": %s, \"lights\": [ %s ], \"objects\": [", camera, light);
     for (int i = 0; i < 12; i++)
-        fprintf(file,
-                "{ \"mesh\": \"builtin:cube\", \"transform\": { \"scale\": [0.4, 1, 0.4], "
-                "\"translate\": [%d, 1, %d] } }, ",
-                i % 2 ? 2 : -2, -5 * (i / 2));
-    fprintf(file, "{ \"name\": \"floor\", \"mesh\": \"builtin:plane\", \"transform\": "
-                  "{ \"scale\": [9, 1, 30], \"translate\": [0, 0, -20] } } ] }");
-    fclose(file);
-    Scene scene;
-    GpError error = { "" };
-    GpResult result = scene_load(path, NULL, &scene, &error);
-    remove(path);
-    if (result)
-        fail_msg("%s", error.text);
-    return scene;
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "{ \"mesh\": \"builtin:cube\", \"transform\": { \"scale\": "
+                                 "[0.4, 1, 0.4], \"translate\": [%d, 1, %d] } }, ",
+                                 i % 2 ? 2 : -2, -5 * (i / 2));
+    snprintf(text + used, sizeof text - used,
+             "{ \"name\": \"floor\", \"mesh\": \"builtin:plane\", \"transform\": "
+             "{ \"scale\": [9, 1, 30], \"translate\": [0, 0, -20] } } ] }");
+    return load_scene(text);
 }
 
 static Scene avenue(const char *light)

@@ -1,6 +1,6 @@
 /* Adaptive shadow maps: finer tiles where the eye sees edges of shadows, held against cast rays. */
 #include "apps/techniques/shadow/shadow.h"
-#include "tests/support/unit.h"
+#include "tests/support/scene_text.h"
 #include "apps/truth/shadow_error.h"
 
 #include <stdio.h>
@@ -17,26 +17,17 @@ static const char bulb[] = "\"position\": [-6, 8, 3]";
 /* A floor with a knot, a ball and a block on it. */
 static Scene load(const char *light)
 {
-    char path[] = "/tmp/test_shadow_tiles_XXXXXX";
-    FILE *file = fdopen(mkstemp(path), "w");
-    assert_non_null(file);
-    fprintf(file,
-            "{ \"size\": [%d, %d], \"camera\": { \"eye\": [2, 3, 7], \"at\": [0, 0.6, 0], "
-            "\"fovy\": 40, \"near\": 1, \"far\": 40 }, \"lights\": [ { %s } ], \"objects\": [ "
-            "{ \"mesh\": \"builtin:knot\", \"transform\": { \"translate\": [0, 1.2, 0] } }, "
-            "{ \"mesh\": \"builtin:ball\", \"transform\": { \"translate\": [-2.5, 1, -1] } }, "
-            "{ \"mesh\": \"builtin:cube\", \"transform\": { \"scale\": 0.5, "
-            "\"translate\": [2.5, 0.5, 0] } }, "
-            "{ \"mesh\": \"builtin:plane\", \"transform\": { \"scale\": 12 } } ] }",
-            WIDTH, HEIGHT, light);
-    fclose(file);
-    Scene scene;
-    GpError error = { "" };
-    GpResult result = scene_load(path, NULL, &scene, &error);
-    remove(path);
-    if (result)
-        fail_msg("%s", error.text);
-    return scene;
+    char text[1024];
+    snprintf(text, sizeof text,
+             "{ \"size\": [%d, %d], \"camera\": { \"eye\": [2, 3, 7], \"at\": [0, 0.6, 0], "
+             "\"fovy\": 40, \"near\": 1, \"far\": 40 }, \"lights\": [ { %s } ], \"objects\": [ "
+             "{ \"mesh\": \"builtin:knot\", \"transform\": { \"translate\": [0, 1.2, 0] } }, "
+             "{ \"mesh\": \"builtin:ball\", \"transform\": { \"translate\": [-2.5, 1, -1] } }, "
+             "{ \"mesh\": \"builtin:cube\", \"transform\": { \"scale\": 0.5, "
+             "\"translate\": [2.5, 0.5, 0] } }, "
+             "{ \"mesh\": \"builtin:plane\", \"transform\": { \"scale\": 12 } } ] }",
+             WIDTH, HEIGHT, light);
+    return load_scene(text);
 }
 
 static ShadowSetting setting_of(LightFit fit)
