@@ -1,10 +1,10 @@
 # Checks what files include: awk -f floors.awk -f check_includes.awk FILE...
 #
 # Includes are written from the repository's root and point to the same room or down (floors.awk).
-# Further: a shader knows the shader language, its own header and what shaders share; files come in
-# through pipeline/io, and techniques read none; applications know the machine by public headers, no unit and no executor;
-# the truth shares no arithmetic with what it judges; intrinsics stand in lanes.h, C++ in pipeline/io
-# and the counting lanes, and each library where it belongs.
+# Further: a shader knows the shader language, its own header and what shaders share; applications know
+# the machine by public headers, no unit and no executor, and techniques read no files; the truth
+# shares no arithmetic with what it judges; intrinsics stand in lanes.h, C++ in pipeline/io and the
+# counting lanes, and each library where it belongs.
 
 BEGIN { failed = 0 }
 
@@ -40,14 +40,15 @@ function check_project(from, to,    fault)
 
 # NAME_shared.h is code that several shaders share, and may stand on other such code; other headers
 # are uniforms and programs.
-function check_shader(from, to,    is_code, allowed, own)
+function check_shader(from, to,    is_code, is_shared, allowed, own)
 {
+    is_shared = to ~ /_shared\.h$/
     is_code = from ~ /\.c$|_shared\.h$/
     allowed = is_code ? "pipeline/shader.h" : "pipeline/shader/program.h"
     own = from
     sub(/\.c$/, ".h", own)
     if (to != allowed && to != own && \
-        !(below(to, "shaders_c") && (from ~ /_shared\.h$/ || (from ~ /\.h$/) == (to !~ /_shared\.h$/))))
+        !(below(to, "shaders_c") && (from ~ /_shared\.h$/ || is_shared == (from ~ /\.c$/))))
         complain("a shader includes its own header, what shaders share and " allowed ", not " to)
 }
 

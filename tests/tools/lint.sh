@@ -43,7 +43,7 @@ tests/                           the facts of one unit stay together
 # shellcheck disable=SC2086 # lists of files without spaces
 {
     awk -f tests/tools/floors.awk -f tests/tools/check_includes.awk $sources ||
-        moving "lint: includes that point up"
+        fault "lint: includes that point up"
     { nm -A -P "$@"; echo "$sources" | grep -v '^tests/' | xargs grep '#include "'; } |
         awk -v objects="$build/obj/" -f tests/tools/floors.awk -f tests/tools/check_circles.awk ||
         moving "lint: calls that point up, or in a circle"
