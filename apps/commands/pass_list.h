@@ -2,7 +2,7 @@
 #ifndef APPS_COMMANDS_PASS_LIST_H
 #define APPS_COMMANDS_PASS_LIST_H
 
-#include "pipeline/list/list.h"
+#include "pipeline/glasspipe.h"
 
 #include <jansson.h>
 

@@ -2,7 +2,7 @@
 #ifndef APPS_COMMANDS_PIXEL_JSON_H
 #define APPS_COMMANDS_PIXEL_JSON_H
 
-#include "pipeline/list/trace.h"
+#include "pipeline/glasspipe.h"
 
 #include <jansson.h>
 
