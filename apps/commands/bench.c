@@ -27,6 +27,8 @@ typedef struct Bench {
     const char *table; /* number; NULL: cases are drawn */
 } Bench;
 
+static char table_help[160]; /* with the numbers that there are */
+
 static const SettingField options[] = {
     { "list", NULL, "List the cases", SETTING_FLAG, .offset = offsetof(Bench, list),
       .letter = 'l' },
@@ -34,10 +36,7 @@ static const SettingField options[] = {
       .offset = offsetof(Bench, seconds), .high = OPTIONS_ANY, .letter = 't' },
     { "images", "DIR", "Write each case's picture to DIR/CASE.png", SETTING_TEXT,
       .offset = offsetof(Bench, images) },
-    { "table", "NUMBER",
-      "Measure a table of the publications again, beside what was "
-      "printed: 2.1, 2.2 (voxelization), 4.1 or 4.2 (shadows)",
-      SETTING_TEXT, .offset = offsetof(Bench, table) },
+    { "table", "NUMBER", table_help, SETTING_TEXT, .offset = offsetof(Bench, table) },
     { "phases", NULL, "Look at the clock inside tiles too: costs some time", SETTING_FLAG,
       .offset = offsetof(Bench, options.timed) },
     { .name = NULL },
@@ -246,6 +245,10 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 int cmd_bench(int argc, char **argv)
 {
     Bench bench = { .seconds = 3 };
+    char list[64];
+    paper_tables_list(technique_registry, list, sizeof list);
+    snprintf(table_help, sizeof table_help,
+             "Measure a table of the publications again, beside what was printed: %s", list);
     command_parse(&syntax, NULL, argc, argv, &bench);
     if (bench.list) {
         for (size_t i = 0; i < bench_case_count; i++)

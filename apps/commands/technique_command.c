@@ -270,8 +270,11 @@ static int print_object(const TechniqueArgs *args, const Result *result)
 static void print_warnings(const TechniqueReport *told)
 {
     const char *line = told->warnings.data ? told->warnings.data : "";
-    for (; *line; line += strcspn(line, "\n") + 1)
-        report(0, "warning: %.*s", (int)strcspn(line, "\n"), line);
+    while (*line) {
+        const size_t length = strcspn(line, "\n");
+        report(0, "warning: %.*s", (int)length, line);
+        line += length + (line[length] == '\n');
+    }
 }
 
 /* The first frame is what is written and told; --json times a second one. */

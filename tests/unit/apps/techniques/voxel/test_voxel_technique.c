@@ -344,5 +344,5 @@ int main(void)
         cmocka_unit_test(what_contradicts_itself_is_refused),
         cmocka_unit_test(models_that_are_none_are_refused),
     };
-    return cmocka_run_group_tests_name("voxel study", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("voxelization as a technique", tests, NULL, NULL);
 }
