@@ -160,7 +160,7 @@ static void sample(const TruthTriangle *t, const double normal[3], int axis, uin
         }
 }
 
-void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, bool all_axes,
+void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, unsigned axes,
                 double margin, uint8_t *bits)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -168,7 +168,7 @@ void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, b
         truth_normal(&triangles[i], normal);
         int only = nearest_axis(normal);
         for (int axis = 0; axis < 3; axis++)
-            if (all_axes || axis == only)
+            if (axes ? axes >> axis & 1 : axis == only)
                 sample(&triangles[i], normal, axis, size, margin, bits);
     }
 }

@@ -24,10 +24,10 @@ void voxel_surface(const TruthTriangle *triangles, uint32_t count, uint32_t size
 /* Sets the voxels that sampling finds: a triangle is looked at along axes, in lines through the
  * centres of voxels; where it is met within `margin` of a line (beyond its edges too), and within
  * `margin` of a voxel, that is set. With a negative margin those that are met for certain.
- * in     all_axes: along each axis; else along the one that the triangle's normal is nearest to
- *        (the first of equals)
+ * in     axes: bit k: along axis k; 0: along the one that the triangle's normal is nearest to (the
+ *        first of equals)
  * in/out bits: [voxel_bytes(size)] */
-void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, bool all_axes,
+void voxel_thin(const TruthTriangle *triangles, uint32_t count, uint32_t size, unsigned axes,
                 double margin, uint8_t *bits);
 
 /* Sets the voxels whose centre has an odd number of triangles above it, along z.
@@ -41,6 +41,8 @@ void voxel_solid(const TruthTriangle *triangles, uint32_t count, uint32_t size, 
  * in/out bits: [voxel_bytes(size)] */
 void voxel_near(const TruthTriangle *triangles, uint32_t count, uint32_t size, double distance,
                 uint8_t *bits);
+
+enum { VOXEL_ALL_AXES = 7 };
 
 /* Number of bits that are set. */
 uint64_t voxel_count(const uint8_t *bits, uint32_t size);

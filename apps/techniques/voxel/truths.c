@@ -29,8 +29,8 @@ static void find(const TruthTriangle *triangles, uint32_t count, const VoxelTrut
         voxel_surface(triangles, count, size, surface_margin, truth->most);
         break;
     case VOXEL_TRUTH_SAMPLED:
-        voxel_thin(triangles, count, size, true, -surface_margin, truth->least);
-        voxel_thin(triangles, count, size, true, surface_margin, truth->most);
+        voxel_thin(triangles, count, size, VOXEL_ALL_AXES, -surface_margin, truth->least);
+        voxel_thin(triangles, count, size, VOXEL_ALL_AXES, surface_margin, truth->most);
         break;
     case VOXEL_TRUTH_INSIDE:
         find_inside(triangles, count, truth);

@@ -102,8 +102,8 @@ static void thin_is_within_the_surface(void **state)
         memset(thin, 0, sizeof thin);
         memset(one, 0, sizeof one);
         voxel_surface(&t, 1, SIZE, 1e-9, bits);
-        voxel_thin(&t, 1, SIZE, true, 0, thin);
-        voxel_thin(&t, 1, SIZE, false, 0, one);
+        voxel_thin(&t, 1, SIZE, VOXEL_ALL_AXES, 0, thin);
+        voxel_thin(&t, 1, SIZE, 0, 0, one);
         for (size_t k = 0; k < sizeof bits; k++) {
             assert_int_equal(thin[k] & ~bits[k], 0);
             assert_int_equal(one[k] & ~thin[k], 0);
@@ -169,7 +169,7 @@ static void known_meshes_have_known_counts(void **state)
             volume[k] = gp_alloc(voxel_bytes(size), 1);
         if (known[i].surface) {
             voxel_surface(triangles, count, size, 0, volume[0]);
-            voxel_thin(triangles, count, size, true, 0, volume[1]);
+            voxel_thin(triangles, count, size, VOXEL_ALL_AXES, 0, volume[1]);
             assert_int_equal(voxel_count(volume[0], size), known[i].surface);
             assert_int_equal(voxel_count(volume[1], size), known[i].thin);
         } else {

@@ -2,6 +2,7 @@
  * counted once. No time is judged. */
 #include "apps/techniques/voxel/models.h"
 #include "apps/techniques/voxel/sheets_time.h"
+#include "apps/base/machine.h"
 #include "apps/techniques/voxel/technique.h"
 #include "tests/support/unit.h"
 
@@ -53,21 +54,26 @@ static void the_printed_method_has_passes_of_all_steps(void **state)
     tear_down(&stage);
 }
 
+/* Each took time, and all of them no more than the clock on the wall says. */
 static void every_step_takes_time(void **state)
 {
     (void)state;
     Stage stage;
     GpError error = { "" };
     SheetsTimes steps = { 0, 0, 0 };
-    double sort = 0;
+    double sort = 0, begin, elapsed;
     set_up(&stage, "--method sheets --size 64");
+    begin = machine_clock_ms(CLOCK_MONOTONIC);
     if (sheets_time_steps(&stage.clock, &stage.frame, &steps, &error))
         fail_msg("%s", error.text);
+    elapsed = machine_clock_ms(CLOCK_MONOTONIC) - begin;
     assert_true(steps.raster > 0 && steps.texelize > 0 && steps.synthesize > 0);
+    assert_true(steps.raster + steps.texelize + steps.synthesize <= elapsed);
+    begin = machine_clock_ms(CLOCK_MONOTONIC);
     assert_int_equal(sheets_time_sort(&stage.clock, &((const VoxelModels *)stage.scene)->scene, 512,
                                       &sort, &error),
                      GP_OK);
-    assert_true(sort > 0);
+    assert_true(sort > 0 && sort <= machine_clock_ms(CLOCK_MONOTONIC) - begin);
     tear_down(&stage);
 }
 

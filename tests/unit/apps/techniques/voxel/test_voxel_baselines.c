@@ -1,6 +1,7 @@
 /* The baselines of voxelization against exact voxels: what each is right about, and how each
  * fails. */
 #include "apps/techniques/voxel/methods/methods.h"
+#include "apps/truth/triangle.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 
@@ -37,40 +38,53 @@ static void draw(Method *method, const VoxelCase *c, int kind, uint8_t *bits)
 
 /* --- what is right ---------------------------------------------------------------------------- */
 
-/* Whether lines along z see the triangle at its largest. */
-static bool faces_z(const TruthTriangle *t)
+/* How much a triangle rises along z from one column to the next, at most; it faces z where that is
+ * less than 1 in x and y. */
+static double steepness(const TruthTriangle *t)
 {
-    double a[3], b[3], n[3];
-    for (int k = 0; k < 3; k++) {
-        a[k] = t->corner[1][k] - t->corner[0][k];
-        b[k] = t->corner[2][k] - t->corner[0][k];
-    }
-    for (int k = 0; k < 3; k++) {
-        n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-        n[k] = n[k] < 0 ? -n[k] : n[k];
-    }
-    return n[2] > n[0] && n[2] > n[1];
+    double n[3];
+    truth_normal(t, n);
+    return fmax(fabs(n[0]), fabs(n[1])) / fabs(n[2]);
+}
+
+/* Voxels for certain; voxels at most. */
+typedef struct Bounded {
+    uint8_t least[FULL], most[FULL];
+} Bounded;
+
+/* Those that lines through centres along an axis meet. */
+static void meet_lines(const VoxelCase *c, int axis, Bounded *met)
+{
+    memset(met, 0, sizeof *met);
+    voxel_thin(c->triangles, c->model.triangle_count, N, 1u << axis, -MARGIN, met->least);
+    voxel_thin(c->triangles, c->model.triangle_count, N, 1u << axis, MARGIN, met->most);
 }
 
 typedef struct Surface {
     uint64_t found, lost_facing, lost, extra;
+    uint64_t beyond; /* what lines along z cannot meet, and others do */
 } Surface;
 
-/* Against what lines through centres meet: along z for triangles that face it, along all axes. */
+/* Against what lines through centres meet: along z, and along all axes. */
 static Surface measure_surface(Method *method, const VoxelCase *c)
 {
-    static uint8_t bits[FULL], facing[FULL], all[FULL], allowed[FULL];
+    static uint8_t bits[FULL], facing[FULL], all[FULL], along_z[FULL];
     memset(facing, 0, FULL);
     memset(all, 0, FULL);
-    memset(allowed, 0, FULL);
     for (uint32_t i = 0; i < c->model.triangle_count; i++)
-        if (faces_z(&c->triangles[i]))
-            voxel_thin(&c->triangles[i], 1, N, false, -MARGIN, facing);
-    voxel_thin(c->triangles, c->model.triangle_count, N, true, -MARGIN, all);
-    voxel_thin(c->triangles, c->model.triangle_count, N, true, MARGIN, allowed);
+        if (steepness(&c->triangles[i]) < 1)
+            voxel_thin(&c->triangles[i], 1, N, 0, -MARGIN, facing);
+    voxel_thin(c->triangles, c->model.triangle_count, N, VOXEL_ALL_AXES, -MARGIN, all);
+    memset(along_z, 0, FULL);
+    for (uint32_t i = 0; i < c->model.triangle_count; i++) {
+        /* by how much depth changes over what positions are snapped by */
+        const double margin = MARGIN * fmin(2 * steepness(&c->triangles[i]) + 1, N);
+        voxel_thin(&c->triangles[i], 1, N, 1u << 2, margin, along_z);
+    }
     draw(method, c, VOXEL_SURFACE, bits);
     return (Surface){ voxel_count(bits, N), voxel_count_without(facing, bits, N),
-                      voxel_count_without(all, bits, N), voxel_count_without(bits, allowed, N) };
+                      voxel_count_without(all, bits, N), voxel_count_without(bits, along_z, N),
+                      voxel_count_without(all, along_z, N) };
 }
 
 typedef struct Solid {
@@ -102,14 +116,14 @@ static void surfaces_are_what_one_view_sees(void **state)
     static const struct {
         const char *name;
         double turn;
-        uint64_t found, lost;
+        uint64_t found, lost; /* 0: not known otherwise */
     } cases[] = {
-        { "sphere", 0, 3264, 1960 },
-        { "torus", 0, 1792, 1716 },
-        { "cube", askew, 2382, 864 },
+        { "sphere", 0, 0, 0 },
+        { "torus", 0, 0, 0 },
+        { "cube", askew, 0, 0 },
         /* its sides, edge-on, are gone; lines that meet a diagonal are no triangle's for certain */
         { "cube", 0, 2 * 46 * 46, 4 * 45 * 44 - 4 * 44 },
-        { "meshes/bunny.ply", 0, 2523, 1329 },
+        { "meshes/bunny.ply", 0, 0, 0 },
     };
     static Method *const methods[] = { voxel_slices, voxel_layered_depth };
     for (size_t i = 0; i < GP_COUNT(cases); i++)
@@ -118,8 +132,11 @@ static void surfaces_are_what_one_view_sees(void **state)
             Surface s = measure_surface(methods[m], &c);
             assert_int_equal(s.extra, 0);
             assert_int_equal(s.lost_facing, 0);
-            assert_int_equal(s.found, cases[i].found);
-            assert_int_equal(s.lost, cases[i].lost);
+            assert_true(s.beyond > 500 && s.lost >= s.beyond);
+            if (cases[i].found) {
+                assert_int_equal(s.found, cases[i].found);
+                assert_int_equal(s.lost, cases[i].lost);
+            }
             voxel_case_free(&c);
         }
 }
@@ -142,6 +159,41 @@ static void closed_solids_are_the_parity_of_centres(void **state)
 
 /* --- how they fail ---------------------------------------------------------------------------- */
 
+/* Voxels between the first and the last that lines along an axis meet; taken away from `between`. */
+static void keep_between(const uint8_t *met, int axis, bool ends, uint8_t *between)
+{
+    const uint32_t step[3] = { 1, N, N * N };
+    for (uint32_t column = 0; column < N * N; column++) {
+        const uint32_t start =
+            column % N * step[(axis + 1) % 3] + column / N * step[(axis + 2) % 3];
+        uint32_t first = N, last = 0;
+        for (uint32_t z = 0; z < N; z++) {
+            const uint32_t i = start + z * step[axis];
+            if (met[i / 8] >> i % 8 & 1) {
+                first = first < z ? first : z;
+                last = z;
+            }
+        }
+        for (uint32_t z = 0; z < N; z++) {
+            const uint32_t i = start + z * step[axis];
+            if (ends ? z < first || z > last : z <= first || z >= last)
+                between[i / 8] = (uint8_t)(between[i / 8] & ~(1u << i % 8));
+        }
+    }
+}
+
+/* What lies between surfaces along all three axes: all that six faces cannot tell from the inside. */
+static void find_unseen(const VoxelCase *c, Bounded *unseen)
+{
+    static Bounded met;
+    memset(unseen, 0xff, sizeof *unseen);
+    for (int axis = 0; axis < 3; axis++) {
+        meet_lines(c, axis, &met);
+        keep_between(met.least, axis, false, unseen->least);
+        keep_between(met.most, axis, true, unseen->most);
+    }
+}
+
 /* Six faces are exact for what is convex, and for bends that one of them sees; other bends fill. */
 static void six_faces_fill_what_none_sees(void **state)
 {
@@ -149,17 +201,26 @@ static void six_faces_fill_what_none_sees(void **state)
     static const struct {
         const char *name;
         double turn;
-        uint64_t extra;
+        bool fills;
     } cases[] = {
-        { "sphere", 0, 0 },    { "cube", askew, 0 }, { "torus", 0, 0 },
-        { "torus", askew, 0 }, { "knot", 0, 80 },    { "knot", askew, 76 },
+        { "sphere", 0, false },    { "cube", askew, false }, { "torus", 0, false },
+        { "torus", askew, false }, { "knot", 0, true },      { "knot", askew, true },
     };
+    static uint8_t bits[FULL], solid[FULL];
+    static Bounded unseen;
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         VoxelCase c = voxel_case_open(cases[i].name, cases[i].turn, N);
         Solid s = measure_solid(voxel_faces, &c);
         assert_true(s.found > 1000);
         assert_int_equal(s.missing, 0);
-        assert_int_equal(s.extra, cases[i].extra);
+        assert_int_equal(s.extra > 0, cases[i].fills);
+        draw(voxel_faces, &c, VOXEL_SOLID, bits);
+        find_unseen(&c, &unseen);
+        assert_int_equal(voxel_count_without(unseen.least, bits, N), 0);
+        assert_int_equal(voxel_count_without(bits, unseen.most, N), 0);
+        memset(solid, 0, FULL);
+        voxel_solid(c.triangles, c.model.triangle_count, N, solid);
+        assert_int_equal(voxel_count_without(unseen.least, solid, N) > 0, cases[i].fills);
         voxel_case_free(&c);
     }
 }

@@ -18,7 +18,8 @@ static void touched(const VoxelCase *subject, uint32_t size, double margin, uint
 
 static void sampled(const VoxelCase *subject, uint32_t size, double margin, uint8_t *bits)
 {
-    voxel_thin(subject->triangles, subject->model.triangle_count, size, true, margin, bits);
+    voxel_thin(subject->triangles, subject->model.triangle_count, size, VOXEL_ALL_AXES, margin,
+               bits);
 }
 
 /* All that is certain is there, and nothing that is certainly not. Returns the voxels. */

@@ -59,9 +59,9 @@ static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int metho
             bounds->certain[i] = (uint8_t)(bounds->certain[i] & ~near[i]);
         }
     } else if (method == VOXEL_THIN) {
-        voxel_thin(c->triangles, c->model.triangle_count, SIZE, true, -surface_margin,
+        voxel_thin(c->triangles, c->model.triangle_count, SIZE, VOXEL_ALL_AXES, -surface_margin,
                    bounds->certain);
-        voxel_thin(c->triangles, c->model.triangle_count, SIZE, true, surface_margin,
+        voxel_thin(c->triangles, c->model.triangle_count, SIZE, VOXEL_ALL_AXES, surface_margin,
                    bounds->possible);
     } else {
         voxel_surface(c->triangles, c->model.triangle_count, SIZE, -surface_margin,

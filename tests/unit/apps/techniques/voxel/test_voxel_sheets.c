@@ -50,8 +50,8 @@ static void check_samples(const VoxelCase *given)
         const TruthTriangle *t = &given->triangles[i];
         const bool tie = is_tie(t);
         if (!tie)
-            voxel_thin(t, 1, size, false, -MARGIN, in);
-        voxel_thin(t, 1, size, tie, MARGIN, out);
+            voxel_thin(t, 1, size, 0, -MARGIN, in);
+        voxel_thin(t, 1, size, tie ? VOXEL_ALL_AXES : 0, MARGIN, out);
     }
     assert_true(voxel_count(in, size) > 10);
     assert_int_equal(voxel_count_without(in, voxels, size), 0);

@@ -53,7 +53,7 @@ static uint32_t count_samples(const VoxelCase *given, double margin, uint8_t *sc
     uint32_t count = 0;
     for (uint32_t i = 0; i < given->model.triangle_count; i++) {
         memset(scratch, 0, voxel_bytes(given->size));
-        voxel_thin(&given->triangles[i], 1, given->size, false, margin, scratch);
+        voxel_thin(&given->triangles[i], 1, given->size, 0, margin, scratch);
         count += (uint32_t)voxel_count(scratch, given->size);
     }
     return count;
