@@ -4,8 +4,8 @@
 
 #include "pipeline/fast/arena.h"
 #include "pipeline/fast/fast.h"
-#include "pipeline/fast/frame.h"
-#include "pipeline/fast/stages.h"
+#include "pipeline/fast/draws/draw.h"
+#include "pipeline/fast/lanes/stages.h"
 #include "pipeline/list/list_check.h"
 #include "pipeline/base/pool.h"
 

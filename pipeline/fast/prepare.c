@@ -1,7 +1,7 @@
 /* Draws, passes and groups made ready for the stages: what they need, how fragments go, room. */
 #include "pipeline/fast/executor.h"
-#include "pipeline/fast/group.h"
-#include "pipeline/fast/sampler.h"
+#include "pipeline/fast/draws/group.h"
+#include "pipeline/fast/draws/sampler.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* The three phases of a group, and how often: once, or in rounds where its bins outgrow their memory. */
-#include "pipeline/fast/clear.h"
+#include "pipeline/fast/draws/clear.h"
 #include "pipeline/base/clock.h"
 #include "pipeline/fast/executor.h"
-#include "pipeline/fast/group.h"
+#include "pipeline/fast/draws/group.h"
 
 /* --- phases --------------------------------------------------------------------------------------- */
 

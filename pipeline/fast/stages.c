@@ -1,4 +1,4 @@
-#include "pipeline/fast/stages.h"
+#include "pipeline/fast/lanes/stages.h"
 
 /* Those that were compiled: a build may have fewer widths. */
 static const FastStages *const stages[] = {

@@ -1,8 +1,8 @@
 /* Vertices: shaded GP_LANES at a time, put on the screen, and marked where they are outside. */
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 #include "pipeline/units/input_assembly.h"
-#include "pipeline/fast/sampler.h"
+#include "pipeline/fast/draws/sampler.h"
 #include "pipeline/units/texture_read.h"
 #include "pipeline/units/viewport.h"
 

@@ -1,5 +1,5 @@
 /* Blending and write masks of GP_LANES pixels inside the tile. */
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/output/quantize.h"
 
 #include <string.h>

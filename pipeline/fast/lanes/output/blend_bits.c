@@ -1,6 +1,6 @@
 /* Logical blends of A8R8G8B8: a colour becomes a word once, and words are combined. Bits that change
  * nothing stand where a lane is dead or a channel is kept, so that none of it needs a mask. */
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/output/quantize.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Depth and stencil of GP_LANES pixels inside the tile, in any state. */
 #include "pipeline/fast/lanes/output/depth.h"
 
-#include "pipeline/fast/lanes/quads.h"
+#include "pipeline/fast/lanes/memory/quads.h"
 
 /* --- the stencil plane -------------------------------------------------------------------------- */
 

@@ -3,7 +3,7 @@
 #define GP_FAST_DEPTH_H
 
 #include "pipeline/resources/compare.h"
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 /* Depth to the code that is stored, as gp_depth_code: unorm by binary64, floats by their bits. */
 GP_INLINE itg depth_codes(GpFormat format, flt z)

@@ -2,7 +2,7 @@
 #ifndef GP_FAST_OUTPUT_QUANTIZE_H
 #define GP_FAST_OUTPUT_QUANTIZE_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 /* To [0, 1], NaN to 0. */
 GP_INLINE flt clamped(flt v)

@@ -1,5 +1,5 @@
 /* Large triangles: their rows, a lane vector at a time. */
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/raster/fragment_path.h"
 
 /* --- edges inside the tile -------------------------------------------------------------------- */

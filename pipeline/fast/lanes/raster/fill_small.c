@@ -1,6 +1,6 @@
 /* Small triangles: some rows at a time, down the columns of their boxes. */
 #include "pipeline/fast/lanes/raster/batch.h"
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 
 /* Pixels across a column of rows: many boxes have no more than four. */
 enum { WIDE = GP_LANES / 2, NARROW = 4 };

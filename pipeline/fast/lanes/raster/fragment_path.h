@@ -3,7 +3,7 @@
 #define GP_FAST_RASTER_FRAGMENT_PATH_H
 
 #include "pipeline/fast/lanes/output/depth.h"
-#include "pipeline/fast/lanes/quads.h"
+#include "pipeline/fast/lanes/memory/quads.h"
 
 /* What is tested before the shader. The usual test, where nearer pixels pass and are written and
  * nothing looks at the stencil, is short enough to stand inside the loops over pixels; it may only

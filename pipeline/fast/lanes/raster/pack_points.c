@@ -5,7 +5,7 @@
  * Where a vertex shader makes much of little, its varyings are not kept between the stages: vertices are
  * shaded for their positions first, and once more, for the rest, when their points are drawn.
  * source index-driven vertex shading, as of Arm's Bifrost (2016) */
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/raster/sprite.h"
 
 #include <string.h>

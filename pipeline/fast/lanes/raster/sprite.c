@@ -5,7 +5,7 @@
  * pixel to pixel. */
 #include "pipeline/fast/lanes/raster/sprite.h"
 
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/raster/fragment_path.h"
 #include "pipeline/units/input_assembly.h"
 

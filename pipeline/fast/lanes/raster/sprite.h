@@ -2,7 +2,7 @@
 #ifndef GP_FAST_SPRITE_H
 #define GP_FAST_SPRITE_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 /* The sprites of GP_LANES points. */
 typedef struct Sprites {

@@ -2,7 +2,7 @@
 #ifndef GP_FAST_INTERPOLATE_H
 #define GP_FAST_INTERPOLATE_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 /* Barycentrics of a block's packets: weights of corners 1 and 2, on the screen and in perspective. */
 typedef struct BlockWeights {

@@ -1,7 +1,7 @@
 /* Boxes that lie one on the other, as what covers the screen again and again: shaded a few pixels at a
  * time, all layers of these before the next, so that what is blended stays in the nearest cache. */
 #include "pipeline/fast/lanes/shade/interpolate.h"
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 
 /* Components that take their values alike: four in a row, or one. */
 typedef struct Span {

@@ -1,7 +1,7 @@
 /* One call of a pixel shader: as many packets as a block has. */
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
-#include "pipeline/fast/sampler.h"
+#include "pipeline/fast/draws/sampler.h"
 
 void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacket *packets, int count)
 {

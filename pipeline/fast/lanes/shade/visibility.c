@@ -1,6 +1,6 @@
 /* The visibility buffer: after the last opaque draw, every pixel that shows a record is shaded, once. */
-#include "pipeline/fast/lanes/shade/mix.h"
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/shade/gathered.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 
 #include <string.h>
 

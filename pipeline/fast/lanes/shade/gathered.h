@@ -2,7 +2,7 @@
 #ifndef GP_FAST_MIX_H
 #define GP_FAST_MIX_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 /* Inputs of a draw's gathered packets: [packet][component]. */
 void fast_interpolate_gathered(Tile *tile, const FastDraw *draw, const FastGathered *gathered,

@@ -1,5 +1,5 @@
 /* Binning: which tiles each triangle or point touches, in submission order. */
-#include "pipeline/fast/frame.h"
+#include "pipeline/fast/draws/draw.h"
 
 #include "pipeline/base/search.h"
 #include "pipeline/units/input_assembly.h"

@@ -2,7 +2,7 @@
 #include "pipeline/fast/lanes/raster/hierarchical_depth.h"
 #include "pipeline/fast/lanes/raster/sprite.h"
 
-#include "pipeline/fast/clear.h"
+#include "pipeline/fast/draws/clear.h"
 
 #include <string.h>
 

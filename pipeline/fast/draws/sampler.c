@@ -1,4 +1,4 @@
-#include "pipeline/fast/sampler.h"
+#include "pipeline/fast/draws/sampler.h"
 
 #include "pipeline/units/texture.h"
 #include "pipeline/units/texture_address.h"

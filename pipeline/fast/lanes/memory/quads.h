@@ -3,7 +3,7 @@
 #ifndef GP_FAST_QUADS_H
 #define GP_FAST_QUADS_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 typedef int32_t itg_half __attribute__((vector_size(2 * GP_LANES)));
 

@@ -2,7 +2,7 @@
 #ifndef GP_FAST_STAGES_H
 #define GP_FAST_STAGES_H
 
-#include "pipeline/fast/frame.h"
+#include "pipeline/fast/draws/draw.h"
 
 /* What one worker needs for the tile it is in; its content is the stages' own. */
 typedef struct FastTileMemory FastTileMemory;

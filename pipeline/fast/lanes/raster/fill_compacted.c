@@ -1,7 +1,7 @@
 /* Triangles of a few pixels that are shaded in order, without depth: their pixels, loose, side by side
  * in gathered packets. A pixel is at most once in a gathered packet, so that what blends with it comes in a later one. */
 #include "pipeline/fast/lanes/raster/batch.h"
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 
 /* The gathered packet at the end of the queue. */
 typedef struct Compaction {

@@ -3,8 +3,8 @@
 #define GP_FAST_TILE_H
 
 #include "pipeline/base/clock.h"
-#include "pipeline/fast/frame.h"
-#include "pipeline/fast/stages.h"
+#include "pipeline/fast/draws/draw.h"
+#include "pipeline/fast/lanes/stages.h"
 #include "pipeline/base/lanes.h"
 #include "pipeline/fast/lanes/names.h"
 

@@ -1,6 +1,6 @@
 /* Writing of gathered packets: each lane replaces all that its pixel held. */
-#include "pipeline/fast/lanes/shade/mix.h"
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/shade/gathered.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/output/quantize.h"
 
 #include <string.h>

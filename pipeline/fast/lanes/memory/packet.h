@@ -2,7 +2,7 @@
 #ifndef GP_FAST_PATCH_H
 #define GP_FAST_PATCH_H
 
-#include "pipeline/fast/lanes/quads.h"
+#include "pipeline/fast/lanes/memory/quads.h"
 
 enum {
     ALL_LANES = (1 << GP_LANES) - 1,

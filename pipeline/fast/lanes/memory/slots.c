@@ -1,9 +1,9 @@
 /* Slots: the targets of a group inside a tile. Each is loaded or cleared when a pass first needs it,
  * read and drawn to by any number of passes, and stored once, after the last. */
-#include "pipeline/fast/group.h"
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/draws/group.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 #include "pipeline/fast/lanes/output/quantize.h"
-#include "pipeline/fast/lanes/transfer.h"
+#include "pipeline/fast/lanes/memory/transfer.h"
 
 #include "pipeline/units/texture_read.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/fast/group.h"
+#include "pipeline/fast/draws/group.h"
 
 #include "pipeline/base/search.h"
 

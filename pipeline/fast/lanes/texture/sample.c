@@ -1,9 +1,9 @@
 /* Texture units side by side: each step of pipeline/units/texture_address.c and pipeline/units/texture.c on all
  * lanes of a packet. Why the results are those of the definition stands where they part. */
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 #include "pipeline/base/detmath.h"
-#include "pipeline/fast/sampler.h"
+#include "pipeline/fast/draws/sampler.h"
 
 #include <float.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "pipeline/fast/clear.h"
+#include "pipeline/fast/draws/clear.h"
 
 #include "pipeline/base/lanes.h"
 

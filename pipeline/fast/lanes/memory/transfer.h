@@ -2,7 +2,7 @@
 #ifndef GP_FAST_TRANSFER_H
 #define GP_FAST_TRANSFER_H
 
-#include "pipeline/fast/lanes/tile.h"
+#include "pipeline/fast/lanes/memory/tile.h"
 
 /* Planes: FastPlanes of a colour format, FastDepthPlanes of a depth format. */
 void fast_load_tile(const Tile *tile, const GpSurface *surface, void *planes);

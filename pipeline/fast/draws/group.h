@@ -3,7 +3,7 @@
 #ifndef GP_FAST_GROUP_H
 #define GP_FAST_GROUP_H
 
-#include "pipeline/fast/frame.h"
+#include "pipeline/fast/draws/draw.h"
 
 /* Gives slots to the targets of a pass that have none yet; false, with nothing changed, where there
  * are too few. An empty set is large enough for any one pass. */

@@ -2,7 +2,7 @@
 #ifndef GP_FAST_CLEAR_H
 #define GP_FAST_CLEAR_H
 
-#include "pipeline/fast/frame.h"
+#include "pipeline/fast/draws/draw.h"
 
 /* Clears what a pass clears inside a box of its pixels, straight in the surfaces.
  * non_temporal: past the caches, where surfaces are large and no one draws there soon */

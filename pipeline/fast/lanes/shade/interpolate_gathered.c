@@ -1,5 +1,5 @@
 /* Shading of gathered packets: the interpolants of every lane from its own triangle, in the model's operations. */
-#include "pipeline/fast/lanes/shade/mix.h"
+#include "pipeline/fast/lanes/shade/gathered.h"
 
 #include "pipeline/fast/lanes/shade/interpolate.h"
 

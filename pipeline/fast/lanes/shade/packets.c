@@ -1,10 +1,10 @@
 /* Packets: pixels of one triangle or point on their way through the shader, in order. */
-#include "pipeline/fast/lanes/shade/patch.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 
 #include "pipeline/resources/compare.h"
 #include "pipeline/fast/lanes/output/depth.h"
 #include "pipeline/fast/lanes/shade/interpolate.h"
-#include "pipeline/fast/lanes/shade/mix.h"
+#include "pipeline/fast/lanes/shade/gathered.h"
 #include "pipeline/fast/lanes/raster/sprite.h"
 
 /* --- edges -------------------------------------------------------------------------------------- */

@@ -1,5 +1,5 @@
 /* Texels and planes. Planes hold what reading the stored texel gives, so storing never rounds. */
-#include "pipeline/fast/lanes/transfer.h"
+#include "pipeline/fast/lanes/memory/transfer.h"
 
 #include <string.h>
 
