@@ -4,7 +4,6 @@
 
 #include "pipeline/fast/arena.h"
 #include "pipeline/fast/fast.h"
-#include "pipeline/fast/draws/draw.h"
 #include "pipeline/fast/lanes/stages.h"
 #include "pipeline/list/list_check.h"
 #include "pipeline/base/pool.h"

@@ -2,7 +2,7 @@
 #include "pipeline/fast/draws/clear.h"
 #include "pipeline/base/clock.h"
 #include "pipeline/fast/executor.h"
-#include "pipeline/fast/draws/group.h"
+#include "pipeline/fast/draws/find.h"
 
 /* --- phases --------------------------------------------------------------------------------------- */
 

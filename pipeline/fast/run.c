@@ -55,6 +55,28 @@ void gp_fast_set_limit(GpFast *fast, size_t bytes)
     fast->vertex_limit = fast->budget.limit = bytes;
 }
 
+static const FastStages *const all_stages[] = {
+#ifdef GP_LANES4_ISA
+    &fast_stages4,
+#endif
+#ifdef GP_LANES8_ISA
+    &fast_stages8,
+#endif
+#ifdef GP_LANES16_ISA
+    &fast_stages16,
+#endif
+};
+
+/* The stages of a width that this build has. */
+static const FastStages *find_stages(int lanes)
+{
+    size_t i = 0;
+    while (i < GP_COUNT(all_stages) && all_stages[i]->lanes != lanes)
+        i++;
+    GP_ASSERT(i < GP_COUNT(all_stages));
+    return all_stages[i];
+}
+
 static GpResult make_tile_memory(GpFast *fast, const FastStages *stages, GpError *error)
 {
     for (int i = 0; i < gp_pool_threads(fast->pool); i++) {
@@ -98,7 +120,7 @@ static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stage
 GpResult gp_fast_run(GpFast *fast, const GpList *list, int lanes, bool timed, GpCounters *counters,
                      GpPhases *phases, GpError *error)
 {
-    const FastStages *stages = fast_stages(lanes);
+    const FastStages *stages = find_stages(lanes);
     fast->mark = fast_clock_ms();
     GpResult result = make_tile_memory(fast, stages, error);
     uint32_t *group_of = gp_alloc(list->pass_count, sizeof *group_of);

@@ -1,25 +1,14 @@
-/* Binning: which tiles each triangle or point touches, in submission order. */
-#include "pipeline/fast/draws/draw.h"
+/* Bins, and triangles that lanes leave to be binned one at a time. */
+#include "pipeline/fast/draws/bin.h"
 
 #include "pipeline/base/search.h"
 #include "pipeline/units/input_assembly.h"
+#include "pipeline/units/setup.h"
 #include "pipeline/units/texture_read.h"
+#include "pipeline/units/vertex_stage.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* --- finding draws ---------------------------------------------------------------------------------- */
-
-uint32_t fast_find_draw(const FastPass *pass, uint32_t primitive)
-{
-    return gp_last_at_most(&pass->draws->first_primitive, sizeof *pass->draws, pass->draw_count,
-                           primitive);
-}
-
-uint32_t fast_find_block(const FastPass *pass, uint32_t block)
-{
-    return gp_last_at_most(&pass->draws->first_block, sizeof *pass->draws, pass->draw_count, block);
-}
 
 /* --- bins ---------------------------------------------------------------------------------------- */
 
@@ -105,37 +94,9 @@ void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, co
 
 const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive)
 {
-    return &range->polygons[gp_last_at_most(&range->polygons->primitive, sizeof *range->polygons,
-                                            range->polygon_count, primitive)];
-}
-
-/* --- boxes ---------------------------------------------------------------------------------------- */
-
-static int32_t least(int32_t a, int32_t b)
-{
-    return a < b ? a : b;
-}
-
-static int32_t most(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
-/* Pixels whose centres a triangle may hold, cut to the draw's; false where there are none, or where
- * the triangle faces the culled way. */
-static bool triangle_box(const FastDraw *d, const int32_t x[3], const int32_t y[3], FastBox *box)
-{
-    int64_t area2 = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(x[2] - x[0]) * (y[1] - y[0]);
-    if (area2 == 0 || d->draw->state.raster.cull == (area2 > 0 ? GP_CULL_CW : GP_CULL_CCW))
-        return false;
-    const int32_t half = GP_SUBPIXELS / 2;
-    int32_t low_x = least(x[0], least(x[1], x[2])), high_x = most(x[0], most(x[1], x[2]));
-    int32_t low_y = least(y[0], least(y[1], y[2])), high_y = most(y[0], most(y[1], y[2]));
-    box->x0 = most((low_x + half - 1) >> GP_SUBPIXEL_BITS, d->rect.x0);
-    box->y0 = most((low_y + half - 1) >> GP_SUBPIXEL_BITS, d->rect.y0);
-    box->x1 = least((high_x - half) >> GP_SUBPIXEL_BITS, d->rect.x1 - 1);
-    box->y1 = least((high_y - half) >> GP_SUBPIXEL_BITS, d->rect.y1 - 1);
-    return box->x0 <= box->x1 && box->y0 <= box->y1;
+    const FastClipPolygon *first = range->polygons;
+    return first +
+           gp_last_at_most(&first->primitive, sizeof *first, range->polygon_count, primitive);
 }
 
 /* --- triangles that the clipper must see -------------------------------------------------------------------- */
@@ -152,9 +113,9 @@ static void shade_again(const FastDraw *d, uint32_t number, GpVertex *vertex)
     gp_shade_vertices(&stage, inputs, 1, vertex);
 }
 
-/* Keeps a cut polygon's corners; their varyings are found by number until the arrays rest. */
-static bool keep_polygon(const FastDraw *d, FastRange *range, uint32_t primitive,
-                         const GpClipPolygon *polygon, const GpScreenVertex *screen)
+/* Stores a clip polygon's corners; their varyings are found by number until the arrays rest. */
+static bool store_polygon(const FastDraw *d, FastRange *range, uint32_t primitive,
+                          const GpClipPolygon *polygon, const GpScreenVertex *screen)
 {
     uint32_t corners = (uint32_t)polygon->corners, stride = (uint32_t)d->modes.components;
     FastClipPolygon *polygons = grown(range, range->polygons, range->polygon_count + 1,
@@ -162,11 +123,11 @@ static bool keep_polygon(const FastDraw *d, FastRange *range, uint32_t primitive
     if (!polygons)
         return false;
     range->polygons = polygons;
-    GpScreenVertex *kept = grown(range, range->corners, range->corner_count + corners,
-                                 &range->corner_room, sizeof *kept);
-    if (!kept)
+    GpScreenVertex *corner = grown(range, range->corners, range->corner_count + corners,
+                                   &range->corner_room, sizeof *corner);
+    if (!corner)
         return false;
-    range->corners = kept;
+    range->corners = corner;
     float *varyings = grown(range, range->corner_varyings, range->corner_count + corners,
                             &range->varying_room, sizeof(float[GP_MAX_VARYINGS]));
     if (!varyings)
@@ -178,7 +139,7 @@ static bool keep_polygon(const FastDraw *d, FastRange *range, uint32_t primitive
                                                                  .corners = corners };
     for (uint32_t i = 0; i < corners; i++) {
         uint32_t at = range->corner_count + i;
-        kept[at] = screen[i];
+        corner[at] = screen[i];
         memcpy(varyings + (size_t)at * GP_MAX_VARYINGS, polygon->corner[i].varying,
                stride * sizeof(float));
     }
@@ -202,19 +163,18 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
             return;
     FastBox whole = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
     for (int i = 2; i < polygon.corners; i++) {
-        FastBox box;
-        int32_t x[3] = { screen[0].x, screen[i - 1].x, screen[i].x };
-        int32_t y[3] = { screen[0].y, screen[i - 1].y, screen[i].y };
-        if (!triangle_box(d, x, y, &box))
+        const GpScreenVertex corner[3] = { screen[0], screen[i - 1], screen[i] };
+        GpTriangle t;
+        if (gp_setup_triangle(corner, &d->draw->state.raster, &d->rect, &t) != GP_SETUP_DRAWN)
             continue;
-        whole.x0 = least(whole.x0, box.x0);
-        whole.y0 = least(whole.y0, box.y0);
-        whole.x1 = most(whole.x1, box.x1);
-        whole.y1 = most(whole.y1, box.y1);
+        whole.x0 = t.x0 < whole.x0 ? t.x0 : whole.x0;
+        whole.y0 = t.y0 < whole.y0 ? t.y0 : whole.y0;
+        whole.x1 = t.x1 > whole.x1 ? t.x1 : whole.x1;
+        whole.y1 = t.y1 > whole.y1 ? t.y1 : whole.y1;
     }
     if (whole.x0 > whole.x1)
         return;
-    if (keep_polygon(d, range, primitive, &polygon, screen))
+    if (store_polygon(d, range, primitive, &polygon, screen))
         fast_bin_box(pass, range, primitive | FAST_CLIPPED_FLAG, &whole);
     else
         range->failed = true;
@@ -226,24 +186,23 @@ void fast_bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range
                        uint32_t primitive)
 {
     uint32_t number[3];
+    GpScreenVertex corner[3];
+    GpTriangle t;
+    unsigned any = 0, all = FAST_OUTSIDE_ALL;
     gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
-    int32_t x[3], y[3];
-    unsigned any = 0, all = 0xff;
     for (int i = 0; i < 3; i++) {
-        const FastPosition *position = &d->positions[number[i] - d->first_vertex];
-        unsigned outside = fast_outside(position);
-        x[i] = position->x;
-        y[i] = position->y;
+        const FastPosition *at = &d->positions[number[i] - d->first_vertex];
+        const unsigned outside = fast_outside(at);
+        corner[i] = (GpScreenVertex){ .x = at->x, .y = at->y, .z = at->z, .rw = at->rw };
         if (outside == FAST_OUTSIDE_ALL)
             return;
         any |= outside;
         all &= outside;
     }
-    FastBox box;
     if (all)
         return;
     if (any)
         bin_clipped(pass, d, range, primitive, number);
-    else if (triangle_box(d, x, y, &box))
-        fast_bin_box(pass, range, primitive, &box);
+    else if (gp_setup_triangle(corner, &d->draw->state.raster, &d->rect, &t) == GP_SETUP_DRAWN)
+        fast_bin_box(pass, range, primitive, &(FastBox){ t.x0, t.y0, t.x1, t.y1 });
 }

@@ -1,7 +1,5 @@
 #include "pipeline/fast/draws/group.h"
 
-#include "pipeline/base/search.h"
-
 static int find(GpSurface *const *slots, int count, const GpSurface *surface)
 {
     for (int i = 0; i < count; i++)
@@ -40,16 +38,4 @@ int fast_color_slot(const FastSlots *slots, const GpSurface *surface)
 int fast_depth_slot(const FastSlots *slots, const GpSurface *surface)
 {
     return find(slots->depth, FAST_DEPTH_SLOTS, surface);
-}
-
-const FastPass *fast_find_pass_of_block(const FastGroup *group, uint32_t block)
-{
-    return &group->passes[gp_last_at_most(&group->passes->first_block, sizeof *group->passes,
-                                          group->pass_count, block)];
-}
-
-const FastPass *fast_find_pass_of_range(const FastGroup *group, uint32_t range)
-{
-    return &group->passes[gp_last_at_most(&group->passes->first_range, sizeof *group->passes,
-                                          group->pass_count, range)];
 }

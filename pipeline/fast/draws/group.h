@@ -5,6 +5,20 @@
 
 #include "pipeline/fast/draws/draw.h"
 
+/* The surfaces that a group draws to, each with its slot in tile memory; see group.h. */
+typedef struct FastSlots {
+    GpSurface *color[FAST_COLOR_SLOTS]; /* NULL: free */
+    GpSurface *depth[FAST_DEPTH_SLOTS];
+} FastSlots;
+
+/* Passes that run tile by tile, all of them in one tile before the next tile's turn. */
+typedef struct FastGroup {
+    FastPass *passes;
+    uint32_t pass_count;
+    FastSlots slots;
+    uint32_t block_count, range_count;
+} FastGroup;
+
 /* Gives slots to the targets of a pass that have none yet; false, with nothing changed, where there
  * are too few. An empty set is large enough for any one pass. */
 bool fast_slots_add(FastSlots *slots, const GpPass *pass);

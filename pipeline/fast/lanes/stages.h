@@ -2,7 +2,9 @@
 #ifndef GP_FAST_STAGES_H
 #define GP_FAST_STAGES_H
 
-#include "pipeline/fast/draws/draw.h"
+#include "pipeline/fast/draws/bin.h"
+#include "pipeline/fast/draws/group.h"
+#include "pipeline/list/counters.h"
 
 /* What one worker needs for the tile it is in; its content is the stages' own. */
 typedef struct FastTileMemory FastTileMemory;
@@ -22,9 +24,7 @@ typedef struct FastStages {
     void (*add_counts)(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases);
 } FastStages;
 
-/* The stages of a width that this build has: 4, 8 or 16. */
-const FastStages *fast_stages(int lanes);
-
+/* Those that were compiled: a build may have fewer widths. */
 extern const FastStages fast_stages4, fast_stages8, fast_stages16;
 
 #endif

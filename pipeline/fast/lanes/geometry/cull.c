@@ -1,6 +1,9 @@
 /* Binning in lanes: GP_LANES triangles or points at a time are culled and put in the bins of their
  * tiles. */
-#include "pipeline/fast/lanes/raster/sprite.h"
+#include "pipeline/fast/lanes/geometry/cull.h"
+
+#include "pipeline/fast/draws/find.h"
+#include "pipeline/fast/lanes/geometry/sprites.h"
 
 enum {
     FITS = 1 << 15,         /* largest extent, in sub-pixels, at which areas fit into 32 bits */

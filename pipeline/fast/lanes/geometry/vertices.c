@@ -1,5 +1,5 @@
 /* Vertices: shaded GP_LANES at a time, put on the screen, and marked where they are outside. */
-#include "pipeline/fast/lanes/memory/tile.h"
+#include "pipeline/fast/lanes/geometry/vertices.h"
 
 #include "pipeline/units/input_assembly.h"
 #include "pipeline/fast/draws/sampler.h"

@@ -1,13 +1,44 @@
-/* Where the lanes of a packet are. */
-#ifndef GP_FAST_PATCH_H
-#define GP_FAST_PATCH_H
+/* Fragment packets: GP_LANES fragments on their way, and the words of a plane under them. */
+#ifndef GP_FAST_PACKET_H
+#define GP_FAST_PACKET_H
 
 #include "pipeline/fast/lanes/memory/quads.h"
 
 enum {
     ALL_LANES = (1 << GP_LANES) - 1,
     QUADS_WIDE = GP_LANES / 2, /* pixels across a packet of quads */
+    FAST_BLOCK = 32,           /* packets of one call of a shader */
 };
+
+/* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose lanes
+ * 4q..4q+3 are top left, top right, bottom left, bottom right; or packed, the short rows of a sprite's
+ * box one after the other. Pixels past the tile are never live. */
+typedef struct FastPacket {
+    uint32_t record;
+    uint32_t live; /* bit i: lane i; the others stand by as helpers */
+    uint8_t x, y;  /* of the first lane, in the tile */
+    uint8_t wide;  /* pixels a row, up to GP_LANES; 0: quads */
+    bool gathered; /* pixels of several triangles: see the gathered packet of the same number */
+} FastPacket;
+
+/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a packet, or
+ * packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
+typedef struct FastGathered {
+    itg record;
+    itg x, y; /* in the tile */
+    uint32_t live;
+    bool packed, quads;
+    itg at; /* of (x, y); only of ordered draws */
+} FastGathered;
+
+/* Packets of one draw that are shaded together. */
+typedef struct FastPacketBlock {
+    const FastPacket *packets;    /* NULL: all are gathered */
+    const FastGathered *gathered; /* of the same numbers */
+    const float *depths;          /* [packet][lane], where tests come late */
+    int count;
+    int layers; /* packets are [layer][pixels], all layers on the same pixels; 0: no layers */
+} FastPacketBlock;
 
 /* Field by field: a packet put together elsewhere would be stored in bytes and copied in words, for
  * which a processor must wait. */
@@ -56,6 +87,19 @@ GP_INLINE itg packet_y(const FastPacket *packet)
     return packet->y + packet_rows(packet->wide);
 }
 
+/* Where the lanes of packet p are. */
+GP_INLINE itg block_x(const FastPacketBlock *block, int p)
+{
+    const bool placed = block->packets && !block->packets[p].gathered;
+    return placed ? packet_x(&block->packets[p]) : block->gathered[p].x;
+}
+
+GP_INLINE itg block_y(const FastPacketBlock *block, int p)
+{
+    const bool placed = block->packets && !block->packets[p].gathered;
+    return placed ? packet_y(&block->packets[p]) : block->gathered[p].y;
+}
+
 /* Whether row r of a packet of rows has pixels that live. */
 GP_INLINE bool has_row(const FastPacket *packet, int r)
 {
@@ -91,27 +135,5 @@ GP_INLINE void store_packet(void *plane, const FastPacket *packet, unsigned live
     for (int r = 0; has_row(packet, r); r++, to += FAST_PITCH - packet->wide)
         store_lanes(to, false, itg_select((msk)(row == r) & alive, words, load_lanes(to, false)));
 }
-
-/* Depth and stencil of a packet.
- * in      z: not clamped
- * returns the lanes of `live` that pass */
-unsigned fast_test_packet(Tile *tile, const FastDraw *draw, const FastPacket *packet, unsigned live,
-                          flt z);
-
-/* An edge function in this tile, in 32 bits, in units of `unit`, a power of two. */
-typedef struct Edge {
-    int32_t c, a, b;
-    float unit;
-} Edge;
-
-/* Room at the end of the queue. */
-FastPacket *fast_new_packet(Tile *tile);
-
-/* False where the edge needs more bits. */
-bool fast_narrow_edge(const FastEdges64 *edges, int i, Edge *edge);
-
-/* Shades packets whose inputs are there. */
-void fast_shade_inputs(Tile *tile, const FastDraw *draw, const FastPacket *packets, int count,
-                       const float *depths);
 
 #endif

@@ -1,5 +1,8 @@
 /* Blending and write masks of GP_LANES pixels inside the tile. */
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/output/blend.h"
+
+#include "pipeline/fast/lanes/output/blend_add.h"
+#include "pipeline/fast/lanes/output/blend_bits.h"
 #include "pipeline/fast/lanes/output/quantize.h"
 
 #include <string.h>
@@ -158,10 +161,7 @@ GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
 GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool whole)
 {
     const BlendBlock copy = *from, *m = &copy; /* which no store can change */
-    static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
-    uint32_t kept = 0;
-    for (int c = 0; c < 4; c++)
-        kept |= blend->keep >> c & 1 ? bytes[c] : 0;
+    const uint32_t kept = kept_bits(blend);
     Operands o;
     memcpy(o.constant, m->constant, sizeof o.constant);
     const flt *color = m->color;
@@ -335,25 +335,29 @@ static bool are_whole(const FastPacket *packets, const unsigned *live, int count
     return !other;
 }
 
-void fast_blend_packets(Tile *tile, const FastDraw *d, const FastPacket *packets,
-                        const unsigned *live, int count, const flt *color)
+void fast_blend_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
     const GpState *state = &d->draw->state;
+    const FastPacketBlock *block = &shaded->block;
     const int written = gp_program_targets(d->draw->program);
-    const bool whole = are_whole(packets, live, count);
-    BlendBlock m = { .packets = packets,
-                     .gathered = tile->gathered,
-                     .live = live,
-                     .count = count,
-                     .layers = tile->layer_count ? (int)tile->layer_count : 1,
-                     .stride = tile->layers_alike ? 0 : 4 * written };
+    if (fast_only_adds(tile, d)) {
+        fast_add_packets(tile, d, shaded);
+        return;
+    }
+    const bool whole = are_whole(block->packets, shaded->live, block->count);
+    BlendBlock m = { .packets = block->packets,
+                     .gathered = block->gathered,
+                     .live = shaded->live,
+                     .count = block->count,
+                     .layers = block->layers,
+                     .stride = shaded->stride };
     for (int t = 0; t < written && t < tile->targets; t++) {
         GpFormat format = d->pass->color[t].surface->format;
-        m.color = color + 4 * t;
+        m.color = shaded->color + 4 * t;
         m.planes = tile->planes[t];
         const GpBlend *blend = &state->blend[t];
         if (fast_is_bitwise(blend, format)) {
-            fast_blend_bits(tile, blend, m.planes, packets, live, count, m.color, m.stride);
+            fast_blend_bits(blend, m.planes, shaded, m.color);
             continue;
         }
         for (int c = 0; c < 4; c++) {

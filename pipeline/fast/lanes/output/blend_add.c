@@ -1,7 +1,7 @@
 /* Blending that only adds, of sprites, into targets of floats: what splats and glows do. Their rows are
  * short and begin anywhere, and memory takes most of the time: each row is read and written once, in
  * pieces that seldom meet the end of a cache line. */
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/output/blend_add.h"
 
 static bool adds(const GpBlend *blend, GpFormat format)
 {
@@ -43,32 +43,32 @@ GP_INLINE void add_packet(FastPlanes *planes, int channels, bool halves, const F
     }
 }
 
-GP_INLINE void add_all(FastPlanes *planes, int channels, bool halves, const FastPacket *packets,
-                       const unsigned *live, int count, const flt *color, int stride)
+GP_INLINE void add_all(FastPlanes *planes, int channels, bool halves, const FastShaded *shaded,
+                       const flt *color)
 {
-    for (int p = 0; p < count; p++, color += stride)
-        add_packet(planes, channels, halves, &packets[p], live[p],
+    for (int p = 0; p < shaded->block.count; p++, color += shaded->stride)
+        add_packet(planes, channels, halves, &shaded->block.packets[p], shaded->live[p],
                    (const float *)(const void *)color);
 }
 
-void fast_add_packets(Tile *tile, const FastDraw *d, const FastPacket *packets,
-                      const unsigned *live, int count, const flt *color)
+void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
-    const int written = gp_program_targets(d->draw->program), stride = 4 * written;
+    const int written = gp_program_targets(d->draw->program);
+    const flt *color = shaded->color;
     for (int t = 0; t < written && t < tile->targets; t++, color += 4) {
         FastPlanes *planes = tile->planes[t];
         switch (d->pass->color[t].surface->format) {
         case GP_R32F:
-            add_all(planes, 1, false, packets, live, count, color, stride);
+            add_all(planes, 1, false, shaded, color);
             break;
         case GP_G16R16F:
-            add_all(planes, 2, true, packets, live, count, color, stride);
+            add_all(planes, 2, true, shaded, color);
             break;
         case GP_A16B16G16R16F:
-            add_all(planes, 4, true, packets, live, count, color, stride);
+            add_all(planes, 4, true, shaded, color);
             break;
         default:
-            add_all(planes, 4, false, packets, live, count, color, stride);
+            add_all(planes, 4, false, shaded, color);
         }
     }
 }

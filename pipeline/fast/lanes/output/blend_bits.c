@@ -1,21 +1,10 @@
 /* Logical blends of A8R8G8B8: a colour becomes a word once, and words are combined. Bits that change
  * nothing stand where a lane is dead or a channel is kept, so that none of it needs a mask. */
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/output/blend_bits.h"
+
 #include "pipeline/fast/lanes/output/quantize.h"
 
 #include <string.h>
-
-/* Packets on their way into one target. */
-typedef struct Bits {
-    uint32_t *plane;
-    const FastPacket *packets;
-    const FastGathered *gathered;
-    const unsigned *live;
-    int count;
-    const flt *color;
-    int stride;
-    uint32_t written; /* bits of the word that are not kept */
-} Bits;
 
 GP_INLINE uint32_t combine(GpBlendOp op, uint32_t a, uint32_t b)
 {
@@ -38,47 +27,35 @@ GP_INLINE void blend_gathered(GpBlendOp op, uint32_t *plane, itg at, itg words)
         plane[place[lane]] = combine(op, plane[place[lane]], word[lane]);
 }
 
-GP_INLINE void blend_all(GpBlendOp op, const Bits *bits)
+GP_INLINE void blend_all(GpBlendOp op, uint32_t *plane, const FastShaded *shaded, const flt *color,
+                         uint32_t written)
 {
-    const Bits copy = *bits, *b = &copy; /* which no store can change */
+    const FastShaded copy = *shaded, *s = &copy; /* which no store can change */
     const itg neutral = itg_set(op == GP_BLEND_LOGIC_AND ? -1 : 0);
-    const flt *color = b->color;
-    for (int p = 0; p < b->count; p++, color += b->stride) {
-        const msk changed = mask_of(b->live[p]) & (int32_t)b->written;
+    for (int p = 0; p < s->block.count; p++, color += s->stride) {
+        const msk changed = mask_of(s->live[p]) & (int32_t)written;
         const itg words = itg_select(changed, word_of_any(color), neutral);
         if (!msk_any((msk)(words != neutral)))
             continue;
-        const FastPacket *packet = &b->packets[p];
+        const FastPacket *packet = &s->block.packets[p];
         if (packet->gathered)
-            blend_gathered(op, b->plane, b->gathered[p].at, words);
+            blend_gathered(op, plane, s->block.gathered[p].at, words);
         else
-            store_packet(b->plane, packet, ALL_LANES,
-                         combine_lanes(op, load_packet(b->plane, packet), words));
+            store_packet(plane, packet, ALL_LANES,
+                         combine_lanes(op, load_packet(plane, packet), words));
     }
 }
 
-/* Bits of a word in channels that are not kept. */
-static uint32_t written_bits(const GpBlend *blend)
+void fast_blend_bits(const GpBlend *blend, FastPlanes *planes, const FastShaded *shaded,
+                     const flt *color)
 {
-    static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
-    uint32_t written = 0;
-    for (int c = 0; c < 4; c++)
-        written |= blend->keep >> c & 1 ? 0 : bytes[c];
-    return written;
-}
-
-void fast_blend_bits(const Tile *tile, const GpBlend *blend, FastPlanes *planes,
-                     const FastPacket *packets, const unsigned *live, int count, const flt *color,
-                     int stride)
-{
-    const Bits bits = { planes->packed, packets, tile->gathered, live,
-                        count,          color,   stride,         written_bits(blend) };
+    const uint32_t written = ~kept_bits(blend);
     if (blend->op == GP_BLEND_LOGIC_AND)
-        blend_all(GP_BLEND_LOGIC_AND, &bits);
+        blend_all(GP_BLEND_LOGIC_AND, planes->packed, shaded, color, written);
     else if (blend->op == GP_BLEND_LOGIC_OR)
-        blend_all(GP_BLEND_LOGIC_OR, &bits);
+        blend_all(GP_BLEND_LOGIC_OR, planes->packed, shaded, color, written);
     else
-        blend_all(GP_BLEND_LOGIC_XOR, &bits);
+        blend_all(GP_BLEND_LOGIC_XOR, planes->packed, shaded, color, written);
 }
 
 /* --- words as they are ---------------------------------------------------------------------------- */
@@ -96,25 +73,13 @@ GP_INLINE void copy_box(GpBlendOp op, const FastBox *box, const uint32_t *from, 
         }
 }
 
-bool fast_copy_layers(Tile *tile, const FastDraw *draw)
+void fast_copy_words(const GpBlend *blend, const FastBox *box, const uint32_t *from, uint32_t *to)
 {
-    const int slot = draw->copied_slot - 1;
-    const GpBlend *blend = &draw->draw->state.blend[0];
-    const FastBox *box = &tile->layer_box;
-    const uint32_t written = written_bits(blend);
-    uint32_t *to = tile->planes[0]->packed;
-    fast_begin_fetch(tile, draw->draw->textures, slot);
-    const uint32_t *from = tile->fetch[slot].plane[0];
-    if (tile->fetch[slot].format == GP_FORMAT_NONE || !from)
-        return false;
-    for (uint32_t layer = 0; layer < tile->layer_count; layer++)
-        if (blend->op == GP_BLEND_LOGIC_AND)
-            copy_box(GP_BLEND_LOGIC_AND, box, from, written, to);
-        else if (blend->op == GP_BLEND_LOGIC_OR)
-            copy_box(GP_BLEND_LOGIC_OR, box, from, written, to);
-        else
-            copy_box(GP_BLEND_LOGIC_XOR, box, from, written, to);
-    tile->fragments_shaded +=
-        (uint64_t)(box->x1 - box->x0 + 1) * (uint64_t)(box->y1 - box->y0 + 1) * tile->layer_count;
-    return true;
+    const uint32_t written = ~kept_bits(blend);
+    if (blend->op == GP_BLEND_LOGIC_AND)
+        copy_box(GP_BLEND_LOGIC_AND, box, from, written, to);
+    else if (blend->op == GP_BLEND_LOGIC_OR)
+        copy_box(GP_BLEND_LOGIC_OR, box, from, written, to);
+    else
+        copy_box(GP_BLEND_LOGIC_XOR, box, from, written, to);
 }

@@ -1,8 +1,6 @@
 /* Depth and stencil of GP_LANES pixels inside the tile, in any state. */
 #include "pipeline/fast/lanes/output/depth.h"
 
-#include "pipeline/fast/lanes/memory/quads.h"
-
 /* --- the stencil plane -------------------------------------------------------------------------- */
 
 static itg load_stencil(const uint8_t *from, bool quads)
@@ -81,4 +79,19 @@ msk fast_test_depth_stencil(Tile *tile, const FastDraw *d, uint32_t at, bool qua
     if (state->depth.write)
         store_lanes(tile->depth + at, quads, itg_select(passed, incoming, stored));
     return passed;
+}
+
+unsigned fast_test_packet(Tile *tile, const FastDraw *d, const FastPacket *packet, bool front,
+                          unsigned live, flt z)
+{
+    uint32_t at = fast_at(packet->x, packet->y);
+    if (!packet->wide || packet->wide == GP_LANES)
+        return msk_bits(
+            fast_test_depth_stencil(tile, d, at, !packet->wide, mask_of(live), z, front));
+    const itg row = lane_row(packet->wide);
+    msk passed = itg_set(0);
+    for (int r = 0; has_row(packet, r); r++, at += FAST_PITCH - packet->wide)
+        passed |=
+            fast_test_depth_stencil(tile, d, at, false, (msk)(row == r) & mask_of(live), z, front);
+    return msk_bits(passed);
 }

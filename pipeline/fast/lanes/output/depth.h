@@ -3,7 +3,7 @@
 #define GP_FAST_DEPTH_H
 
 #include "pipeline/resources/compare.h"
-#include "pipeline/fast/lanes/memory/tile.h"
+#include "pipeline/fast/lanes/memory/packet.h"
 
 /* Depth to the code that is stored, as gp_depth_code: unorm by binary64, floats by their bits. */
 GP_INLINE itg depth_codes(GpFormat format, flt z)
@@ -42,5 +42,10 @@ GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
  * returns the lanes that pass both tests */
 msk fast_test_depth_stencil(Tile *tile, const FastDraw *draw, uint32_t at, bool quads, msk live,
                             flt z, bool front);
+
+/* The same on the lanes of a packet.
+ * returns those of `live` that pass */
+unsigned fast_test_packet(Tile *tile, const FastDraw *draw, const FastPacket *packet, bool front,
+                          unsigned live, flt z);
 
 #endif

@@ -40,6 +40,16 @@ GP_INLINE itg word_of_any(const flt rgba[4])
     return word_of(most);
 }
 
+/* Bits of a word in channels that a blend keeps. */
+GP_INLINE uint32_t kept_bits(const GpBlend *blend)
+{
+    static const uint32_t bytes[4] = { 0xff0000, 0xff00, 0xff, 0xff000000 };
+    uint32_t kept = 0;
+    for (int c = 0; c < 4; c++)
+        kept |= blend->keep >> c & 1 ? bytes[c] : 0;
+    return kept;
+}
+
 enum { RED_BYTE = 2, GREEN_BYTE = 1, BLUE_BYTE = 0, ALPHA_BYTE = 3 };
 
 GP_INLINE void colors_of(itg word, flt rgba[4])

@@ -1,6 +1,8 @@
 /* Setting up GP_LANES triangles at a time. */
 #include "pipeline/fast/lanes/raster/batch.h"
 
+#include "pipeline/fast/lanes/raster/hierarchical_depth.h"
+
 /* Largest extent, in sub-pixels, at which edges fit into 32 bits with room for helper pixels, and
  * their steps into 16. */
 enum { FITS = 1 << 14 };

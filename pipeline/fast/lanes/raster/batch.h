@@ -2,7 +2,7 @@
 #ifndef GP_FAST_BATCH_H
 #define GP_FAST_BATCH_H
 
-#include "pipeline/fast/lanes/raster/hierarchical_depth.h"
+#include "pipeline/fast/lanes/raster/fragment_path.h"
 
 /* Where the corners of a batch's triangles are; beyond `count` the first triangle's stand in. */
 typedef struct BatchCorners {
@@ -39,11 +39,5 @@ void fast_set_up_batch(const Filler *filler, const BatchCorners *corners, Triang
 /* What shading needs of a lane's triangle. */
 void fast_write_record(const FastDraw *draw, const TriangleBatch *batch, uint32_t lane,
                        FastTriangleRecord *record);
-
-/* The triangles of `lanes`, in their order: tiny ones of which nothing is ordered and no stencil is
- * touched; those that are ordered, without depth or quads; and any whose edges fit into 32 bits. */
-void fast_fill_tiny(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
-void fast_fill_compacted(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
-void fast_fill_small(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
 
 #endif

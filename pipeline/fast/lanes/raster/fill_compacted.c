@@ -1,7 +1,6 @@
 /* Triangles of a few pixels that are shaded in order, without depth: their pixels, loose, side by side
  * in gathered packets. A pixel is at most once in a gathered packet, so that what blends with it comes in a later one. */
-#include "pipeline/fast/lanes/raster/batch.h"
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/raster/fill.h"
 
 /* The gathered packet at the end of the queue. */
 typedef struct Compaction {
@@ -16,11 +15,11 @@ typedef struct Compaction {
 static Compaction last_gathered(Tile *tile)
 {
     Compaction compaction = { .tile = tile };
-    FastPacket *last = tile->packet_count ? &tile->packets[tile->packet_count - 1] : NULL;
+    FastPacket *last = tile->queue->count ? &tile->queue->packets[tile->queue->count - 1] : NULL;
     if (!last || !last->gathered)
         return compaction;
     compaction.packet = last;
-    compaction.gathered = &tile->gathered[tile->packet_count - 1];
+    compaction.gathered = &tile->queue->gathered[tile->queue->count - 1];
     compaction.count = __builtin_popcount(last->live);
     compaction.at = compaction.gathered->at;
     return compaction;
@@ -33,7 +32,7 @@ static void begin_gathered(Compaction *compaction, uint32_t record)
     compaction->packet = fast_new_packet(tile);
     *compaction->packet =
         (FastPacket){ .record = record, .y = FAST_TILE, .wide = GP_LANES, .gathered = true };
-    compaction->gathered = &tile->gathered[compaction->packet - tile->packets];
+    compaction->gathered = &tile->queue->gathered[compaction->packet - tile->queue->packets];
     compaction->count = 0;
     compaction->at = itg_set((int32_t)fast_at(0, FAST_TILE));
     *compaction->gathered =
@@ -60,10 +59,10 @@ void fast_fill_compacted(const Filler *f, const TriangleBatch *b, unsigned lanes
     Tile *tile = f->tile;
     Compaction compaction = last_gathered(tile);
     for (unsigned left = lanes & msk_bits((msk)(b->covered != 0)); left; left &= left - 1) {
-        const uint32_t lane = (uint32_t)__builtin_ctz(left), number = tile->record_count++;
-        fast_write_record(f->d, b, lane, &tile->records[number]);
-        if (compaction.packet &&
-            tile->records[compaction.packet->record].face != tile->records[number].face)
+        const uint32_t lane = (uint32_t)__builtin_ctz(left), number = tile->records->count++;
+        fast_write_record(f->d, b, lane, &tile->records->record[number]);
+        if (compaction.packet && tile->records->record[compaction.packet->record].face !=
+                                     tile->records->record[number].face)
             compaction.packet = NULL;
         for (uint32_t pixels = (uint32_t)b->covered[lane]; pixels; pixels &= pixels - 1) {
             const int32_t bit = __builtin_ctz(pixels);

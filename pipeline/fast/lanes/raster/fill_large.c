@@ -1,6 +1,5 @@
 /* Large triangles: their rows, a lane vector at a time. */
-#include "pipeline/fast/lanes/memory/packet.h"
-#include "pipeline/fast/lanes/raster/fragment_path.h"
+#include "pipeline/fast/lanes/raster/fill.h"
 
 /* --- edges inside the tile -------------------------------------------------------------------- */
 
@@ -187,12 +186,22 @@ static bool hides_tile(const Filler *f, const Coverage *coverage)
            coverage->x1 == f->tile->width - 1 && coverage->y1 == f->tile->height - 1;
 }
 
-void fast_fill_triangle(Tile *tile, const GpTriangle *t)
+static void write_record(Tile *tile, const GpTriangle *t, FastTriangleRecord *record)
 {
-    if (tile->draw->nearest_wins)
-        fast_sort_triangle(tile, t);
-    else
-        fast_fill_large(tile, t, 0);
+    FastEdges64 *edges = &tile->records->edges64[tile->records->edges64_count];
+    *record = (FastTriangleRecord){ .inverse_area = t->inverse_area,
+                                    .ratio1 = t->rw_ratio[0],
+                                    .ratio2 = t->rw_ratio[1],
+                                    .face = t->front ? 1.0f : -1.0f,
+                                    .kind = FAST_EDGES_64,
+                                    .edges64 = tile->records->edges64_count++ };
+    for (int i = 0; i < 3; i++)
+        record->corner[i] = t->corner[i].varying;
+    for (int i = 0; i < 2; i++) {
+        edges->edge.c[i] = edge_at_origin(tile, t, i + 1);
+        edges->edge.a[i] = t->a[i + 1] * GP_SUBPIXELS;
+        edges->edge.b[i] = t->b[i + 1] * GP_SUBPIXELS;
+    }
 }
 
 void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
@@ -205,25 +214,11 @@ void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
     filler.front = t->front;
     if (d->path != FAST_DEPTH_ONLY) {
         fast_reserve_records(tile, 1);
-        filler.number = tile->record_count++;
-        FastTriangleRecord *record = &tile->records[filler.number];
-        FastEdges64 *edges = &tile->edges64[tile->edges64_count];
-        *record = (FastTriangleRecord){ .inverse_area = t->inverse_area,
-                                        .ratio1 = t->rw_ratio[0],
-                                        .ratio2 = t->rw_ratio[1],
-                                        .face = t->front ? 1.0f : -1.0f,
-                                        .kind = FAST_EDGES_64,
-                                        .edges64 = tile->edges64_count++ };
-        for (int i = 0; i < 3; i++)
-            record->corner[i] = t->corner[i].varying;
-        for (int i = 0; i < 2; i++) {
-            edges->edge.c[i] = edge_at_origin(tile, t, i + 1);
-            edges->edge.a[i] = t->a[i + 1] * GP_SUBPIXELS;
-            edges->edge.b[i] = t->b[i + 1] * GP_SUBPIXELS;
-        }
+        filler.number = tile->records->count++;
+        write_record(tile, t, &tile->records->record[filler.number]);
     }
     if (hides_tile(&filler, &coverage))
-        tile->occluder = filler.number;
+        tile->visibility->occluder = filler.number;
     else
         fill_covered(&filler, t, &coverage, nearest);
 }

@@ -1,6 +1,5 @@
 /* Small triangles: some rows at a time, down the columns of their boxes. */
-#include "pipeline/fast/lanes/raster/batch.h"
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/raster/fill.h"
 
 /* Pixels across a column of rows: many boxes have no more than four. */
 enum { WIDE = GP_LANES / 2, NARROW = 4 };
@@ -120,8 +119,8 @@ GP_INLINE msk fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y,
     store_rows(tile->depth + at, c->wide, itg_select(live, code, stored));
     if (w->path == FAST_VISIBLE) {
         const itg number = itg_set((int32_t)w->f->number);
-        const itg shown = load_rows(tile->visibility + at, c->wide);
-        store_rows(tile->visibility + at, c->wide, itg_select(live, number, shown));
+        const itg shown = load_rows(tile->visibility->record + at, c->wide);
+        store_rows(tile->visibility->record + at, c->wide, itg_select(live, number, shown));
     }
     return live;
 }
@@ -173,8 +172,8 @@ GP_INLINE void fill(Filler f, EarlyTest early, FastFragmentPath path, const Tria
     const itg codes = is_usual(early) ? nearer_codes(&f, early, b->nearest) : itg_set(0);
     for (; lanes; lanes &= lanes - 1) {
         uint32_t lane = (uint32_t)__builtin_ctz(lanes);
-        FastTriangleRecord *record = &tile->records[tile->record_count];
-        f.number = tile->record_count;
+        FastTriangleRecord *record = &tile->records->record[tile->records->count];
+        f.number = tile->records->count;
         f.front = b->front >> lane & 1;
         if (path == FAST_ORDERED)
             fast_write_record(f.d, b, lane, record);
@@ -184,7 +183,7 @@ GP_INLINE void fill(Filler f, EarlyTest early, FastFragmentPath path, const Tria
             continue;
         if (path == FAST_VISIBLE)
             fast_write_record(f.d, b, lane, record);
-        tile->record_count++;
+        tile->records->count++;
     }
 }
 

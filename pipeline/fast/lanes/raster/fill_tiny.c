@@ -1,6 +1,6 @@
 /* Triangles of a few pixels, the bulk of a fine mesh: pixel by pixel, in one list over all of a
  * batch. */
-#include "pipeline/fast/lanes/raster/batch.h"
+#include "pipeline/fast/lanes/raster/fill.h"
 
 /* Depth at a pixel of the lane's 4x4 box. */
 GP_INLINE float depth_at(const TriangleBatch *b, uint32_t lane, int32_t x, int32_t y)
@@ -45,7 +45,7 @@ GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Triang
     boxes covered = __builtin_convertvector(b->covered & mask_of(lanes), boxes);
     uint64_t word[GP_LANES / LANES_OF_WORD];
     __builtin_memcpy(word, &covered, sizeof word);
-    const uint32_t first = (uint32_t)__builtin_ctz(lanes), number = tile->record_count - first;
+    const uint32_t first = (uint32_t)__builtin_ctz(lanes), number = tile->records->count - first;
     unsigned shown = 0;
     for (uint32_t i = 0; i < GP_LANES / LANES_OF_WORD; i++)
         for (uint64_t left = word[i]; left; left &= left - 1) {
@@ -56,15 +56,16 @@ GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Triang
             bool passes = early == EARLY_NONE ||
                           test_depth(f, early, &tile->depth[at], depth_at(b, lane, x, y));
             if (visible) {
-                tile->visibility[at] = passes ? number + lane : tile->visibility[at];
+                tile->visibility->record[at] =
+                    passes ? number + lane : tile->visibility->record[at];
                 shown |= (unsigned)passes << lane;
             }
         }
     /* records of triangles that are not visible stay unwritten */
     for (unsigned left = shown; left; left &= left - 1) {
         uint32_t lane = (uint32_t)__builtin_ctz(left);
-        tile->record_count = number + lane;
-        fast_write_record(f->d, b, lane, &tile->records[tile->record_count++]);
+        tile->records->count = number + lane;
+        fast_write_record(f->d, b, lane, &tile->records->record[tile->records->count++]);
     }
 }
 

@@ -3,7 +3,8 @@
 #define GP_FAST_RASTER_FRAGMENT_PATH_H
 
 #include "pipeline/fast/lanes/output/depth.h"
-#include "pipeline/fast/lanes/memory/quads.h"
+#include "pipeline/fast/lanes/shade/queue.h"
+#include "pipeline/fast/lanes/shade/visibility.h"
 
 /* What is tested before the shader. The usual test, where nearer pixels pass and are written and
  * nothing looks at the stencil, is short enough to stand inside the loops over pixels; it may only
@@ -65,8 +66,8 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
         live = fast_test_depth_stencil(tile, f->d, at, quads, live, z, f->front);
 
     if (path == FAST_VISIBLE) {
-        itg shown = load_lanes(tile->visibility + at, quads);
-        store_lanes(tile->visibility + at, quads,
+        itg shown = load_lanes(tile->visibility->record + at, quads);
+        store_lanes(tile->visibility->record + at, quads,
                     itg_select(live, itg_set((int32_t)f->number), shown));
     } else if (path == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);

@@ -13,8 +13,8 @@ void fast_keep_hierarchical_depth(Tile *tile, const FastDraw *next)
     if (next && only_nears(next))
         return;
     for (int i = 0; i < FAST_DEPTH_WINDOWS; i++)
-        tile->hierarchical_depth[i] = INT32_MAX;
-    tile->filled = 0;
+        tile->hierarchical_depth->farthest[i] = INT32_MAX;
+    tile->hierarchical_depth->filled = 0;
 }
 
 /* Down the columns of each row of blocks. */
@@ -56,7 +56,7 @@ void fast_find_hierarchical_depth(Tile *tile)
             __builtin_memcpy(&one, &block[i + (corner & 1) + (corner >> 1) * SIDE], sizeof one);
             most = itg_greater(most, one);
         }
-        __builtin_memcpy(&tile->hierarchical_depth[i], &most, sizeof most);
+        __builtin_memcpy(&tile->hierarchical_depth->farthest[i], &most, sizeof most);
     }
-    tile->filled = 0;
+    tile->hierarchical_depth->filled = 0;
 }

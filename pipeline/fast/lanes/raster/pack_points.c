@@ -5,8 +5,12 @@
  * Where a vertex shader makes much of little, its varyings are not kept between the stages: vertices are
  * shaded for their positions first, and once more, for the rest, when their points are drawn.
  * source index-driven vertex shading, as of Arm's Bifrost (2016) */
-#include "pipeline/fast/lanes/memory/packet.h"
-#include "pipeline/fast/lanes/raster/sprite.h"
+#include "pipeline/fast/lanes/raster/pack_points.h"
+
+#include "pipeline/fast/lanes/geometry/vertices.h"
+#include "pipeline/fast/lanes/shade/queue.h"
+#include "pipeline/fast/lanes/shade/shader_block.h"
+#include "pipeline/fast/lanes/shade/visibility.h"
 
 #include <string.h>
 
@@ -30,7 +34,8 @@ typedef struct Fragments {
 
 static void begin_fragments(const Tile *tile, Fragments *f)
 {
-    const uint32_t last = tile->packet_count ? tile->packets[tile->packet_count - 1].live : 0;
+    const uint32_t last =
+        tile->queue->count ? tile->queue->packets[tile->queue->count - 1].live : 0;
     f->taken = f->count = (uint32_t)__builtin_popcount(last) % GP_LANES;
     store_lanes(f->word, false, itg_set(0));
 }
@@ -39,15 +44,15 @@ static void begin_fragments(const Tile *tile, Fragments *f)
  * face the eye. */
 static void begin_packet(Tile *tile)
 {
-    if (tile->packet_count == PACKETS)
+    if (tile->queue->count == PACKETS)
         fast_flush_packets(tile);
-    uint32_t number = tile->packets[0].record;
-    if (tile->packet_count == 0) {
+    uint32_t number = tile->queue->packets[0].record;
+    if (tile->queue->count == 0) {
         fast_reserve_records(tile, 1);
-        number = tile->record_count++;
-        tile->records[number] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+        number = tile->records->count++;
+        tile->records->record[number] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
     }
-    FastPacket *packet = &tile->packets[tile->packet_count++];
+    FastPacket *packet = &tile->queue->packets[tile->queue->count++];
     set_packet(packet, number, 0, FAST_TILE, 0, GP_LANES);
     packet->gathered = true;
 }
@@ -55,14 +60,14 @@ static void begin_packet(Tile *tile)
 /* Puts fragments into the lanes of the queue's last packet that `fresh` tells. */
 GP_INLINE void fill_packet(Tile *tile, const itg *varying, itg word, msk fresh, bool whole)
 {
-    const uint32_t at = tile->packet_count - 1;
+    const uint32_t at = tile->queue->count - 1;
     const int components = tile->draw->modes.components;
-    FastGathered *gathered = &tile->gathered[at];
+    FastGathered *gathered = &tile->queue->gathered[at];
     const itg x = word & BYTE, y = word >> Y_SHIFT & BYTE, point = word >> POINT_SHIFT;
     gathered->x = whole ? x : itg_select(fresh, x, gathered->x);
     gathered->y = whole ? y : itg_select(fresh, y, gathered->y);
     gathered->at = gathered->y * FAST_PITCH + gathered->x;
-    flt *in = (flt *)(void *)tile->in + at * (uint32_t)components;
+    flt *in = fast_inputs(tile) + at * (uint32_t)components;
     for (int c = 0; c < components; c++) {
         const flt value = (flt)itg_pick(varying[c], point);
         in[c] = whole ? value : flt_select(fresh, value, in[c]);
@@ -83,7 +88,8 @@ static void queue_fragments(Tile *tile, const itg *varying, Fragments *f)
         } else
             fill_packet(tile, varying, word, (msk)(lane_numbers() >= (int32_t)f->taken), false);
         const uint32_t left = f->count - first;
-        tile->packets[tile->packet_count - 1].live = left < GP_LANES ? (1u << left) - 1 : ALL_LANES;
+        tile->queue->packets[tile->queue->count - 1].live =
+            left < GP_LANES ? (1u << left) - 1 : ALL_LANES;
     }
     begin_fragments(tile, f);
 }

@@ -5,7 +5,9 @@
  * So large triangles of such a draw wait for each other and are filled front to back, and what is
  * hidden never meets the shader. Back to front, as such draws often come, this saves all layers but
  * those that are seen through the holes of others. */
-#include "pipeline/fast/lanes/raster/fragment_path.h"
+#include "pipeline/fast/lanes/raster/sorted_triangles.h"
+
+#include "pipeline/fast/lanes/raster/fill.h"
 
 #include <math.h>
 
@@ -55,16 +57,17 @@ static void find_codes(Tile *tile, FastSortedTriangle *sorted)
 }
 
 /* Goes before those that it is nearer than, all of it. */
-void fast_sort_triangle(Tile *tile, const GpTriangle *triangle)
+static void sort_triangle(Tile *tile, const GpTriangle *triangle)
 {
-    if (tile->sorted_count == FAST_SORTED)
+    if (tile->sorted->count == FAST_SORTED)
         fast_fill_sorted(tile);
-    const uint32_t number = tile->sorted_count++;
-    FastSortedTriangle *sorted = &tile->sorted[number];
+    const uint32_t number = tile->sorted->count++;
+    FastSortedTriangle *sorted = &tile->sorted->triangle[number];
     sorted->triangle = *triangle;
     find_codes(tile, sorted);
-    uint8_t *place = &tile->sorted_order[number];
-    while (place > tile->sorted_order && sorted->farthest < tile->sorted[place[-1]].nearest) {
+    uint8_t *place = &tile->sorted->order[number];
+    while (place > tile->sorted->order &&
+           sorted->farthest < tile->sorted->triangle[place[-1]].nearest) {
         place[0] = place[-1];
         place--;
     }
@@ -134,12 +137,20 @@ static void fill_visible(Tile *tile, const Filler *f, FastSortedTriangle *sorted
 
 void fast_fill_sorted(Tile *tile)
 {
-    if (!tile->sorted_count)
+    if (!tile->sorted->count)
         return;
     const Filler f = fast_filler(tile);
-    for (uint32_t i = 0; i < tile->sorted_count; i++) {
+    for (uint32_t i = 0; i < tile->sorted->count; i++) {
         fast_flush_packets(tile); /* they may hide it */
-        fill_visible(tile, &f, &tile->sorted[tile->sorted_order[i]]);
+        fill_visible(tile, &f, &tile->sorted->triangle[tile->sorted->order[i]]);
     }
-    tile->sorted_count = 0;
+    tile->sorted->count = 0;
+}
+
+void fast_fill_triangle(Tile *tile, const GpTriangle *t)
+{
+    if (tile->draw->nearest_wins)
+        sort_triangle(tile, t);
+    else
+        fast_fill_large(tile, t, 0);
 }

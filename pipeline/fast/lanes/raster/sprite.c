@@ -5,8 +5,11 @@
  * pixel to pixel. */
 #include "pipeline/fast/lanes/raster/sprite.h"
 
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/geometry/sprites.h"
 #include "pipeline/fast/lanes/raster/fragment_path.h"
+#include "pipeline/fast/lanes/raster/pack_points.h"
+#include "pipeline/fast/lanes/shade/interpolate.h"
+#include "pipeline/fast/lanes/shade/shader_block.h"
 #include "pipeline/units/input_assembly.h"
 
 /* --- set-up -------------------------------------------------------------------------------------- */
@@ -70,26 +73,15 @@ static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count,
 
 /* --- shaded in order ---------------------------------------------------------------------------- */
 
-/* The place of pixels, in sub-pixels, along one axis of a sprite, 0..1. */
-GP_INLINE flt along(itg subpixel, int32_t start, float per_step)
-{
-    return flt_from_itg(subpixel - start) * per_step;
-}
+/* Of sprites narrower than a packet: as many rows as have room go into one. Most have one width, so what
+ * follows from it is kept from sprite to sprite. */
+typedef struct Packing {
+    int32_t wide, rows;  /* pixels a row, 0: not set; rows a packet */
+    uint32_t reciprocal; /* times this and divided by 2^16 is divided by `rows`, up to 2^12 */
+    itg across, down;    /* of each lane, in sub-pixels */
+} Packing;
 
-void fast_interpolate_sprite(const Tile *tile, const FastDraw *d, const FastTriangleRecord *r,
-                             itg x, itg y, flt *in)
-{
-    const FastEdges64 *edges = &tile->edges64[r->edges64];
-    for (int c = 0; c < d->modes.components; c++)
-        in[c] = flt_set(r->corner[0][c]);
-    if (d->modes.sprite >= 0) {
-        in[d->modes.sprite] = along(x * GP_SUBPIXELS, edges->sprite.left, edges->sprite.per_step);
-        in[d->modes.sprite + 1] =
-            along(y * GP_SUBPIXELS, edges->sprite.top, edges->sprite.per_step);
-    }
-}
-
-static void set_packing(FastPacking *packing, int32_t wide)
+static void set_packing(Packing *packing, int32_t wide)
 {
     packing->wide = wide;
     packing->rows = GP_LANES / wide;
@@ -112,7 +104,7 @@ typedef struct Queuer {
 /* Room in the queue for so many packets, of a block at most. */
 GP_INLINE void make_room(Tile *tile, int32_t packets)
 {
-    if ((int32_t)tile->packet_count + packets > FAST_BLOCK)
+    if ((int32_t)tile->queue->count + packets > FAST_BLOCK)
         fast_flush_packets(tile);
 }
 
@@ -120,18 +112,13 @@ GP_INLINE void make_room(Tile *tile, int32_t packets)
 GP_INLINE void queue_packet(const Queuer *q, int32_t x, int32_t y, int32_t wide, unsigned live)
 {
     Tile *tile = q->tile;
-    FastPacket *packet = &tile->packets[tile->packet_count];
-    packet->record = q->record; /* piece by piece: a copy would wait for its parts */
-    packet->live = live;
-    packet->x = (uint8_t)x;
-    packet->y = (uint8_t)y;
-    packet->wide = (uint8_t)wide;
-    packet->gathered = false;
+    FastPacket *packet = &tile->queue->packets[tile->queue->count];
+    set_packet(packet, q->record, x, y, live, wide);
     if (q->d->late_depth)
-        flt_store(tile->packet_depth + tile->packet_count * GP_LANES, flt_set(q->z));
+        flt_store(tile->queue->depths + tile->queue->count * GP_LANES, flt_set(q->z));
     else if (q->d->wants_depth)
-        packet->live = fast_test_packet(tile, q->d, packet, live, flt_set(q->z));
-    tile->packet_count += packet->live != 0;
+        packet->live = fast_test_packet(tile, q->d, packet, true, live, flt_set(q->z));
+    tile->queue->count += packet->live != 0;
 }
 
 GP_INLINE void repeat_ahead(flt *to, int stride, int count, flt value)
@@ -149,9 +136,9 @@ GP_INLINE void set_inputs(const Queuer *q, uint32_t first, itg across, itg down)
 {
     Tile *tile = q->tile;
     const int stride = q->d->modes.components, sprite = q->d->modes.sprite;
-    const int count = (int)(tile->packet_count - first);
-    const FastPacket *packets = tile->packets + first;
-    flt *const in = (flt *)(void *)tile->in + first * (uint32_t)stride;
+    const int count = (int)(tile->queue->count - first);
+    const FastPacket *packets = tile->queue->packets + first;
+    flt *const in = fast_inputs(tile) + first * (uint32_t)stride;
     for (int c = 0; c < stride; c++) {
         if (c == sprite)
             c += 2;
@@ -161,12 +148,12 @@ GP_INLINE void set_inputs(const Queuer *q, uint32_t first, itg across, itg down)
     if (sprite < 0)
         return;
     flt *place = in + sprite;
-    repeat_ahead(place, stride, count, along(across, q->left, q->per_step));
+    repeat_ahead(place, stride, count, place_in_sprite(across, q->left, q->per_step));
     for (int p = 0; p < count; p++, place += stride)
-        place[1] = along(down + packets[p].y * GP_SUBPIXELS, q->top, q->per_step);
+        place[1] = place_in_sprite(down + packets[p].y * GP_SUBPIXELS, q->top, q->per_step);
 }
 
-static void queue_packed(const Queuer *q, const FastPacking *packing)
+static void queue_packed(const Queuer *q, const Packing *packing)
 {
     Tile *tile = q->tile;
     const FastBox *box = &q->box;
@@ -175,7 +162,7 @@ static void queue_packed(const Queuer *q, const FastPacking *packing)
     for (int32_t top = box->y0; top <= box->y1; top += most) {
         const int32_t end = box->y1 < top + most ? box->y1 + 1 : top + most;
         make_room(tile, (int32_t)((uint32_t)(end - top + rows - 1) * packing->reciprocal >> 16));
-        const uint32_t first = tile->packet_count;
+        const uint32_t first = tile->queue->count;
         for (int32_t y = top; y < end; y += rows) {
             const int32_t pixels = (end - y < rows ? end - y : rows) * wide;
             queue_packet(q, box->x0, y, wide, (1u << pixels) - 1);
@@ -198,14 +185,15 @@ static void queue_box(const Queuer *q)
             unsigned live = msk_bits((msk)(px >= box->x0) & (msk)(px <= box->x1) &
                                      (msk)(py >= box->y0) & (msk)(py <= box->y1));
             make_room(q->tile, 1);
-            const uint32_t first = q->tile->packet_count;
+            const uint32_t first = q->tile->queue->count;
             if (live)
                 queue_packet(q, x, y, wide, live);
             set_inputs(q, first, px * GP_SUBPIXELS, row * GP_SUBPIXELS);
         }
 }
 
-static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, uint32_t record)
+static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, uint32_t record,
+                         Packing *packing)
 {
     const FastDraw *d = tile->draw;
     const Sprites *s = &batch->at;
@@ -223,9 +211,9 @@ static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, ui
         queue_box(&queuer);
         return;
     }
-    if (tile->packing.wide != wide)
-        set_packing(&tile->packing, wide);
-    queue_packed(&queuer, &tile->packing);
+    if (packing->wide != wide)
+        set_packing(packing, wide);
+    queue_packed(&queuer, packing);
 }
 
 /* --- visible, or only tested ------------------------------------------------------------------------- */
@@ -239,12 +227,12 @@ static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
     if (d->path != FAST_DEPTH_ONLY) {
         const float *varying = d->varyings + (size_t)batch->vertex[lane] * d->stride;
         fast_reserve_records(tile, 1);
-        filler.number = tile->record_count++;
-        FastEdges64 *edges = &tile->edges64[tile->edges64_count];
-        tile->records[filler.number] =
+        filler.number = tile->records->count++;
+        FastEdges64 *edges = &tile->records->edges64[tile->records->edges64_count];
+        tile->records->record[filler.number] =
             (FastTriangleRecord){ .face = 1.0f,
                                   .kind = FAST_SPRITE,
-                                  .edges64 = tile->edges64_count++,
+                                  .edges64 = tile->records->edges64_count++,
                                   .corner = { varying, varying, varying } };
         edges->sprite.left = s->left[lane];
         edges->sprite.top = s->top[lane];
@@ -259,19 +247,19 @@ static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
         }
 }
 
-static void fill_batch(Tile *tile, const SpriteBatch *batch)
+static void fill_batch(Tile *tile, const SpriteBatch *batch, Packing *packing)
 {
     const FastDraw *d = tile->draw;
     uint32_t record = 0;
     if (d->path == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
         fast_reserve_records(tile, 1);
-        record = tile->record_count++;
-        tile->records[record] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+        record = tile->records->count++;
+        tile->records->record[record] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
     }
     for (unsigned drawn = batch->at.drawn; drawn; drawn &= drawn - 1) {
         const uint32_t lane = (uint32_t)__builtin_ctz(drawn);
         if (d->path == FAST_ORDERED)
-            queue_sprite(tile, batch, lane, record);
+            queue_sprite(tile, batch, lane, record, packing);
         else
             fill_rows(tile, batch, lane);
     }
@@ -294,11 +282,12 @@ void fast_fill_sprites(Tile *tile, const uint32_t *primitives, uint32_t count)
 {
     const uint32_t most = FAST_SPRITE_BATCHES * GP_LANES;
     SpriteBatch batches[FAST_SPRITE_BATCHES];
+    Packing packing = { .wide = 0 };
     for (uint32_t first = 0; first < count; first += most) {
         const uint32_t made = set_up_batches(tile, primitives + first, count - first, batches);
         if (tile->draw->packs_points)
             fast_pack_points(tile, batches, made);
         for (uint32_t i = 0; !tile->draw->packs_points && i < made; i++)
-            fill_batch(tile, &batches[i]);
+            fill_batch(tile, &batches[i], &packing);
     }
 }

@@ -1,7 +1,9 @@
-/* Writing of gathered packets: each lane replaces all that its pixel held. */
+/* Shading of gathered packets, of draws that replace all that a pixel held. */
 #include "pipeline/fast/lanes/shade/gathered.h"
-#include "pipeline/fast/lanes/memory/packet.h"
+
 #include "pipeline/fast/lanes/output/quantize.h"
+#include "pipeline/fast/lanes/shade/interpolate_gathered.h"
+#include "pipeline/fast/lanes/shade/pixel_shader.h"
 
 #include <string.h>
 
@@ -63,8 +65,8 @@ static void write_channels(FastPlanes *planes, GpFormat format, const FastGather
     }
 }
 
-void fast_write_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered, int count,
-                         const flt *color)
+static void write_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered, int count,
+                           const flt *color)
 {
     const int stride = gp_program_targets(d->draw->program) * 4;
     for (int t = 0; t < tile->targets; t++, color += 4) {
@@ -74,4 +76,13 @@ void fast_write_gathered(Tile *tile, const FastDraw *d, const FastGathered *gath
         else
             write_channels(tile->planes[t], format, gathered, count, color, stride);
     }
+}
+
+void fast_shade_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered, int count)
+{
+    fast_interpolate_gathered(tile, d, gathered, count, fast_inputs(tile));
+    fast_run_pixel_shader(tile, d, &(FastPacketBlock){ .gathered = gathered, .count = count });
+    for (int p = 0; p < count; p++)
+        tile->fragments_shaded += (uint64_t)__builtin_popcount(gathered[p].live);
+    write_gathered(tile, d, gathered, count, fast_colors(tile));
 }

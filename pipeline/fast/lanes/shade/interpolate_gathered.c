@@ -1,5 +1,5 @@
-/* Shading of gathered packets: the interpolants of every lane from its own triangle, in the model's operations. */
-#include "pipeline/fast/lanes/shade/gathered.h"
+/* The interpolants of every lane from its own triangle, in the model's operations. */
+#include "pipeline/fast/lanes/shade/interpolate_gathered.h"
 
 #include "pipeline/fast/lanes/shade/interpolate.h"
 
@@ -110,8 +110,8 @@ GP_INLINE flt spread_flt(const void *values, const Spread *spread)
 static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edge[2])
 {
     for (int lane = 0; lane < GP_LANES; lane++) {
-        const FastTriangleRecord *record = &tile->records[gathered->record[lane]];
-        const FastEdges64 *edges = &tile->edges64[record->edges64];
+        const FastTriangleRecord *record = &tile->records->record[gathered->record[lane]];
+        const FastEdges64 *edges = &tile->records->edges64[record->edges64];
         const int64_t x = gathered->x[lane], y = gathered->y[lane];
         for (int i = 0; i < 2 && record->kind == FAST_EDGES_64; i++)
             edge[i][lane] = (float)(edges->edge.c[i] + edges->edge.a[i] * x + edges->edge.b[i] * y);
@@ -119,9 +119,9 @@ static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edg
 }
 
 static void set_weights(const Tile *tile, const FastGathered *gathered, const Spread *spread, int p,
-                        BlockWeights *weights)
+                        FastWeights *weights)
 {
-    const FastLaneRuns *runs = &tile->lane_runs;
+    const FastLaneRuns *runs = tile->lane_runs;
     const itg place = gathered->x | gathered->y << 16;
     flt edge[2];
     GP_UNROLL
@@ -160,13 +160,13 @@ static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastGathe
                                   int count, flt *in)
 {
     const int stride = d->modes.components;
-    FastLaneRuns *runs = &tile->lane_runs;
+    FastLaneRuns *runs = tile->lane_runs;
     Spread spread[FAST_BLOCK];
-    BlockWeights weights;
+    FastWeights weights;
     runs->count = 0;
     for (int p = 0; p < count; p++)
         spread[p] = add_runs(&gathered[p], runs);
-    fetch_runs(tile->records, d->needs.varyings, runs);
+    fetch_runs(tile->records->record, d->needs.varyings, runs);
     for (int p = 0; p < count; p++)
         set_weights(tile, &gathered[p], &spread[p], p, &weights);
     for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
@@ -188,8 +188,8 @@ static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastG
                                 flt *in)
 {
     for (int lane = 0; lane < GP_LANES; lane++) {
-        const FastTriangleRecord *record = &tile->records[gathered->record[lane]];
-        const FastEdges64 *edges = &tile->edges64[record->edges64];
+        const FastTriangleRecord *record = &tile->records->record[gathered->record[lane]];
+        const FastEdges64 *edges = &tile->records->edges64[record->edges64];
         for (int c = 0; c < d->modes.components; c++)
             in[c][lane] = record->corner[0][c];
         if (d->modes.sprite < 0)
@@ -199,14 +199,6 @@ static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastG
         at[0][lane] = (float)(x - edges->sprite.left) * edges->sprite.per_step;
         at[1][lane] = (float)(y - edges->sprite.top) * edges->sprite.per_step;
     }
-}
-
-/* --- shading ------------------------------------------------------------------------------------ */
-
-static void set_faces(const Tile *tile, const FastGathered *gathered, float *face)
-{
-    for (int lane = 0; lane < GP_LANES; lane++)
-        face[lane] = tile->records[gathered->record[lane]].face;
 }
 
 void fast_interpolate_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
@@ -219,23 +211,4 @@ void fast_interpolate_gathered(Tile *tile, const FastDraw *d, const FastGathered
         return;
     }
     interpolate_triangles(tile, d, gathered, count, in);
-}
-
-void fast_shade_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered, int count)
-{
-    const GpProgram *program = d->draw->program;
-    flt *pixel = (flt *)(void *)tile->pixel;
-    fast_interpolate_gathered(tile, d, gathered, count, (flt *)(void *)tile->in);
-    for (int p = 0; p < count; p++) {
-        if (program->uses_pixel) {
-            pixel[2 * p] = flt_from_itg(gathered[p].x + tile->x0);
-            pixel[2 * p + 1] = flt_from_itg(gathered[p].y + tile->y0);
-        }
-        if (program->uses_face)
-            set_faces(tile, &gathered[p], tile->face + p * GP_LANES);
-    }
-    fast_run_pixel_shader(tile, d, NULL, count);
-    for (int p = 0; p < count; p++)
-        tile->fragments_shaded += (uint64_t)__builtin_popcount(gathered[p].live);
-    fast_write_gathered(tile, d, gathered, count, (const flt *)(const void *)tile->color);
 }

@@ -1,28 +1,55 @@
 /* One call of a pixel shader: as many packets as a block has. */
-#include "pipeline/fast/lanes/memory/tile.h"
+#include "pipeline/fast/lanes/shade/pixel_shader.h"
 
 #include "pipeline/fast/draws/sampler.h"
+#include "pipeline/fast/lanes/shade/framebuffer_fetch.h"
+#include "pipeline/fast/lanes/shade/records.h"
 
-void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacket *packets, int count)
+static void set_pixels(const Tile *tile, const FastPacketBlock *packets, flt *pixel)
+{
+    for (int p = 0; p < packets->count; p++) {
+        pixel[2 * p] = flt_from_itg(block_x(packets, p) + tile->x0);
+        pixel[2 * p + 1] = flt_from_itg(block_y(packets, p) + tile->y0);
+    }
+}
+
+/* Triangles of a gathered packet in a queue face one way. */
+static void set_faces(const Tile *tile, const FastPacketBlock *packets, float *face)
+{
+    const FastTriangleRecord *records = tile->records->record;
+    for (int p = 0; p < packets->count; p++, face += GP_LANES)
+        if (packets->packets)
+            flt_store(face, flt_set(records[packets->packets[p].record].face));
+        else
+            for (int lane = 0; lane < GP_LANES; lane++)
+                face[lane] = records[packets->gathered[p].record[lane]].face;
+}
+
+void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock *packets)
 {
     const GpProgram *program = d->draw->program;
-    tile->shaded = packets;
+    FastShaderBlock *block = tile->block;
+    block->at = *packets;
+    if (program->uses_pixel)
+        set_pixels(tile, packets, (flt *)(void *)block->pixel);
+    if (program->uses_face)
+        set_faces(tile, packets, block->face);
     for (unsigned left = program->local_reads; left; left &= left - 1)
         fast_begin_fetch(tile, d->draw->textures, __builtin_ctz(left));
     GpShaderCall call = {
         .uniforms = d->draw->uniforms,
-        .packets = count,
-        .in = tile->in,
+        .packets = packets->count,
+        .in = block->in,
         .textures = d->draw->textures,
         .read_texture = fast_read_texture,
         .executor = d->samplers,
         .read_local = fast_fetch_framebuffer,
         .local = tile,
-        .pixel = tile->pixel,
-        .face = tile->face,
-        .color = tile->color,
-        .depth = program->writes_depth ? tile->shader_depth : NULL,
-        .killed = program->may_discard ? tile->killed : NULL,
+        .pixel = block->pixel,
+        .face = block->face,
+        .color = block->color,
+        .depth = program->writes_depth ? block->shader_depth : NULL,
+        .killed = program->may_discard ? block->killed : NULL,
     };
     d->code->pixel(&call);
 }

@@ -1,6 +1,10 @@
-/* The visibility buffer: after the last opaque draw, every pixel that shows a record is shaded, once. */
+/* After the last opaque draw, every pixel that shows a record is shaded, once: rows of one triangle as
+ * packets, all else as gathered packets of pixels of any triangles. */
+#include "pipeline/fast/lanes/shade/visibility.h"
+
 #include "pipeline/fast/lanes/shade/gathered.h"
-#include "pipeline/fast/lanes/memory/packet.h"
+#include "pipeline/fast/lanes/shade/packets.h"
+#include "pipeline/fast/lanes/shade/queue.h"
 
 #include <string.h>
 
@@ -34,7 +38,7 @@ typedef enum GatheredShape { ROW, QUADS, PACKED } GatheredShape;
 static void shade_collected_gathered(Collector *c)
 {
     if (c->gathered)
-        fast_shade_gathered(c->tile, c->d, c->tile->gathered, c->gathered);
+        fast_shade_gathered(c->tile, c->d, c->tile->queue->gathered, c->gathered);
     c->gathered = 0;
 }
 
@@ -43,7 +47,7 @@ static void add_gathered(Collector *c, itg record, itg x, itg y, unsigned live, 
 {
     if (c->gathered == TOGETHER)
         shade_collected_gathered(c);
-    FastGathered *gathered = &c->tile->gathered[c->gathered++];
+    FastGathered *gathered = &c->tile->queue->gathered[c->gathered++];
     gathered->record = record;
     gathered->x = x;
     gathered->y = y;
@@ -83,7 +87,9 @@ static void pack(Collector *c, unsigned lanes, itg record, itg place)
 static void shade_collected_packets(Collector *c)
 {
     if (c->packets)
-        fast_shade_packets(c->tile, c->d, c->tile->packets, c->packets, NULL);
+        fast_shade_packets(
+            c->tile, c->d,
+            &(FastPacketBlock){ .packets = c->tile->queue->packets, .count = c->packets });
     c->packets = 0;
 }
 
@@ -92,7 +98,8 @@ static void add_packet(Collector *c, uint32_t record, const FastPacket *place)
 {
     if (c->packets == FAST_BLOCK)
         shade_collected_packets(c);
-    set_packet(&c->tile->packets[c->packets++], record, place->x, place->y, ALL_LANES, place->wide);
+    set_packet(&c->tile->queue->packets[c->packets++], record, place->x, place->y, ALL_LANES,
+               place->wide);
 }
 
 /* --- collecting ---------------------------------------------------------------------------------- */
@@ -100,7 +107,7 @@ static void add_packet(Collector *c, uint32_t record, const FastPacket *place)
 static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine)
 {
     unsigned live = msk_bits(mine);
-    uint32_t some = c->tile->visibility[fast_at(row->x + __builtin_ctz(live), row->y)];
+    uint32_t some = c->tile->visibility->record[fast_at(row->x + __builtin_ctz(live), row->y)];
     if (msk_bits(shown == (int32_t)some) == ALL_LANES)
         add_packet(c, some, row);
     else if (__builtin_popcount(live) >= DENSE)
@@ -150,17 +157,19 @@ static void collect_quads(Collector *c, const FastPacket *quads, itg shown, msk 
 
 static uint32_t run_end(const Tile *tile, uint32_t run)
 {
-    return run + 1 < tile->run_count ? tile->runs[run + 1].first_record : tile->record_count;
+    const FastVisibility *v = tile->visibility;
+    return run + 1 < v->run_count ? v->runs[run + 1].first_record : tile->records->count;
 }
 
 static void number_records(Tile *tile)
 {
-    memset(tile->run_of, 0, tile->record_count * sizeof *tile->run_of);
-    for (uint32_t run = 1; run < tile->run_count; run++)
-        for (uint32_t record = tile->runs[run].first_record; record < run_end(tile, run); record++)
-            tile->run_of[record] = (uint16_t)run;
-    for (uint32_t run = 0; run < tile->run_count; run++)
-        tile->runs[run].cells = 0;
+    FastVisibility *v = tile->visibility;
+    memset(v->run_of, 0, tile->records->count * sizeof *v->run_of);
+    for (uint32_t run = 1; run < v->run_count; run++)
+        for (uint32_t record = v->runs[run].first_record; record < run_end(tile, run); record++)
+            v->run_of[record] = (uint16_t)run;
+    for (uint32_t run = 0; run < v->run_count; run++)
+        v->runs[run].cells = 0;
 }
 
 /* Lanes that do not show a record from first to end. */
@@ -172,20 +181,20 @@ GP_INLINE itg without(itg shown, int32_t first, int32_t end)
 /* Adds a cell to every run that it shows. */
 static uint16_t sort_cell(Tile *tile, int32_t x, int32_t y, uint16_t count)
 {
-    const uint32_t *row[CELL_HIGH] = { tile->visibility + fast_at(x, y),
-                                       tile->visibility + fast_at(x, y + 1) };
+    FastVisibility *v = tile->visibility;
+    const uint32_t *row[CELL_HIGH] = { v->record + fast_at(x, y), v->record + fast_at(x, y + 1) };
     itg upper = load_words(row[0]), lower = load_words(row[1]);
     for (;;) {
         const unsigned up = msk_bits(upper != 0), down = msk_bits(lower != 0);
         if (!(up | down))
             return count;
         const uint32_t record = up ? row[0][__builtin_ctz(up)] : row[1][__builtin_ctz(down)];
-        const uint32_t run = tile->run_of[record];
-        tile->cells[++count].x = (uint8_t)x;
-        tile->cells[count].y = (uint8_t)y;
-        tile->cells[count].next = tile->runs[run].cells;
-        tile->runs[run].cells = count;
-        const int32_t first = (int32_t)tile->runs[run].first_record;
+        const uint32_t run = v->run_of[record];
+        v->cells[++count].x = (uint8_t)x;
+        v->cells[count].y = (uint8_t)y;
+        v->cells[count].next = v->runs[run].cells;
+        v->runs[run].cells = count;
+        const int32_t first = (int32_t)v->runs[run].first_record;
         const int32_t end = (int32_t)run_end(tile, run);
         upper = without(upper, first, end);
         lower = without(lower, first, end);
@@ -206,9 +215,10 @@ static void sort_cells(Tile *tile)
 static void collect_part(Collector *c, const FastPacket *part, uint32_t run)
 {
     const Tile *tile = c->tile;
-    itg shown = load_packet(tile->visibility, part);
+    const FastVisibility *v = tile->visibility;
+    itg shown = load_packet(v->record, part);
     msk mine =
-        (shown >= (int32_t)tile->runs[run].first_record) & (shown < (int32_t)run_end(tile, run));
+        (shown >= (int32_t)v->runs[run].first_record) & (shown < (int32_t)run_end(tile, run));
     if (!msk_bits(mine))
         return;
     if (part->wide)
@@ -219,13 +229,14 @@ static void collect_part(Collector *c, const FastPacket *part, uint32_t run)
 
 static void shade_run(Tile *tile, uint32_t run)
 {
-    Collector c = { .tile = tile, .d = &tile->pass->draws[tile->runs[run].draw] };
+    const FastVisibility *v = tile->visibility;
+    Collector c = { .tile = tile, .d = &tile->pass->draws[v->runs[run].draw] };
     const bool quads = c.d->needs.quads;
     const int across = quads ? QUADS_WIDE : 0, down = quads ? 0 : 1;
-    for (uint32_t at = tile->runs[run].cells; at; at = tile->cells[at].next)
+    for (uint32_t at = v->runs[run].cells; at; at = v->cells[at].next)
         for (int i = 0; i < 2; i++) {
-            FastPacket part = { .x = (uint8_t)(tile->cells[at].x + i * across),
-                                .y = (uint8_t)(tile->cells[at].y + i * down),
+            FastPacket part = { .x = (uint8_t)(v->cells[at].x + i * across),
+                                .y = (uint8_t)(v->cells[at].y + i * down),
                                 .wide = quads ? 0 : GP_LANES };
             collect_part(&c, &part, run);
         }
@@ -237,25 +248,65 @@ static void shade_run(Tile *tile, uint32_t run)
 
 static bool is_visible(const Tile *tile, uint32_t run)
 {
-    return tile->pass->draws[tile->runs[run].draw].path == FAST_VISIBLE;
+    return tile->pass->draws[tile->visibility->runs[run].draw].path == FAST_VISIBLE;
+}
+
+/* Brings the records up to date with the full-tile occluder. */
+static void settle_occluder(FastVisibility *v)
+{
+    if (v->occluder == FAST_NO_RECORD)
+        return;
+    for (uint32_t y = 0; y < FAST_TILE; y++)
+        for (uint32_t x = 0; x < FAST_TILE; x++) {
+            uint32_t *record = &v->record[y * FAST_PITCH + x];
+            *record = *record > v->occluder ? *record : v->occluder;
+        }
+    v->occluder = FAST_NO_RECORD;
 }
 
 void fast_flush_visibility(Tile *tile)
 {
+    FastVisibility *v = tile->visibility;
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
-    fast_settle_occluder(tile);
+    settle_occluder(v);
     bool any = false;
-    for (uint32_t run = 0; run < tile->run_count; run++)
+    for (uint32_t run = 0; run < v->run_count; run++)
         any |= is_visible(tile, run);
     if (any) {
         number_records(tile);
         sort_cells(tile);
-        for (uint32_t run = 0; run < tile->run_count; run++)
-            if (tile->runs[run].cells)
+        for (uint32_t run = 0; run < v->run_count; run++)
+            if (v->runs[run].cells)
                 shade_run(tile, run);
-        memset(tile->visibility, 0, sizeof tile->visibility);
+        memset(v->record, 0, sizeof v->record);
     }
-    tile->record_count = FAST_NO_RECORD + 1;
-    tile->run_count = tile->edges64_count = 0;
+    fast_begin_visibility(tile);
     fast_turn_to(tile, before);
+}
+
+void fast_begin_visibility(Tile *tile)
+{
+    fast_forget_records(tile->records);
+    tile->visibility->run_count = 0;
+    tile->visibility->occluder = FAST_NO_RECORD;
+}
+
+void fast_reserve_records(Tile *tile, uint32_t count)
+{
+    FastVisibility *v = tile->visibility;
+    FastRecords *records = tile->records;
+    /* an ordered draw's records are done with once its packets are shaded */
+    if (tile->draw->path == FAST_ORDERED && fast_queue_is_empty(tile))
+        fast_forget_records(records);
+    bool new_run = !v->run_count || v->runs[v->run_count - 1].draw != tile->draw_number;
+    if (records->count + count > FAST_RECORDS || records->edges64_count + count > FAST_EDGES64 ||
+        (new_run && v->run_count == FAST_RUNS)) {
+        fast_flush_packets(tile);
+        fast_flush_visibility(tile);
+        new_run = true;
+    }
+    if (new_run) {
+        v->runs[v->run_count].first_record = records->count;
+        v->runs[v->run_count++].draw = tile->draw_number;
+    }
 }

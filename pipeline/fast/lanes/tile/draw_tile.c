@@ -1,44 +1,21 @@
 /* One tile: its primitives in submission order, from clear to store. */
-#include "pipeline/fast/lanes/raster/hierarchical_depth.h"
-#include "pipeline/fast/lanes/raster/sprite.h"
-
 #include "pipeline/fast/draws/clear.h"
+#include "pipeline/fast/draws/find.h"
+#include "pipeline/fast/lanes/geometry/cull.h"
+#include "pipeline/fast/lanes/geometry/sprites.h"
+#include "pipeline/fast/lanes/geometry/vertices.h"
+#include "pipeline/fast/lanes/memory/slots.h"
+#include "pipeline/fast/lanes/raster/fill_triangles.h"
+#include "pipeline/fast/lanes/raster/hierarchical_depth.h"
+#include "pipeline/fast/lanes/raster/sorted_triangles.h"
+#include "pipeline/fast/lanes/raster/sprite.h"
+#include "pipeline/fast/lanes/shade/interpolate_gathered.h"
+#include "pipeline/fast/lanes/shade/queue.h"
+#include "pipeline/fast/lanes/shade/shader_block.h"
+#include "pipeline/fast/lanes/shade/visibility.h"
+#include "pipeline/fast/lanes/stages.h"
 
 #include <string.h>
-
-void fast_corner_of(const FastDraw *d, uint32_t number, GpScreenVertex *corner)
-{
-    uint32_t at = number - d->first_vertex;
-    const FastPosition *p = &d->positions[at];
-    corner->x = p->x;
-    corner->y = p->y;
-    corner->z = p->z;
-    corner->rw = p->rw;
-    corner->varying = d->varyings + (size_t)at * d->stride;
-    const float *distance = corner->varying + d->modes.components;
-    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++)
-        if (d->needs.clip_planes >> i & 1)
-            corner->clip_distance[i] = *distance++;
-}
-
-GpRect fast_tile_rect(const Tile *tile, const FastDraw *d)
-{
-    GpRect r = d->rect;
-    r.x0 = r.x0 > tile->x0 ? r.x0 : tile->x0;
-    r.y0 = r.y0 > tile->y0 ? r.y0 : tile->y0;
-    r.x1 = r.x1 < tile->x0 + tile->width ? r.x1 : tile->x0 + tile->width;
-    r.y1 = r.y1 < tile->y0 + tile->height ? r.y1 : tile->y0 + tile->height;
-    return r;
-}
-
-static void draw_corners(Tile *tile, const GpScreenVertex corner[3])
-{
-    GpTriangle triangle;
-    GpRect rect = fast_tile_rect(tile, tile->draw);
-    if (gp_setup_triangle(corner, &tile->draw->draw->state.raster, &rect, &triangle) ==
-        GP_SETUP_DRAWN)
-        fast_fill_triangle(tile, &triangle);
-}
 
 static void draw_polygon(Tile *tile, const FastRange *range, uint32_t primitive)
 {
@@ -50,7 +27,7 @@ static void draw_polygon(Tile *tile, const FastRange *range, uint32_t primitive)
             uint32_t at = fan->first + (k == 0 ? 0 : i - 2 + (uint32_t)k);
             corner[k].varying = range->corner_varyings + (size_t)at * GP_MAX_VARYINGS;
         }
-        draw_corners(tile, corner);
+        fast_fill_corners(tile, corner);
     }
 }
 
@@ -204,12 +181,9 @@ static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
         return;
     tile->draw = NULL;
     fast_keep_hierarchical_depth(tile, NULL);
-    tile->packet_count = tile->layer_count = tile->sorted_count = 0;
-    tile->layers_alike = false;
-    tile->packing.wide = 0;
-    tile->record_count = FAST_NO_RECORD + 1;
-    tile->occluder = FAST_NO_RECORD;
-    tile->edges64_count = tile->run_count = 0;
+    tile->queue->count = tile->queue->layers.count = 0;
+    tile->sorted->count = 0;
+    fast_begin_visibility(tile);
     fast_turn_to(tile, FAST_RASTER);
     draw_bins(tile, pass, number);
     fast_fill_sorted(tile);
@@ -228,15 +202,44 @@ static void clear_tile(const Tile *tile, const FastGroup *group)
             fast_clear_box(group->passes[p].pass, &box, true);
 }
 
-static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *tile)
+/* What one worker needs: the tile, and the memory of its stages. */
+struct FastTileMemory {
+    Tile tile;
+    FastTileSlots slots;
+    FastRecords records;
+    FastShaderBlock block;
+    FastLaneRuns lane_runs;
+    FastQueue queue;
+    FastVisibility visibility;
+    FastHierarchicalDepth hierarchical_depth;
+    FastSortedTriangles sorted;
+};
+
+static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t number)
 {
-    const FastPass *first = &group->passes[0];
-    tile->x0 = (int32_t)(number % first->tiles_x) * FAST_TILE;
-    tile->y0 = (int32_t)(number / first->tiles_x) * FAST_TILE;
-    int32_t width = (int32_t)first->width - tile->x0, height = (int32_t)first->height - tile->y0;
+    Tile *tile = &memory->tile;
+    tile->x0 = (int32_t)(number % pass->tiles_x) * FAST_TILE;
+    tile->y0 = (int32_t)(number / pass->tiles_x) * FAST_TILE;
+    int32_t width = (int32_t)pass->width - tile->x0, height = (int32_t)pass->height - tile->y0;
     tile->width = width < FAST_TILE ? width : FAST_TILE;
     tile->height = height < FAST_TILE ? height : FAST_TILE;
+    tile->slots = &memory->slots;
+    tile->records = &memory->records;
+    tile->block = &memory->block;
+    tile->lane_runs = &memory->lane_runs;
+    tile->queue = &memory->queue;
+    tile->visibility = &memory->visibility;
+    tile->hierarchical_depth = &memory->hierarchical_depth;
+    tile->sorted = &memory->sorted;
+    if (tile->timed)
+        tile->mark = fast_clock_ms();
+    tile->phase = FAST_TRANSFER;
+}
 
+static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *memory)
+{
+    Tile *tile = &memory->tile;
+    begin_tile(memory, &group->passes[0], number);
     bool touched = false;
     for (uint32_t p = 0; p < group->pass_count && !touched; p++)
         touched = is_touched(&group->passes[p], number);
@@ -244,9 +247,6 @@ static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *t
         clear_tile(tile, group);
         return;
     }
-    if (tile->timed)
-        tile->mark = fast_clock_ms();
-    tile->phase = FAST_TRANSFER;
     fast_begin_slots(tile, &group->slots);
     for (uint32_t p = 0; p < group->pass_count; p++) {
         prefetch_bins(group, p + 1, number);
@@ -261,23 +261,20 @@ static size_t tile_bytes(void)
     return sizeof(FastTileMemory);
 }
 
-static void start_counting(FastTileMemory *tile, bool timed)
+static void start_counting(FastTileMemory *memory, bool timed)
 {
-    tile->fragments_shaded = 0;
-    tile->timed = timed;
-    memset(tile->times, 0, sizeof tile->times);
+    memory->tile.fragments_shaded = 0;
+    memory->tile.timed = timed;
+    memset(memory->tile.times, 0, sizeof memory->tile.times);
 }
 
-static void add_counts(const FastTileMemory *tile, GpCounters *counters, GpPhases *phases)
+static void add_counts(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases)
 {
-    counters->fragments_shaded += tile->fragments_shaded;
-    phases->raster += tile->times[FAST_RASTER];
-    phases->shading += tile->times[FAST_SHADING];
-    phases->transfer += tile->times[FAST_TRANSFER];
+    counters->fragments_shaded += memory->tile.fragments_shaded;
+    phases->raster += memory->tile.times[FAST_RASTER];
+    phases->shading += memory->tile.times[FAST_SHADING];
+    phases->transfer += memory->tile.times[FAST_TRANSFER];
 }
-
-void fast_shade_vertices(const FastDraw *draw, uint32_t first, uint32_t count);
-void fast_bin_range(const FastPass *pass, FastRange *range);
 
 #define STAGES_PASTE_(lanes) fast_stages##lanes
 #define STAGES_PASTE(lanes)  STAGES_PASTE_(lanes)

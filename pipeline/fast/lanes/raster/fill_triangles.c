@@ -1,21 +1,47 @@
 /* A batch of triangles: set up side by side, filled one by one, in their order. */
-#include "pipeline/fast/lanes/raster/batch.h"
+#include "pipeline/fast/lanes/raster/fill_triangles.h"
+
+#include "pipeline/fast/lanes/raster/fill.h"
+#include "pipeline/fast/lanes/raster/hierarchical_depth.h"
+#include "pipeline/fast/lanes/raster/sorted_triangles.h"
 
 #include "pipeline/units/input_assembly.h"
+
+/* A vertex of the draw, for the units that take one triangle at a time. */
+static void load_corner(const FastDraw *d, uint32_t number, GpScreenVertex *corner)
+{
+    uint32_t at = number - d->first_vertex;
+    const FastPosition *p = &d->positions[at];
+    corner->x = p->x;
+    corner->y = p->y;
+    corner->z = p->z;
+    corner->rw = p->rw;
+    corner->varying = d->varyings + (size_t)at * d->stride;
+    const float *distance = corner->varying + d->modes.components;
+    for (int i = 0; i < GP_MAX_CLIP_PLANES; i++)
+        if (d->needs.clip_planes >> i & 1)
+            corner->clip_distance[i] = *distance++;
+}
+
+void fast_fill_corners(Tile *tile, const GpScreenVertex corner[3])
+{
+    GpTriangle triangle;
+    const GpRect rect = fast_tile_rect(tile, tile->draw);
+    if (gp_setup_triangle(corner, &tile->draw->draw->state.raster, &rect, &triangle) ==
+        GP_SETUP_DRAWN)
+        fast_fill_triangle(tile, &triangle);
+}
 
 /* The long way, for triangles that are too large for lanes. */
 static void fill_alone(Tile *tile, uint32_t primitive)
 {
     const FastDraw *d = tile->draw;
-    const GpRect rect = fast_tile_rect(tile, d);
     uint32_t number[3];
     GpScreenVertex corner[3];
-    GpTriangle triangle;
     gp_assemble(&d->draw->geometry, primitive - d->first_primitive, number);
     for (int k = 0; k < 3; k++)
-        fast_corner_of(d, number[k], &corner[k]);
-    if (gp_setup_triangle(corner, &d->draw->state.raster, &rect, &triangle) == GP_SETUP_DRAWN)
-        fast_fill_triangle(tile, &triangle);
+        load_corner(d, number[k], &corner[k]);
+    fast_fill_corners(tile, corner);
 }
 
 /* Lanes of `kind` that come before any other of those that are left. */

@@ -1,0 +1,16 @@
+/* The ways to fill triangles; which one takes which is the batch's choice. */
+#ifndef GP_FAST_FILL_H
+#define GP_FAST_FILL_H
+
+#include "pipeline/fast/lanes/raster/batch.h"
+
+/* The triangles of `lanes`, in their order: tiny ones of which nothing is ordered and no stencil is
+ * touched; those that are ordered, without depth or quads; and any whose edges fit into 32 bits. */
+void fast_fill_tiny(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
+void fast_fill_compacted(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
+void fast_fill_small(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
+
+/* One set-up triangle of any size, by the path of its draw. Nearest: no depth's code is below. */
+void fast_fill_large(Tile *tile, const GpTriangle *triangle, int32_t nearest);
+
+#endif

@@ -1,0 +1,11 @@
+/* Points whose fragments share packets. */
+#ifndef GP_FAST_PACK_POINTS_H
+#define GP_FAST_PACK_POINTS_H
+
+#include "pipeline/fast/lanes/geometry/sprites.h"
+
+/* Queues the fragments of sprites of a draw that packs points: of FAST_SPRITE_BATCHES batches at
+ * most. */
+void fast_pack_points(Tile *tile, const SpriteBatch *batches, uint32_t count);
+
+#endif

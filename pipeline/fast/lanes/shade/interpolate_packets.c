@@ -1,0 +1,228 @@
+/* Interpolants of packets of one triangle or point each. */
+#include "pipeline/fast/lanes/shade/interpolate_packets.h"
+
+#include "pipeline/fast/lanes/shade/interpolate_gathered.h"
+
+/* --- edges -------------------------------------------------------------------------------------- */
+
+/* Whether c + a x + b y fits wherever in the tile a lane may be: it is greatest at a corner. */
+static bool fits_everywhere(int64_t c, int64_t a, int64_t b)
+{
+    const int64_t across = a * FAST_PITCH, down = b * (FAST_TILE + 1);
+    const int64_t ends[4] = { c, c + across, c + down, c + across + down };
+    for (int i = 0; i < 4; i++)
+        if (ends[i] < INT32_MIN || ends[i] > INT32_MAX)
+            return false;
+    return true;
+}
+
+/* The edges of a large triangle are often small in one tile, or have zeros at the end: those of
+ * rectangles along the pixels have fifteen. */
+static bool narrow_edge(const FastEdges64 *edges, int i, FastEdge *edge)
+{
+    int64_t c = edges->edge.c[i], a = edges->edge.a[i], b = edges->edge.b[i];
+    int zeros = c | a | b ? __builtin_ctzll((uint64_t)(c | a | b)) : 0;
+    zeros = zeros < 24 ? zeros : 24;
+    if (!fits_everywhere(c >> zeros, a >> zeros, b >> zeros))
+        return false;
+    *edge = (FastEdge){ (int32_t)(c >> zeros), (int32_t)(a >> zeros), (int32_t)(b >> zeros),
+                        (float)(1 << zeros) };
+    return true;
+}
+
+bool fast_narrow_edges(const FastRecords *records, const FastTriangleRecord *r, FastEdge edge[2])
+{
+    const FastEdges64 *edges = &records->edges64[r->edges64];
+    if (r->kind == FAST_EDGES_64)
+        return narrow_edge(edges, 0, &edge[0]) && narrow_edge(edges, 1, &edge[1]);
+    edge[0] = (FastEdge){ r->c1, fast_step_right(r->step1), fast_step_down(r->step1), 1 };
+    edge[1] = (FastEdge){ r->c2, fast_step_right(r->step2), fast_step_down(r->step2), 1 };
+    return true;
+}
+
+/* --- barycentrics -------------------------------------------------------------------------------- */
+
+GP_INLINE void set_weights(const FastTriangleRecord *r, bool perspective, int p,
+                           const flt screen[2], FastWeights *weights)
+{
+    weights->screen[0][p] = screen[0];
+    weights->screen[1][p] = screen[1];
+    if (perspective)
+        correct_weights(weights, p, flt_set(r->ratio1), flt_set(r->ratio2));
+}
+
+/* The scale is exact, so the product is that of the whole edge. */
+GP_INLINE void weights_32(const FastTriangleRecord *r, const FastEdge edge[2], bool perspective,
+                          const FastPacket *packets, int count, FastWeights *weights)
+{
+    const itg column = packet_columns(packets->wide), row = packet_rows(packets->wide);
+    utg across[2];
+    flt scale[2];
+    GP_UNROLL
+    for (int i = 0; i < 2; i++) {
+        across[i] = (utg)(column * edge[i].a + row * edge[i].b) + (uint32_t)edge[i].c;
+        scale[i] = flt_set(r->inverse_area * edge[i].unit);
+    }
+    for (int p = 0; p < count; p++) {
+        flt screen[2];
+        GP_UNROLL
+        for (int i = 0; i < 2; i++) {
+            const uint32_t first =
+                (uint32_t)edge[i].a * packets[p].x + (uint32_t)edge[i].b * packets[p].y;
+            screen[i] = flt_from_itg((itg)(across[i] + first)) * scale[i];
+        }
+        set_weights(r, perspective, p, screen, weights);
+    }
+}
+
+/* Edges that need more bits: exact in binary64, rounded once. */
+GP_INLINE void weights_64(const FastTriangleRecord *r, const FastEdges64 *edges, bool perspective,
+                          const FastPacket *packets, int count, FastWeights *weights)
+{
+    const dbl column = dbl_from_itg(packet_columns(packets->wide));
+    const dbl row = dbl_from_itg(packet_rows(packets->wide));
+    for (int p = 0; p < count; p++) {
+        flt screen[2];
+        GP_UNROLL
+        for (int i = 0; i < 2; i++) {
+            const double a = (double)edges->edge.a[i], b = (double)edges->edge.b[i];
+            const double first = (double)edges->edge.c[i] + (a * packets[p].x + b * packets[p].y);
+            const dbl edge = first + (column * a + row * b);
+            screen[i] = __builtin_convertvector(edge, flt) * r->inverse_area;
+        }
+        set_weights(r, perspective, p, screen, weights);
+    }
+}
+
+void fast_find_weights(const FastTriangleRecord *r, const FastEdge edge[2], bool perspective,
+                       const FastPacket *packets, int count, FastWeights *weights)
+{
+    if (perspective)
+        weights_32(r, edge, true, packets, count, weights);
+    else
+        weights_32(r, edge, false, packets, count, weights);
+}
+
+/* --- interpolation ------------------------------------------------------------------------------ */
+
+/* Up to four components of a run at once: more of them would leave no registers for weights. */
+enum { AT_ONCE = 4 };
+
+GP_INLINE void blend_components(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
+                                const uint8_t *component, int components, int count, int stride,
+                                flt *in)
+{
+    flt v0[AT_ONCE], to1[AT_ONCE], to2[AT_ONCE];
+    GP_UNROLL
+    for (int i = 0; i < components; i++) {
+        v0[i] = flt_set(r->corner[0][component[i]]);
+        to1[i] = flt_set(r->corner[1][component[i]]) - v0[i];
+        to2[i] = flt_set(r->corner[2][component[i]]) - v0[i];
+    }
+    for (int p = 0; p < count; p++, in += stride) {
+        const flt l1 = weight[0][p], l2 = weight[1][p];
+        GP_UNROLL
+        for (int i = 0; i < components; i++)
+            in[component[i]] = v0[i] + (l1 * to1[i] + l2 * to2[i]);
+    }
+}
+
+static void blend_run(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
+                      uint64_t components, int count, int stride, flt *in)
+{
+    while (components) {
+        uint8_t component[AT_ONCE];
+        int found = 0;
+        for (; components && found < AT_ONCE; components &= components - 1)
+            component[found++] = (uint8_t)__builtin_ctzll(components);
+        if (found == 1)
+            blend_components(r, weight, component, 1, count, stride, in);
+        else if (found == 2)
+            blend_components(r, weight, component, 2, count, stride, in);
+        else if (found == 3)
+            blend_components(r, weight, component, 3, count, stride, in);
+        else
+            blend_components(r, weight, component, AT_ONCE, count, stride, in);
+    }
+}
+
+static void repeat_run(const FastTriangleRecord *r, uint64_t components, int count, int stride,
+                       flt *in)
+{
+    for (; components; components &= components - 1) {
+        const int c = __builtin_ctzll(components);
+        for (int p = 0; p < count; p++)
+            in[c + p * stride] = flt_set(r->corner[0][c]);
+    }
+}
+
+bool fast_needs_perspective(const FastDraw *d, const FastTriangleRecord *r)
+{
+    return d->varyings_by[GP_PERSPECTIVE] && (r->ratio1 != 1.0f || r->ratio2 != 1.0f);
+}
+
+void fast_interpolate_run(const FastDraw *d, const FastTriangleRecord *r,
+                          const FastWeights *weights, int count, flt *in)
+{
+    const int stride = d->modes.components;
+    const uint64_t all = d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN];
+    const uint64_t perspective = fast_needs_perspective(d, r) ? d->varyings_by[GP_PERSPECTIVE] : 0;
+    blend_run(r, weights->perspective, perspective, count, stride, in);
+    blend_run(r, weights->screen, all ^ perspective, count, stride, in);
+    repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);
+}
+
+static void interpolate_triangle(const Tile *tile, const FastDraw *d, const FastPacket *packets,
+                                 int count, flt *in)
+{
+    const FastTriangleRecord *r = &tile->records->record[packets->record];
+    const bool perspective = fast_needs_perspective(d, r);
+    FastEdge edge[2];
+    FastWeights weights;
+    if (fast_narrow_edges(tile->records, r, edge))
+        fast_find_weights(r, edge, perspective, packets, count, &weights);
+    else
+        weights_64(r, &tile->records->edges64[r->edges64], perspective, packets, count, &weights);
+    fast_interpolate_run(d, r, &weights, count, in);
+}
+
+static void interpolate_sprite(const Tile *tile, const FastDraw *d, const FastPacket *packet,
+                               flt *in)
+{
+    const FastTriangleRecord *r = &tile->records->record[packet->record];
+    const FastEdges64 *at = &tile->records->edges64[r->edges64];
+    const itg x = packet_x(packet) * GP_SUBPIXELS, y = packet_y(packet) * GP_SUBPIXELS;
+    for (int c = 0; c < d->modes.components; c++)
+        in[c] = flt_set(r->corner[0][c]);
+    if (d->modes.sprite < 0)
+        return;
+    in += d->modes.sprite;
+    in[0] = place_in_sprite(x, at->sprite.left, at->sprite.per_step);
+    in[1] = place_in_sprite(y, at->sprite.top, at->sprite.per_step);
+}
+
+/* Packets from `first` on that share a triangle and a shape. */
+static int run_length(const FastPacket *first, int count)
+{
+    int length = 1;
+    while (length < count && first[length].record == first->record &&
+           first[length].wide == first->wide && !first[length].gathered)
+        length++;
+    return length;
+}
+
+void fast_interpolate_packets(Tile *tile, const FastDraw *d, const FastPacketBlock *block, flt *in)
+{
+    const FastPacket *packet = block->packets, *end = packet + block->count;
+    for (int length; packet < end; packet += length, in += length * d->modes.components) {
+        length = 1;
+        if (packet->gathered)
+            fast_interpolate_gathered(tile, d, &block->gathered[packet - block->packets], 1, in);
+        else if (tile->records->record[packet->record].kind == FAST_SPRITE)
+            interpolate_sprite(tile, d, packet, in);
+        else {
+            length = run_length(packet, (int)(end - packet));
+            interpolate_triangle(tile, d, packet, length, in);
+        }
+    }
+}

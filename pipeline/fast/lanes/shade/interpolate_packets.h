@@ -1,0 +1,34 @@
+/* Interpolants of packets. What does not change in a run, of packets of one triangle and one shape, is
+ * found once. */
+#ifndef GP_FAST_INTERPOLATE_PACKETS_H
+#define GP_FAST_INTERPOLATE_PACKETS_H
+
+#include "pipeline/fast/lanes/shade/interpolate.h"
+#include "pipeline/fast/lanes/shade/records.h"
+
+/* An edge function in this tile, in 32 bits, in units of `unit`, a power of two. */
+typedef struct FastEdge {
+    int32_t c, a, b;
+    float unit;
+} FastEdge;
+
+/* A triangle's edges 1 and 2; false where one needs more bits. */
+bool fast_narrow_edges(const FastRecords *records, const FastTriangleRecord *triangle,
+                       FastEdge edge[2]);
+
+/* Whether weights in perspective are wanted, and differ from those on the screen. */
+bool fast_needs_perspective(const FastDraw *draw, const FastTriangleRecord *triangle);
+
+/* Weights of a run. */
+void fast_find_weights(const FastTriangleRecord *triangle, const FastEdge edge[2], bool perspective,
+                       const FastPacket *packets, int count, FastWeights *weights);
+
+/* A run's inputs, from its weights: [packet][component]. */
+void fast_interpolate_run(const FastDraw *draw, const FastTriangleRecord *triangle,
+                          const FastWeights *weights, int count, flt *in);
+
+/* Inputs of any packets: [packet][component]. */
+void fast_interpolate_packets(Tile *tile, const FastDraw *draw, const FastPacketBlock *packets,
+                              flt *in);
+
+#endif

@@ -1,0 +1,34 @@
+/* The queue: packets of the present draw that wait for its shader, in order. */
+#ifndef GP_FAST_QUEUE_H
+#define GP_FAST_QUEUE_H
+
+#include "pipeline/fast/lanes/shade/layers.h"
+
+typedef struct FastQueue {
+    uint32_t count;
+    FastLayers layers; /* while any wait, no packets do */
+    _Alignas(64) FastPacket packets[FAST_BLOCK];
+    _Alignas(64) float depths[FAST_BLOCK * GP_LANES]; /* of packets whose tests come late */
+    _Alignas(64) FastGathered gathered[FAST_BLOCK];
+} FastQueue;
+
+/* Room at the end of the queue. */
+FastPacket *fast_new_packet(Tile *tile);
+
+/* Queues pixels of an ordered draw for its shader; `live` is not 0, depth matters where tests come
+ * late. Records stay in place until their packets are shaded. */
+void fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
+void fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
+
+/* Queues every pixel of a box in the tile, by rows, of an ordered draw without depth. */
+void fast_queue_box(Tile *tile, uint32_t record, const FastBox *box);
+
+GP_INLINE bool fast_queue_is_empty(const Tile *tile)
+{
+    return !tile->queue->count && !tile->queue->layers.count;
+}
+
+/* Shades what is queued, and blends it in its order. */
+void fast_flush_packets(Tile *tile);
+
+#endif
