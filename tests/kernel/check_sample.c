@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pipeline/fast/draws/sampler.h"
+#include "pipeline/fast/lanes/texture/sample.h"
 #include "pipeline/list/isa.h"
 #include "pipeline/units/texture_read.h"
 

@@ -11,7 +11,14 @@ BEGIN {
     floor("pipeline/shader") # with shader.h, what a shader file sees
     floor("pipeline/units")
     floor("pipeline/list")
-    floor("pipeline/reference pipeline/fast")
+    floor("pipeline/reference pipeline/fast/draws")
+    floor("pipeline/fast/lanes") # names, and the table of stages
+    floor("pipeline/fast/lanes/memory")
+    floor("pipeline/fast/lanes/texture pipeline/fast/lanes/output")
+    floor("pipeline/fast/lanes/geometry pipeline/fast/lanes/shade")
+    floor("pipeline/fast/lanes/raster")
+    floor("pipeline/fast/lanes/tile")
+    floor("pipeline/fast")
     floor("pipeline") # the device and the public header
     floor("pipeline/io")
     floor("shaders_c")

@@ -1,8 +1,9 @@
 /* Vertices: shaded GP_LANES at a time, put on the screen, and marked where they are outside. */
 #include "pipeline/fast/lanes/geometry/vertices.h"
 
+#include "pipeline/fast/lanes/texture/sample.h"
+
 #include "pipeline/units/input_assembly.h"
-#include "pipeline/fast/draws/sampler.h"
 #include "pipeline/units/texture_read.h"
 #include "pipeline/units/viewport.h"
 

@@ -1,6 +1,8 @@
 /* Texels and planes. Planes hold what reading the stored texel gives, so storing never rounds. */
 #include "pipeline/fast/lanes/memory/transfer.h"
 
+#include "pipeline/fast/lanes/memory/convert.h"
+
 #include <string.h>
 
 typedef uint8_t byte_lanes __attribute__((vector_size(GP_LANES)));
@@ -51,28 +53,6 @@ GP_INLINE void store_bytes(void *to, itg words)
 
 /* --- numbers ------------------------------------------------------------------------------------- */
 
-/* gp_float_from_half. */
-GP_INLINE itg from_half(itg half)
-{
-    itg sign = (half & 0x8000) << 16, size = half & 0x7fff;
-    itg normal = (size << 13) + (112 << 23);
-    itg small = (itg)(flt_from_itg(size) * 0x1p-24f);
-    itg finite = itg_select((itg)(size < 0x400), small, normal);
-    itg special = itg_select((itg)(size > 0x7c00), itg_set(0x7fc00000), sign | 0x7f800000);
-    return itg_select((itg)(size < 0x7c00), finite | sign, special);
-}
-
-/* gp_half_from_float of a float that some half is equal to. */
-GP_INLINE itg to_half(itg bits)
-{
-    itg sign = bits >> 16 & 0x8000, size = bits & 0x7fffffff;
-    itg normal = (size >> 13) - (112 << 10);
-    itg small = (itg)((flt)size + 0.5f) - 0x3f000000;
-    itg finite = itg_select((itg)(size < 0x38800000), small, normal);
-    itg special = itg_select((itg)(size > 0x7f800000), itg_set(0x7e00), sign | 0x7c00);
-    return itg_select((itg)(size < 0x7f800000), finite | sign, special);
-}
-
 GP_INLINE itg canonical(itg bits)
 {
     return itg_select((itg)((bits & 0x7fffffff) > 0x7f800000), itg_set(0x7fc00000), bits);
@@ -94,18 +74,18 @@ GP_INLINE void load_color(GpFormat format, const uint8_t *texel, FastPlanes *pla
         break;
     case GP_G16R16F:
         v[0] = load_words(texel);
-        store_words(channel[0], from_half(v[0] & 0xffff));
-        store_words(channel[1], from_half((itg)((utg)v[0] >> 16)));
+        store_words(channel[0], float_from_half(v[0] & 0xffff));
+        store_words(channel[1], float_from_half((itg)((utg)v[0] >> 16)));
         break;
     case GP_A16B16G16R16F:
         v[0] = load_words(texel);
         v[1] = load_words(texel + sizeof(itg));
         v[2] = itg_evens(v[0], v[1]);
         v[3] = itg_odds(v[0], v[1]);
-        store_words(channel[0], from_half(v[2] & 0xffff));
-        store_words(channel[1], from_half((itg)((utg)v[2] >> 16)));
-        store_words(channel[2], from_half(v[3] & 0xffff));
-        store_words(channel[3], from_half((itg)((utg)v[3] >> 16)));
+        store_words(channel[0], float_from_half(v[2] & 0xffff));
+        store_words(channel[1], float_from_half((itg)((utg)v[2] >> 16)));
+        store_words(channel[2], float_from_half(v[3] & 0xffff));
+        store_words(channel[3], float_from_half((itg)((utg)v[3] >> 16)));
         break;
     case GP_R32F:
         store_words(channel[0], load_words(texel));
@@ -145,12 +125,15 @@ GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *pl
         store_bytes(texel, itg_from_flt(flt_load(channel[0]) * 255.0f + 0.5f));
         break;
     case GP_G16R16F:
-        rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
+        rg = half_from_float(load_words(channel[0])) | half_from_float(load_words(channel[1]))
+                                                           << 16;
         put_words(texel, rg, non_temporal);
         break;
     case GP_A16B16G16R16F:
-        rg = to_half(load_words(channel[0])) | to_half(load_words(channel[1])) << 16;
-        ba = to_half(load_words(channel[2])) | to_half(load_words(channel[3])) << 16;
+        rg = half_from_float(load_words(channel[0])) | half_from_float(load_words(channel[1]))
+                                                           << 16;
+        ba = half_from_float(load_words(channel[2])) | half_from_float(load_words(channel[3]))
+                                                           << 16;
         put_words(texel, itg_zip_low(rg, ba), non_temporal);
         put_words(texel + sizeof(itg), itg_zip_high(rg, ba), non_temporal);
         break;

@@ -3,19 +3,8 @@
 #define GP_FAST_DEPTH_H
 
 #include "pipeline/resources/compare.h"
+#include "pipeline/fast/lanes/memory/convert.h"
 #include "pipeline/fast/lanes/memory/packet.h"
-
-/* Depth to the code that is stored, as gp_depth_code: unorm by binary64, floats by their bits. */
-GP_INLINE itg depth_codes(GpFormat format, flt z)
-{
-    if (format == GP_D32F) {
-        itg bits = (itg)(z + 0.0f); /* -0 becomes 0 */
-        return itg_select((itg)(z == z), bits, itg_set(0x7fc00000));
-    }
-    double scale = format == GP_D16 ? 65535.0 : 16777215.0;
-    flt safe = flt_select(z > 0.0f, z, flt_set(0)); /* NaN to 0 */
-    return __builtin_convertvector(__builtin_convertvector(safe, dbl) * scale + 0.5, itg);
-}
 
 /* Lanes in which a test accepts how two numbers compare. */
 GP_INLINE msk accepted_lanes(GpCompare test, msk less, msk equal, msk greater)

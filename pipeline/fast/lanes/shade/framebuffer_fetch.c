@@ -1,6 +1,7 @@
 /* Framebuffer fetch: what the pixels of a packet hold, from slots or surfaces. */
 #include "pipeline/fast/lanes/shade/framebuffer_fetch.h"
 
+#include "pipeline/fast/lanes/memory/convert.h"
 #include "pipeline/fast/lanes/memory/slots.h"
 #include "pipeline/fast/lanes/output/quantize.h"
 #include "pipeline/fast/lanes/shade/shader_block.h"
@@ -38,18 +39,6 @@ void fast_begin_fetch(Tile *tile, const GpTexture *textures, int number)
         fetch->format = GP_FORMAT_NONE;
 }
 
-GP_INLINE flt decode(GpFormat format, itg words)
-{
-    switch (format) { /* the divisions' operands are exact, as in gp_float_from_unorm */
-    case GP_D16:
-        return flt_from_itg(words) / 65535.0f;
-    case GP_D24S8:
-        return flt_from_itg(words) / 16777215.0f;
-    default:
-        return (flt)words;
-    }
-}
-
 /* Where a packet's pixels are in the tile. */
 typedef struct Places {
     const FastPacket *packet; /* a row or quads; or NULL, and where each lane is: */
@@ -75,8 +64,9 @@ GP_INLINE void read_planes(const FastFetch *fetch, const Places *places, flt rgb
     }
     GP_UNROLL
     for (int c = 0; c < 4; c++)
-        rgba[c] = fetch->plane[c] ? decode(fetch->format, load_places(fetch->plane[c], places))
-                                  : flt_set(fetch->same[c]);
+        rgba[c] = fetch->plane[c]
+                      ? depth_from_codes(fetch->format, load_places(fetch->plane[c], places))
+                      : flt_set(fetch->same[c]);
 }
 
 /* Rows and quads of which no pixel lies past the surface's edge. */

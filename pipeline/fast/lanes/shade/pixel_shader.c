@@ -1,9 +1,9 @@
 /* One call of a pixel shader: as many packets as a block has. */
 #include "pipeline/fast/lanes/shade/pixel_shader.h"
 
-#include "pipeline/fast/draws/sampler.h"
 #include "pipeline/fast/lanes/shade/framebuffer_fetch.h"
 #include "pipeline/fast/lanes/shade/records.h"
+#include "pipeline/fast/lanes/texture/sample.h"
 
 static void set_pixels(const Tile *tile, const FastPacketBlock *packets, flt *pixel)
 {
