@@ -46,10 +46,9 @@ static GpResult add_point(Run *run, ScalingPoint point, void *scene, const char 
     Scaling *scaling = &run->scaling;
     const Technique *technique = scaling->technique;
     Frame frame = { .color = NULL };
-    RunStatistics statistics;
     Timing timing;
-    GpResult result = technique_time(&run->clock, technique, scene, options, &frame, &statistics,
-                                     &timing, run->error);
+    GpResult result =
+        technique_time(&run->clock, technique, scene, options, &frame, &timing, run->error);
     if (result)
         return result;
     text_copy(point.options, sizeof point.options, options);
@@ -59,8 +58,8 @@ static GpResult add_point(Run *run, ScalingPoint point, void *scene, const char 
     point.cpu_ms = timing.cpu_ms;
     point.frames = timing.frames;
     scaling->points[scaling->count++] = point;
-    scaling->threads = statistics.threads;
-    text_copy(scaling->isa, sizeof scaling->isa, statistics.isa);
+    scaling->threads = gp_device_threads(run->clock.device);
+    text_copy(scaling->isa, sizeof scaling->isa, gp_device_isa(run->clock.device));
     frame_free(&frame);
     return GP_OK;
 }

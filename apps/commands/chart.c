@@ -78,11 +78,10 @@ static const CommandSyntax syntax = {
             "  glasspipe chart voxelize --scaling\n"
             "\n"
             "Draws a scene with every setting of a technique's sweep, measures time and distance "
-            "from the "
-            "exact result, and writes a chart as SVG, CSV and JSON, and a page of all charts.\v"
+            "from the exact result, and writes a chart as SVG, CSV and JSON, and a page of all "
+            "charts.\v"
             "Without a scene, the technique's own is drawn. Printed are the best settings: nothing "
-            "else "
-            "measured is both faster and more exact.",
+            "else measured is both faster and more exact.",
     .offset = offsetof(ChartCommand, name),
     .most = 2,
     .check = check,
@@ -132,29 +131,34 @@ static int print_best(const Chart *chart)
     return EXIT_DONE;
 }
 
-/* out  path: FOLDER/NAME. returns an exit code, after a message if it is not EXIT_DONE */
-static int make_path(const char *folder, const char *name, char path[CHART_MAX_PATH])
+static void print_scaling(const Scaling *scaling)
 {
-    if (snprintf(path, CHART_MAX_PATH, "%s/%s", folder, name) >= CHART_MAX_PATH)
-        return report(EXIT_INTERNAL, "%.200s: the path is too long", folder);
-    return EXIT_DONE;
+    printf("%10s  %12s  setting\n", "ms", "amount");
+    for (uint32_t i = 0; i < scaling->count; i++) {
+        const ScalingPoint *point = &scaling->points[i];
+        printf("%10.3f  %12.10g  %s: %s %s\n", point->ms, point->amount,
+               scaling_name(scaling, point), point->scene, point->options);
+    }
 }
 
-/* --- speed against accuracy ------------------------------------------------------------------- */
+/* --- writing ---------------------------------------------------------------------------------- */
 
-/* Writes the chart and the page, then reports. */
-static int finish(const ChartCommand *command, const ChartJob *job, const Chart *chart)
+/* Writes one of the two, and the page, and says so. returns an exit code, after a message if it is
+ * not EXIT_DONE */
+static int write_all(const ChartCommand *command, const char *name, const Chart *chart,
+                     const Scaling *scaling)
 {
-    char name[64], path[CHART_MAX_PATH];
+    char path[CHART_MAX_PATH];
     GpError error = { "" };
-    chart_name(job->experiment, job->scene, name, sizeof name);
-    if (make_path(job->folder, name, path))
-        return EXIT_INTERNAL;
-    if (chart_write(path, chart, &error) ||
-        chart_write_page(job->folder, command->techniques, &error))
+    if (snprintf(path, sizeof path, "%s/%s", command->folder, name) >= (int)sizeof path)
+        return report(EXIT_INTERNAL, "%.200s: the path is too long", command->folder);
+    GpResult result =
+        chart ? chart_write(path, chart, &error) : scaling_write(path, scaling, &error);
+    if (result || chart_write_page(command->folder, command->techniques, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
-    notice(&command->options, "wrote %s.svg, .csv, .json and %s/index.html", path, job->folder);
-    return command->options.json ? output_json(chart_json(chart)) : print_best(chart);
+    notice(&command->options, "wrote %s.svg, .csv%s and %s/index.html", path,
+           chart ? ", .json" : "", command->folder);
+    return EXIT_DONE;
 }
 
 static int chart_accuracy(const ChartCommand *command, GpDevice *device,
@@ -168,53 +172,34 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device,
                      .listener = *listener };
     job.experiment = experiment_find(command->techniques, command->name, &job.technique);
     job.scene = command->scene ? command->scene : job.experiment->scene;
+    char name[64];
     Chart chart = { .points = NULL };
     GpError error = { "" };
+    chart_name(job.experiment, job.scene, name, sizeof name);
     GpResult result = chart_run(&job, &chart, &error);
-    int code =
-        result ? report(exit_of_run(result), "%s", error.text) : finish(command, &job, &chart);
+    int code = result ? report(exit_of_run(result), "%s", error.text)
+                      : write_all(command, name, &chart, NULL);
+    if (!code)
+        code = command->options.json ? output_json(chart_json(&chart)) : print_best(&chart);
     chart_free(&chart);
     return code;
-}
-
-/* --- scaling ----------------------------------------------------------------------------------- */
-
-static void print_scaling(const Scaling *scaling)
-{
-    printf("%10s  %12s  setting\n", "ms", "amount");
-    for (uint32_t i = 0; i < scaling->count; i++) {
-        const ScalingPoint *point = &scaling->points[i];
-        printf("%10.3f  %12.10g  %s: %s %s\n", point->ms, point->amount,
-               scaling_name(scaling, point), point->scene, point->options);
-    }
-}
-
-static int finish_scaling(const ChartCommand *command, const Scaling *scaling)
-{
-    char name[64], path[CHART_MAX_PATH];
-    GpError error = { "" };
-    snprintf(name, sizeof name, "%s_scaling", command->name);
-    if (make_path(command->folder, name, path))
-        return EXIT_INTERNAL;
-    if (scaling_write(path, scaling, &error) ||
-        chart_write_page(command->folder, command->techniques, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    notice(&command->options, "wrote %s.svg, .csv and %s/index.html", path, command->folder);
-    if (command->options.json)
-        return output_json(scaling_json(scaling));
-    print_scaling(scaling);
-    return EXIT_DONE;
 }
 
 static int chart_scaling(const ChartCommand *command, GpDevice *device,
                          const ChartListener *listener)
 {
+    char name[64];
     Scaling scaling = { .points = NULL };
     GpError error = { "" };
+    snprintf(name, sizeof name, "%s_scaling", command->name);
     GpResult result = scaling_run(technique_find(command->techniques, command->name), device,
                                   listener, command->seconds, &scaling, &error);
-    int code =
-        result ? report(exit_of_run(result), "%s", error.text) : finish_scaling(command, &scaling);
+    int code = result ? report(exit_of_run(result), "%s", error.text)
+                      : write_all(command, name, NULL, &scaling);
+    if (!code && command->options.json)
+        code = output_json(scaling_json(&scaling));
+    else if (!code)
+        print_scaling(&scaling);
     scaling_free(&scaling);
     return code;
 }

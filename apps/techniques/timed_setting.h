@@ -17,13 +17,20 @@ typedef struct TechniqueClock {
 GpResult technique_clock_open(GpDevice *device, double seconds, TechniqueClock *clock,
                               GpError *error);
 
-/* Builds the frame of a setting, a text of options, and draws it by the clock's plan.
+/* Draws a list by the clock's plan, after its first frame. errors those of gp_device_run */
+GpResult technique_time_list(const TechniqueClock *clock, const GpList *list, Timing *timing,
+                             GpError *error);
+
+/* The same with the frame of a setting, a text of options.
  * in     frame: zeroed
- * out    frame: as it was drawn; statistics: of the last; timing
+ * out    frame: as it was drawn
  * errors those of technique_build and gp_device_run; *frame is then empty
  * owns   the caller, until frame_free */
 GpResult technique_time(const TechniqueClock *clock, const Technique *technique, void *scene,
-                        const char *options, Frame *frame, RunStatistics *statistics,
-                        Timing *timing, GpError *error);
+                        const char *options, Frame *frame, Timing *timing, GpError *error);
+
+/* The same where only the median is wanted. */
+GpResult technique_time_ms(const TechniqueClock *clock, const Technique *technique, void *scene,
+                           const char *options, double *ms, GpError *error);
 
 #endif

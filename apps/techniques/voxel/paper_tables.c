@@ -10,20 +10,6 @@ static double megabytes(size_t bytes)
     return (double)bytes / (1 << 20);
 }
 
-/* Milliseconds of a setting's frame, which is freed. */
-static GpResult time_setting(const Technique *technique, void *scene, const TechniqueClock *clock,
-                             const char *options, double *ms, GpError *error)
-{
-    Frame frame = { .color = NULL };
-    RunStatistics statistics;
-    Timing timing = { .ms = 0 };
-    GpResult result =
-        technique_time(clock, technique, scene, options, &frame, &statistics, &timing, error);
-    frame_free(&frame);
-    *ms = timing.ms;
-    return result;
-}
-
 /* --- 2.1: the steps of models of different size ------------------------------------------------- */
 
 enum { SIZE = 256 };
@@ -60,11 +46,10 @@ static GpResult measure_sheets(const Technique *technique, void *scene, const Te
 {
     const VoxelModels *models = scene;
     Frame frame = { .color = NULL };
-    RunStatistics statistics;
     Timing timing;
     SheetsTimes steps;
-    GpResult result = technique_time(clock, technique, scene, "--method sheets" AT_SIZE, &frame,
-                                     &statistics, &timing, error);
+    GpResult result =
+        technique_time(clock, technique, scene, "--method sheets" AT_SIZE, &frame, &timing, error);
     if (result)
         return result;
     const VoxelMade *made = frame.made;
@@ -89,11 +74,11 @@ static GpResult measure_steps(const PaperTable *table, const PaperRow *row,
     measured[TRIANGLES] = ((const VoxelModels *)scene)->scene.mesh.triangle_count;
     GpResult result = measure_sheets(technique, scene, clock, measured, error);
     if (!result)
-        result = time_setting(technique, scene, clock, "--method conservative" AT_SIZE,
-                              &measured[CONSERVATIVE], error);
+        result = technique_time_ms(clock, technique, scene, "--method conservative" AT_SIZE,
+                                   &measured[CONSERVATIVE], error);
     if (!result)
-        result =
-            time_setting(technique, scene, clock, "--method thin" AT_SIZE, &measured[THIN], error);
+        result = technique_time_ms(clock, technique, scene, "--method thin" AT_SIZE,
+                                   &measured[THIN], error);
     return result;
 }
 
@@ -156,16 +141,12 @@ static GpResult time_picture(const TechniqueClock *clock, const FlatTexture *tex
                              GpError *error)
 {
     Frame frame = { .color = NULL };
-    RunStatistics statistics;
     Timing timing = { .ms = 0 };
     VoxelView view = voxel_view_defaults;
     view.camera = camera_for(texture->size);
     GpResult result = voxel_view_build(texture, &view, PICTURE, PICTURE, &frame, error);
     if (!result)
-        result = run_first(clock->device, &frame.list, &statistics, error);
-    if (!result)
-        result = timing_run(clock->device, &frame.list, &clock->plan, clock->each, &statistics,
-                            &timing, error);
+        result = technique_time_list(clock, &frame.list, &timing, error);
     frame_free(&frame);
     *ms = timing.ms;
     return result;
@@ -178,15 +159,12 @@ static GpResult measure_picture(const Technique *technique, void *scene,
 {
     char options[64];
     Frame frame = { .color = NULL };
-    RunStatistics statistics;
     snprintf(options, sizeof options, "--method sheets --size %u", size);
     GpResult result = technique_build(technique, scene, options, clock->device, &frame, error);
-    if (result)
-        return result;
-    const VoxelMade *made = frame.made;
-    result = run_first(clock->device, &frame.list, &statistics, error);
     if (!result)
-        result = time_picture(clock, &made->pair.result, ms, error);
+        result = gp_device_run(clock->device, &frame.list, error);
+    if (!result)
+        result = time_picture(clock, &((const VoxelMade *)frame.made)->pair.result, ms, error);
     frame_free(&frame);
     return result;
 }
@@ -198,12 +176,10 @@ static GpResult measure_sizes(const PaperTable *table, const PaperRow *row,
     (void)table;
     char options[64];
     Frame frame = { .color = NULL };
-    RunStatistics statistics;
     Timing timing;
     const uint32_t size = (uint32_t)row->printed[SIDE], bits = (uint32_t)row->printed[BITS];
     snprintf(options, sizeof options, "--method sheets --size %u --bits %u", size, bits);
-    GpResult result =
-        technique_time(clock, technique, scene, options, &frame, &statistics, &timing, error);
+    GpResult result = technique_time(clock, technique, scene, options, &frame, &timing, error);
     if (result)
         return result;
     const VoxelMade *made = frame.made;

@@ -21,17 +21,12 @@ static GpResult time_step(const TechniqueClock *clock, const GpList *list, int s
                           double *ms, GpError *error)
 {
     GpList chosen = { .passes = some };
-    RunStatistics statistics;
-    Timing timing;
+    Timing timing = { .ms = 0 };
     for (uint32_t i = 0; i < list->pass_count; i++)
         if (step_of(&list->passes[i]) == step)
             some[chosen.pass_count++] = list->passes[i];
-    GpResult result = run_first(clock->device, &chosen, &statistics, error);
-    if (!result)
-        result = timing_run(clock->device, &chosen, &clock->plan, clock->each, &statistics, &timing,
-                            error);
-    if (!result)
-        *ms = timing.ms;
+    GpResult result = technique_time_list(clock, &chosen, &timing, error);
+    *ms = timing.ms;
     return result;
 }
 
