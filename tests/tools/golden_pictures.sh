@@ -5,8 +5,8 @@
 #   golden_pictures.sh PROGRAM CASE       writes that case's line anew, or adds it
 #
 # A line is "ARGUMENTS = WHAT IS PRINTED". Every scene is there, every case of `bench', and every name
-# that an option of a technique takes, by the program's own words: one that is missing is a failure. A
-# case whose data is not here ($GLASSPIPE_DATA) is skipped.
+# that an option of a technique (a command with --error) takes, by the program's own words: one that is
+# missing is a failure. A case whose data is not here ($GLASSPIPE_DATA) is skipped.
 program=$1
 cases=tests/golden/pictures.txt
 data=${GLASSPIPE_DATA:-../shared/data}
@@ -60,8 +60,10 @@ check_bench() {
     done
 }
 
+# Executor and instruction set change no bit.
 check_names() {
-    for option in $("$program" "$1" --help | sed -n 's/^ *\(-., \)\?--\([a-z-]*\)=.*/\2/p'); do
+    for option in $("$program" "$1" --help | sed -n 's/^ *\(-., \)\?--\([a-z-]*\)=.*/\2/p' |
+        grep -vxE 'executor|isa'); do
         for name in $(names_of "$1" "$option"); do
             grep -qE "^$1 .*--$option $name( |\$)" "$cases" ||
                 result "not ok" "no case of $1 has --$option $name"
@@ -93,8 +95,13 @@ while IFS= read -r line; do
 done <"$cases"
 check_scenes
 check_bench
-for technique in shadow voxelize; do
-    check_names "$technique"
+techniques=0
+for command in $("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+    if "$program" "$command" --help | grep -q -- '--error='; then
+        check_names "$command"
+        techniques=$((techniques + 1))
+    fi
 done
+[ "$techniques" -ge 2 ] || result "not ok" "only $techniques techniques are found in the help"
 echo "1..$number"
 exit "$failed"
