@@ -161,14 +161,14 @@ void node_close(Node *object)
     }
 }
 
-size_t node_length(const Node *array, size_t limit)
+size_t node_length(Node array, size_t limit)
 {
-    if (!expect(array, json_is_array(array->value), "an array"))
+    if (!expect(&array, json_is_array(array.value), "an array"))
         return 0;
-    size_t length = json_array_size(array->value);
+    size_t length = json_array_size(array.value);
     if (length <= limit)
         return length;
-    node_fail(array, GP_ERROR_FORMAT, "%zu elements, at most %zu", length, limit);
+    node_fail(&array, GP_ERROR_FORMAT, "%zu elements, at most %zu", length, limit);
     return 0;
 }
 
@@ -198,46 +198,46 @@ void node_require(const Node *node)
 
 /* --- values ---------------------------------------------------------------------------------- */
 
-double node_double(const Node *node, double fallback, double low, double high)
+double node_double(Node node, double fallback, double low, double high)
 {
-    double value = json_number_value(node->value);
-    if (!node->value || node->reader->result)
+    double value = json_number_value(node.value);
+    if (!node.value || node.reader->result)
         return fallback;
-    if (json_is_number(node->value) && value >= low && value <= high)
+    if (json_is_number(node.value) && value >= low && value <= high)
         return value;
-    node_fail(node, GP_ERROR_FORMAT, "expected a number in [%g, %g]", low, high);
+    node_fail(&node, GP_ERROR_FORMAT, "expected a number in [%g, %g]", low, high);
     return fallback;
 }
 
-float node_number(const Node *node, float fallback, float low, float high)
+float node_number(Node node, float fallback, float low, float high)
 {
     return (float)node_double(node, (double)fallback, (double)low, (double)high);
 }
 
-long node_integer(const Node *node, long fallback, long low, long high)
+long node_integer(Node node, long fallback, long low, long high)
 {
-    json_int_t value = json_integer_value(node->value);
-    if (!node->value || node->reader->result)
+    json_int_t value = json_integer_value(node.value);
+    if (!node.value || node.reader->result)
         return fallback;
-    if (json_is_integer(node->value) && value >= low && value <= high)
+    if (json_is_integer(node.value) && value >= low && value <= high)
         return (long)value;
-    node_fail(node, GP_ERROR_FORMAT, "expected a whole number in [%ld, %ld]", low, high);
+    node_fail(&node, GP_ERROR_FORMAT, "expected a whole number in [%ld, %ld]", low, high);
     return fallback;
 }
 
-bool node_bool(const Node *node, bool fallback)
+bool node_bool(Node node, bool fallback)
 {
-    return expect(node, json_is_boolean(node->value), "true or false") ? json_is_true(node->value)
+    return expect(&node, json_is_boolean(node.value), "true or false") ? json_is_true(node.value)
                                                                        : fallback;
 }
 
-const char *node_string(const Node *node, const char *fallback)
+const char *node_string(Node node, const char *fallback)
 {
-    return expect(node, json_is_string(node->value), "a string") ? json_string_value(node->value)
+    return expect(&node, json_is_string(node.value), "a string") ? json_string_value(node.value)
                                                                  : fallback;
 }
 
-int node_name(const Node *node, int fallback, const char *const *names, int count)
+int node_name(Node node, int fallback, const char *const *names, int count)
 {
     const char *text = node_string(node, NULL);
     if (!text)
@@ -249,25 +249,23 @@ int node_name(const Node *node, int fallback, const char *const *names, int coun
     size_t used = 0;
     for (int i = 0; i < count && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", names[i]);
-    node_fail(node, GP_ERROR_FORMAT, "expected one of %s", list);
+    node_fail(&node, GP_ERROR_FORMAT, "expected one of %s", list);
     return fallback;
 }
 
-void node_doubles(const Node *node, double *values, int count, double low, double high)
+void node_doubles(Node node, double *values, int count, double low, double high)
 {
-    if (!node->value || node->reader->result)
+    if (!node.value || node.reader->result)
         return;
-    if (!json_is_array(node->value) || json_array_size(node->value) != (size_t)count) {
-        node_fail(node, GP_ERROR_FORMAT, "expected %d numbers in [%g, %g]", count, low, high);
+    if (!json_is_array(node.value) || json_array_size(node.value) != (size_t)count) {
+        node_fail(&node, GP_ERROR_FORMAT, "expected %d numbers in [%g, %g]", count, low, high);
         return;
     }
-    for (int i = 0; i < count; i++) {
-        Node element = node_element(node, (size_t)i);
-        values[i] = node_double(&element, values[i], low, high);
-    }
+    for (int i = 0; i < count; i++)
+        values[i] = node_double(node_element(&node, (size_t)i), values[i], low, high);
 }
 
-void node_numbers(const Node *node, float *values, int count, float low, float high)
+void node_numbers(Node node, float *values, int count, float low, float high)
 {
     double wide[16];
     GP_ASSERT(count <= 16);

@@ -3,8 +3,8 @@
  *
  * Reading never stops half way: the first mistake is kept in the reader, later ones are dropped,
  * and every function then returns its fallback. So a loader reads straight on and asks once, at the
- * end or before it needs a value to be right. Nodes are small and live on the stack; a node points
- * to its parent, which must outlive it.
+ * end or before it needs a value to be right. Nodes are small and live on the stack; an object's or an
+ * array's node is what those of its members and elements point to, and must outlive them.
  */
 #ifndef APPS_BASE_JSON_READER_H
 #define APPS_BASE_JSON_READER_H
@@ -53,7 +53,7 @@ Node node_member(Node *object, const char *key);
 void node_close(Node *object);
 
 /* Number of elements, at most `limit`; 0 where it is not there. */
-size_t node_length(const Node *array, size_t limit);
+size_t node_length(Node array, size_t limit);
 Node node_element(const Node *array, size_t index);
 
 bool node_exists(const Node *node);
@@ -64,17 +64,17 @@ void node_require(const Node *node);
 
 /* --- values; each gives `fallback` where the value is not there ------------------------------ */
 
-double node_double(const Node *node, double fallback, double low, double high);
-float node_number(const Node *node, float fallback, float low, float high);
-long node_integer(const Node *node, long fallback, long low, long high);
-bool node_bool(const Node *node, bool fallback);
-const char *node_string(const Node *node, const char *fallback);
+double node_double(Node node, double fallback, double low, double high);
+float node_number(Node node, float fallback, float low, float high);
+long node_integer(Node node, long fallback, long low, long high);
+bool node_bool(Node node, bool fallback);
+const char *node_string(Node node, const char *fallback);
 
 /* Index of one of `count` names. */
-int node_name(const Node *node, int fallback, const char *const *names, int count);
+int node_name(Node node, int fallback, const char *const *names, int count);
 
 /* Exactly `count` numbers; `values` stay as they are where there is none. */
-void node_doubles(const Node *node, double *values, int count, double low, double high);
-void node_numbers(const Node *node, float *values, int count, float low, float high);
+void node_doubles(Node node, double *values, int count, double low, double high);
+void node_numbers(Node node, float *values, int count, float low, float high);
 
 #endif

@@ -112,7 +112,7 @@ GpResult chart_write(const char *path, const Chart *chart, GpError *error)
 static void read_string(const Node *node, char *text, size_t size)
 {
     node_require(node);
-    const char *found = node_string(node, "");
+    const char *found = node_string(*node, "");
     if (strlen(found) >= size)
         node_fail(node, GP_ERROR_FORMAT, "expected at most %zu bytes", size - 1);
     else
@@ -129,7 +129,7 @@ static long read_integer(Node *object, const char *key, long high)
 {
     Node node = node_member(object, key);
     node_require(&node);
-    return node_integer(&node, 0, 0, high);
+    return node_integer(node, 0, 0, high);
 }
 
 /* A number, or one of the words that json_number writes. */
@@ -139,8 +139,8 @@ static double read_value(const Node *node)
     static const double values[] = { (double)NAN, HUGE_VAL, -HUGE_VAL };
     node_require(node);
     if (!json_is_string(node->value))
-        return node_double(node, 0, -HUGE_VAL, HUGE_VAL);
-    return values[node_name(node, 0, words, GP_COUNT(words))];
+        return node_double(*node, 0, -HUGE_VAL, HUGE_VAL);
+    return values[node_name(*node, 0, words, GP_COUNT(words))];
 }
 
 static double read_number(Node *object, const char *key)
@@ -161,8 +161,8 @@ static void read_point(Node node, ChartPoint *point, int metric_count)
     point->measured.error = read_number(&node, "error");
     Node metrics = node_member(&node, "metrics"), best = node_member(&node, "best");
     node_require(&best);
-    point->best = node_bool(&best, false);
-    if (node_length(&metrics, TECHNIQUE_MAX_METRICS) != (size_t)metric_count)
+    point->best = node_bool(best, false);
+    if (node_length(metrics, TECHNIQUE_MAX_METRICS) != (size_t)metric_count)
         node_fail(&metrics, GP_ERROR_FORMAT, "expected %d numbers", metric_count);
     for (int i = 0; i < metric_count; i++) {
         Node metric = node_element(&metrics, (size_t)i);
@@ -174,7 +174,7 @@ static void read_point(Node node, ChartPoint *point, int metric_count)
 static void read_points(const Node *points, Chart *chart)
 {
     node_require(points);
-    chart->count = (uint32_t)node_length(points, CHART_MAX_POINTS);
+    chart->count = (uint32_t)node_length(*points, CHART_MAX_POINTS);
     chart->points = gp_alloc(chart->count, sizeof *chart->points);
     if (!chart->points) {
         node_fail(points, GP_ERROR_MEMORY, "out of memory");
@@ -197,7 +197,7 @@ static void read_chart(Node root, Chart *chart)
     chart->height = (uint32_t)read_integer(&root, "height", UINT32_MAX);
     Node metrics = node_member(&root, "metrics"), points = node_member(&root, "points");
     node_require(&metrics);
-    chart->metric_count = (int)node_length(&metrics, TECHNIQUE_MAX_METRICS);
+    chart->metric_count = (int)node_length(metrics, TECHNIQUE_MAX_METRICS);
     for (int i = 0; i < chart->metric_count; i++) {
         Node metric = node_element(&metrics, (size_t)i);
         read_string(&metric, chart->metrics[i], sizeof chart->metrics[i]);

@@ -205,9 +205,9 @@ static void read_uniform(const Entry *entry, const Uniform *u, Node *material,
     if (u->key) {
         Node node = node_member(material, u->key);
         if (u->count == 1)
-            values[0] = node_number(&node, values[0], u->low, u->high);
+            values[0] = node_number(node, values[0], u->low, u->high);
         else
-            node_numbers(&node, values, u->count, u->low, u->high);
+            node_numbers(node, values, u->count, u->low, u->high);
     }
     memcpy(uniforms + u->offset, values, (size_t)u->count * sizeof values[0]);
 }
@@ -216,7 +216,7 @@ void scene_read_material(Loader *loader, Node node, const SceneView *view, const
                          GpDraw *draw)
 {
     Node program_node = node_member(&node, "program"), textures = node_member(&node, "textures");
-    const Entry *entry = find_program(&program_node, node_string(&program_node, program));
+    const Entry *entry = find_program(&program_node, node_string(program_node, program));
     char *uniforms = entry ? frame_alloc(loader->frame, 1, entry->program->uniform_bytes) : NULL;
     if (!uniforms)
         return;
@@ -224,7 +224,7 @@ void scene_read_material(Loader *loader, Node node, const SceneView *view, const
         read_uniform(entry, u, &node, view, uniforms);
     draw->program = entry->program;
     draw->uniforms = uniforms;
-    size_t count = node_length(&textures, GP_MAX_SAMPLERS);
+    size_t count = node_length(textures, GP_MAX_SAMPLERS);
     for (size_t i = 0; i < count; i++)
         scene_read_texture(loader, node_element(&textures, i), &draw->textures[i]);
     unsigned read =

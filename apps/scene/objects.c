@@ -20,7 +20,7 @@ static void read_row(const Node *rows, size_t index, float *values, int count)
 {
     Node row = node_element(rows, index);
     node_require(&row);
-    node_numbers(&row, values, count, -FAR, FAR);
+    node_numbers(row, values, count, -FAR, FAR);
 }
 
 static void read_triangles(const Node *triangles, Shape *shape)
@@ -28,12 +28,11 @@ static void read_triangles(const Node *triangles, Shape *shape)
     for (uint32_t i = 0; i < shape->index_count / 3; i++) {
         Node row = node_element(triangles, i);
         node_require(&row);
-        if (node_length(&row, 3) != 3)
+        if (node_length(row, 3) != 3)
             node_fail(&row, GP_ERROR_FORMAT, "expected three vertex numbers");
         for (uint32_t k = 0; k < 3; k++) {
-            Node corner = node_element(&row, k);
             shape->indices[3 * i + k] =
-                (uint32_t)node_integer(&corner, 0, 0, (long)shape->vertex_count - 1);
+                (uint32_t)node_integer(node_element(&row, k), 0, 0, (long)shape->vertex_count - 1);
         }
     }
 }
@@ -47,11 +46,11 @@ static void read_inline(Node node, Shape *shape)
     Node colors = node_member(&node, "colors");
     node_require(&positions);
     node_require(&triangles);
-    size_t vertices = node_length(&positions, MAX_INLINE);
-    size_t faces = node_length(&triangles, MAX_INLINE);
+    size_t vertices = node_length(positions, MAX_INLINE);
+    size_t faces = node_length(triangles, MAX_INLINE);
     const Node *optional[] = { &normals, &texcoords, &colors };
     for (size_t i = 0; i < GP_COUNT(optional); i++)
-        if (node_exists(optional[i]) && node_length(optional[i], MAX_INLINE) != vertices)
+        if (node_exists(optional[i]) && node_length(*optional[i], MAX_INLINE) != vertices)
             node_fail(optional[i], GP_ERROR_FORMAT, "expected one row for each position");
     node_close(&node);
     if (node.reader->result || vertices == 0 || faces == 0) {
@@ -85,7 +84,7 @@ static void read_shape(const Node *node, bool points, Shape *shape)
         read_inline(*node, shape);
         return;
     }
-    const char *name = node_string(node, NULL);
+    const char *name = node_string(*node, NULL);
     if (!name)
         return;
     GpError reason = { "" };
@@ -106,7 +105,7 @@ static Bounds bounds(const Shape *shape)
 static void read_fit(const Node *node, const Shape *shape, double m[4][4])
 {
     double fit[4] = { 0 };
-    node_doubles(node, fit, 4, -FAR, FAR);
+    node_doubles(*node, fit, 4, -FAR, FAR);
     if (!(fit[3] > 0))
         node_fail(node, GP_ERROR_FORMAT, "expected x, y, z and a size above 0");
     const Bounds box = bounds(shape);
@@ -123,14 +122,13 @@ static void read_fit(const Node *node, const Shape *shape, double m[4][4])
 static void read_transform(Node node, double m[4][4])
 {
     Node scale_node = node_member(&node, "scale"), rotate = node_member(&node, "rotate");
-    Node translate = node_member(&node, "translate");
     double scale[3] = { 1, 1, 1 }, turn[4] = { 0, 1, 0, 0 }, move[3] = { 0 };
     if (json_is_number(scale_node.value))
-        scale[0] = scale[1] = scale[2] = node_double(&scale_node, 1, -FAR, FAR);
+        scale[0] = scale[1] = scale[2] = node_double(scale_node, 1, -FAR, FAR);
     else
-        node_doubles(&scale_node, scale, 3, -FAR, FAR);
-    node_doubles(&rotate, turn, 4, -FAR, FAR);
-    node_doubles(&translate, move, 3, -FAR, FAR);
+        node_doubles(scale_node, scale, 3, -FAR, FAR);
+    node_doubles(rotate, turn, 4, -FAR, FAR);
+    node_doubles(node_member(&node, "translate"), move, 3, -FAR, FAR);
     if (vector_dot(turn, turn) == 0.0)
         node_fail(&rotate, GP_ERROR_FORMAT, "expected an axis with some length, and degrees");
     if (scale[0] == 0.0 || scale[1] == 0.0 || scale[2] == 0.0)
@@ -179,13 +177,13 @@ static void transform_shape(Shape *shape, double m[4][4])
 /* --- vertices -------------------------------------------------------------------------------- */
 
 /* "color": one colour for all vertices, or "position": the place in the box as red, green, blue. */
-static void read_color(const Node *node, Shape *shape)
+static void read_color(Node node, Shape *shape)
 {
     static const char *const sources[] = { "position", "normal" };
     float color[4] = { 1, 1, 1, 1 };
-    if (!node_exists(node))
+    if (!node_exists(&node))
         return;
-    int source = json_is_string(node->value) ? node_name(node, 0, sources, 2) : -1;
+    int source = json_is_string(node.value) ? node_name(node, 0, sources, 2) : -1;
     if (source < 0)
         node_numbers(node, color, 4, 0, 1);
     const Bounds box = bounds(shape);
@@ -203,7 +201,7 @@ static void read_color(const Node *node, Shape *shape)
 }
 
 /* "tile" [u, v]: texture coordinates times these. "size": the diameter of points. */
-static void read_tile_and_size(const Node *tile_node, const Node *size_node, Shape *shape)
+static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
 {
     float tile[2] = { 1, 1 };
     node_numbers(tile_node, tile, 2, -1000, 1000);
@@ -212,7 +210,7 @@ static void read_tile_and_size(const Node *tile_node, const Node *size_node, Sha
         ShapeVertex *vertex = &shape->vertices[i];
         vertex->texcoord[0] *= tile[0];
         vertex->texcoord[1] *= tile[1];
-        if (node_exists(size_node))
+        if (node_exists(&size_node))
             vertex->size = size;
     }
 }
@@ -256,8 +254,6 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
 {
     Node mesh = node_member(node, "mesh"), points = node_member(node, "points");
     Node fit = node_member(node, "fit"), transform = node_member(node, "transform");
-    Node color = node_member(node, "color"), tile = node_member(node, "tile");
-    Node size = node_member(node, "size");
     Shape shape = { 0 };
     double m[4][4];
     if (node_exists(&mesh) == node_exists(&points))
@@ -278,17 +274,16 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
         read_fit(&fit, &shape, m);
         transform_shape(&shape, m);
     }
-    read_color(&color, &shape);
-    read_tile_and_size(&tile, &size, &shape);
+    read_color(node_member(node, "color"), &shape);
+    read_tile_and_size(node_member(node, "tile"), node_member(node, "size"), &shape);
     bind_streams(&shape, geometry);
 }
 
 void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
 {
-    Node name = node_member(&node, "name"), viewport = node_member(&node, "viewport");
-    draw->name = scene_copy(loader, node_string(&name, ""));
+    draw->name = scene_copy(loader, node_string(node_member(&node, "name"), ""));
     SceneView own = *view; /* an object's viewport does not change the pass's matrix */
-    scene_read_viewport(viewport, &own.viewport);
+    scene_read_viewport(node_member(&node, "viewport"), &own.viewport);
     draw->viewport = own.viewport;
     if (view->has_depth)
         draw->state.depth = (GpDepthState){ .test = GP_LESS_EQUAL, .write = true };

@@ -8,12 +8,12 @@
 /* Bytes that all surfaces of a scene's passes may have together. */
 static const uint64_t max_texels = (uint64_t)1 << 30;
 
-static GpFormat read_format(const Node *node, GpFormat fallback)
+static GpFormat read_format(Node node, GpFormat fallback)
 {
     const char *name = node_string(node, NULL);
     GpFormat format = name ? gp_format_from_name(name) : fallback;
     if (format == GP_FORMAT_NONE)
-        node_fail(node, GP_ERROR_FORMAT, "no such format");
+        node_fail(&node, GP_ERROR_FORMAT, "no such format");
     return format == GP_FORMAT_NONE ? fallback : format;
 }
 
@@ -24,10 +24,10 @@ static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view
     Node use = node_member(node, "use"), format_node = node_member(node, "format");
     *is_new = !node_exists(&use);
     if (!*is_new) {
-        const char *name = node_string(&use, NULL);
+        const char *name = node_string(use, NULL);
         return name ? scene_target(loader, &use, name) : NULL;
     }
-    format = read_format(&format_node, format);
+    format = read_format(format_node, format);
     loader->texels += (uint64_t)view->width * view->height * gp_format_info(format)->bytes;
     if (loader->texels > max_texels)
         node_fail(node, GP_ERROR_FORMAT, "the targets take over %d MB", (int)(max_texels >> 20));
@@ -46,7 +46,7 @@ static void read_color_target(Loader *loader, Node node, const SceneView *view,
     if (node_exists(&clear)) {
         target->clear = !node_is_false(&clear);
         if (target->clear)
-            node_numbers(&clear, target->clear_color, 4, -65504, 65504);
+            node_numbers(clear, target->clear_color, 4, -65504, 65504);
     }
     if (target->surface && !gp_format_info(target->surface->format)->is_target)
         node_fail(&node, GP_ERROR_FORMAT, "%s is no format for a colour target",
@@ -67,9 +67,9 @@ static void read_depth_target(Loader *loader, Node node, const SceneView *view,
     target->clear_stencil = node_exists(&stencil) ? !node_is_false(&stencil) : is_new;
     target->depth_value = 1;
     if (target->clear_depth)
-        target->depth_value = node_number(&clear, 1, 0, 1);
+        target->depth_value = node_number(clear, 1, 0, 1);
     if (target->clear_stencil)
-        target->stencil_value = (uint8_t)node_integer(&stencil, 0, 0, 255);
+        target->stencil_value = (uint8_t)node_integer(stencil, 0, 0, 255);
     if (target->surface) {
         const GpFormatInfo *info = gp_format_info(target->surface->format);
         target->clear_stencil = target->clear_stencil && info->has_stencil;
@@ -84,7 +84,7 @@ static void read_targets(Loader *loader, Node *node, const SceneView *view, GpPa
 {
     Node targets = node_member(node, "targets");
     if (node_exists(&targets)) {
-        size_t count = node_length(&targets, GP_MAX_TARGETS);
+        size_t count = node_length(targets, GP_MAX_TARGETS);
         for (size_t i = 0; i < count; i++)
             read_color_target(loader, node_element(&targets, i), view, &pass->color[i]);
     } else {
@@ -97,7 +97,7 @@ static void read_draws(Loader *loader, Node *node, const SceneView *view)
 {
     const GpGeometry none = { .vertex_count = 0 };
     Node objects = node_member(node, "objects"), quad = node_member(node, "quad");
-    size_t count = node_length(&objects, SIZE_MAX);
+    size_t count = node_length(objects, SIZE_MAX);
     for (size_t i = 0; i < count && !loader->reader.result; i++)
         scene_read_object(loader, node_element(&objects, i), view,
                           frame_draw(loader->frame, NULL, NULL, &none));
@@ -120,30 +120,29 @@ void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, con
     loader->pass_count = loader->frame->list.pass_count;
 }
 
-void scene_read_size(const Node *node, SceneView *view)
+void scene_read_size(Node node, SceneView *view)
 {
-    if (!node_exists(node))
+    if (!node_exists(&node))
         return;
     if (node_length(node, 2) != 2) {
-        node_fail(node, GP_ERROR_FORMAT, "expected a width and a height");
+        node_fail(&node, GP_ERROR_FORMAT, "expected a width and a height");
         return;
     }
-    Node width = node_element(node, 0), height = node_element(node, 1);
-    view->width = (uint32_t)node_integer(&width, view->width, 1, GP_MAX_SIZE);
-    view->height = (uint32_t)node_integer(&height, view->height, 1, GP_MAX_SIZE);
+    view->width = (uint32_t)node_integer(node_element(&node, 0), view->width, 1, GP_MAX_SIZE);
+    view->height = (uint32_t)node_integer(node_element(&node, 1), view->height, 1, GP_MAX_SIZE);
 }
 
 void scene_read_pass(Loader *loader, Node node)
 {
     SceneView view = loader->view;
-    Node name_node = node_member(&node, "name"), size_node = node_member(&node, "size");
+    Node name_node = node_member(&node, "name");
     node_require(&name_node);
-    const char *name = scene_copy(loader, node_string(&name_node, ""));
+    const char *name = scene_copy(loader, node_string(name_node, ""));
     if (strchr(name, '.') || !name[0])
         node_fail(&name_node, GP_ERROR_FORMAT, "expected a name without dots");
     if (scene_find_pass(loader, name, strlen(name)))
         node_fail(&name_node, GP_ERROR_FORMAT, "another pass has this name");
-    scene_read_size(&size_node, &view);
+    scene_read_size(node_member(&node, "size"), &view);
     scene_read_camera(node_member(&node, "camera"), &view.camera);
     scene_read_pass_body(loader, &node, &view, name);
     node_close(&node);

@@ -5,7 +5,7 @@
 #include "apps/scene/loader.h"
 
 /* "size" of the scene or of a pass. */
-void scene_read_size(const Node *node, SceneView *view);
+void scene_read_size(Node node, SceneView *view);
 
 /* One element of "passes": appends a pass. */
 void scene_read_pass(Loader *loader, Node node);

@@ -10,10 +10,8 @@
 static void read_view(Loader *loader, Node *root, const SceneOptions *options)
 {
     SceneView *view = &loader->view;
-    Node size_node = node_member(root, "size"), background = node_member(root, "background");
-    Node ambient = node_member(root, "ambient");
     view->width = view->height = 512;
-    scene_read_size(&size_node, view);
+    scene_read_size(node_member(root, "size"), view);
     if (options && options->width)
         view->width = options->width;
     if (options && options->height)
@@ -22,9 +20,9 @@ static void read_view(Loader *loader, Node *root, const SceneOptions *options)
         (Camera){ .eye = { 0, 1, 4 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.1, .far = 100 };
     scene_read_camera(node_member(root, "camera"), &view->camera);
     view->ambient[0] = view->ambient[1] = view->ambient[2] = 0.2f;
-    node_numbers(&ambient, view->ambient, 3, 0, 100);
+    node_numbers(node_member(root, "ambient"), view->ambient, 3, 0, 100);
     view->background[3] = 1;
-    node_numbers(&background, view->background, 4, 0, 1);
+    node_numbers(node_member(root, "background"), view->background, 4, 0, 1);
     scene_read_lights(loader, node_member(root, "lights"));
     loader->scene->camera = view->camera;
     memcpy(loader->scene->ambient, view->ambient, sizeof view->ambient);
@@ -38,7 +36,7 @@ static void read_passes(Loader *loader, Node *root)
         scene_read_pass_body(loader, root, &loader->view, "main");
         return;
     }
-    size_t count = node_length(&passes, SIZE_MAX);
+    size_t count = node_length(passes, SIZE_MAX);
     if (count == 0)
         node_fail(&passes, GP_ERROR_FORMAT, "no pass");
     for (size_t i = 0; i < count && !loader->reader.result; i++)
@@ -48,7 +46,7 @@ static void read_passes(Loader *loader, Node *root)
 /* The picture is the last pass's, or the named one's. */
 static void choose_picture(Loader *loader, Node node)
 {
-    const char *name = node_string(&node, NULL);
+    const char *name = node_string(node, NULL);
     const GpPass *pass = name ? scene_find_pass(loader, name, strlen(name))
                               : &loader->frame->list.passes[loader->pass_count - 1];
     if (!pass)
@@ -63,8 +61,7 @@ static void choose_picture(Loader *loader, Node node)
 static void read_scene(Loader *loader, const SceneOptions *options)
 {
     Node root = node_root(&loader->reader);
-    Node about = node_member(&root, "about"); /* for people */
-    node_string(&about, "");
+    node_string(node_member(&root, "about"), ""); /* for people */
     read_view(loader, &root, options);
     read_passes(loader, &root);
     Node picture = node_member(&root, "picture");

@@ -7,14 +7,13 @@ enum { FAR = 1000000 }; /* no coordinate of a scene lies beyond */
 
 static void read_compare(Node *object, const char *key, GpCompare *compare)
 {
-    Node node = node_member(object, key);
-    *compare = (GpCompare)node_name(&node, (int)*compare, gp_compare_names, GP_COMPARES);
+    *compare = (GpCompare)node_name(node_member(object, key), (int)*compare, gp_compare_names,
+                                    GP_COMPARES);
 }
 
 static void read_byte(Node *object, const char *key, uint8_t *byte)
 {
-    Node node = node_member(object, key);
-    *byte = (uint8_t)node_integer(&node, *byte, 0, 255);
+    *byte = (uint8_t)node_integer(node_member(object, key), *byte, 0, 255);
 }
 
 static void read_depth(Node node, GpDepthState *depth)
@@ -22,15 +21,14 @@ static void read_depth(Node node, GpDepthState *depth)
     if (!node_exists(&node))
         return;
     read_compare(&node, "test", &depth->test);
-    Node write = node_member(&node, "write");
-    depth->write = node_bool(&write, depth->write);
+    depth->write = node_bool(node_member(&node, "write"), depth->write);
     node_close(&node);
 }
 
 static void read_stencil_op(Node *object, const char *key, GpStencilOp *op)
 {
-    Node node = node_member(object, key);
-    *op = (GpStencilOp)node_name(&node, (int)*op, gp_stencil_op_names, GP_STENCIL_OPS);
+    *op = (GpStencilOp)node_name(node_member(object, key), (int)*op, gp_stencil_op_names,
+                                 GP_STENCIL_OPS);
 }
 
 static void read_stencil_face(Node *object, GpStencilFace *face)
@@ -72,22 +70,20 @@ static void read_alpha_test(Node node, GpAlphaTest *test)
 
 static void read_blend_op(Node *object, const char *key, GpBlendOp *op)
 {
-    Node node = node_member(object, key);
-    *op = (GpBlendOp)node_name(&node, (int)*op, gp_blend_op_names, GP_BLEND_OPS);
+    *op = (GpBlendOp)node_name(node_member(object, key), (int)*op, gp_blend_op_names, GP_BLEND_OPS);
 }
 
 static void read_factor(Node *object, const char *key, GpBlendFactor *factor)
 {
-    Node node = node_member(object, key);
-    *factor =
-        (GpBlendFactor)node_name(&node, (int)*factor, gp_blend_factor_names, GP_BLEND_FACTORS);
+    *factor = (GpBlendFactor)node_name(node_member(object, key), (int)*factor,
+                                       gp_blend_factor_names, GP_BLEND_FACTORS);
 }
 
 /* "keep": the letters of the channels that are not written, such as "a" or "rgba". */
 static void read_keep(Node node, uint8_t *keep)
 {
     static const char channels[] = "rgba";
-    const char *letters = node_string(&node, "");
+    const char *letters = node_string(node, "");
     for (const char *at = letters; *at; at++) {
         const char *channel = strchr(channels, *at);
         if (channel)
@@ -120,7 +116,7 @@ static void read_blends(Node node, GpBlend blend[GP_MAX_TARGETS])
             blend[i] = blend[0];
         return;
     }
-    size_t count = node_length(&node, GP_MAX_TARGETS);
+    size_t count = node_length(node, GP_MAX_TARGETS);
     for (size_t i = 0; i < count; i++) {
         Node element = node_element(&node, i);
         read_blend(&element, &blend[i]);
@@ -132,7 +128,7 @@ static void read_scissor(Node node, GpRasterState *raster)
     double box[4] = { 0 };
     if (!node_exists(&node))
         return;
-    node_doubles(&node, box, 4, 0, GP_MAX_SIZE);
+    node_doubles(node, box, 4, 0, GP_MAX_SIZE);
     for (int i = 0; i < 4; i++)
         if (box[i] != (double)(int32_t)box[i])
             node_fail(&node, GP_ERROR_FORMAT, "expected whole numbers x0, y0, x1, y1");
@@ -149,7 +145,7 @@ static void read_clip_plane(const Node *node, const SceneView *view, float plane
 {
     double world[4] = { 0 }, matrix[4][4], inverse[4][4];
     node_require(node);
-    node_doubles(node, world, 4, -FAR, FAR);
+    node_doubles(*node, world, 4, -FAR, FAR);
     for (int i = 0; i < 16; i++)
         matrix[i / 4][i % 4] = (double)view->world_to_clip[i / 4][i % 4];
     matrix_identity(inverse);
@@ -164,15 +160,15 @@ void scene_read_state(Node node, const SceneView *view, GpState *state)
     if (!node_exists(&node))
         return;
     GpRasterState *raster = &state->raster;
-    Node cull = node_member(&node, "cull");
-    raster->cull = (GpCull)node_name(&cull, (int)raster->cull, gp_cull_names, GP_CULLS);
+    raster->cull =
+        (GpCull)node_name(node_member(&node, "cull"), (int)raster->cull, gp_cull_names, GP_CULLS);
     read_scissor(node_member(&node, "scissor"), raster);
-    Node bias = node_member(&node, "depth_bias"), slope = node_member(&node, "slope_depth_bias");
-    raster->depth_bias = node_number(&bias, raster->depth_bias, -1, 1);
-    raster->slope_depth_bias = node_number(&slope, raster->slope_depth_bias, -1000, 1000);
+    raster->depth_bias = node_number(node_member(&node, "depth_bias"), raster->depth_bias, -1, 1);
+    raster->slope_depth_bias =
+        node_number(node_member(&node, "slope_depth_bias"), raster->slope_depth_bias, -1000, 1000);
 
     Node planes = node_member(&node, "clip_planes");
-    size_t count = node_length(&planes, GP_MAX_CLIP_PLANES);
+    size_t count = node_length(planes, GP_MAX_CLIP_PLANES);
     for (size_t i = 0; i < count; i++) {
         Node plane = node_element(&planes, i);
         read_clip_plane(&plane, view, raster->clip_plane[i]);
@@ -182,8 +178,7 @@ void scene_read_state(Node node, const SceneView *view, GpState *state)
     read_stencil(node_member(&node, "stencil"), &state->stencil);
     read_alpha_test(node_member(&node, "alpha_test"), &state->alpha_test);
     read_blends(node_member(&node, "blend"), state->blend);
-    Node constant = node_member(&node, "blend_constant");
-    node_numbers(&constant, state->blend_constant, 4, 0, 1);
+    node_numbers(node_member(&node, "blend_constant"), state->blend_constant, 4, 0, 1);
     node_close(&node);
 }
 
@@ -194,11 +189,10 @@ void scene_read_viewport(Node node, GpViewport *viewport)
     float box[4] = { viewport->x, viewport->y, viewport->width, viewport->height };
     float depth[2] = { 0, 1 };
     Node rectangle = node_member(&node, "box"), range = node_member(&node, "depth");
-    Node centers = node_member(&node, "d3d9_centers");
-    node_numbers(&rectangle, box, 4, -GP_MAX_SIZE, GP_MAX_SIZE);
+    node_numbers(rectangle, box, 4, -GP_MAX_SIZE, GP_MAX_SIZE);
     if (node_exists(&rectangle) && !(box[2] > 0 && box[3] > 0))
         node_fail(&rectangle, GP_ERROR_FORMAT, "expected x, y, and a width and height above 0");
-    node_numbers(&range, depth, 2, 0, 1);
+    node_numbers(range, depth, 2, 0, 1);
     if (depth[1] <= depth[0])
         node_fail(&range, GP_ERROR_FORMAT, "expected the smaller depth first");
     *viewport = (GpViewport){ .x = box[0],
@@ -207,7 +201,8 @@ void scene_read_viewport(Node node, GpViewport *viewport)
                               .height = box[3],
                               .min_depth = depth[0],
                               .max_depth = depth[1],
-                              .d3d9_centers = node_bool(&centers, viewport->d3d9_centers) };
+                              .d3d9_centers = node_bool(node_member(&node, "d3d9_centers"),
+                                                        viewport->d3d9_centers) };
     node_close(&node);
 }
 
@@ -215,22 +210,20 @@ void scene_read_camera(Node node, Camera *camera)
 {
     if (!node_exists(&node))
         return;
-    Node eye = node_member(&node, "eye"), at = node_member(&node, "at");
-    Node up = node_member(&node, "up"), fovy = node_member(&node, "fovy");
-    Node height = node_member(&node, "height");
+    Node fovy = node_member(&node, "fovy"), height = node_member(&node, "height");
     Node near = node_member(&node, "near"), far = node_member(&node, "far");
-    node_doubles(&eye, camera->eye, 3, -FAR, FAR);
-    node_doubles(&at, camera->at, 3, -FAR, FAR);
-    node_doubles(&up, camera->up, 3, -FAR, FAR);
-    camera->fovy = node_double(&fovy, camera->fovy, 0.1, 170);
+    node_doubles(node_member(&node, "eye"), camera->eye, 3, -FAR, FAR);
+    node_doubles(node_member(&node, "at"), camera->at, 3, -FAR, FAR);
+    node_doubles(node_member(&node, "up"), camera->up, 3, -FAR, FAR);
+    camera->fovy = node_double(fovy, camera->fovy, 0.1, 170);
     if (node_exists(&height)) {
         if (node_exists(&fovy))
             node_fail(&height, GP_ERROR_FORMAT, "a camera has fovy or height, not both");
         camera->fovy = 0;
-        camera->height = node_double(&height, 1, 0.000001, FAR);
+        camera->height = node_double(height, 1, 0.000001, FAR);
     }
-    camera->near = node_double(&near, camera->near, 0.000001, FAR);
-    camera->far = node_double(&far, camera->far, 0.000001, FAR);
+    camera->near = node_double(near, camera->near, 0.000001, FAR);
+    camera->far = node_double(far, camera->far, 0.000001, FAR);
     if (camera->far <= camera->near)
         node_fail(node_exists(&far) ? &far : &near, GP_ERROR_FORMAT, "far is not beyond near");
 

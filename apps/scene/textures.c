@@ -48,49 +48,45 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
 
 static void read_filter(Node *object, const char *key, GpFilter *filter)
 {
-    Node node = node_member(object, key);
-    *filter = (GpFilter)node_name(&node, (int)*filter, gp_filter_names, GP_FILTERS);
+    *filter =
+        (GpFilter)node_name(node_member(object, key), (int)*filter, gp_filter_names, GP_FILTERS);
 }
 
 /* "address": one name for both directions, or two. */
-static void read_address(const Node *node, GpSampler *sampler)
+static void read_address(Node node, GpSampler *sampler)
 {
-    Node u = *node, v = *node;
-    if (json_is_array(node->value) && node_length(node, 2) == 2) {
-        u = node_element(node, 0);
-        v = node_element(node, 1);
+    Node u = node, v = node;
+    if (json_is_array(node.value) && node_length(node, 2) == 2) {
+        u = node_element(&node, 0);
+        v = node_element(&node, 1);
     }
     sampler->address_u =
-        (GpAddress)node_name(&u, (int)sampler->address_u, gp_address_names, GP_ADDRESSES);
+        (GpAddress)node_name(u, (int)sampler->address_u, gp_address_names, GP_ADDRESSES);
     sampler->address_v =
-        (GpAddress)node_name(&v, (int)sampler->address_v, gp_address_names, GP_ADDRESSES);
+        (GpAddress)node_name(v, (int)sampler->address_v, gp_address_names, GP_ADDRESSES);
 }
 
 static void read_sampler(Node *object, GpSampler *sampler)
 {
     read_filter(object, "min", &sampler->min);
     read_filter(object, "mag", &sampler->mag);
-    Node mip = node_member(object, "mip"), address = node_member(object, "address");
-    Node border = node_member(object, "border"), bias = node_member(object, "lod_bias");
-    Node low = node_member(object, "min_lod"), high = node_member(object, "max_lod");
-    Node compare = node_member(object, "compare");
-    sampler->mip =
-        (GpMipFilter)node_name(&mip, (int)sampler->mip, gp_mip_filter_names, GP_MIP_FILTERS);
-    read_address(&address, sampler);
-    node_numbers(&border, sampler->border, 4, 0, 1);
-    sampler->lod_bias = node_number(&bias, 0, -16, 15);
-    sampler->min_lod = node_number(&low, 0, 0, GP_MAX_LEVELS);
-    sampler->max_lod = node_number(&high, 0, 0, GP_MAX_LEVELS);
-    sampler->compare = node_bool(&compare, false);
+    sampler->mip = (GpMipFilter)node_name(node_member(object, "mip"), (int)sampler->mip,
+                                          gp_mip_filter_names, GP_MIP_FILTERS);
+    read_address(node_member(object, "address"), sampler);
+    node_numbers(node_member(object, "border"), sampler->border, 4, 0, 1);
+    sampler->lod_bias = node_number(node_member(object, "lod_bias"), 0, -16, 15);
+    sampler->min_lod = node_number(node_member(object, "min_lod"), 0, 0, GP_MAX_LEVELS);
+    sampler->max_lod = node_number(node_member(object, "max_lod"), 0, 0, GP_MAX_LEVELS);
+    sampler->compare = node_bool(node_member(object, "compare"), false);
 }
 
 void scene_read_texture(Loader *loader, Node node, GpTexture *texture)
 {
     Node image = node_member(&node, "image"), srgb_node = node_member(&node, "srgb");
     node_require(&image);
-    const char *name = node_string(&image, "");
+    const char *name = node_string(image, "");
     bool is_target = strncmp(name, "pass:", 5) == 0;
-    bool srgb = node_bool(&srgb_node, false);
+    bool srgb = node_bool(srgb_node, false);
     GpSampler *sampler = &texture->sampler;
     sampler->min = sampler->mag = GP_LINEAR;
     sampler->mip = is_target ? GP_MIP_NONE : GP_MIP_LINEAR;
