@@ -1,6 +1,6 @@
 /* Arithmetic alone: what a shader costs that reads no texture. */
 #define GP_SHADER_SW /* a Mandelbrot set of 64 steps is too long for hardware's profiles */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/arithmetic.h"
 
 vertex_shader(arithmetic_vs, ArithmeticUniforms, TexturedQuadVertex, UvVarying)

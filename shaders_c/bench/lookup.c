@@ -1,5 +1,5 @@
 /* Textures that decide: a dependent read, and alpha that discards. */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/lookup.h"
 
 vertex_shader(lookup_vs, NoUniforms, TexturedQuadVertex, UvVarying)

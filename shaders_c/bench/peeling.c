@@ -1,8 +1,7 @@
 /* Depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001. Layers are put
  * together front to back with colours multiplied by alpha: Porter and Duff, "Compositing digital
  * images", SIGGRAPH 1984. */
-#include "shaders_c/common/mesh_shared.h"
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/peeling.h"
 
 /* --- peeling ---------------------------------------------------------------------------------- */
@@ -55,7 +54,7 @@ program(peel_next_program, peel_vs, peel_next_ps, PEEL_DECLARATIONS, .local_read
 
 /* --- putting together ------------------------------------------------------------------------- */
 
-vertex_shader(layer_vs, LayerUniforms, QuadVertex, NoVarying)
+vertex_shader(layer_vs, LayerUniforms, PointVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }

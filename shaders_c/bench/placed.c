@@ -1,5 +1,5 @@
 /* Small copies of one mesh, both sides lit by Lambert's law. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/placed.h"
 
 typedef struct Varying {

@@ -2,12 +2,8 @@
  * eight-bit targets, as Dong, Chen, Bao, Zhang and Peng do in "Real-time voxelization for complex
  * polygonal models", Pacific Graphics 2004. Depth 0..1 is 256 voxels in 8 slabs of 32: bit 8 c + k
  * of a slab is bit k of channel c, red first. Fragments that share a voxel carry into the next. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/slab_bits.h"
-
-typedef struct Vertex {
-    float3 position;
-} Vertex;
 
 typedef struct Varying {
     flt depth;
@@ -17,7 +13,7 @@ typedef struct Targets {
     float4 slab[4];
 } Targets;
 
-vertex_shader(slab_bits_vs, SlabBitsUniforms, Vertex, Varying)
+vertex_shader(slab_bits_vs, SlabBitsUniforms, PointVertex, Varying)
 {
     *position = m4x4(in->position, c->mvp);
     out->depth = position->z;

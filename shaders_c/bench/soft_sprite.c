@@ -1,13 +1,9 @@
 /* Points as Gaussian spots, colours multiplied by alpha: the splats of Westover, "Footprint
  * evaluation for volume rendering", SIGGRAPH 1990. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/soft_sprite.h"
 
 #define LOG2_E 1.44269504088896340736f
-
-typedef struct Vertex {
-    float3 position;
-} Vertex;
 
 /* Square of the distance from the centre of the sprite, 1 at the edges. */
 GP_INLINE flt square_radius(float2 sprite)
@@ -23,7 +19,7 @@ typedef struct SoftVarying {
     float3 color;
 } SoftVarying;
 
-vertex_shader(soft_sprite_vs, SoftSpriteUniforms, Vertex, SoftVarying)
+vertex_shader(soft_sprite_vs, SoftSpriteUniforms, PointVertex, SoftVarying)
 {
     flt lambert = max(dp3(in->position, u3(c->light)), 0);
     *position = m4x4(in->position, c->mvp);
@@ -52,7 +48,7 @@ typedef struct SheetVarying {
     flt value;
 } SheetVarying;
 
-vertex_shader(sheet_sprite_vs, SheetSpriteUniforms, Vertex, SheetVarying)
+vertex_shader(sheet_sprite_vs, SheetSpriteUniforms, PointVertex, SheetVarying)
 {
     *position = vec4(in->position.x, in->position.y, 0.5f, 1);
     *point_size = bcast(c->size);

@@ -1,6 +1,6 @@
 /* Four targets at once: Saito and Takahashi, "Comprehensible rendering of 3-D shapes",
  * SIGGRAPH 1990. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/surface_maps.h"
 
 typedef struct Varying {

@@ -4,7 +4,7 @@
  * filtering is Reeves, Salesin and Cook's, "Rendering antialiased shadows with depth maps",
  * SIGGRAPH 1987. */
 #define GP_SHADER_PAIRS /* three square roots, one after the other, and a power */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/two_sided.h"
 
 typedef struct ShadowVarying {

@@ -1,5 +1,5 @@
 /* Texture 0 over the whole target. Positions are in clip space already: draw a quad. */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/blit.h"
 
 vertex_shader(blit_vs, NoUniforms, TexturedQuadVertex, UvVarying)

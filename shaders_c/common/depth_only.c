@@ -1,15 +1,8 @@
 /* Positions and nothing else. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/depth_only.h"
 
-typedef struct Vertex {
-    float3 position;
-} Vertex;
-
-typedef struct Varying {
-} Varying;
-
-vertex_shader(depth_only_vs, DepthOnlyUniforms, Vertex, Varying)
+vertex_shader(depth_only_vs, DepthOnlyUniforms, PointVertex, NoVarying)
 {
     *position = m4x4(in->position, c->mvp);
 }

@@ -3,10 +3,10 @@
  * a quad over the whole target.
  *
  * A light fades with 1 - d^2 / range^2, which needs no division and ends where its range does. */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/deferred.h"
 
-vertex_shader(deferred_vs, DeferredUniforms, QuadVertex, NoVarying)
+vertex_shader(deferred_vs, DeferredUniforms, PointVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }

@@ -1,17 +1,13 @@
 /* The distance along the view as a grey. In perspective that is w of clip space, which, unlike the
  * depth buffer's z, grows evenly. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/depth.h"
-
-typedef struct Vertex {
-    float3 position;
-} Vertex;
 
 typedef struct Varying {
     flt grey;
 } Varying;
 
-vertex_shader(depth_vs, DepthUniforms, Vertex, Varying)
+vertex_shader(depth_vs, DepthUniforms, PointVertex, Varying)
 {
     float4 clip = m4x4(in->position, c->mvp);
     *position = clip;

@@ -1,6 +1,6 @@
 /* What deferred lighting needs to know of each visible surface: Saito and Takahashi,
  * "Comprehensible rendering of 3-D shapes", SIGGRAPH 1990. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/gbuffer.h"
 
 typedef struct Targets {

@@ -1,6 +1,6 @@
 /* Blinn-Phong lighting at the vertices, its colours interpolated: Gouraud, "Continuous shading of
  * curved surfaces", IEEE Transactions on Computers, 1971. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/gouraud.h"
 
 typedef struct Varying {

@@ -1,5 +1,5 @@
 /* The world-space normal as a colour: each axis from -1, shown as 0, to 1. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/normals.h"
 
 typedef struct Varying {

@@ -1,5 +1,5 @@
 /* A texture with Lambert lighting per pixel. Texture 0 is the surface's colour, linear light. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/textured.h"
 
 typedef struct Varying {

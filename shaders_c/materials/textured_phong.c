@@ -1,6 +1,6 @@
 /* A texture with Blinn-Phong lighting per pixel (see phong.c). Texture 0 is the surface's colour,
  * linear light. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/textured_phong.h"
 
 typedef struct Varying {

@@ -1,6 +1,6 @@
 /* Light in three hard bands and an inked rim, after Lake, Marshall, Harris and Blackstein,
  * "Stylized rendering techniques for scalable real-time 3D animation", NPAR 2000. */
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/toon.h"
 
 vertex_shader(toon_vs, ToonUniforms, MeshVertex, SurfaceVarying)

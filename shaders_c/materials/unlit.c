@@ -1,20 +1,13 @@
 /* One colour for every pixel. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/unlit.h"
 
-typedef struct Vertex {
-    float3 position;
-} Vertex;
-
-typedef struct Varying {
-} Varying;
-
-vertex_shader(unlit_vs, UnlitUniforms, Vertex, Varying)
+vertex_shader(unlit_vs, UnlitUniforms, PointVertex, NoVarying)
 {
     *position = m4x4(in->position, c->mvp);
 }
 
-pixel_shader(unlit_ps, UnlitUniforms, Varying)
+pixel_shader(unlit_ps, UnlitUniforms, NoVarying)
 {
     return u4(c->color);
 }

@@ -1,17 +1,13 @@
 /* The depth map of a light in a colour target (thesis, section 4.2.1, step 2): z and w go through as
  * texture coordinates and are divided at each pixel. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/shadow/shadow_map.h"
-
-typedef struct Vertex {
-    float3 position;
-} Vertex;
 
 typedef struct Varying {
     float2 depth; /* z, w */
 } Varying;
 
-vertex_shader(shadow_map_vs, ShadowMapUniforms, Vertex, Varying)
+vertex_shader(shadow_map_vs, ShadowMapUniforms, PointVertex, Varying)
 {
     float4 clip = m4x4(in->position, c->mvp);
     *position = clip;

@@ -6,7 +6,7 @@
 #ifndef SHADERS_SHADOW_SHARED_H
 #define SHADERS_SHADOW_SHARED_H
 
-#include "shaders_c/common/mesh_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/shadow/shadow.h"
 
 typedef struct Varying {

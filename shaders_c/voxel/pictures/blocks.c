@@ -1,10 +1,10 @@
 /* Blocks of voxels: the greatest byte of ten columns. A byte of a flat texture of bits is eight
  * voxels along z, and not 0 where any of them is there. */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/pictures/blocks.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms, QuadVertex, NoVarying)
+vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms, PointVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }

@@ -2,7 +2,7 @@
  * that are the slope of the volume's density, smoothed over six voxels along each axis.
  * source normals from the volume's gradient: Levoy, "Display of surfaces from volume data", IEEE
  *        CG&A 8(3), 1988; shading by Phong, "Illumination for computer generated pictures", 1975 */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/pictures/light.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
@@ -10,7 +10,7 @@ typedef struct Varying {
     float3 origin, way; /* of the pixel's ray */
 } Varying;
 
-vertex_shader(voxel_light_vs, VoxelLightUniforms, QuadVertex, Varying)
+vertex_shader(voxel_light_vs, VoxelLightUniforms, PointVertex, Varying)
 {
     float3 aside = add(mul(u3(c->right), in->position.x), mul(u3(c->up), in->position.y));
     *position = rgba(in->position, 1);

@@ -2,13 +2,13 @@
  * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: a voxelized model inside a scanned
  *        volume; samples, normals and transfer: Levoy, "Display of surfaces from volume data", IEEE
  *        CG&A 8(3), 1988 */
-#include "shaders_c/common/quad_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/pictures/scan.h"
 #include "shaders_c/voxel/pictures/view_shared.h"
 
 /* --- slopes ----------------------------------------------------------------------------------- */
 
-vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms, QuadVertex, NoVarying)
+vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms, PointVertex, NoVarying)
 {
     *position = rgba(in->position, 1);
 }
