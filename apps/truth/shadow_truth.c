@@ -120,7 +120,7 @@ static bool sees_frustum(const Job *job, const Surface *surface)
     return sees_point(job, surface, axes->parallel ? source : eye);
 }
 
-/* The bits of k, less than 2^bits, behind the binary point in reverse; the middle of that cell. */
+/* The bits of k, less than 2^bits, behind the binary point in reverse; the centre of that cell. */
 static double spread_bits(unsigned int k, int bits)
 {
     double value = ldexp(0.5, -bits);

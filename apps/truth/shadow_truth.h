@@ -21,7 +21,7 @@ typedef enum TruthLightKind {
 /* Fields that the kind does not name are ignored. */
 typedef struct TruthLight {
     TruthLightKind kind;
-    double position[3]; /* of an area light: its middle */
+    double position[3]; /* of an area light: its centre */
     double axis[3];     /* out of the light, any length */
     double half_angle;  /* degrees, between axis and side, below 90 */
     Camera frustum;

@@ -171,7 +171,7 @@ static const char *const scaling_text[] = {
     "With more triangles no line rises as steeply as their number, for the volume's share is the "
     "same for all: least with the printed method, whose volume costs most. Thin surfaces hardly "
     "rise at all: the lists, made once for a model that stands still, leave out triangles so small "
-    "that no line through the middles of voxels can meet them; three of four of the largest mesh "
+    "that no line through the centres of voxels can meet them; three of four of the largest mesh "
     "here. Meshes of about as many triangles differ all the same: by how large these are, and how "
     "many lie over each other.",
     NULL

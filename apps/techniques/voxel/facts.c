@@ -85,7 +85,7 @@ GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevic
     const size_t bytes = voxel_bytes(size);
     uint8_t *turned = gp_alloc(bytes, 1);
     uint8_t *solids[3] = { gp_alloc(bytes, 1), gp_alloc(bytes, 1), gp_alloc(bytes, 1) };
-    uint64_t odd_columns[3] = { 0 };
+    VoxelFacts found = { .mesh = facts->mesh, .has_solids = true };
     GpResult result = turned && solids[0] && solids[1] && solids[2]
                           ? GP_OK
                           : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
@@ -93,15 +93,14 @@ GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevic
         const VoxelModel along = voxel_model_along(&model, axis);
         result = find_solid(&along, size, device, turned, error);
         if (!result) {
-            odd_columns[axis] = voxel_odd_columns(turned, size);
+            found.odd_columns[axis] = voxel_odd_columns(turned, size);
             turn_back(turned, size, axis, solids[axis]);
         }
     }
     if (!result) {
         const uint8_t *const all[3] = { solids[0], solids[1], solids[2] };
-        memcpy(facts->odd_columns, odd_columns, sizeof odd_columns);
-        facts->disagreements = voxel_disagreements(all, size);
-        facts->has_solids = true;
+        found.disagreements = voxel_disagreements(all, size);
+        *facts = found;
     }
     gp_free(turned);
     for (int axis = 0; axis < 3; axis++)
@@ -111,17 +110,13 @@ GpResult voxel_facts_find_solids(const VoxelScene *scene, uint32_t size, GpDevic
 
 /* --- telling ---------------------------------------------------------------------------------- */
 
-typedef struct Count {
-    const char *name; /* in JSON; in print with spaces */
-    uint64_t value;
-} Count;
-
-enum { MAX_COUNTS = 12 };
-
-static int list_counts(const VoxelFacts *facts, Count *counts)
+json_t *voxel_facts_json(const VoxelFacts *facts)
 {
     const MeshReport *mesh = &facts->mesh;
-    const Count all[MAX_COUNTS] = {
+    const struct {
+        const char *name;
+        uint64_t value;
+    } counts[] = {
         { "edges", mesh->edges },
         { "boundary_edges", mesh->boundary_edges },
         { "non_manifold_edges", mesh->non_manifold_edges },
@@ -134,35 +129,29 @@ static int list_counts(const VoxelFacts *facts, Count *counts)
         { "odd_columns_z", facts->odd_columns[2] },
         { "disagreeing_voxels", facts->disagreements },
     };
-    const int of_mesh = 7, of_all = 11;
-    memcpy(counts, all, sizeof all);
-    return facts->has_solids ? of_all : of_mesh;
+    const size_t count = facts->has_solids ? GP_COUNT(counts) : GP_COUNT(counts) - 4;
+    json_t *object = json_pack("{s:b, s:b, s:o}", "closed", mesh->is_closed, "inside_out",
+                               mesh->is_inside_out, "enclosed_volume", json_number(mesh->volume));
+    for (size_t i = 0; i < count; i++)
+        json_object_set_new(object, counts[i].name, json_integer((json_int_t)counts[i].value));
+    return object;
 }
 
 void voxel_facts_add(const VoxelFacts *facts, Text *lines)
 {
-    Count counts[MAX_COUNTS];
-    int count = list_counts(facts, counts);
-    text_add(lines, "%-30s %s\n", "closed", facts->mesh.is_closed ? "yes" : "no");
-    text_add(lines, "%-30s %s\n", "inside out", facts->mesh.is_inside_out ? "yes" : "no");
-    text_add(lines, "%-30s %.9g\n", "enclosed volume", facts->mesh.volume);
-    for (int i = 0; i < count; i++) {
+    json_t *object = voxel_facts_json(facts), *value;
+    const char *key;
+    json_object_foreach(object, key, value)
+    {
         char name[40];
-        snprintf(name, sizeof name, "%s", counts[i].name);
+        text_copy(name, sizeof name, key);
         for (char *c = name; *c; c++)
             *c = *c == '_' ? ' ' : *c;
-        text_add(lines, "%-30s %" PRIu64 "\n", name, counts[i].value);
+        if (json_is_boolean(value))
+            text_add(lines, "%-30s %s\n", name, json_is_true(value) ? "yes" : "no");
+        else
+            text_add(lines, json_is_real(value) ? "%-30s %.9g\n" : "%-30s %.0f\n", name,
+                     json_number_value(value));
     }
-}
-
-json_t *voxel_facts_json(const VoxelFacts *facts)
-{
-    Count counts[MAX_COUNTS];
-    int count = list_counts(facts, counts);
-    json_t *object =
-        json_pack("{s:b, s:b, s:o}", "closed", facts->mesh.is_closed, "inside_out",
-                  facts->mesh.is_inside_out, "enclosed_volume", json_number(facts->mesh.volume));
-    for (int i = 0; i < count; i++)
-        json_object_set_new(object, counts[i].name, json_integer((json_int_t)counts[i].value));
-    return object;
+    json_decref(object);
 }

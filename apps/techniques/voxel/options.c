@@ -32,7 +32,7 @@ const SettingField voxel_settings[] = {
       SETTING_NAME, OF(voxels.kind), .names = kinds },
     { "method", NULL,
       "conservative: every voxel that is touched (default for surfaces); thin: those met by lines "
-      "through middles; xor: each triangle turns over what is below it (default for solids); "
+      "through centres; xor: each triangle turns over what is below it (default for solids); "
       "sheets: as printed in 2004; slices, ldi, faces: older ones",
       SETTING_NAME, OF(voxels.method), .names = methods },
     { "bits", "B", "Bits a voxel: 1 (default), 8 or 16; more than one of the method sheets",
@@ -47,7 +47,7 @@ const SettingField voxel_settings[] = {
 
     { "xform", "S TX TY TZ",
       "Where the model lies in the volume: voxels = S * position + T (default: its box, in the "
-      "middle)",
+      "centre)",
       SETTING_VECTOR, OF(box), .low = -FARTHEST, .high = FARTHEST, .count = 4, .aside = true },
     { "points", NULL, "Take a mesh's vertices alone, as points", SETTING_FLAG, OF(takes_points),
       .aside = true },
@@ -60,7 +60,7 @@ const SettingField voxel_settings[] = {
       "both have, and where they are",
       SETTING_NAME, OF(combine), .names = ways, .aside = true },
     { "fit", "F",
-      "Give the second model F times the first's longest side, and its middle; without a second: "
+      "Give the second model F times the first's longest side, and its centre; without a second: "
       "the model in its volume, or scan",
       SETTING_NUMBER, OF(place.fit), .low = 0.001, .high = 1000, .aside = true },
     { "move", "X Y Z", "Then move it, by longest sides of the first", SETTING_VECTOR,

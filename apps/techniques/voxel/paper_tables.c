@@ -128,9 +128,9 @@ static const PaperRow size_rows[] = { ROWS("meshes/bunny.ply"),
 
 static Camera camera_for(uint32_t size)
 {
-    const double n = size, middle = n / 2;
-    return (Camera){ .eye = { middle + n, middle + 0.8 * n, middle + 2 * n },
-                     .at = { middle, middle, middle },
+    const double n = size, centre = n / 2;
+    return (Camera){ .eye = { centre + n, centre + 0.8 * n, centre + 2 * n },
+                     .at = { centre, centre, centre },
                      .up = { 0, 1, 0 },
                      .fovy = 40,
                      .near = 0.5 * n,

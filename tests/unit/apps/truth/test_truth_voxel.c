@@ -41,7 +41,7 @@ static void a_box_is_its_shell_and_its_inside(void **state)
     assert_true(get(bits, SIZE, 3, 4, 5) && get(bits, SIZE, 9, 10, 8) && !get(bits, SIZE, 5, 6, 6));
     memset(bits, 0, sizeof bits);
     voxel_solid(box, 12, SIZE, bits);
-    /* middles from 3.5 to 8.5, 4.5 to 10.5, 5.5 to 8.5 */
+    /* centres from 3.5 to 8.5, 4.5 to 10.5, 5.5 to 8.5 */
     assert_int_equal(voxel_count(bits, SIZE), 6 * 7 * 4);
 }
 
@@ -111,7 +111,7 @@ static void thin_is_within_the_surface(void **state)
     }
 }
 
-/* Of a triangle in a plane z = 5.25: a quarter from the middles of voxels below it, and 3/4
+/* Of a triangle in a plane z = 5.25: a quarter from the centres of voxels below it, and 3/4
  * above. */
 static void nearness_is_a_distance(void **state)
 {

@@ -153,7 +153,7 @@ static uint8_t *touched_voxels(const TruthTriangle *triangles, uint32_t count,
     return volume;
 }
 
-/* A point's nearest middle is that of its own voxel, whatever the model and the size. */
+/* A point's nearest centre is that of its own voxel, whatever the model and the size. */
 static void touched_voxels_are_half_a_voxel_away(void **state)
 {
     (void)state;
@@ -175,8 +175,8 @@ static void touched_voxels_are_half_a_voxel_away(void **state)
         }
 }
 
-/* How far middles are from a sphere needs no triangles. */
-static void middles_are_as_far_from_a_sphere_as_their_radius_says(void **state)
+/* How far centres are from a sphere needs no triangles. */
+static void centres_are_as_far_from_a_sphere_as_their_radius_says(void **state)
 {
     (void)state;
     VoxelBox space = { .size = 24 };
@@ -271,7 +271,7 @@ int main(void)
         cmocka_unit_test(nothing_is_a_whole_side_away),
         cmocka_unit_test(what_is_cut_off_is_not_lost),
         cmocka_unit_test(touched_voxels_are_half_a_voxel_away),
-        cmocka_unit_test(middles_are_as_far_from_a_sphere_as_their_radius_says),
+        cmocka_unit_test(centres_are_as_far_from_a_sphere_as_their_radius_says),
         cmocka_unit_test(the_pyramid_finds_the_nearest_of_all),
         cmocka_unit_test(the_next_voxel_is_the_next_bit),
     };

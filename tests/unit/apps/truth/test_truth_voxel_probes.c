@@ -105,7 +105,7 @@ static void what_is_cut_off_is_not_wrong(void **state)
 
 /* --- curved ------------------------------------------------------------------------------------ */
 
-/* Share that is wrong of a shape whose voxels are those with their middles inside. */
+/* Share that is wrong of a shape whose voxels are those with their centres inside. */
 static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
 {
     const double scale = (size - 2.5) / 2; /* of shapes within 1 */
@@ -121,7 +121,7 @@ static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
     return wrong;
 }
 
-/* Where the surface crosses a voxel, what lies between it and the middle is wrong: |n . p| in the mean
+/* Where the surface crosses a voxel, what lies between it and the centre is wrong: |n . p| in the mean
  * over points p of a cube around 0, which is 0.25 voxels for normals n along an axis, and 0.23 for
  * the most slanted. A ball has area times radius / 3 for its volume. */
 static void a_ball_has_a_quarter_of_a_voxel_wrong(void **state)
