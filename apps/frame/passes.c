@@ -15,13 +15,12 @@ uint32_t passes_find(const GpList *list, const char *name)
     return decimal && number < list->pass_count ? (uint32_t)number : list->pass_count;
 }
 
-/* Surface of a pass by the part of the name behind the dot; NULL where there is none. */
-static GpSurface *target_of(const GpPass *pass, const char *suffix)
+GpSurface *pass_target(const GpPass *pass, const char *name)
 {
-    if (strcmp(suffix, "depth") == 0)
+    if (strcmp(name, "depth") == 0)
         return pass->depth.surface;
-    bool digit = suffix[0] >= '0' && suffix[0] < '0' + GP_MAX_TARGETS && suffix[1] == '\0';
-    return digit ? pass->color[suffix[0] - '0'].surface : NULL;
+    bool digit = name[0] >= '0' && name[0] < '0' + GP_MAX_TARGETS && name[1] == '\0';
+    return digit ? pass->color[name[0] - '0'].surface : NULL;
 }
 
 GpResult passes_find_target(const GpList *list, const char *target, GpSurface **surface,
@@ -40,7 +39,7 @@ GpResult passes_find_target(const GpList *list, const char *target, GpSurface **
     if (index == list->pass_count)
         return gp_fail(error, GP_ERROR_INVALID, "%s: the scene has no pass of this name or number",
                        target);
-    GpSurface *found = target_of(&list->passes[index], suffix);
+    GpSurface *found = pass_target(&list->passes[index], suffix);
     if (!found)
         return gp_fail(error, GP_ERROR_INVALID, "%s: pass %u has no such target", target, index);
     *surface = found;

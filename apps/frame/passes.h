@@ -8,6 +8,9 @@
  * returns its index, or list->pass_count where there is none */
 uint32_t passes_find(const GpList *list, const char *name);
 
+/* A target of a pass: "0" its first colour target, "1" and so on, "depth"; NULL: there is none. */
+GpSurface *pass_target(const GpPass *pass, const char *name);
+
 /* Finds a surface by name: "PASS" its colour target 0, "PASS.1" target 1 and so on,
  * "PASS.depth" its depth target. A pass whose name ends so is found under its whole name first.
  * out  surface: borrowed; pass: its index. To see what that pass left there, later passes, which

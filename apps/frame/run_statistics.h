@@ -1,4 +1,4 @@
-/* Frames: running a list with a clock at hand, and the report of --json. */
+/* Running a list with a clock at hand; what it took, and what the device counted. */
 #ifndef APPS_FRAME_RUN_STATISTICS_H
 #define APPS_FRAME_RUN_STATISTICS_H
 
@@ -28,7 +28,7 @@ GpResult run_again(GpDevice *device, const GpList *list, RunStatistics *statisti
 /* Sets what the device counted in the first frame. */
 void run_add_counters(const RunStatistics *statistics, json_t *object);
 
-/* The object of --json. The caller owns it. */
+/* All of it as JSON, with the hash and size of its picture. The caller owns it. */
 json_t *run_json(const RunStatistics *statistics, uint64_t hash, const GpSurface *surface);
 
 #endif

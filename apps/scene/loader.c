@@ -1,5 +1,7 @@
 #include "apps/scene/loader.h"
 
+#include "apps/frame/passes.h"
+
 #include <string.h>
 
 const char *scene_copy(Loader *loader, const char *text)
@@ -30,13 +32,7 @@ GpSurface *scene_target(const Loader *loader, const Node *node, const char *name
     const char *dot = strchr(pass_name, '.');
     size_t length = dot ? (size_t)(dot - pass_name) : strlen(pass_name);
     const GpPass *pass = scene_find_pass(loader, pass_name, length);
-    GpSurface *surface = NULL;
-    if (pass && dot && strcmp(dot, ".depth") == 0)
-        surface = pass->depth.surface;
-    else if (pass && dot && dot[1] >= '0' && dot[1] < '0' + GP_MAX_TARGETS && !dot[2])
-        surface = pass->color[dot[1] - '0'].surface;
-    else if (pass && !dot)
-        surface = pass->color[0].surface;
+    GpSurface *surface = pass ? pass_target(pass, dot ? dot + 1 : "0") : NULL;
     if (!surface)
         node_fail(node, GP_ERROR_FORMAT, "no earlier pass has a target '%.60s'", name);
     return surface;
