@@ -1,11 +1,13 @@
 #include "apps/commands/output.h"
 
 #include "apps/base/text.h"
+#include "apps/frame/picture.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <xxhash.h>
 
 void output_default_path(const char *input, const char *extension, char *path, size_t size)
 {
@@ -21,19 +23,63 @@ void output_default_path(const char *input, const char *extension, char *path, s
     snprintf(path, size, "%s%s.%s", out ? "out/" : "", name, extension);
 }
 
-void output_verbose(const Options *options, const RunStatistics *statistics)
+/* --- results ---------------------------------------------------------------------------------- */
+
+static void print_hash(const Output *output, uint64_t hash)
 {
+    const GpSurface *surface = output->surface;
+    const uint32_t *dims = output->volume.dims;
+    if (output->volume.data)
+        printf("hash VOXELS %ux%ux%u", dims[0], dims[1], dims[2]);
+    else
+        printf("hash %s %ux%u", gp_format_info(surface->format)->name, surface->width,
+               surface->height);
+    printf(" %016" PRIx64 "\n%s", hash, output->lines ? output->lines : "");
+}
+
+static int print_object(const Output *output, uint64_t hash)
+{
+    const GpVolume *volume = &output->volume;
+    json_t *object = run_json(&output->statistics, hash, output->surface);
+    if (volume->data) {
+        json_t *size =
+            json_pack("{s:s, s:I, s:I, s:I, s:I}", "format", "VOXELS", "width",
+                      (json_int_t)volume->dims[0], "height", (json_int_t)volume->dims[1], "depth",
+                      (json_int_t)volume->dims[2], "bytes", (json_int_t)gp_volume_bytes(volume));
+        json_object_update(object, size);
+        json_decref(size);
+    }
+    json_object_update(object, output->members);
+    json_object_set_new(object, "file", json_string(output->path));
+    return output_json(object);
+}
+
+int output_result(Output *output)
+{
+    const Options *options = output->options;
+    const RunStatistics *statistics = &output->statistics;
+    const GpVolume *volume = &output->volume;
+    GpError error = { "" };
+    const uint64_t hash = volume->data ? XXH3_64bits(volume->data, gp_volume_bytes(volume))
+                                       : gp_surface_hash(output->surface);
+    if (volume->data ? gp_volume_write(output->path, volume, &error)
+                     : picture_write_surface(output->path, output->surface, output->opaque, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(options, "wrote %s", output->path);
     if (options->verbose)
         notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s",
                statistics->first_ms, (unsigned long long)statistics->counters.primitives,
                (unsigned long long)statistics->counters.fragments_shaded, statistics->isa);
+    if (!options->json) {
+        print_hash(output, hash);
+        return EXIT_DONE;
+    }
+    GpResult result = run_again(output->device, output->list, &output->statistics, &error);
+    return result ? report(exit_of_run(result), "%s: %s", output->input, error.text)
+                  : print_object(output, hash);
 }
 
-void output_hash(const GpSurface *surface, uint64_t hash)
-{
-    printf("hash %s %ux%u %016" PRIx64 "\n", gp_format_info(surface->format)->name, surface->width,
-           surface->height, hash);
-}
+/* --- JSON ------------------------------------------------------------------------------------- */
 
 int output_json(json_t *value)
 {

@@ -4,6 +4,7 @@
 
 #include "apps/commands/options.h"
 #include "apps/frame/run_statistics.h"
+#include "pipeline/io/volume/volume_file.h"
 
 #include <jansson.h>
 
@@ -11,11 +12,25 @@
  * that exists. */
 void output_default_path(const char *input, const char *extension, char *path, size_t size);
 
-/* What --verbose says of a first frame. */
-void output_verbose(const Options *options, const RunStatistics *statistics);
+/* What a list gave, once it has been drawn for the first time. Borrowed. */
+typedef struct Output {
+    const Options *options;
+    const char *input, *path; /* what the user gave, for messages; where it is to be written */
+    GpDevice *device;
+    const GpList *list;
+    RunStatistics statistics;
+    const GpSurface *surface; /* the picture, or what the volume was read from */
+    bool opaque;              /* alpha stays out of the picture's file */
+    GpVolume volume;          /* data NULL: the picture is the result */
+    const char *lines;        /* to be printed after the hash; NULL: none */
+    json_t *members;          /* to be added to --json's; NULL: none */
+} Output;
 
-/* Prints "hash FORMAT WxH 0123456789abcdef"; hash is gp_surface_hash's. */
-void output_hash(const GpSurface *surface, uint64_t hash);
+/* Writes the picture or the volume, and prints "hash FORMAT WxH 0123456789abcdef", gp_surface_hash's or
+ * that of the volume's voxels in order; with --json draws the list a second time, which is the one
+ * that is timed, and prints run_json's object.
+ * returns the command's exit code, after a message where it is not EXIT_DONE */
+int output_result(Output *output);
 
 /* Prints a value with nine digits, enough to restore every float exactly, and releases it. Keys come in
  * the order in which they were set.

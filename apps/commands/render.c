@@ -47,32 +47,19 @@ static const CommandSyntax syntax = {
 
 /* --- rendering ------------------------------------------------------------------------------- */
 
-/* The picture is written and hashed before the second, timed frame: a list that does not clear its
- * targets draws over its first. */
-static int draw(const Render *render, const char *output, GpDevice *device, const GpList *list,
+static int draw(const Render *render, const char *path, GpDevice *device, const GpList *list,
                 const GpSurface *surface)
 {
-    const Options *common = &render->options;
     GpError error = { "" };
-    RunStatistics statistics;
-    GpResult result = run_first(device, list, &statistics, &error);
-    if (result)
-        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
-    uint64_t hash = gp_surface_hash(surface);
-    if (picture_write_surface(output, surface, false, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    notice(common, "wrote %s", output);
-    output_verbose(common, &statistics);
-    if (!common->json) {
-        output_hash(surface, hash);
-        return EXIT_DONE;
-    }
-    result = run_again(device, list, &statistics, &error);
-    if (result)
-        return report(exit_of_run(result), "%s: %s", render->scene, error.text);
-    json_t *object = run_json(&statistics, hash, surface);
-    json_object_set_new(object, "file", json_string(output));
-    return output_json(object);
+    Output output = { .options = &render->options,
+                      .input = render->scene,
+                      .path = path,
+                      .device = device,
+                      .list = list,
+                      .surface = surface };
+    GpResult result = run_first(device, list, &output.statistics, &error);
+    return result ? report(exit_of_run(result), "%s: %s", render->scene, error.text)
+                  : output_result(&output);
 }
 
 static int render_scene(const Render *render, const char *output, GpDevice *device,

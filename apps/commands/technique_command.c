@@ -4,14 +4,11 @@
 #include "apps/commands/command.h"
 #include "apps/commands/output.h"
 #include "apps/frame/picture.h"
-#include "apps/frame/run_statistics.h"
 #include "pipeline/io/file.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <xxhash.h>
 
 typedef struct TechniqueArgs {
     Options options; /* first: see options.h */
@@ -190,125 +187,73 @@ static int choose(TechniqueArgs *args)
 
 /* --- the frame -------------------------------------------------------------------------------- */
 
-/* What a frame gave: read once it has been drawn, before a list that does not clear its targets is
- * drawn again. */
-typedef struct Result {
-    Frame frame;
-    RunStatistics statistics;
-    const GpSurface *picture; /* NULL: the volume is the result */
-    GpVolume volume;
-    uint64_t hash; /* of the picture, or of the volume's voxels in order */
-    TechniqueReport report;
-} Result;
-
-static void free_result(Result *result)
-{
-    text_free(&result->report.lines);
-    text_free(&result->report.warnings);
-    json_decref(result->report.members);
-    gp_volume_free(&result->volume);
-    frame_free(&result->frame);
-}
-
-static GpResult take(const TechniqueArgs *args, Result *result, GpError *error)
-{
-    const Technique *technique = args->technique;
-    if (is_picture(args) || !technique->volume) {
-        result->picture = result->frame.color ? result->frame.color : result->frame.depth;
-        result->hash = gp_surface_hash(result->picture);
-        return GP_OK;
-    }
-    GpResult done = technique->volume(&result->frame, &result->volume, error);
-    if (!done)
-        result->hash = XXH3_64bits(result->volume.data, gp_volume_bytes(&result->volume));
-    return done;
-}
-
-static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, Result *result,
+static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, Frame *frame,
                       GpError *error)
 {
     const Technique *technique = args->technique;
-    GpResult done = technique->build(scene, args->settings.object, device, &result->frame, error);
-    if (!done && technique->show && is_picture(args))
-        done = technique->show(scene, args->settings.object, &result->frame, error);
-    return done;
+    GpResult result = technique->build(scene, args->settings.object, device, frame, error);
+    if (!result && technique->show && is_picture(args))
+        result = technique->show(scene, args->settings.object, frame, error);
+    return result;
 }
 
-static void print_lines(const Result *result)
-{
-    const uint32_t *dims = result->volume.dims;
-    const Text *lines = &result->report.lines;
-    if (result->picture)
-        output_hash(result->picture, result->hash);
-    else
-        printf("hash VOXELS %ux%ux%u %016" PRIx64 "\n", dims[0], dims[1], dims[2], result->hash);
-    fputs(lines->data ? lines->data : "", stdout);
-}
-
-static int print_object(const TechniqueArgs *args, const Result *result)
+/* What the technique has to say. owns: the caller, until free_report. errors as its report's */
+static GpResult tell(const TechniqueArgs *args, void *scene, const Frame *frame, GpDevice *device,
+                     TechniqueReport *told, GpError *error)
 {
     const Technique *technique = args->technique;
-    const GpVolume *volume = &result->volume;
     char setting[SETTING_MAX_TEXT];
-    setting_print(technique->settings, args->settings.object, technique->defaults, setting,
-                  sizeof setting);
-    json_t *object = run_json(&result->statistics, result->hash, result->frame.color);
-    if (!result->picture) {
-        json_t *size =
-            json_pack("{s:s, s:I, s:I, s:I, s:I}", "format", "VOXELS", "width",
-                      (json_int_t)volume->dims[0], "height", (json_int_t)volume->dims[1], "depth",
-                      (json_int_t)volume->dims[2], "bytes", (json_int_t)gp_volume_bytes(volume));
-        json_object_update(object, size);
-        json_decref(size);
+    if (args->options.json) {
+        setting_print(technique->settings, args->settings.object, technique->defaults, setting,
+                      sizeof setting);
+        told->members = json_pack("{s:s}", "setting", setting);
     }
-    json_object_update(object, result->report.members);
-    json_object_set_new(object, "file", json_string(args->output));
-    json_object_set_new(object, "setting", json_string(setting));
-    return output_json(object);
-}
-
-static void print_warnings(const TechniqueReport *told)
-{
-    const char *line = told->warnings.data ? told->warnings.data : "";
+    GpResult result = technique->report ? technique->report(scene, args->settings.object, frame,
+                                                            device, told, error)
+                                        : GP_OK;
+    const char *line = told->warnings.data && !result ? told->warnings.data : "";
     while (*line) {
         const size_t length = strcspn(line, "\n");
         report(0, "warning: %.*s", (int)length, line);
         line += length + (line[length] == '\n');
     }
+    return result;
 }
 
-/* The first frame is what is written and told; --json times a second one. */
-static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, Result *result)
+static void free_report(TechniqueReport *told)
 {
-    const Options *options = &args->options;
+    text_free(&told->lines);
+    text_free(&told->warnings);
+    json_decref(told->members);
+}
+
+/* The first frame is what is written and told. */
+static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const Frame *frame)
+{
     const Technique *technique = args->technique;
-    const GpList *list = &result->frame.list;
     GpError error = { "" };
-    GpResult done = run_first(device, list, &result->statistics, &error);
-    if (done)
-        return report(exit_of_run(done), "%s: %s", args->scene, error.text);
-    if (take(args, result, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    result->report.members = options->json ? json_object() : NULL;
-    done = technique->report ? technique->report(scene, args->settings.object, &result->frame,
-                                                 device, &result->report, &error)
-                             : GP_OK;
-    if (done)
-        return report(exit_of_input(done), "%s: %s", args->scene, error.text);
-    print_warnings(&result->report);
-    if (result->picture ? picture_write_surface(args->output, result->picture, true, &error)
-                        : gp_volume_write(args->output, &result->volume, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    notice(options, "wrote %s", args->output);
-    output_verbose(options, &result->statistics);
-    if (!options->json) {
-        print_lines(result);
-        return EXIT_DONE;
-    }
-    done = run_again(device, list, &result->statistics, &error);
-    if (done)
-        return report(exit_of_run(done), "%s: %s", args->scene, error.text);
-    return print_object(args, result);
+    TechniqueReport told = { .members = NULL };
+    Output output = { .options = &args->options,
+                      .input = args->scene,
+                      .path = args->output,
+                      .device = device,
+                      .list = &frame->list,
+                      .surface = frame->color ? frame->color : frame->depth,
+                      .opaque = true };
+    GpResult result = run_first(device, &frame->list, &output.statistics, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", args->scene, error.text);
+    if (technique->volume && !is_picture(args))
+        result = technique->volume(frame, &output.volume, &error);
+    if (!result)
+        result = tell(args, scene, frame, device, &told, &error);
+    output.lines = told.lines.data;
+    output.members = told.members;
+    int code = result ? report(exit_of_input(result), "%s: %s", args->scene, error.text)
+                      : output_result(&output);
+    free_report(&told);
+    gp_volume_free(&output.volume);
+    return code;
 }
 
 static int open_and_draw(const TechniqueArgs *args, GpDevice *device)
@@ -317,15 +262,15 @@ static int open_and_draw(const TechniqueArgs *args, GpDevice *device)
     const TechniqueInput input = { args->scene, args->options.size[0], args->options.size[1],
                                    args->settings.object };
     GpError error = { "" };
+    Frame frame = { .color = NULL };
     void *scene;
-    GpResult done = technique->open(&input, &scene, &error);
-    if (done)
-        return report(exit_of_input(done), "%s", error.text);
-    Result result = { .picture = NULL };
-    done = build(args, scene, device, &result, &error);
-    int code = done ? report(exit_of_input(done), "%s: %s", args->scene, error.text)
-                    : draw(args, scene, device, &result);
-    free_result(&result);
+    GpResult result = technique->open(&input, &scene, &error);
+    if (result)
+        return report(exit_of_input(result), "%s", error.text);
+    result = build(args, scene, device, &frame, &error);
+    int code = result ? report(exit_of_input(result), "%s: %s", args->scene, error.text)
+                      : draw(args, scene, device, &frame);
+    frame_free(&frame);
     technique->close(scene);
     return code;
 }
