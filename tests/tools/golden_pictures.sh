@@ -97,7 +97,7 @@ check_scenes
 check_bench
 techniques=0
 for command in $("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
-    if "$program" "$command" --help | grep -q -- '--error='; then
+    if "$program" "$command" --help 2>/dev/null | grep -q -- '--error='; then
         check_names "$command"
         techniques=$((techniques + 1))
     fi
