@@ -11,11 +11,6 @@ fault() {
     failed=1
 }
 
-# A fault from the day on which every file stands on its floor; until then it is only said.
-moving() {
-    echo "$1 (known while files move)" >&2
-}
-
 # Prints "file:line: text" for each match of an extended expression in the given files; a fault.
 forbid() {
     reason=$1 expression=$2
@@ -46,7 +41,7 @@ tests/                           the facts of one unit stay together
         fault "lint: includes that point up"
     { nm -A -P "$@"; echo "$sources" | grep -v '^tests/' | xargs grep '#include "'; } |
         awk -v objects="$build/obj/" -f tests/tools/floors.awk -f tests/tools/check_circles.awk ||
-        moving "lint: calls that point up, or in a circle"
+        fault "lint: calls that point up, or in a circle"
     sh tests/tools/check_circles_self.sh || fault "lint: circles are not found"
     awk -v reasons="$long_files" -f tests/tools/check_sizes.awk $sources ||
         fault "lint: sizes and sections"
