@@ -18,6 +18,12 @@ static const unsigned char tiny_png[] = {
 };
 /* clang-format on */
 
+static inline size_t image_bytes(const GpImage *image)
+{
+    return (size_t)image->width * image->height * image->channels *
+           gp_image_sample_size(image->type);
+}
+
 static inline void assert_reads(const char *path, GpImage *image)
 {
     GpResult result = gp_image_read(path, image, &error);

@@ -14,12 +14,6 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-static size_t image_bytes(const GpImage *image)
-{
-    return (size_t)image->width * image->height * image->channels *
-           gp_image_sample_size(image->type);
-}
-
 /* A picture of random bits; floats are kept from being signalling NaNs only. */
 static GpImage random_image(uint32_t width, uint32_t height, uint32_t channels, GpImageType type,
                             uint64_t number)
