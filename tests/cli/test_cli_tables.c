@@ -71,7 +71,7 @@ static void table_2_1_has_the_steps_beside_the_print(void **state)
     static const char *const steps[] = { "raster", "texelize", "synthesize", "sort" };
     static const double printed[] = { 12, 8, 11, 27 };
     static const char *const whole[] = { "sheets", "conservative", "thin", "voxels",
-                                         "worksheets_mb" };
+                                         "targets_mb" };
     put_mesh("meshes/bunny.ply");
     assert_int_equal(run("bench -q --json -t 0 --table 2.1"), 0);
     const char *at = out;
@@ -113,7 +113,7 @@ static void table_2_2_has_a_row_for_each_size(void **state)
         assert_true(number(row, "bits", NULL) == rows[i].bits);
         assert_true(number(row, "memory_mb", "printed") == rows[i].megabytes);
         assert_true(number(row, "memory_mb", "measured") == rows[i].megabytes);
-        assert_true(number(row, "worksheets_mb", NULL) >= 3 * rows[i].megabytes);
+        assert_true(number(row, "targets_mb", NULL) >= 3 * rows[i].megabytes);
         for (size_t k = 0; k < GP_COUNT(pairs); k++)
             assert_true(number(row, pairs[k], "measured") > 0);
         json_decref(row);

@@ -27,7 +27,7 @@ static const PaperColumn step_columns[] = {
     [CONSERVATIVE] = { "conservative", PAPER_MEASURED, 2 },
     [THIN] = { "thin", PAPER_MEASURED, 2 },
     [VOXELS] = { "voxels", PAPER_MEASURED, 0 },
-    [DRAWN] = { "worksheets_mb", PAPER_MEASURED, 1 },
+    [DRAWN] = { "targets_mb", PAPER_MEASURED, 1 },
     { .name = NULL },
 };
 
@@ -106,7 +106,7 @@ static const PaperColumn size_columns[] = {
     [MS] = { "ms", PAPER_BOTH, 2 },
     [COUNT] = { "voxels", PAPER_BOTH, 0 },
     [PICTURE_MS] = { "picture_ms", PAPER_BOTH, 2 },
-    [MADE_OF] = { "worksheets_mb", PAPER_MEASURED, 1 },
+    [MADE_OF] = { "targets_mb", PAPER_MEASURED, 1 },
     { .name = NULL },
 };
 

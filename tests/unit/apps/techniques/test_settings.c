@@ -1,5 +1,5 @@
 /* Settings as tables of fields: what texts set, what is printed of them, and how sweeps expand. */
-#include "apps/techniques/registry.h"
+#include "apps/techniques/technique.h"
 #include "apps/base/text.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
@@ -268,37 +268,6 @@ static void a_sweep_without_lists_is_one_setting(void **state)
     assert_string_equal(text[0], "--map 32");
 }
 
-/* What every technique's table promises: names that are found, sweeps whose settings all parse. */
-static void every_technique_can_read_its_own_sweeps(void **state)
-{
-    (void)state;
-    assert_null(technique_find(technique_registry, "no such technique"));
-    assert_null(experiment_find(technique_registry, "no such experiment", NULL));
-    for (const Technique *const *one = technique_registry; *one; one++) {
-        const Technique *technique = *one, *found = NULL;
-        assert_ptr_equal(technique_find(technique_registry, technique->name), technique);
-        assert_string_equal(technique->experiments->name, technique->name);
-        void *setting = gp_alloc(1, technique->setting_bytes);
-        for (const Experiment *experiment = technique->experiments; experiment->name; experiment++)
-            for (const TechniqueSweep *sweep = experiment->sweep; sweep->method; sweep++) {
-                assert_ptr_equal(experiment_find(technique_registry, experiment->name, &found),
-                                 experiment);
-                assert_ptr_equal(found, technique);
-                size_t count = technique_expand(sweep->options, NULL, 0);
-                char(*texts)[SETTING_MAX_TEXT] = gp_alloc(count, sizeof *texts);
-                technique_expand(sweep->options, texts, count);
-                for (size_t k = 0; k < count; k++) {
-                    GpError error = { "" };
-                    memcpy(setting, technique->defaults, technique->setting_bytes);
-                    if (setting_parse(technique->settings, setting, texts[k], &error))
-                        fail_msg("%s, %s: %s", technique->name, texts[k], error.text);
-                }
-                gp_free(texts);
-            }
-        gp_free(setting);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -311,7 +280,6 @@ int main(void)
         cmocka_unit_test(numbers_are_as_short_as_they_can_be),
         cmocka_unit_test(a_sweep_expands_to_all_combinations_the_last_list_fastest),
         cmocka_unit_test(a_sweep_without_lists_is_one_setting),
-        cmocka_unit_test(every_technique_can_read_its_own_sweeps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

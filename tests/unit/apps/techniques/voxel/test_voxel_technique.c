@@ -328,10 +328,30 @@ static void only_meshes_have_a_truth(void **state)
     }
 }
 
+static void models_that_are_changed_have_no_truth(void **state)
+{
+    (void)state;
+    VoxelOptions changed[] = { voxel_option_defaults, voxel_option_defaults,
+                               voxel_option_defaults };
+    changed[0].twist = 90;
+    changed[1].with = "builtin:cube";
+    changed[2].takes_points = true;
+    for (size_t i = 0; i < GP_COUNT(changed); i++) {
+        const TechniqueInput input = { .path = "builtin:torus", .setting = &changed[i] };
+        void *scene;
+        GpError error = { "" };
+        assert_int_equal(voxel_technique.open(&input, &scene, &error), GP_OK);
+        assert_int_equal(voxel_technique.experiments->find_truth(scene, 1, &error),
+                         GP_ERROR_INVALID);
+        voxel_technique.close(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(only_meshes_have_a_truth),
+        cmocka_unit_test(models_that_are_changed_have_no_truth),
         cmocka_unit_test(the_exact_methods_have_no_wrong_voxel),
         cmocka_unit_test(solids_are_held_against_their_inside),
         cmocka_unit_test(errors_tell_sizes_and_methods_apart),
