@@ -3,20 +3,17 @@
  *        objects", Vision, Modeling and Visualization 2003; Everitt, "Interactive
  *        order-independent transparency", NVIDIA 2001 */
 #include "shaders_c/common/cover_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 #include "shaders_c/voxel/methods/layers.h"
 
 /* --- peeling ---------------------------------------------------------------------------------- */
 
-typedef struct Vertex {
-    float3 position;
-} Vertex;
-
 typedef struct Varying {
     flt depth;
 } Varying;
 
-vertex_shader(voxel_peel_vs, VoxelPeelUniforms, Vertex, Varying)
+vertex_shader(voxel_peel_vs, VoxelPeelUniforms, PointVertex, Varying)
 {
     *position = m4x4(in->position, c->to_clip);
     out->depth = position->z;

@@ -3,17 +3,13 @@
  *        Graphics Interface 2008. DEVIATES: they turn over all slabs that a fragment lies above;
  *        here it turns over its own group of slabs only, and the others follow once for all
  *        fragments. */
-#include "pipeline/shader.h"
 #include "shaders_c/common/cover_shared.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/methods/parity.h"
 #include "shaders_c/voxel/methods/motion_shared.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
 /* --- turning over what is below --------------------------------------------------------------- */
-
-typedef struct Vertex {
-    float3 position;
-} Vertex;
 
 typedef struct Varying {
     flt height; /* z above the group's floor */
@@ -23,7 +19,7 @@ typedef struct Targets {
     float4 slab[4];
 } Targets;
 
-vertex_shader(voxel_parity_vs, VoxelParityUniforms, Vertex, Varying)
+vertex_shader(voxel_parity_vs, VoxelParityUniforms, PointVertex, Varying)
 {
     float3 q = into_voxels(&c->motion, in->position);
     float rows = c->size * c->patches;

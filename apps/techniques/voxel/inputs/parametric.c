@@ -2,7 +2,6 @@
 #include "apps/techniques/voxel/inputs/parametric.h"
 
 #include "apps/scene/teapot.h"
-#include "shaders_c/voxel/inputs/parametric.h"
 #include "shaders_c/voxel/inputs/points.h"
 
 #include <math.h>

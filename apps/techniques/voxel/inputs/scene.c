@@ -9,24 +9,30 @@
 #define QUARTIC_REACH 2.27
 #define RADIANS       0.017453292519943295 /* in a degree */
 
-enum { ANY_SIZE = 64 }; /* of a volume, where only its place counts */
-
 /* --- files and names -------------------------------------------------------------------------- */
 
 static GpResult open_function(const char *text, VoxelScene *scene, GpError *error)
 {
     GpResult result = voxel_function_parse(text, &scene->function, error);
     scene->input = VOXEL_FUNCTION;
-    scene->reach = strcmp(text, "quartic") == 0 ? QUARTIC_REACH : VOXEL_FUNCTION_REACH;
+    const double reach = strcmp(text, "quartic") == 0 ? QUARTIC_REACH : VOXEL_FUNCTION_REACH;
+    scene->cube = (Bounds){ { -reach, -reach, -reach }, { reach, reach, reach } };
     return result;
 }
 
+/* Its cube is the volume of its box, less the margin. */
 static GpResult open_surface(const char *name, VoxelScene *scene, GpError *error)
 {
+    enum { SIZE = 64 }; /* any: only its place counts */
     VoxelBox box;
+    GpResult result = voxel_parametric_box(name, SIZE, &box, error);
     scene->input = VOXEL_PARAMETRIC;
     snprintf(scene->surface, sizeof scene->surface, "%s", name);
-    return voxel_parametric_box(name, ANY_SIZE, &box, error);
+    for (int k = 0; k < 3 && !result; k++) {
+        scene->cube.low[k] = (VOXEL_BOX_MARGIN - box.offset[k]) / box.scale;
+        scene->cube.high[k] = (SIZE - VOXEL_BOX_MARGIN - box.offset[k]) / box.scale;
+    }
+    return result;
 }
 
 static GpResult open_mesh(const char *name, VoxelScene *scene, GpError *error)
@@ -76,28 +82,10 @@ static void widen_to_turn(const GpMesh *mesh, Bounds *bounds)
     bounds->high[2] = z + radius;
 }
 
-/* The cube whose volume a box is, less the margin. */
-static Bounds bounds_of_box(const VoxelBox *box)
-{
-    Bounds bounds;
-    for (int k = 0; k < 3; k++) {
-        bounds.low[k] = (VOXEL_BOX_MARGIN - box->offset[k]) / box->scale;
-        bounds.high[k] = (box->size - VOXEL_BOX_MARGIN - box->offset[k]) / box->scale;
-    }
-    return bounds;
-}
-
 Bounds voxel_scene_bounds(const VoxelScene *scene)
 {
-    const double reach = scene->reach;
-    if (scene->input == VOXEL_FUNCTION)
-        return (Bounds){ { -reach, -reach, -reach }, { reach, reach, reach } };
-    if (scene->input == VOXEL_PARAMETRIC) {
-        VoxelBox box;
-        GpError error;
-        GP_ASSERT(voxel_parametric_box(scene->surface, ANY_SIZE, &box, &error) == GP_OK);
-        return bounds_of_box(&box);
-    }
+    if (scene->input == VOXEL_FUNCTION || scene->input == VOXEL_PARAMETRIC)
+        return scene->cube;
     const GpMesh *mesh = &scene->mesh;
     if (scene->input == VOXEL_POINTS)
         return bounds_of(mesh->positions, 3 * sizeof(float), NULL, mesh->vertex_count);
@@ -111,7 +99,7 @@ Bounds voxel_scene_bounds(const VoxelScene *scene)
 VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size)
 {
     if (!scene->is_placed && scene->input == VOXEL_FUNCTION)
-        return voxel_box_of_cube(scene->reach, size);
+        return voxel_box_of_cube(scene->cube.high[0], size);
     const Bounds bounds = voxel_scene_bounds(scene);
     VoxelBox box = voxel_box_of(&bounds, size);
     if (scene->is_placed) {

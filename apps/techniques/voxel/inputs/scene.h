@@ -27,7 +27,7 @@ typedef struct VoxelScene {
 
     /* private */
     VoxelFunction function;
-    double reach; /* of a function: the half side of its cube */
+    Bounds cube; /* of functions and surfaces: what is looked at */
     char surface[16];
 } VoxelScene;
 

@@ -89,7 +89,7 @@ static void densities_count_fragments(void **state)
     voxel_case_free(&given);
 }
 
-/* The other way round from shaders_c/voxel/methods/values.c. */
+/* The other way round from shaders_c/voxel/methods/sheets.c. */
 static void decode_normal(uint32_t code, uint32_t bits, double normal[3])
 {
     const uint32_t level = bits == 8 ? 14 : 254, next = bits == 8 ? 16 : 256;
