@@ -11,29 +11,15 @@
 #include "pipeline/fast/lanes/texture/sample.h"
 #include "pipeline/list/isa.h"
 #include "pipeline/units/texture_read.h"
+#include "tests/support/random.h"
 
 enum { WIDEST = 16, TEXTURES = 3000, SAMPLERS = 4, PACKETS = 12 };
 
 /* --- chance ----------------------------------------------------------------------------------- */
 
-typedef struct Random {
-    uint64_t state;
-} Random;
-
-static uint32_t next(Random *random)
-{
-    random->state = random->state * 6364136223846793005u + 1442695040888963407u;
-    return (uint32_t)(random->state >> 32);
-}
-
 static uint32_t below(Random *random, uint32_t limit)
 {
-    return (uint32_t)((uint64_t)next(random) * limit >> 32);
-}
-
-static float between(Random *random, float low, float high)
-{
-    return low + (high - low) * ((float)(next(random) >> 8) * 0x1p-24f);
+    return (uint32_t)random_int(random, 0, (int32_t)limit - 1);
 }
 
 static float odd_float(Random *random)
@@ -70,7 +56,7 @@ static float odd_float(Random *random)
         __builtin_nanf(""),
     };
     uint32_t i = below(random, (uint32_t)GP_COUNT(odd) + 4);
-    return i < GP_COUNT(odd) ? odd[i] : gp_bits_float(next(random));
+    return i < GP_COUNT(odd) ? odd[i] : gp_bits_float(random_word(random));
 }
 
 /* --- textures --------------------------------------------------------------------------------- */
@@ -79,8 +65,8 @@ static float texel_float(Random *random)
 {
     uint32_t kind = below(random, 16);
     return kind == 0   ? odd_float(random)
-           : kind < 12 ? between(random, 0, 1)
-                       : between(random, -1000, 1000);
+           : kind < 12 ? random_float(random, 0, 1)
+                       : random_float(random, -1000, 1000);
 }
 
 static void fill_level(Random *random, GpFormat format, const GpLevel *level)
@@ -98,8 +84,8 @@ static void fill_level(Random *random, GpFormat format, const GpLevel *level)
                 memcpy(texel, rgba, 4);
             } else {
                 for (int i = 0; i < info->bytes; i++)
-                    texel[i] =
-                        (uint8_t)(below(random, 8) ? next(random) : 255 * (next(random) & 1));
+                    texel[i] = (uint8_t)(below(random, 8) ? random_word(random)
+                                                          : 255 * (random_word(random) & 1));
             }
         }
 }
@@ -144,13 +130,13 @@ static GpSampler any_sampler(Random *random, GpFormat format)
     };
     s.mag = below(random, 2) ? s.min : (GpFilter)below(random, GP_FILTERS);
     for (int c = 0; c < 4; c++)
-        s.border[c] = below(random, 8) ? between(random, -0.25f, 1.25f) : odd_float(random);
+        s.border[c] = below(random, 8) ? random_float(random, -0.25f, 1.25f) : odd_float(random);
     if (below(random, 2))
-        s.lod_bias = below(random, 8) ? between(random, -3, 3) : odd_float(random);
+        s.lod_bias = below(random, 8) ? random_float(random, -3, 3) : odd_float(random);
     if (below(random, 3) == 0)
-        s.min_lod = below(random, 8) ? between(random, -1, 6) : odd_float(random);
+        s.min_lod = below(random, 8) ? random_float(random, -1, 6) : odd_float(random);
     if (below(random, 3) == 0)
-        s.max_lod = below(random, 8) ? between(random, -1, 6) : odd_float(random);
+        s.max_lod = below(random, 8) ? random_float(random, -1, 6) : odd_float(random);
     return s;
 }
 
@@ -160,25 +146,25 @@ static GpSampler any_sampler(Random *random, GpFormat format)
 static void any_coordinates(Random *random, int lanes, uint32_t size, float *value)
 {
     uint32_t kind = below(random, 5);
-    float start = between(random, -2.5f, 2.5f);
-    float step = between(random, -4, 4) / (float)size / (float)(1u << below(random, 6));
-    float lower_step = between(random, -4, 4) / (float)size;
+    float start = random_float(random, -2.5f, 2.5f);
+    float step = random_float(random, -4, 4) / (float)size / (float)(1u << below(random, 6));
+    float lower_step = random_float(random, -4, 4) / (float)size;
 
     for (int lane = 0; lane < lanes; lane++) {
         value[lane] =
             start + step * (float)(lane / 4 * 2 + (lane & 1)) + lower_step * (float)(lane >> 1 & 1);
         if (kind == 0) { /* texel centres and edges, a few ulps around */
             float n = (float)size;
-            float texel =
-                (float)(int32_t)between(random, -3 * n, 3 * n) + 0.5f * (float)below(random, 2);
+            float texel = (float)(int32_t)random_float(random, -3 * n, 3 * n) +
+                          0.5f * (float)below(random, 2);
             value[lane] = gp_bits_float(gp_float_bits(texel / n) + below(random, 7) - 3);
         } else if (kind == 1) { /* half steps of the rounding */
             float n = (float)size * 512;
-            value[lane] = (float)(int32_t)between(random, -2 * n, 2 * n) / n;
+            value[lane] = (float)(int32_t)random_float(random, -2 * n, 2 * n) / n;
         } else if (kind == 2 && below(random, 4) == 0) {
             value[lane] = odd_float(random);
         } else if (kind == 3) {
-            value[lane] = between(random, -12, 12);
+            value[lane] = random_float(random, -12, 12);
         }
     }
 }
@@ -195,14 +181,16 @@ static GpTextureRead any_read(Random *random, int lanes, const GpSurface *surfac
     any_coordinates(random, lanes, surface->height, p->coord + lanes);
     for (int lane = 0; lane < lanes; lane++) {
         float edge = (float)below(random, 65536) / 65535.0f;
-        p->coord[2 * lanes + lane] = below(random, 2)   ? between(random, -0.25f, 1.25f)
+        p->coord[2 * lanes + lane] = below(random, 2)   ? random_float(random, -0.25f, 1.25f)
                                      : below(random, 2) ? edge
                                                         : odd_float(random);
-        p->coord[3 * lanes + lane] = below(random, 8) ? between(random, -2, 8) : odd_float(random);
+        p->coord[3 * lanes + lane] =
+            below(random, 8) ? random_float(random, -2, 8) : odd_float(random);
     }
     float spread = 8.0f / (float)surface->width;
     for (int i = 0; i < 4 * lanes; i++)
-        p->gradient[i] = below(random, 16) ? between(random, -spread, spread) : odd_float(random);
+        p->gradient[i] =
+            below(random, 16) ? random_float(random, -spread, spread) : odd_float(random);
     return (GpTextureRead){ .lanes = lanes,
                             .mode = (GpLodMode)below(random, 4),
                             .coord = p->coord,
