@@ -153,11 +153,7 @@ static void wrong_option_values_are_usage_errors_that_name_the_option(void **sta
         { "-x", "x" },
         { "second.json", "second.json" },
     };
-    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "render scene.json %s", wrong[i][0]);
-        expect_refused(2, arguments, wrong[i][1]);
-    }
+    expect_all_refused(2, "render scene.json", wrong, GP_COUNT(wrong));
     expect_refused(2, "render", "expected a scene file");
     expect_refused(2, "explain", "expected a scene file");
     expect_refused(2, "chart", "expected a technique");
@@ -194,11 +190,7 @@ static void wrong_settings_of_a_technique_are_usage_errors(void **state)
         { "second.json", "second.json" },
         { "-o picture.gif", "picture.gif" },
     };
-    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "shadow scene.json %s", wrong[i][0]);
-        expect_refused(2, arguments, wrong[i][1]);
-    }
+    expect_all_refused(2, "shadow scene.json", wrong, GP_COUNT(wrong));
     expect_refused(2, "shadow", "expected a scene file");
     expect_files("scene.json");
 }

@@ -61,11 +61,7 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ply --bits 8 --method sheets -o a.bits", "one bit a voxel, not 8" },
         { "a.ply --frobnicate", "frobnicate" },
     };
-    for (size_t i = 0; i < GP_COUNT(wrong); i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "voxelize %s", wrong[i][0]);
-        expect_refused(2, arguments, wrong[i][1]);
-    }
+    expect_all_refused(2, "voxelize", wrong, GP_COUNT(wrong));
     assert_int_equal(mkdir("directory.nrrd", 0777), 0);
     expect_refused(2, "voxelize a.ply -o directory.nrrd", "directory");
 }

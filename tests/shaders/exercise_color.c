@@ -1,11 +1,6 @@
 /* Interpolants of all three kinds; many targets; colours from the pixel's place and facing. */
-#include "pipeline/shader.h"
 #include "tests/shaders/exercise.h"
-
-typedef struct Vertex {
-    float4 position, color;
-    float2 uv;
-} Vertex;
+#include "tests/shaders/exercise_shared.h"
 
 typedef struct Varying {
     float4 color;
@@ -21,20 +16,10 @@ typedef struct FourTargets {
     float4 first, second, third, fourth;
 } FourTargets;
 
-#define INPUTS                                                                                     \
-    {                                                                                              \
-        { GP_POSITION, 4 }, { GP_COLOR, 4 },                                                       \
-        {                                                                                          \
-            GP_TEXCOORD0, 2                                                                        \
-        }                                                                                          \
-    }
-#define VARYINGS                                                                                   \
-    {                                                                                              \
-        { "color", 4, GP_PERSPECTIVE }, { "linear", 2, GP_LINEAR_SCREEN },                         \
-        {                                                                                          \
-            "flat", 1, GP_FLAT                                                                     \
-        }                                                                                          \
-    }
+/* clang-format off */
+#define VARYINGS \
+    { { "color", 4, GP_PERSPECTIVE }, { "linear", 2, GP_LINEAR_SCREEN }, { "flat", 1, GP_FLAT } }
+/* clang-format on */
 
 vertex_shader(color_vs, ExerciseUniforms, Vertex, Varying)
 {

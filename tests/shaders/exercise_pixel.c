@@ -1,31 +1,15 @@
 /* Discard, depth output, derivatives, the whole mathematics, and point sprites. */
-#include "pipeline/shader.h"
 #include "tests/shaders/exercise.h"
-
-typedef struct Vertex {
-    float4 position, color;
-    float2 uv;
-} Vertex;
+#include "tests/shaders/exercise_shared.h"
 
 typedef struct Varying {
     float2 sprite;
     float4 color;
 } Varying;
 
-#define INPUTS                                                                                     \
-    {                                                                                              \
-        { GP_POSITION, 4 }, { GP_COLOR, 4 },                                                       \
-        {                                                                                          \
-            GP_TEXCOORD0, 2                                                                        \
-        }                                                                                          \
-    }
-#define VARYINGS                                                                                   \
-    {                                                                                              \
-        { "sprite", 2, GP_SPRITE_COORD },                                                          \
-        {                                                                                          \
-            "color", 4, GP_PERSPECTIVE                                                             \
-        }                                                                                          \
-    }
+/* clang-format off */
+#define VARYINGS { { "sprite", 2, GP_SPRITE_COORD }, { "color", 4, GP_PERSPECTIVE } }
+/* clang-format on */
 
 vertex_shader(plain_vs, ExerciseUniforms, Vertex, Varying)
 {

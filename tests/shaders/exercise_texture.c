@@ -1,32 +1,16 @@
 /* Every texture read: implicit, projected, biased, explicit, by gradients, dependent, in place, and
  * from the vertex shader. Slots 0 to 2; slot 3 is read in place. */
-#include "pipeline/shader.h"
 #include "tests/shaders/exercise.h"
-
-typedef struct Vertex {
-    float4 position, color;
-    float2 uv;
-} Vertex;
+#include "tests/shaders/exercise_shared.h"
 
 typedef struct Varying {
     float4 color;
     float2 uv;
 } Varying;
 
-#define INPUTS                                                                                     \
-    {                                                                                              \
-        { GP_POSITION, 4 }, { GP_COLOR, 4 },                                                       \
-        {                                                                                          \
-            GP_TEXCOORD0, 2                                                                        \
-        }                                                                                          \
-    }
-#define VARYINGS                                                                                   \
-    {                                                                                              \
-        { "color", 4, GP_PERSPECTIVE },                                                            \
-        {                                                                                          \
-            "uv", 2, GP_PERSPECTIVE                                                                \
-        }                                                                                          \
-    }
+/* clang-format off */
+#define VARYINGS { { "color", 4, GP_PERSPECTIVE }, { "uv", 2, GP_PERSPECTIVE } }
+/* clang-format on */
 
 vertex_shader(texture_vs, ExerciseUniforms, Vertex, Varying)
 {

@@ -86,6 +86,17 @@ static inline void expect_refused(int code, const char *arguments, const char *p
     expect_contains(err, part);
 }
 
+/* A table of refusals: what follows the command, and what is in the message. */
+static inline void expect_all_refused(int code, const char *command, const char *const (*rows)[2],
+                                      size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "%s %s", command, rows[i][0]);
+        expect_refused(code, arguments, rows[i][1]);
+    }
+}
+
 static inline void expect_files(const char *expected)
 {
     char names[4096] = "";

@@ -1,0 +1,16 @@
+/* What every exercise takes from its vertices. For shader files only. */
+#ifndef TESTS_EXERCISE_SHARED_H
+#define TESTS_EXERCISE_SHARED_H
+
+#include "pipeline/shader.h"
+
+typedef struct Vertex {
+    float4 position, color;
+    float2 uv;
+} Vertex;
+
+/* clang-format off */
+#define INPUTS { { GP_POSITION, 4 }, { GP_COLOR, 4 }, { GP_TEXCOORD0, 2 } }
+/* clang-format on */
+
+#endif
