@@ -29,8 +29,8 @@ typedef struct FastCursor {
     uint32_t pass, draw;
 } FastCursor;
 
-/* Prepares passes of one group of the list, as many as there are slots and memory for, and moves the
- * cursor behind them; false when memory is short. */
+/* Prepares passes of one group of the list, as many as there are slots and memory for, and moves
+ * the cursor behind them; false when memory is short. */
 bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *group);
 
 /* Vertices, bins and tiles; false when memory is short. */

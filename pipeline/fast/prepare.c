@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- draws ---------------------------------------------------------------------------------------- */
+/* --- draws ------------------------------------------------------------------------------------ */
 
 /* A fragment that passes its tests leaves nothing of what the targets held. */
 static bool replaces_everything(const GpPass *pass, const GpDraw *draw)
@@ -55,8 +55,8 @@ static bool packs_points(const FastDraw *d)
            !d->needs.quads && d->modes.sprite < 0;
 }
 
-/* To shade twice costs less than to keep what is shaded, where a shader makes much of little. Vertices
- * of a batch are to rise, as those do that no index names. */
+/* To shade twice costs less than to keep what is shaded, where a shader makes much of little.
+ * Vertices of a batch are to rise, as those do that no index names. */
 static bool shades_again(const FastDraw *d)
 {
     const int inputs = d->draw->program->input_components;
@@ -152,7 +152,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     return prepare_samplers(arena, d) && d->positions && (d->varyings || d->shades_again);
 }
 
-/* --- passes and groups ---------------------------------------------------------------------------- */
+/* --- passes and groups ------------------------------------------------------------------------ */
 
 /* Of one group: what it takes to keep them is then little, too. */
 enum { MOST_DRAWS = 4096, MOST_PASSES = 1024 };

@@ -1,10 +1,11 @@
-/* The three phases of a group, and how often: once, or in rounds where its bins outgrow their memory. */
+/* The three phases of a group, and how often: once, or in rounds where its bins outgrow their
+ * memory. */
 #include "pipeline/fast/draws/clear.h"
 #include "pipeline/base/clock.h"
 #include "pipeline/fast/executor.h"
 #include "pipeline/fast/draws/find.h"
 
-/* --- phases --------------------------------------------------------------------------------------- */
+/* --- phases ----------------------------------------------------------------------------------- */
 
 enum { BLOCKS_OF_ITEM = 4 };
 
@@ -76,7 +77,7 @@ static void clear_item(void *context, uint32_t item, int worker)
             fast_clear_box(group->passes[p].pass, &band, false);
 }
 
-/* --- rounds --------------------------------------------------------------------------------------- */
+/* --- rounds ----------------------------------------------------------------------------------- */
 
 /* Bins as much as there is memory for. Returns the first range that is not binned whole, or the
  * count of ranges. */

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- bins ---------------------------------------------------------------------------------------- */
+/* --- bins ------------------------------------------------------------------------------------- */
 
 static void *grown(FastRange *range, void *array, uint32_t needed, uint32_t *room, size_t size)
 {
@@ -99,7 +99,7 @@ const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primit
            gp_last_at_most(&first->primitive, sizeof *first, range->polygon_count, primitive);
 }
 
-/* --- triangles that the clipper must see -------------------------------------------------------------------- */
+/* --- triangles that the clipper must see ------------------------------------------------------ */
 
 static void shade_again(const FastDraw *d, uint32_t number, GpVertex *vertex)
 {
@@ -180,7 +180,7 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
         range->failed = true;
 }
 
-/* --- triangles ------------------------------------------------------------------------------------- */
+/* --- triangles -------------------------------------------------------------------------------- */
 
 void fast_bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range,
                        uint32_t primitive)

@@ -83,8 +83,8 @@ static inline void fast_add_to_tile(FastRange *range, uint32_t tile, FastPrimiti
         chunk->group[chunk->count++] = group;
 }
 
-/* Adds a primitive to the bin of every tile that the pixels x0..x1, y0..y1 touch; notes a failure in
- * the range. */
+/* Adds a primitive to the bin of every tile that the pixels x0..x1, y0..y1 touch; notes a failure
+ * in the range. */
 void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, const FastBox *box);
 
 /* Bins one triangle of any size, or one to be clipped. */

@@ -20,8 +20,8 @@ enum {
     FAST_LEAST_IN_RANGE = 4096, /* primitives of one item of work */
     FAST_MOST_IN_RANGE = 16384,
 
-    /* targets that a tile's memory holds at once: enough for any pass, and for groups of passes that
-     * read each other's results in place */
+    /* targets that a tile's memory holds at once: enough for any pass, and for groups of passes
+     * that read each other's results in place */
     FAST_COLOR_SLOTS = GP_MAX_TARGETS,
     FAST_DEPTH_SLOTS = 2,
 };
@@ -43,8 +43,9 @@ typedef enum FastFragmentPath {
     FAST_NOTHING, /* changes nothing */
 } FastFragmentPath;
 
-/* x of a vertex that has no place on the screen is far to the left of every one that has, plus a bit
- * for each clip plane that the vertex is outside of; all bits: it is no number, and draws nothing. */
+/* x of a vertex that has no place on the screen is far to the left of every one that has, plus a
+ * bit for each clip plane that the vertex is outside of; all bits: it is no number, and draws
+ * nothing. */
 #define FAST_NOWHERE (-(1 << 30))
 enum { FAST_OUTSIDE_ALL = 0xff };
 

@@ -1,11 +1,12 @@
-/* Groups: passes that run tile by tile, all of them in one tile before the next tile's turn, so that
- * their targets stay in tile memory from the first pass to the last (CONVENTIONS.md, Groups). */
+/* Groups: passes that run tile by tile, all of them in one tile before the next tile's turn, so
+ * that their targets stay in tile memory from the first pass to the last (CONVENTIONS.md,
+ * Groups). */
 #ifndef GP_FAST_GROUP_H
 #define GP_FAST_GROUP_H
 
 #include "pipeline/fast/draws/draw.h"
 
-/* The surfaces that a group draws to, each with its slot in tile memory; see group.h. */
+/* The surfaces that a group draws to, each with its slot in tile memory. */
 typedef struct FastSlots {
     GpSurface *color[FAST_COLOR_SLOTS]; /* NULL: free */
     GpSurface *depth[FAST_DEPTH_SLOTS];

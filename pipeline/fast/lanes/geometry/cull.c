@@ -203,8 +203,8 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
     bin_together(pass, range, first, left, &tiles);
 }
 
-/* Whether half of `lanes` begin in the tile of the first of them: neighbours of a mesh mostly do, of
- * other points hardly ever. */
+/* Whether half of `lanes` begin in the tile of the first of them: neighbours of a mesh mostly do,
+ * of other points hardly ever. */
 static bool are_together(const TileBoxes *tiles, unsigned lanes)
 {
     if (!lanes)

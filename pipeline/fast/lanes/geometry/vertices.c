@@ -19,7 +19,7 @@ typedef struct Block {
     _Alignas(64) float size[PACKETS * GP_LANES];
 } Block;
 
-/* --- inputs -------------------------------------------------------------------------------------- */
+/* --- inputs ----------------------------------------------------------------------------------- */
 
 /* Four floats of a packet's vertices, whether the stream has as many or not: what lies behind a
  * vertex is read with it, and out of a copy where that is the end of the stream. */
@@ -112,7 +112,7 @@ static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *bloc
     }
 }
 
-/* --- places -------------------------------------------------------------------------------------- */
+/* --- places ----------------------------------------------------------------------------------- */
 
 /* Bits of the planes that a vertex is outside of, as gp_clip_triangle decides. */
 static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
@@ -167,7 +167,8 @@ static msk viewport_transform(const FastDraw *d, const flt position[4], flt size
     return placed & (msk)(size > 0.0f);
 }
 
-/* Varyings, with what follows them up to a multiple of four; then the distances from planes in use. */
+/* Varyings, with what follows them up to a multiple of four; then the distances from planes in
+ * use. */
 static void keep_varyings(const FastDraw *d, const flt position[4], const float *varying, float *to)
 {
     for (int c = 0; c < d->modes.components; c += 4)

@@ -10,9 +10,9 @@ enum {
     FAST_BLOCK = 32,           /* packets of one call of a shader */
 };
 
-/* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose lanes
- * 4q..4q+3 are top left, top right, bottom left, bottom right; or packed, the short rows of a sprite's
- * box one after the other. Pixels past the tile are never live. */
+/* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose
+ * lanes 4q..4q+3 are top left, top right, bottom left, bottom right; or packed, the short rows of a
+ * sprite's box one after the other. Pixels past the tile are never live. */
 typedef struct FastPacket {
     uint32_t record;
     uint32_t live; /* bit i: lane i; the others stand by as helpers */
@@ -21,8 +21,8 @@ typedef struct FastPacket {
     bool gathered; /* pixels of several triangles: see the gathered packet of the same number */
 } FastPacket;
 
-/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a packet, or
- * packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
+/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a packet,
+ * or packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
 typedef struct FastGathered {
     itg record;
     itg x, y; /* in the tile */
@@ -53,8 +53,8 @@ GP_INLINE void set_packet(FastPacket *packet, uint32_t record, int32_t x, int32_
     packet->gathered = false;
 }
 
-/* Row of each lane where rows are `wide` pixels: lane / wide. Times 256 / wide and a bit more is the
- * same up to lane 15. */
+/* Row of each lane where rows are `wide` pixels: lane / wide. Times 256 / wide and a bit more is
+ * the same up to lane 15. */
 GP_INLINE itg lane_row(int32_t wide)
 {
     static const uint16_t reciprocal[17] = { 0,  257, 129, 86, 65, 52, 43, 37, 33,
@@ -106,8 +106,8 @@ GP_INLINE bool has_row(const FastPacket *packet, int r)
     return r * packet->wide < GP_LANES && packet->live >> r * packet->wide;
 }
 
-/* The words of a plane under a packet; of its pixels that live, at least. Row r of a packet of rows is
- * found in its lanes when the load starts so many lanes further left. */
+/* The words of a plane under a packet; of its pixels that live, at least. Row r of a packet of rows
+ * is found in its lanes when the load starts so many lanes further left. */
 GP_INLINE itg load_packet(const void *plane, const FastPacket *packet)
 {
     const uint32_t *from = (const uint32_t *)plane + fast_at(packet->x, packet->y);

@@ -1,5 +1,5 @@
-/* Words of the tile in lanes: of a row, of two rows as 2x2 quads side by side, or of some short rows
- * one after the other. */
+/* Words of the tile in lanes: of a row, of two rows as 2x2 quads side by side, or of some short
+ * rows one after the other. */
 #ifndef GP_FAST_QUADS_H
 #define GP_FAST_QUADS_H
 

@@ -1,5 +1,5 @@
-/* Slots: the targets of a group inside a tile. Each is loaded or cleared when a pass first needs it,
- * read and drawn to by any number of passes, and stored once, after the last. */
+/* Slots: the targets of a group inside a tile. Each is loaded or cleared when a pass first needs
+ * it, read and drawn to by any number of passes, and stored once, after the last. */
 #include "pipeline/fast/lanes/memory/slots.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ static void fill_words(uint32_t *plane, int32_t height, uint32_t word)
             plane[x] = word;
 }
 
-/* --- colour ---------------------------------------------------------------------------------------- */
+/* --- colour ----------------------------------------------------------------------------------- */
 
 /* Only notes the colour: it may be all that anyone wants to know. */
 static void clear_color(Tile *tile, int slot, const float color[4])
@@ -62,7 +62,7 @@ static void begin_color(Tile *tile, const FastPass *pass, int target, bool touch
     tile->slots->color[slot].written |= clears || touched;
 }
 
-/* --- depth and stencil ----------------------------------------------------------------------------- */
+/* --- depth and stencil ------------------------------------------------------------------------ */
 
 void fast_hold_depth(Tile *tile, int slot)
 {
@@ -95,7 +95,7 @@ static void begin_depth(Tile *tile, const FastPass *pass, bool touched)
     tile->slots->depth[slot].written |= written;
 }
 
-/* --- the tile ------------------------------------------------------------------------------------- */
+/* --- the tile --------------------------------------------------------------------------------- */
 
 void fast_begin_slots(Tile *tile, const FastSlots *surfaces)
 {

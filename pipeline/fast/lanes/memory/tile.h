@@ -1,5 +1,5 @@
-/* One tile on its way: where it is, what is drawn into it, and the stages' own memory, each of which
- * the header of its owner describes. */
+/* One tile on its way: where it is, what is drawn into it, and the stages' own memory, each of
+ * which the header of its owner describes. */
 #ifndef GP_FAST_TILE_H
 #define GP_FAST_TILE_H
 
@@ -76,8 +76,8 @@ GP_INLINE itg lane_numbers(void)
     return numbers;
 }
 
-/* a * b - c * d modulo 2^32: right wherever it fits, which is all that is asked; lanes whose triangle
- * is too large for it are found by its size and taken alone. */
+/* a * b - c * d modulo 2^32: right wherever it fits, which is all that is asked; lanes whose
+ * triangle is too large for it are found by its size and taken alone. */
 GP_INLINE itg cross_lanes(itg a, itg b, itg c, itg d)
 {
     return (itg)((utg)a * (utg)b - (utg)c * (utg)d);

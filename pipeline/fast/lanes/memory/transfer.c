@@ -10,7 +10,7 @@ typedef uint16_t half_lanes __attribute__((vector_size(2 * GP_LANES)));
 
 enum { LARGEST_TEXEL = 16 };
 
-/* --- memory -------------------------------------------------------------------------------------- */
+/* --- memory ----------------------------------------------------------------------------------- */
 
 GP_INLINE itg load_words(const void *from)
 {
@@ -51,14 +51,14 @@ GP_INLINE void store_bytes(void *to, itg words)
     memcpy(to, &bytes, sizeof bytes);
 }
 
-/* --- numbers ------------------------------------------------------------------------------------- */
+/* --- numbers ---------------------------------------------------------------------------------- */
 
 GP_INLINE itg canonical(itg bits)
 {
     return itg_select((itg)((bits & 0x7fffffff) > 0x7f800000), itg_set(0x7fc00000), bits);
 }
 
-/* --- GP_LANES texels ----------------------------------------------------------------------------- */
+/* --- GP_LANES texels -------------------------------------------------------------------------- */
 
 GP_INLINE void load_color(GpFormat format, const uint8_t *texel, FastPlanes *planes, uint32_t at)
 {
@@ -167,7 +167,7 @@ GP_INLINE void store_depth(GpFormat format, uint8_t *texel, const FastDepthPlane
         put_words(texel, code, non_temporal);
 }
 
-/* --- the rows of a tile -------------------------------------------------------------------------- */
+/* --- the rows of a tile ----------------------------------------------------------------------- */
 
 /* The tile's part of a surface. */
 typedef struct Rows {

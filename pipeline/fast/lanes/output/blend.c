@@ -7,10 +7,10 @@
 
 #include <string.h>
 
-/* --- blending ------------------------------------------------------------------------------------------- */
+/* --- blending --------------------------------------------------------------------------------- */
 
-/* All of this is written out where it is used, so that a blend known to the compiler leaves only the
- * operations that it asks for. */
+/* All of this is written out where it is used, so that a blend known to the compiler leaves only
+ * the operations that it asks for. */
 
 typedef struct Operands {
     flt source[4], target[4];
@@ -100,7 +100,7 @@ GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4
     }
 }
 
-/* --- targets ------------------------------------------------------------------------------------- */
+/* --- targets ---------------------------------------------------------------------------------- */
 
 /* Shaded packets on their way into one target. Whole ones are rows with all lanes alive. */
 typedef struct BlendBlock {
@@ -148,7 +148,8 @@ GP_INLINE void store_pixels(const BlendBlock *m, bool whole, int p, uint32_t at,
     }
 }
 
-/* Zeros that are added leave an 8-bit target's codes as they are: each is what its value is stored as. */
+/* Zeros that are added leave an 8-bit target's codes as they are: each is what its value is stored
+ * as. */
 GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
 {
     if (blend->op != GP_BLEND_ADD || blend->src != GP_ONE || blend->dst != GP_ONE ||
@@ -189,8 +190,8 @@ GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool wh
     }
 }
 
-/* Both factors are weights of one whole, and so is what they leave of numbers up to 1: of the operations
- * none rounds past 1. */
+/* Both factors are weights of one whole, and so is what they leave of numbers up to 1: of the
+ * operations none rounds past 1. */
 static bool is_average(const GpBlend *blend)
 {
     return blend->op == GP_BLEND_ADD && blend->src == GP_SRC_ALPHA &&

@@ -1,6 +1,6 @@
-/* Blending that only adds, of sprites, into targets of floats: what splats and glows do. Their rows are
- * short and begin anywhere, and memory takes most of the time: each row is read and written once, in
- * pieces that seldom meet the end of a cache line. */
+/* Blending that only adds, of sprites, into targets of floats: what splats and glows do. Their rows
+ * are short and begin anywhere, and memory takes most of the time: each row is read and written
+ * once, in pieces that seldom meet the end of a cache line. */
 #include "pipeline/fast/lanes/output/blend_add.h"
 
 static bool adds(const GpBlend *blend, GpFormat format)

@@ -4,8 +4,8 @@
 
 #include "pipeline/fast/lanes/output/shaded.h"
 
-/* Whether a draw's sprites only add to targets of floats; and how their packets, rows or packed, are
- * blended then. */
+/* Whether a draw's sprites only add to targets of floats; and how their packets, rows or packed,
+ * are blended then. */
 bool fast_only_adds(const Tile *tile, const FastDraw *draw);
 void fast_add_packets(Tile *tile, const FastDraw *draw, const FastShaded *shaded);
 

@@ -1,5 +1,6 @@
-/* Logical blends of A8R8G8B8: a colour becomes a word once, and words are combined. Bits that change
- * nothing stand where a lane is dead or a channel is kept, so that none of it needs a mask. */
+/* Logical blends of A8R8G8B8: a colour becomes a word once, and words are combined. Bits that
+ * change nothing stand where a lane is dead or a channel is kept, so that none of it needs a
+ * mask. */
 #include "pipeline/fast/lanes/output/blend_bits.h"
 
 #include "pipeline/fast/lanes/output/quantize.h"
@@ -58,7 +59,7 @@ void fast_blend_bits(const GpBlend *blend, FastPlanes *planes, const FastShaded 
         blend_all(GP_BLEND_LOGIC_XOR, planes->packed, shaded, color, written);
 }
 
-/* --- words as they are ---------------------------------------------------------------------------- */
+/* --- words as they are ------------------------------------------------------------------------ */
 
 GP_INLINE void copy_box(GpBlendOp op, const FastBox *box, const uint32_t *from, uint32_t written,
                         uint32_t *to)

@@ -1,7 +1,7 @@
 /* Depth and stencil of GP_LANES pixels inside the tile, in any state. */
 #include "pipeline/fast/lanes/output/depth.h"
 
-/* --- the stencil plane -------------------------------------------------------------------------- */
+/* --- the stencil plane ------------------------------------------------------------------------ */
 
 static itg load_stencil(const uint8_t *from, bool quads)
 {
@@ -21,7 +21,7 @@ static void store_stencil(uint8_t *to, bool quads, itg words)
         to[fast_at(x[lane], y[lane])] = (uint8_t)words[lane];
 }
 
-/* --- stencil operations ------------------------------------------------------------------------- */
+/* --- stencil operations ----------------------------------------------------------------------- */
 
 /* As gp_stencil_apply; the bits above a byte are cut off later. */
 static itg apply(GpStencilOp op, itg stored, uint8_t reference)

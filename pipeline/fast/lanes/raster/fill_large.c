@@ -58,7 +58,8 @@ static bool find_coverage(const Tile *tile, const GpTriangle *t, Coverage *cover
 
 /* --- lanes ------------------------------------------------------------------------------------ */
 
-/* Lanes of a row, or of quads: their places, and how far edges and depth step from the first to each. */
+/* Lanes of a row, or of quads: their places, and how far edges and depth step from the first to
+ * each. */
 typedef struct LaneSteps {
     itg column, row;
     utg inside[3];

@@ -26,8 +26,9 @@ GP_INLINE flt flt_from_doubles(Doubles a)
     return __builtin_shufflevector(low, high, LANES_IN_ORDER);
 }
 
-/* Edges at the pixels of a packet of some rows, or of quads where `wide` is 0. They go down the column
- * a packet at a time: integers, which stay below 2^53 in binary64 too, so that adding is exact. */
+/* Edges at the pixels of a packet of some rows, or of quads where `wide` is 0. They go down the
+ * column a packet at a time: integers, which stay below 2^53 in binary64 too, so that adding is
+ * exact. */
 typedef struct Column {
     int32_t wide, rows;
     itg inside[3], inside_step[3];
@@ -102,7 +103,7 @@ GP_INLINE msk can_pass(const Filling *w, itg stored)
     return (msk)(w->code - w->f->allowance < stored);
 }
 
-/* The usual test, where nothing is ordered. Steps of which nothing can be seen go no further; but
+/* The usual test, where nothing is ordered. Steps of which nothing is visible go no further; but
  * where depth is all, going on is cheaper than a branch that is hard to foresee. */
 GP_INLINE msk fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y, msk live)
 {

@@ -19,8 +19,8 @@ GP_INLINE uint32_t depth_code(const Filler *f, float z)
     return (uint32_t)((double)z * f->scale + 0.5);
 }
 
-/* Tests and writes depth without a branch where the test is the usual one: which pixels pass is hard
- * to foresee. */
+/* Tests and writes depth without a branch where the test is the usual one: which pixels pass is
+ * hard to foresee. */
 GP_INLINE bool test_depth(const Filler *f, EarlyTest early, uint32_t *depth, float z)
 {
     const uint32_t code = depth_code(f, z), stored = *depth;

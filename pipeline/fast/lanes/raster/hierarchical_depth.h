@@ -1,5 +1,5 @@
-/* The hierarchical depth of the tile's parts: a triangle behind all of them need not be set up. They
- * may be old, since under the usual tests depths only come nearer. */
+/* The hierarchical depth of the tile's parts: a triangle behind all of them need not be set up.
+ * They may be old, since under the usual tests depths only come nearer. */
 #ifndef GP_FAST_RASTER_HIERARCHICAL_DEPTH_H
 #define GP_FAST_RASTER_HIERARCHICAL_DEPTH_H
 

@@ -1,9 +1,11 @@
-/* Points whose values are the same all over them, and whose fragments combine bits with what was there:
- * those on one pixel may share a packet, since words are blended one by one. The values of GP_LANES points
- * are laid side by side, so that an input of a packet of their fragments is one shuffle.
+/* Points whose values are the same all over them, and whose fragments combine bits with what was
+ * there: those on one pixel may share a packet, since words are blended one by one. The values of
+ * GP_LANES points are laid side by side, so that an input of a packet of their fragments is one
+ * shuffle.
  *
- * Where a vertex shader makes much of little, its varyings are not kept between the stages: vertices are
- * shaded for their positions first, and once more, for the rest, when their points are drawn.
+ * Where a vertex shader makes much of little, its varyings are not kept between the stages:
+ * vertices are shaded for their positions first, and once more, for the rest, when their points are
+ * drawn.
  * source index-driven vertex shading, as of Arm's Bifrost (2016) */
 #include "pipeline/fast/lanes/raster/pack_points.h"
 
@@ -30,7 +32,7 @@ typedef struct Fragments {
     uint32_t word[ROOM + GP_LANES]; /* x | y << Y_SHIFT | lane << POINT_SHIFT */
 } Fragments;
 
-/* --- packets ------------------------------------------------------------------------------------- */
+/* --- packets ---------------------------------------------------------------------------------- */
 
 static void begin_fragments(const Tile *tile, Fragments *f)
 {
@@ -40,8 +42,8 @@ static void begin_fragments(const Tile *tile, Fragments *f)
     store_lanes(f->word, false, itg_set(0));
 }
 
-/* A new packet at the end of the queue. One record serves a block of them: it only tells that points
- * face the eye. */
+/* A new packet at the end of the queue. One record serves a block of them: it only tells that
+ * points face the eye. */
 static void begin_packet(Tile *tile)
 {
     if (tile->queue->count == PACKETS)
@@ -94,7 +96,7 @@ static void queue_fragments(Tile *tile, const itg *varying, Fragments *f)
     begin_fragments(tile, f);
 }
 
-/* --- boxes --------------------------------------------------------------------------------------- */
+/* --- boxes ------------------------------------------------------------------------------------ */
 
 /* Room for a packet's fragments. */
 GP_INLINE void make_room(Tile *tile, const itg *varying, Fragments *f)

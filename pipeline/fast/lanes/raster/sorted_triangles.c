@@ -1,25 +1,25 @@
 /* Large triangles of a draw whose nearest fragment wins, nearest first.
  *
  * Where only nearer fragments pass, and what survives the shader replaces all that was there, two
- * fragments of a pixel may change places if their depths differ: the farther one is hidden in the end.
- * So large triangles of such a draw wait for each other and are filled front to back, and what is
- * hidden never meets the shader. Back to front, as such draws often come, this saves all layers but
- * those that are seen through the holes of others. */
+ * fragments of a pixel may change places if their depths differ: the farther one is hidden in the
+ * end. So large triangles of such a draw wait for each other and are filled front to back, and what
+ * is hidden never meets the shader. Back to front, as such draws often come, this saves all layers
+ * but those that are seen through the holes of others. */
 #include "pipeline/fast/lanes/raster/sorted_triangles.h"
 
 #include "pipeline/fast/lanes/raster/fill.h"
 
 #include <math.h>
 
-/* --- the order ------------------------------------------------------------------------------------- */
+/* --- the order -------------------------------------------------------------------------------- */
 
 typedef struct Range {
     double low, high;
 } Range;
 
-/* Depths in the tile, before they are rounded to binary32: least and greatest at corners of the box,
- * but for three roundings of the terms' size at most, there and anywhere. No range where some corner
- * has no number. */
+/* Depths in the tile, before they are rounded to binary32: least and greatest at corners of the
+ * box, but for three roundings of the terms' size at most, there and anywhere. No range where some
+ * corner has no number. */
 static Range depth_range(const GpTriangle *t)
 {
     Range range = { HUGE_VAL, -HUGE_VAL };
@@ -46,7 +46,8 @@ static int32_t depth_code(const Filler *f, double z)
     return nearer_codes(f, f->early, flt_set((float)z))[0];
 }
 
-/* Where depth is no number it has a place of its own in the order, so the triangle keeps its own. */
+/* Where depth is no number it has a place of its own in the order, so the triangle keeps its
+ * own. */
 static void find_codes(Tile *tile, FastSortedTriangle *sorted)
 {
     const Filler f = fast_filler(tile);
@@ -74,7 +75,7 @@ static void sort_triangle(Tile *tile, const GpTriangle *triangle)
     *place = (uint8_t)number;
 }
 
-/* --- what is hidden ------------------------------------------------------------------------------ */
+/* --- what is hidden --------------------------------------------------------------------------- */
 
 enum { STRIPS = FAST_TILE / GP_LANES }; /* of a row */
 

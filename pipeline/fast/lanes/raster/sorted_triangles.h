@@ -19,7 +19,8 @@ typedef struct FastSortedTriangles {
     uint8_t order[FAST_SORTED]; /* front to back, as far as it is free */
 } FastSortedTriangles;
 
-/* Rasterizes one set-up triangle into the tile, by the path of its draw: now, or sorted with others. */
+/* Rasterizes one set-up triangle into the tile, by the path of its draw: now, or sorted with
+ * others. */
 void fast_fill_triangle(Tile *tile, const GpTriangle *triangle);
 
 /* Fills those that wait. Before any other fragment of the draw is made. */

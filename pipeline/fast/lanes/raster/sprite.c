@@ -1,8 +1,8 @@
 /* Point sprites: set up GP_LANES at a time, then filled one by one.
  *
- * Where fragments are shaded in order, small sprites fill packets with as many of their rows as have
- * room, and the shader's inputs are left at once, for nothing but the place in the sprite differs from
- * pixel to pixel. */
+ * Where fragments are shaded in order, small sprites fill packets with as many of their rows as
+ * have room, and the shader's inputs are left at once, for nothing but the place in the sprite
+ * differs from pixel to pixel. */
 #include "pipeline/fast/lanes/raster/sprite.h"
 
 #include "pipeline/fast/lanes/geometry/sprites.h"
@@ -12,7 +12,7 @@
 #include "pipeline/fast/lanes/shade/shader_block.h"
 #include "pipeline/units/input_assembly.h"
 
-/* --- set-up -------------------------------------------------------------------------------------- */
+/* --- set-up ----------------------------------------------------------------------------------- */
 
 /* Points are cut whole, by their vertex. */
 static bool inside_clip_planes(const FastDraw *d, uint32_t vertex)
@@ -71,10 +71,10 @@ static void set_up(const Tile *tile, const uint32_t *primitives, uint32_t count,
     batch->per_step = 1.0f / flt_from_itg(s.whole);
 }
 
-/* --- shaded in order ---------------------------------------------------------------------------- */
+/* --- shaded in order -------------------------------------------------------------------------- */
 
-/* Of sprites narrower than a packet: as many rows as have room go into one. Most have one width, so what
- * follows from it is kept from sprite to sprite. */
+/* Of sprites narrower than a packet: as many rows as have room go into one. Most have one width, so
+ * what follows from it is kept from sprite to sprite. */
 typedef struct Packing {
     int32_t wide, rows;  /* pixels a row, 0: not set; rows a packet */
     uint32_t reciprocal; /* times this and divided by 2^16 is divided by `rows`, up to 2^12 */
@@ -216,7 +216,7 @@ static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, ui
     queue_packed(&queuer, packing);
 }
 
-/* --- visible, or only tested ------------------------------------------------------------------------- */
+/* --- visible, or only tested ------------------------------------------------------------------ */
 
 static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
 {

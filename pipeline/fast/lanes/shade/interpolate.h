@@ -4,7 +4,8 @@
 
 #include "pipeline/fast/lanes/memory/packet.h"
 
-/* Barycentrics of a block's packets: weights of corners 1 and 2, on the screen and in perspective. */
+/* Barycentrics of a block's packets: weights of corners 1 and 2, on the screen and in
+ * perspective. */
 typedef struct FastWeights {
     flt screen[2][FAST_BLOCK], perspective[2][FAST_BLOCK];
 } FastWeights;

@@ -3,7 +3,7 @@
 
 #include "pipeline/fast/lanes/shade/interpolate.h"
 
-/* --- runs of lanes that share a triangle -------------------------------------------------------- */
+/* --- runs of lanes that share a triangle ------------------------------------------------------ */
 
 /* Without shuffles by variable indices it is faster to fetch each lane's triangle by itself. */
 enum { LANES_SHARE = GP_LANES > 4 };
@@ -104,7 +104,7 @@ GP_INLINE flt spread_flt(const void *values, const Spread *spread)
     return (flt)spread_itg(values, spread);
 }
 
-/* --- triangles ---------------------------------------------------------------------------------- */
+/* --- triangles -------------------------------------------------------------------------------- */
 
 /* Edge values of triangles too large for 32 bits: exact, rounded once. */
 static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edge[2])
@@ -181,7 +181,7 @@ static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastGathe
     }
 }
 
-/* --- sprites ------------------------------------------------------------------------------------ */
+/* --- sprites ---------------------------------------------------------------------------------- */
 
 /* Rare among opaque draws: a lane at a time. */
 static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastGathered *gathered,

@@ -5,8 +5,8 @@
 #include "pipeline/fast/lanes/shade/interpolate.h"
 #include "pipeline/fast/lanes/shade/records.h"
 
-/* What the lanes of a block of gathered packets take their values from. Neighbouring pixels mostly show the same
- * triangle, so its constants are fetched once for a run of lanes. */
+/* What the lanes of a block of gathered packets take their values from. Neighbouring pixels mostly
+ * show the same triangle, so its constants are fetched once for a run of lanes. */
 enum { FAST_LANE_RUNS = FAST_BLOCK * GP_LANES + GP_LANES }; /* with room to load past the last */
 typedef struct FastLaneRuns {
     _Alignas(64) uint32_t record[FAST_LANE_RUNS];

@@ -3,7 +3,7 @@
 
 #include "pipeline/fast/lanes/shade/interpolate_gathered.h"
 
-/* --- edges -------------------------------------------------------------------------------------- */
+/* --- edges ------------------------------------------------------------------------------------ */
 
 /* Whether c + a x + b y fits wherever in the tile a lane may be: it is greatest at a corner. */
 static bool fits_everywhere(int64_t c, int64_t a, int64_t b)
@@ -40,7 +40,7 @@ bool fast_narrow_edges(const FastRecords *records, const FastTriangleRecord *r, 
     return true;
 }
 
-/* --- barycentrics -------------------------------------------------------------------------------- */
+/* --- barycentrics ----------------------------------------------------------------------------- */
 
 GP_INLINE void set_weights(const FastTriangleRecord *r, bool perspective, int p,
                            const flt screen[2], FastWeights *weights)
@@ -103,7 +103,7 @@ void fast_find_weights(const FastTriangleRecord *r, const FastEdge edge[2], bool
         weights_32(r, edge, false, packets, count, weights);
 }
 
-/* --- interpolation ------------------------------------------------------------------------------ */
+/* --- interpolation ---------------------------------------------------------------------------- */
 
 /* Up to four components of a run at once: more of them would leave no registers for weights. */
 enum { AT_ONCE = 4 };

@@ -1,5 +1,5 @@
-/* Interpolants of packets. What does not change in a run, of packets of one triangle and one shape, is
- * found once. */
+/* Interpolants of packets. What does not change in a run, of packets of one triangle and one shape,
+ * is found once. */
 #ifndef GP_FAST_INTERPOLATE_PACKETS_H
 #define GP_FAST_INTERPOLATE_PACKETS_H
 

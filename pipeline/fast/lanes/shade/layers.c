@@ -7,7 +7,8 @@
 #include "pipeline/fast/lanes/shade/packets.h"
 #include "pipeline/fast/lanes/shade/pixel_shader.h"
 
-/* What the interpolants of a layer need, found once for all its pixels. Layers mostly have one shape. */
+/* What the interpolants of a layer need, found once for all its pixels. Layers mostly have one
+ * shape. */
 typedef struct Layer {
     const FastTriangleRecord *record;
     FastEdge edge[2];

@@ -1,4 +1,5 @@
-/* Triangle records: what shading needs of the triangles and points of a tile, until they are shaded. */
+/* Triangle records: what shading needs of the triangles and points of a tile, until they are
+ * shaded. */
 #ifndef GP_FAST_RECORDS_H
 #define GP_FAST_RECORDS_H
 
@@ -25,7 +26,7 @@ typedef struct FastTriangleRecord {
 
 typedef enum FastRecordKind { FAST_EDGES_32, FAST_EDGES_64, FAST_SPRITE } FastRecordKind;
 
-/* What a small triangle's edge gains in a pixel to the right and in one down. */
+/* Steps of a small triangle's edge, a pixel to the right and one down. */
 GP_INLINE int32_t fast_step_right(int32_t step)
 {
     return (int16_t)step * GP_SUBPIXELS;

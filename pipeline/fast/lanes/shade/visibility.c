@@ -1,5 +1,5 @@
-/* After the last opaque draw, every pixel that shows a record is shaded, once: rows of one triangle as
- * packets, all else as gathered packets of pixels of any triangles. */
+/* After the last opaque draw, every pixel that shows a record is shaded, once: rows of one triangle
+ * as packets, all else as gathered packets of pixels of any triangles. */
 #include "pipeline/fast/lanes/shade/visibility.h"
 
 #include "pipeline/fast/lanes/shade/gathered.h"
@@ -17,7 +17,7 @@ enum {
     CELLS_ACROSS = FAST_TILE / GP_LANES,
 };
 
-/* --- what waits for the shader ------------------------------------------------------------------- */
+/* --- what waits for the shader ---------------------------------------------------------------- */
 
 /* Blocks that fill up with what is visible of one draw. */
 typedef struct Collector {
@@ -102,7 +102,7 @@ static void add_packet(Collector *c, uint32_t record, const FastPacket *place)
                place->wide);
 }
 
-/* --- collecting ---------------------------------------------------------------------------------- */
+/* --- collecting ------------------------------------------------------------------------------- */
 
 static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine)
 {
@@ -153,7 +153,7 @@ static void collect_quads(Collector *c, const FastPacket *quads, itg shown, msk 
     }
 }
 
-/* --- runs ---------------------------------------------------------------------------------------- */
+/* --- runs ------------------------------------------------------------------------------------- */
 
 static uint32_t run_end(const Tile *tile, uint32_t run)
 {

@@ -1,4 +1,5 @@
-/* The visibility buffer: of each pixel the triangle record of the fragment in front, not yet shaded. */
+/* The visibility buffer: of each pixel the triangle record of the fragment in front, not yet
+ * shaded. */
 #ifndef GP_FAST_VISIBILITY_H
 #define GP_FAST_VISIBILITY_H
 
@@ -27,7 +28,8 @@ typedef struct FastVisibility {
 /* Starts a pass without records. */
 void fast_begin_visibility(Tile *tile);
 
-/* Makes sure that `count` records of the present draw can be added; shades what is visible if not. */
+/* Makes sure that `count` records of the present draw can be added; shades what is visible if
+ * not. */
 void fast_reserve_records(Tile *tile, uint32_t count);
 
 /* Shades every pixel that shows a record, and forgets the records. */

@@ -50,13 +50,13 @@ GP_INLINE itg nearest_integer(flt value)
 /* --- addressing ------------------------------------------------------------------------------- */
 
 /* R42. The definition cuts clamping modes at 10 sizes; 1.5 give the same texels, since beyond that
- * both texels of the axis are the same one (or the border), whatever their weights: the left of them
- * is at most floor(-1.5 n - 0.5) and the right of them one more, -1 or less, and -n or less when
- * mirrored, for every n >= 1. Numbers stay small enough for nearest_integer at 8192 texels. */
+ * both texels of the axis are the same one (or the border), whatever their weights: the left of
+ * them is at most floor(-1.5 n - 0.5) and the right of them one more, -1 or less, and -n or less
+ * when mirrored, for every n >= 1. Numbers stay small enough for nearest_integer at 8192 texels. */
 GP_INLINE flt reduce(GpAddress mode, flt coordinate)
 {
-    /* The remainders are not negative, or a denormal, which is as good as 0: the greater of them and
-     * 0 takes care of NaN. */
+    /* The remainders are not negative, or a denormal, which is as good as 0: the greater of them
+     * and 0 takes care of NaN. */
     if (mode == GP_WRAP)
         return flt_greater(coordinate - flt_floor(coordinate), flt_set(0));
     if (mode == GP_MIRROR)

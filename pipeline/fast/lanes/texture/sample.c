@@ -1,6 +1,6 @@
 /* Texture units side by side: each step of pipeline/units/texture_address.c and
- * pipeline/units/texture.c on all lanes of a packet. Why the results are those of the definition stands
- * where they part. */
+ * pipeline/units/texture.c on all lanes of a packet. Why the results are those of the definition
+ * stands where they part. */
 #include "pipeline/fast/lanes/texture/sample.h"
 
 #include "pipeline/fast/lanes/texture/filter.h"

@@ -31,7 +31,7 @@ static void draw_polygon(Tile *tile, const FastRange *range, uint32_t primitive)
     }
 }
 
-/* Between draws: packets wait for one draw only, and what is seen must be shaded before a draw that
+/* Between draws: packets wait for one draw only, and what is visible must be shaded before a draw that
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
@@ -60,8 +60,8 @@ static void draw_waiting(Tile *tile, Waiting *waiting)
     waiting->count = 0;
 }
 
-/* Points are drawn as soon as there are batches of them, and another whose vertices are on their way: so
- * memory brings vertices, and the next groups, while there is work. */
+/* Points are drawn as soon as there are batches of them, and another whose vertices are on their
+ * way: so memory brings vertices, and the next groups, while there is work. */
 static void let_points_wait(Tile *tile, const FastPrimitiveMask *mask, Waiting *waiting)
 {
     fast_prefetch_points(tile->draw, mask);
@@ -136,7 +136,7 @@ static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Wait
     }
 }
 
-/* --- passes --------------------------------------------------------------------------------------- */
+/* --- passes ----------------------------------------------------------------------------------- */
 
 /* Whether any primitive of the pass touches the tile. */
 static bool is_touched(const FastPass *pass, uint32_t number)
@@ -147,8 +147,8 @@ static bool is_touched(const FastPass *pass, uint32_t number)
     return false;
 }
 
-/* The bins of passes to come are wanted soon: the heads of one, the first chunk of the one before it, the
- * second of the next. Many a pass has no more in a tile. */
+/* The bins of passes to come are wanted soon: the heads of one, the first chunk of the one before
+ * it, the second of the next. Many a pass has no more in a tile. */
 GP_INLINE void prefetch_bins(const FastGroup *group, uint32_t next, uint32_t number)
 {
     const FastRange *range[3];
