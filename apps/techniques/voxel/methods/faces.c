@@ -34,8 +34,7 @@ void voxel_faces(const VoxelModel *model, const VoxelSetting *setting, Frame *fr
 
     flat_texture_pass(frame, "faces to voxels", flat);
     for (uint32_t slab = 0; slab < flat->slabs; slab++) {
-        GpDraw *draw = flat_texture_draw(frame, &voxel_faces_program,
-                                         flat_texture_slab(frame, flat, slab), flat, slab);
+        GpDraw *draw = flat_texture_draw_slab(frame, &voxel_faces_program, flat, slab);
         for (int i = 0; i < FACES; i++)
             draw->textures[i].surface = faces[i];
     }

@@ -28,12 +28,11 @@ static void peel(const VoxelModel *model, uint32_t size, Frame *frame,
 }
 
 /* Draws a patch from one layer, or from two. */
-static void fill_patch(Frame *frame, const FlatTexture *flat, uint32_t slab,
-                       const FlatTextureSlab *uniforms, const GpSurface *entry,
+static void fill_patch(Frame *frame, const FlatTexture *flat, uint32_t slab, const GpSurface *entry,
                        const GpSurface *exit)
 {
     const GpProgram *program = exit ? &voxel_between_program : &voxel_layer_program;
-    GpDraw *draw = flat_texture_draw(frame, program, uniforms, flat, slab);
+    GpDraw *draw = flat_texture_draw_slab(frame, program, flat, slab);
     draw->state.blend[0].op = GP_BLEND_LOGIC_OR;
     draw->textures[0].surface = entry;
     draw->textures[1].surface = exit;
@@ -42,17 +41,12 @@ static void fill_patch(Frame *frame, const FlatTexture *flat, uint32_t slab,
 void voxel_layered_depth(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
                          const FlatTexture *flat)
 {
+    const bool solid = setting->kind == VOXEL_SOLID;
     GpSurface *layers[VOXEL_LAYERS];
     peel(model, setting->size, frame, layers);
 
     flat_texture_pass(frame, "layers to voxels", flat);
-    for (uint32_t slab = 0; slab < flat->slabs; slab++) {
-        const FlatTextureSlab *uniforms = flat_texture_slab(frame, flat, slab);
-        if (setting->kind == VOXEL_SOLID)
-            for (int i = 0; i + 1 < VOXEL_LAYERS; i += 2)
-                fill_patch(frame, flat, slab, uniforms, layers[i], layers[i + 1]);
-        else
-            for (int i = 0; i < VOXEL_LAYERS; i++)
-                fill_patch(frame, flat, slab, uniforms, layers[i], NULL);
-    }
+    for (uint32_t slab = 0; slab < flat->slabs; slab++)
+        for (int i = 0; i < VOXEL_LAYERS; i += solid ? 2 : 1)
+            fill_patch(frame, flat, slab, layers[i], solid ? layers[i + 1] : NULL);
 }

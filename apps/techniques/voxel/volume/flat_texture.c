@@ -67,6 +67,15 @@ GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *un
     return draw;
 }
 
+GpDraw *flat_texture_draw_slab(Frame *frame, const GpProgram *program, const FlatTexture *flat,
+                               uint32_t slab)
+{
+    const FlatTextureSlab uniforms = { .size = (float)flat->size,
+                                       .base = (float)(slab * flat->per_texel) };
+    return flat_texture_draw(frame, program, frame_copy(frame, &uniforms, sizeof uniforms), flat,
+                             slab);
+}
+
 GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const FlatTexture *from,
                            GpBlendOp op)
 {
@@ -83,13 +92,6 @@ FlatTextureLayout flat_texture_layout(const FlatTexture *flat)
                                 .columns = (float)flat->columns,
                                 .width = (float)flat->texels->width,
                                 .height = (float)flat->texels->height };
-}
-
-const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *flat, uint32_t slab)
-{
-    const FlatTextureSlab uniforms = { .size = (float)flat->size,
-                                       .base = (float)(slab * flat->per_texel) };
-    return frame_copy(frame, &uniforms, sizeof uniforms);
 }
 
 GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *flat)

@@ -44,13 +44,16 @@ extern const GpGeometry flat_texture_cover;
 GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
                           const FlatTexture *flat, uint32_t slab);
 
+/* The same with FlatTextureSlab for uniforms. */
+GpDraw *flat_texture_draw_slab(Frame *frame, const GpProgram *program, const FlatTexture *flat,
+                               uint32_t slab);
+
 /* A draw over all of a flat texture of the same layout, by a program of texel_copy.h. */
 GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const FlatTexture *from,
                            GpBlendOp op);
 
 /* What shaders need to know of it. */
 FlatTextureLayout flat_texture_layout(const FlatTexture *flat);
-const FlatTextureSlab *flat_texture_slab(Frame *frame, const FlatTexture *flat, uint32_t slab);
 
 /* Appends a pass that draws into it, cleared to 0. The caller adds the draws. */
 GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *flat);
