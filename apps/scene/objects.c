@@ -306,6 +306,8 @@ void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *d
         return;
     }
     keep_shape(loader, &node, &shape);
+    if (loader->reader.result)
+        return;
     bind_streams(&shape, &draw->geometry);
     scene_read_state(node_member(&node, "state"), view, &draw->state);
     scene_read_material(loader, node_member(&node, "material"), view, "blit", draw);
