@@ -70,8 +70,7 @@ static void table_2_1_has_the_steps_beside_the_print(void **state)
     (void)state;
     static const char *const steps[] = { "raster", "texelize", "synthesize", "sort" };
     static const double printed[] = { 12, 8, 11, 27 };
-    static const char *const whole[] = { "sheets", "conservative", "thin", "voxels",
-                                         "targets_mb" };
+    static const char *const whole[] = { "sheets", "conservative", "thin", "voxels", "targets_mb" };
     put_mesh("meshes/bunny.ply");
     assert_int_equal(run("bench -q --json -t 0 --table 2.1"), 0);
     const char *at = out;
