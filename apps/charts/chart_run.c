@@ -106,12 +106,9 @@ static GpResult add_point(Run *run, const char *method, const char *options)
 
 static GpResult sweep_method(Run *run, const TechniqueSweep *sweep, uint32_t *number)
 {
-    size_t count = technique_expand(sweep->options, NULL, 0);
-    char(*texts)[SETTING_MAX_TEXT] = gp_alloc(count, sizeof *texts);
-    if (!texts)
-        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
-    GpResult result = GP_OK;
-    technique_expand(sweep->options, texts, count);
+    size_t count = 0;
+    SettingText *texts = NULL;
+    GpResult result = technique_expand_all(sweep->options, &texts, &count, run->error);
     for (size_t i = 0; i < count && !result; i++) {
         tell_progress(run, (*number)++, texts[i]);
         result = add_point(run, sweep->method, texts[i]);

@@ -16,20 +16,6 @@ typedef struct Run {
     GpError *error;
 } Run;
 
-/* Paths are longer than settings, but not these: technique_expand takes both. */
-typedef char List[SETTING_MAX_TEXT];
-
-/* All alternatives of a text. errors GP_ERROR_MEMORY; owns: the caller, until gp_free */
-static GpResult expand(const char *text, List **list, size_t *count, GpError *error)
-{
-    *count = technique_expand(text, NULL, 0);
-    *list = gp_alloc(*count, sizeof **list);
-    if (!*list)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    technique_expand(text, *list, *count);
-    return GP_OK;
-}
-
 static size_t count_points(const TechniqueScaling *table)
 {
     size_t count = 0;
@@ -82,7 +68,7 @@ static GpResult run_scene(Run *run, int panel, int line, const char *path)
 {
     const Technique *technique = run->scaling.technique;
     void *scene;
-    List *options;
+    SettingText *options;
     size_t count;
     GpResult result = technique_open(technique, path, 0, 0, &scene, run->error);
     if (result == GP_ERROR_IO) {
@@ -93,8 +79,8 @@ static GpResult run_scene(Run *run, int panel, int line, const char *path)
         return result;
     ScalingPoint point = { .panel = panel, .line = line };
     text_copy(point.scene, sizeof point.scene, path);
-    result =
-        expand(technique->scaling->panels[panel].lines[line].options, &options, &count, run->error);
+    result = technique_expand_all(technique->scaling->panels[panel].lines[line].options, &options,
+                                  &count, run->error);
     for (size_t i = 0; i < count && !result; i++)
         result = add_point(run, point, scene, options[i]);
     gp_free(options);
@@ -107,9 +93,9 @@ static GpResult run_panel(Run *run, int panel)
     const TechniqueLine *lines = run->scaling.technique->scaling->panels[panel].lines;
     GpResult result = GP_OK;
     for (int line = 0; lines[line].name && !result; line++) {
-        List *scenes;
+        SettingText *scenes;
         size_t count;
-        result = expand(lines[line].scenes, &scenes, &count, run->error);
+        result = technique_expand_all(lines[line].scenes, &scenes, &count, run->error);
         for (size_t i = 0; i < count && !result; i++)
             result = run_scene(run, panel, line, scenes[i]);
         gp_free(scenes);

@@ -37,6 +37,9 @@ typedef struct SettingField {
 
 enum { SETTING_MAX_FIELDS = 32, SETTING_MAX_TEXT = 256, SETTING_MAX_VECTOR = 4 };
 
+/* Room for a key. */
+typedef char SettingText[SETTING_MAX_TEXT];
+
 /* The field of a name, or NULL. */
 const SettingField *setting_find(const SettingField *fields, const char *name);
 

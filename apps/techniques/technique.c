@@ -65,7 +65,7 @@ static size_t append(const Word *word, size_t alternative, char *text, size_t le
     return length;
 }
 
-size_t technique_expand(const char *options, char (*texts)[SETTING_MAX_TEXT], size_t room)
+size_t technique_expand(const char *options, SettingText *texts, size_t room)
 {
     Word words[2 * SETTING_MAX_FIELDS];
     size_t count = split(options, words, GP_COUNT(words)), total = 1;
@@ -81,4 +81,15 @@ size_t technique_expand(const char *options, char (*texts)[SETTING_MAX_TEXT], si
         }
     }
     return total;
+}
+
+GpResult technique_expand_all(const char *options, SettingText **texts, size_t *count,
+                              GpError *error)
+{
+    *count = technique_expand(options, NULL, 0);
+    *texts = gp_alloc(*count, sizeof **texts);
+    if (!*texts)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    technique_expand(options, *texts, *count);
+    return GP_OK;
 }

@@ -156,6 +156,11 @@ GpResult technique_build(const Technique *technique, void *scene, const char *op
 /* All combinations of a sweep's options, each as text; the last list varies fastest.
  * out     texts: as many as there is room for; NULL allowed where room is 0
  * returns how many there are */
-size_t technique_expand(const char *options, char (*texts)[SETTING_MAX_TEXT], size_t room);
+size_t technique_expand(const char *options, SettingText *texts, size_t room);
+
+/* The same into memory of their own; also of paths, which are longer than settings, but not so long.
+ * errors GP_ERROR_MEMORY; owns: the caller, until gp_free */
+GpResult technique_expand_all(const char *options, SettingText **texts, size_t *count,
+                              GpError *error);
 
 #endif
