@@ -1,3 +1,4 @@
+/* The box of a volume around a model. */
 #include "apps/base/voxel_box.h"
 
 #include <string.h>

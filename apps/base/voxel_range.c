@@ -1,3 +1,4 @@
+/* Ranges of voxels, and what two have in common. */
 #include "apps/base/voxel_range.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Three solids, one along each axis, held against each other; and how facts are told. */
 #include "apps/techniques/voxel/facts.h"
 
 #include "apps/base/json.h"

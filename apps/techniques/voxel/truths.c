@@ -1,3 +1,4 @@
+/* Exact voxels found when they are asked for, and what a volume has wrong. */
 #include "apps/techniques/voxel/truths.h"
 
 #include "apps/truth/voxel_truth.h"

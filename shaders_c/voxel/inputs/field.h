@@ -15,7 +15,7 @@ typedef struct VoxelFieldUniforms {
     float inside[32]; /* values below this are inside: 0, or -infinity past the volume's end */
 } VoxelFieldUniforms;
 
-/* Slot 0: the samples. As voxel_implicit.h. */
+/* Slot 0: the samples. As implicit.h. */
 extern const GpProgram voxel_field_program;
 extern const GpProgram voxel_field_corner_program;
 

@@ -1,4 +1,4 @@
-/* Light on the voxels that slices have found (voxel_view.h). */
+/* Light on the voxels that slices have found (view.h). */
 #ifndef SHADERS_VOXEL_PICTURES_LIGHT_H
 #define SHADERS_VOXEL_PICTURES_LIGHT_H
 

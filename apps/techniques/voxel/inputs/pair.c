@@ -1,3 +1,4 @@
+/* Where two models lie in one volume, and the passes that put their voxels together. */
 #include "apps/techniques/voxel/inputs/pair.h"
 
 /* --- places ----------------------------------------------------------------------------------- */

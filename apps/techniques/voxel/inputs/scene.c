@@ -1,3 +1,4 @@
+/* Models by name as voxels: which kind of input each is, its box, and the passes for it. */
 #include "apps/techniques/voxel/inputs/scene.h"
 
 #include "apps/scene/model.h"

@@ -55,8 +55,8 @@ VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);
 
 /* Appends the passes of a model in its box.
  * in     flat: of the setting's size and bits, which flat_texture_check lets pass
- * errors those of voxel_draw and of voxel_inputs.h; GP_ERROR_INVALID: the setting does not go with
- *        what the model is */
+ * errors those of voxel_draw and of implicit.h and parametric.h; GP_ERROR_INVALID: the setting does
+ *        not go with what the model is */
 GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, const VoxelBox *box,
                           Frame *frame, const FlatTexture *flat, GpError *error);
 

@@ -1,3 +1,4 @@
+/* Triangles drawn into four slabs at once, and the slabs gathered into flat textures. */
 #include "apps/techniques/voxel/methods/directions.h"
 
 #include "shaders_c/voxel/volume/patch_copy.h"

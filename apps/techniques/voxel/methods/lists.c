@@ -1,3 +1,4 @@
+/* How far each triangle reaches, and lists of those that a draw needs. */
 #include "apps/techniques/voxel/methods/lists.h"
 
 #include <math.h>

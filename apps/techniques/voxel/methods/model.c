@@ -1,3 +1,4 @@
+/* A model's triangles as draws take them: where they lie, how they move, and views along axes. */
 #include "apps/techniques/voxel/methods/model.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* A counting sort of triangles: counts first, then places. */
 #include "apps/techniques/voxel/methods/sort.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* Which method a setting means, whether it can be, and the table of methods. */
 #include "apps/techniques/voxel/methods/voxelize.h"
 
 #include "apps/techniques/voxel/methods/methods.h"

@@ -1,3 +1,4 @@
+/* What a picture shows: which volumes in which paint, around which scan, from where. */
 #include "apps/techniques/voxel/pictures/picture.h"
 
 #include "apps/scene/volume.h"

@@ -1,3 +1,4 @@
+/* Samples of a scan as voxels, linear between them, and the pass that finds their slopes. */
 #include "apps/techniques/voxel/pictures/scan.h"
 
 #include "shaders_c/voxel/pictures/scan.h"

@@ -1,3 +1,4 @@
+/* The passes of a picture: blocks, voxels that are met first, their light, and haze. */
 #include "apps/techniques/voxel/pictures/view.h"
 
 #include "apps/frame/view_slices.h"

@@ -1,3 +1,4 @@
+/* Constructive solid geometry by blending, a flat texture over another. */
 #include "apps/techniques/voxel/volume/combine.h"
 
 #include "shaders_c/common/texel_copy.h"

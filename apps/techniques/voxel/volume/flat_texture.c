@@ -1,3 +1,4 @@
+/* How volumes lie in flat textures, what draws into them, and their voxels. */
 #include "apps/techniques/voxel/volume/flat_texture.h"
 
 #include <string.h>

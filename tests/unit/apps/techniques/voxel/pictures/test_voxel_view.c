@@ -256,7 +256,7 @@ static void light_fades_by_the_way_in_voxels(void **state)
 
 /* --- light ------------------------------------------------------------------------------------ */
 
-/* Light of voxel_light.c on white, from the right, of a unit normal whose part to the right is
+/* Light of pictures/light.c on white, from the right, of a unit normal whose part to the right is
  * given and whose part towards the eye follows from the part upwards. */
 static double light_of_ball(double right, double up)
 {
