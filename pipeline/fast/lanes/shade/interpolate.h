@@ -8,6 +8,7 @@
  * perspective. */
 typedef struct FastWeights {
     flt screen[2][FAST_BLOCK], perspective[2][FAST_BLOCK];
+    bool has_perspective; /* otherwise those on the screen serve, too */
 } FastWeights;
 
 /* The latter from the former, of packet p; ratios: 1/w of corners 1 and 2 over that of corner 0. */

@@ -79,6 +79,7 @@ GP_INLINE void weights_32(const FastTriangleRecord *r, const FastEdge edge[2], b
 GP_INLINE void weights_64(const FastTriangleRecord *r, const FastEdges64 *edges, bool perspective,
                           const FastPacket *packets, int count, FastWeights *weights)
 {
+    weights->has_perspective = perspective;
     const dbl column = dbl_from_itg(packet_columns(packets->wide));
     const dbl row = dbl_from_itg(packet_rows(packets->wide));
     for (int p = 0; p < count; p++) {
@@ -97,6 +98,7 @@ GP_INLINE void weights_64(const FastTriangleRecord *r, const FastEdges64 *edges,
 void fast_find_weights(const FastTriangleRecord *r, const FastEdge edge[2], bool perspective,
                        const FastPacket *packets, int count, FastWeights *weights)
 {
+    weights->has_perspective = perspective;
     if (perspective)
         weights_32(r, edge, true, packets, count, weights);
     else
@@ -105,25 +107,25 @@ void fast_find_weights(const FastTriangleRecord *r, const FastEdge edge[2], bool
 
 /* --- interpolation ---------------------------------------------------------------------------- */
 
-/* Up to four components of a run at once: more of them would leave no registers for weights. */
+/* Up to four neighbouring components at once: more of them would leave no registers for weights. */
 enum { AT_ONCE = 4 };
 
 GP_INLINE void blend_components(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
-                                const uint8_t *component, int components, int count, int stride,
-                                flt *in)
+                                int first, int components, int count, int stride, flt *in)
 {
     flt v0[AT_ONCE], to1[AT_ONCE], to2[AT_ONCE];
     GP_UNROLL
     for (int i = 0; i < components; i++) {
-        v0[i] = flt_set(r->corner[0][component[i]]);
-        to1[i] = flt_set(r->corner[1][component[i]]) - v0[i];
-        to2[i] = flt_set(r->corner[2][component[i]]) - v0[i];
+        v0[i] = flt_set(r->corner[0][first + i]);
+        to1[i] = flt_set(r->corner[1][first + i]) - v0[i];
+        to2[i] = flt_set(r->corner[2][first + i]) - v0[i];
     }
+    in += first;
     for (int p = 0; p < count; p++, in += stride) {
         const flt l1 = weight[0][p], l2 = weight[1][p];
         GP_UNROLL
         for (int i = 0; i < components; i++)
-            in[component[i]] = v0[i] + (l1 * to1[i] + l2 * to2[i]);
+            in[i] = v0[i] + (l1 * to1[i] + l2 * to2[i]);
     }
 }
 
@@ -131,18 +133,17 @@ static void blend_run(const FastTriangleRecord *r, const flt weight[2][FAST_BLOC
                       uint64_t components, int count, int stride, flt *in)
 {
     while (components) {
-        uint8_t component[AT_ONCE];
-        int found = 0;
-        for (; components && found < AT_ONCE; components &= components - 1)
-            component[found++] = (uint8_t)__builtin_ctzll(components);
-        if (found == 1)
-            blend_components(r, weight, component, 1, count, stride, in);
-        else if (found == 2)
-            blend_components(r, weight, component, 2, count, stride, in);
+        const int first = __builtin_ctzll(components);
+        const int found = __builtin_ctz(~(unsigned)(components >> first & 15));
+        components &= ~((uint64_t)((1 << found) - 1) << first);
+        if (found == 4)
+            blend_components(r, weight, first, 4, count, stride, in);
         else if (found == 3)
-            blend_components(r, weight, component, 3, count, stride, in);
+            blend_components(r, weight, first, 3, count, stride, in);
+        else if (found == 2)
+            blend_components(r, weight, first, 2, count, stride, in);
         else
-            blend_components(r, weight, component, AT_ONCE, count, stride, in);
+            blend_components(r, weight, first, 1, count, stride, in);
     }
 }
 
@@ -166,7 +167,7 @@ void fast_interpolate_run(const FastDraw *d, const FastTriangleRecord *r,
 {
     const int stride = d->modes.components;
     const uint64_t all = d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN];
-    const uint64_t perspective = fast_needs_perspective(d, r) ? d->varyings_by[GP_PERSPECTIVE] : 0;
+    const uint64_t perspective = weights->has_perspective ? d->varyings_by[GP_PERSPECTIVE] : 0;
     blend_run(r, weights->perspective, perspective, count, stride, in);
     blend_run(r, weights->screen, all ^ perspective, count, stride, in);
     repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);

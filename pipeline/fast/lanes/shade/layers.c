@@ -46,6 +46,7 @@ static void interpolate_layers(const Tile *tile, const Layer *layer, const FastP
     const int count = block->count / block->layers;
     const bool varies = d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN];
     FastWeights weights;
+    weights.has_perspective = false;
     flt *in = fast_inputs(tile);
     for (int k = 0; k < block->layers; k++, layer++, in += count * d->modes.components) {
         if (varies && !layer->as_last)
