@@ -1,3 +1,4 @@
+/* Devices: they choose an executor and a width of lanes, and keep counters and times. */
 #include "pipeline/glasspipe.h"
 
 #include "pipeline/base/clock.h"

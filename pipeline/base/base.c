@@ -1,3 +1,4 @@
+/* Results, assertions, memory. */
 #include "pipeline/base/base.h"
 
 #include <stdarg.h>

@@ -224,7 +224,7 @@ GP_INLINE flt math_cos(flt x)
     return math_sin_from_quarter(flt_abs(x), 1);
 }
 
-/* --- one value at a time: the same bits as one lane, for code that has no lanes ------------- */
+/* --- one value at a time: the same bits as one lane, for code that has no lanes --------------- */
 
 float gp_exp2(float x);
 float gp_log2(float x); /* math_log2: 0 -> -inf, x < 0 -> NaN */

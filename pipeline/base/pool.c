@@ -1,3 +1,4 @@
+/* A pool of threads that share items of work; they look at a word for a while before they sleep. */
 #include "pipeline/base/pool.h"
 
 #include "pipeline/base/fpcontrol.h"

@@ -1,3 +1,4 @@
+/* Ranges of index arrays: read in lanes, on many threads, and remembered. */
 #include "pipeline/list/index_range.h"
 
 #include "pipeline/base/lanes.h"
@@ -33,7 +34,7 @@ static GpIndexRange read_indices(const uint32_t *indices, uint32_t count)
     return range;
 }
 
-/* --- on many threads ------------------------------------------------------------------------------ */
+/* --- on many threads -------------------------------------------------------------------------- */
 
 enum { MOST_PARTS = 64, LEAST_IN_PART = 1 << 15 };
 
@@ -63,7 +64,7 @@ static GpIndexRange read_in_parts(GpPool *pool, const uint32_t *indices, uint32_
     return range;
 }
 
-/* --- what is known -------------------------------------------------------------------------------- */
+/* --- what is known ---------------------------------------------------------------------------- */
 
 GpIndexRange gp_index_range(GpIndexRanges *ranges, const GpGeometry *geometry)
 {

@@ -1,3 +1,4 @@
+/* Instruction sets: what this build has, what this processor runs, what a list was compiled for. */
 #include "pipeline/list/isa.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* Lists: sizes and targets of passes, and which passes may run as a group. */
 #include "pipeline/list/list.h"
 
 void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height)

@@ -47,7 +47,7 @@ static const GpDraw *draw_at(const Place *place)
     return &pass_at(place)->draws[place->draw];
 }
 
-/* --- targets --------------------------------------------------------------------------------------- */
+/* --- targets ---------------------------------------------------------------------------------- */
 
 static GpResult check_color_targets(const Place *place)
 {
@@ -105,7 +105,7 @@ static GpResult check_targets(const Place *place)
     return GP_OK;
 }
 
-/* --- programs and geometry ---------------------------------------------------------------------------- */
+/* --- programs and geometry -------------------------------------------------------------------- */
 
 /* Counting one's shaders takes up to a tenth of a millisecond. */
 static int find_checked(const GpCheckedPrograms *programs, const GpProgram *program)
@@ -196,7 +196,7 @@ static GpResult check_geometry(const Place *place)
     return check_streams(place);
 }
 
-/* --- state ------------------------------------------------------------------------------------------------ */
+/* --- state ------------------------------------------------------------------------------------ */
 
 static GpResult check_viewport(const Place *place)
 {
@@ -284,7 +284,7 @@ static GpResult check_blend_state(const Place *place)
     return GP_OK;
 }
 
-/* --- textures ------------------------------------------------------------------------------------------------ */
+/* --- textures --------------------------------------------------------------------------------- */
 
 static GpResult check_sampler(const Place *place, const char *field, const GpTexture *texture)
 {
@@ -329,7 +329,7 @@ static GpResult check_textures(const Place *place)
     return GP_OK;
 }
 
-/* --- the whole -------------------------------------------------------------------------------------------------- */
+/* --- the whole -------------------------------------------------------------------------------- */
 
 GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
                              GpError *error)

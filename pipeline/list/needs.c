@@ -1,3 +1,4 @@
+/* What a draw needs, from its program and state; and the same in words. */
 #include "pipeline/list/needs.h"
 
 #include "pipeline/units/blend.h"

@@ -1,3 +1,4 @@
+/* The reference executor: which unit follows which. Nothing is computed here but counts. */
 #include "pipeline/reference/reference.h"
 
 #include "pipeline/list/index_range.h"
@@ -12,7 +13,7 @@
 
 #include <string.h>
 
-/* --- shading ------------------------------------------------------------------------------------ */
+/* --- shading ---------------------------------------------------------------------------------- */
 
 /* Serves texld and its kin for both stages; `executor` is the draw. */
 static void read_texture(const GpShaderCall *call, const GpTextureRead *read)
@@ -42,7 +43,7 @@ static void shade_vertices(GpReferenceDraw *d, uint32_t count)
     d->reference->counters->vertices += count;
 }
 
-/* --- from the quad to the targets ------------------------------------------------------------------ */
+/* --- from the quad to the targets ------------------------------------------------------------- */
 
 static void write_targets(const GpReferenceDraw *d, GpQuad *quad)
 {
@@ -110,7 +111,7 @@ static void finish_quad(GpReferenceDraw *d, GpQuad *quad)
         write_targets(d, quad);
 }
 
-/* --- primitives --------------------------------------------------------------------------------------- */
+/* --- primitives ------------------------------------------------------------------------------- */
 
 static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
 {
@@ -196,7 +197,7 @@ static void draw_point(GpReferenceDraw *d)
     d->reference->counters->primitives_drawn++;
 }
 
-/* --- draws, passes, lists ------------------------------------------------------------------------------ */
+/* --- draws, passes, lists --------------------------------------------------------------------- */
 
 static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pass,
                                   const GpDraw *draw, uint64_t varyings_read, GpVertex *vertices)

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* --- the filter ----------------------------------------------------------------------------------- */
+/* --- the filter ------------------------------------------------------------------------------- */
 
 static bool wants_draw(const GpReferenceDraw *d)
 {
@@ -61,7 +61,7 @@ static GpTraceEvent pixel_event(const GpReferenceDraw *d, GpTraceKind kind, cons
     return event;
 }
 
-/* --- clears ------------------------------------------------------------------------------------------ */
+/* --- clears ----------------------------------------------------------------------------------- */
 
 void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number)
 {
@@ -82,7 +82,7 @@ void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t p
     trace->event(trace->user, &event);
 }
 
-/* --- geometry ------------------------------------------------------------------------------------------ */
+/* --- geometry --------------------------------------------------------------------------------- */
 
 static void send_vertices(const GpReferenceDraw *d)
 {
@@ -152,7 +152,7 @@ void gp_trace_setup(const GpReferenceDraw *d)
         send_setup(d);
 }
 
-/* --- pixels ---------------------------------------------------------------------------------------------- */
+/* --- pixels ----------------------------------------------------------------------------------- */
 
 /* The set-up exchanged corners 1 and 2 of a counter-clockwise triangle; traces speak of them in the
  * order in which they were submitted. */

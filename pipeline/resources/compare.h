@@ -1,4 +1,4 @@
-/* The eight compare functions, for alpha, depth and stencil alike (pipeline facts A5, R30). */
+/* The eight compare functions, for alpha, depth and stencil alike (R30). */
 #ifndef GP_COMPARE_H
 #define GP_COMPARE_H
 

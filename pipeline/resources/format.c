@@ -1,3 +1,4 @@
+/* Formats: what their texels hold, and every rounding on the way in and out. Rules R19 to R31. */
 #include "pipeline/resources/format.h"
 
 #include <string.h>
@@ -6,35 +7,26 @@
 /* How a channel's bits mean a number. */
 typedef enum Coding { CODING_UNORM8, CODING_SRGB8, CODING_HALF, CODING_FLOAT } Coding;
 
-typedef struct Layout {
-    Coding coding;
-    uint8_t offset[4]; /* byte of r, g, b and a inside the texel, as far as the format has them */
-} Layout;
-
 /* clang-format off */
 static const GpFormatInfo infos[GP_FORMATS] = {
-    /*                      name        bytes channels unorm8 float  depth stencil target depth */
-    [GP_A8R8G8B8]      = { "A8R8G8B8",         4, 4,      true,  false, false, false, true,  0 },
-    [GP_A8R8G8B8_SRGB] = { "A8R8G8B8_SRGB",    4, 4,      false, false, false, false, false, 0 },
-    [GP_R8]            = { "R8",               1, 1,      true,  false, false, false, true,  0 },
-    [GP_G16R16F]       = { "G16R16F",          4, 2,      false, true,  false, false, true,  0 },
-    [GP_A16B16G16R16F] = { "A16B16G16R16F",    8, 4,      false, true,  false, false, true,  0 },
-    [GP_R32F]          = { "R32F",             4, 1,      false, true,  false, false, true,  0 },
-    [GP_A32B32G32R32F] = { "A32B32G32R32F",   16, 4,      false, true,  false, false, true,  0 },
-    [GP_D16]           = { "D16",              2, 0,      false, false, true,  false, false, 16 },
-    [GP_D24S8]         = { "D24S8",            4, 0,      false, false, true,  true,  false, 24 },
-    [GP_D32F]          = { "D32F",             4, 0,      false, false, true,  false, false, 32 },
+    /*                      name        bytes channels unorm8 float  depth stencil target depth bytes of r g b a */
+    [GP_A8R8G8B8]      = { "A8R8G8B8",         4, 4,      true,  false, false, false, true,  0,  { 2, 1, 0, 3 } },
+    [GP_A8R8G8B8_SRGB] = { "A8R8G8B8_SRGB",    4, 4,      false, false, false, false, false, 0,  { 2, 1, 0, 3 } },
+    [GP_R8]            = { "R8",               1, 1,      true,  false, false, false, true,  0,  { 0 } },
+    [GP_G16R16F]       = { "G16R16F",          4, 2,      false, true,  false, false, true,  0,  { 0, 2 } },
+    [GP_A16B16G16R16F] = { "A16B16G16R16F",    8, 4,      false, true,  false, false, true,  0,  { 0, 2, 4, 6 } },
+    [GP_R32F]          = { "R32F",             4, 1,      false, true,  false, false, true,  0,  { 0 } },
+    [GP_A32B32G32R32F] = { "A32B32G32R32F",   16, 4,      false, true,  false, false, true,  0,  { 0, 4, 8, 12 } },
+    [GP_D16]           = { "D16",              2, 0,      false, false, true,  false, false, 16, { 0 } },
+    [GP_D24S8]         = { "D24S8",            4, 0,      false, false, true,  true,  false, 24, { 0 } },
+    [GP_D32F]          = { "D32F",             4, 0,      false, false, true,  false, false, 32, { 0 } },
 };
 
-/* Depth formats have no channels here. */
-static const Layout layouts[GP_FORMATS] = {
-    [GP_A8R8G8B8]      = { CODING_UNORM8, { 2, 1, 0, 3 } },
-    [GP_A8R8G8B8_SRGB] = { CODING_SRGB8,  { 2, 1, 0, 3 } },
-    [GP_R8]            = { CODING_UNORM8, { 0, 0, 0, 0 } },
-    [GP_G16R16F]       = { CODING_HALF,   { 0, 2, 0, 0 } },
-    [GP_A16B16G16R16F] = { CODING_HALF,   { 0, 2, 4, 6 } },
-    [GP_R32F]          = { CODING_FLOAT,  { 0, 0, 0, 0 } },
-    [GP_A32B32G32R32F] = { CODING_FLOAT,  { 0, 4, 8, 12 } },
+static const Coding codings[GP_FORMATS] = {
+    [GP_A8R8G8B8] = CODING_UNORM8,  [GP_A8R8G8B8_SRGB] = CODING_SRGB8,
+    [GP_R8] = CODING_UNORM8,        [GP_G16R16F] = CODING_HALF,
+    [GP_A16B16G16R16F] = CODING_HALF, [GP_R32F] = CODING_FLOAT,
+    [GP_A32B32G32R32F] = CODING_FLOAT,
 };
 /* clang-format on */
 
@@ -135,9 +127,9 @@ static void store32(uint8_t *bytes, uint32_t word)
 }
 
 /* Alpha is linear also where colour is not (R26). */
-static Coding channel_coding(const Layout *layout, int channel)
+static Coding channel_coding(GpFormat format, int channel)
 {
-    return layout->coding == CODING_SRGB8 && channel == 3 ? CODING_UNORM8 : layout->coding;
+    return codings[format] == CODING_SRGB8 && channel == 3 ? CODING_UNORM8 : codings[format];
 }
 
 static float load_channel(Coding coding, const uint8_t *bytes)
@@ -178,13 +170,12 @@ static void store_channel(Coding coding, uint8_t *bytes, float value)
 void gp_texel_load(GpFormat format, const void *texel, float rgba[4])
 {
     const GpFormatInfo *info = gp_format_info(format);
-    const Layout *layout = &layouts[format];
     const uint8_t *bytes = texel;
 
     for (int c = 0; c < 4; c++)
         rgba[c] = 1.0f;
     for (int c = 0; c < info->channels; c++)
-        rgba[c] = load_channel(channel_coding(layout, c), bytes + layout->offset[c]);
+        rgba[c] = load_channel(channel_coding(format, c), bytes + info->first_byte[c]);
     if (info->is_depth) {
         uint32_t code;
         uint8_t stencil;
@@ -196,13 +187,12 @@ void gp_texel_load(GpFormat format, const void *texel, float rgba[4])
 void gp_texel_store(GpFormat format, void *texel, const float rgba[4], unsigned keep)
 {
     const GpFormatInfo *info = gp_format_info(format);
-    const Layout *layout = &layouts[format];
     uint8_t *bytes = texel;
 
     GP_ASSERT(!info->is_depth);
     for (int c = 0; c < info->channels; c++)
         if (!(keep >> c & 1u))
-            store_channel(channel_coding(layout, c), bytes + layout->offset[c], rgba[c]);
+            store_channel(channel_coding(format, c), bytes + info->first_byte[c], rgba[c]);
 }
 
 void gp_texel_codes(GpFormat format, const void *texel, uint8_t code[4])
@@ -212,7 +202,7 @@ void gp_texel_codes(GpFormat format, const void *texel, uint8_t code[4])
 
     GP_ASSERT(info->is_unorm8);
     for (int c = 0; c < 4; c++)
-        code[c] = c < info->channels ? bytes[layouts[format].offset[c]] : 255;
+        code[c] = c < info->channels ? bytes[info->first_byte[c]] : 255;
 }
 
 /* --- depth ------------------------------------------------------------------------------------ */

@@ -25,15 +25,16 @@ typedef enum GpFormat {
 } GpFormat;
 
 typedef struct GpFormatInfo {
-    const char *name;   /* as in scene files and hashes: "A8R8G8B8" */
-    uint8_t bytes;      /* per texel */
-    uint8_t channels;   /* colour channels stored, 0 for depth formats */
-    bool is_unorm8;     /* linear 8-bit channels: filtered as exact integers */
-    bool is_float;      /* 16- or 32-bit float channels */
-    bool is_depth;      /* usable as depth target and for depth-compare sampling */
-    bool has_stencil;   /* 8 stencil bits */
-    bool is_target;     /* usable as colour target */
-    uint8_t depth_bits; /* 16, 24 or 32 (float); 0 for colour */
+    const char *name;      /* as in scene files and hashes: "A8R8G8B8" */
+    uint8_t bytes;         /* per texel */
+    uint8_t channels;      /* colour channels stored, 0 for depth formats */
+    bool is_unorm8;        /* linear 8-bit channels: filtered as exact integers */
+    bool is_float;         /* 16- or 32-bit float channels */
+    bool is_depth;         /* usable as depth target and for depth-compare sampling */
+    bool has_stencil;      /* 8 stencil bits */
+    bool is_target;        /* usable as colour target */
+    uint8_t depth_bits;    /* 16, 24 or 32 (float); 0 for colour */
+    uint8_t first_byte[4]; /* of the stored channels r, g, b, a inside the texel */
 } GpFormatInfo;
 
 /* Description of a format; GP_ASSERT on a value that is no format. */
@@ -75,7 +76,7 @@ static inline float gp_canonical(float value)
 
 /* --- texels ----------------------------------------------------------------------------------- */
 
-/* Reads one texel as (r, g, b, a). Channels that the format lacks read as 1 (A7); depth formats
+/* Reads one texel as (r, g, b, a). Channels that the format lacks read as 1; depth formats
  * give (depth, 1, 1, 1).
  * in   texel: bytes of the format, any alignment
  * out  rgba */

@@ -1,3 +1,4 @@
+/* Geometry: names of semantics, counts of primitives. */
 #include "pipeline/resources/geometry.h"
 
 const char *const gp_semantic_names[GP_SEMANTICS] = {

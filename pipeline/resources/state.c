@@ -1,3 +1,4 @@
+/* Names of states, as scene files write them. */
 #include "pipeline/resources/state.h"
 
 const char *const gp_compare_names[GP_COMPARES] = {

@@ -1,6 +1,6 @@
 /* Fixed-function state of a draw: plain data, all zero = a sensible default.
  *
- * Names and meanings are Direct3D 9's (pipeline facts A5); the value 0 of each enumeration is the
+ * Names and meanings are Direct3D 9's (CONVENTIONS.md, "Pixels"); the value 0 of each enumeration is the
  * unit switched off, so that a draw says only what it uses.
  */
 #ifndef GP_STATE_H
@@ -178,7 +178,7 @@ typedef struct GpTexture {
     GpSampler sampler;
 } GpTexture;
 
-/* --- names, for scene files and messages: tables in state.c ------------------------------------ */
+/* --- names, for scene files and messages: tables in state.c ----------------------------------- */
 
 extern const char *const gp_compare_names[GP_COMPARES];
 extern const char *const gp_cull_names[GP_CULLS];

@@ -1,3 +1,4 @@
+/* Surfaces: their memory, clears, mip levels and hashes. */
 #include "pipeline/resources/surface.h"
 
 #include <stdio.h>

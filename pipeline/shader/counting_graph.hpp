@@ -5,8 +5,7 @@
  * and kills no pixel is dead and is not counted: Direct3D's compilers removed it. The rest is
  * priced and read as follows.
  *
- * Slots: table A3 of the pipeline facts, and the instruction pages of Direct3D 9 for the reads of
- * model 3 (texldp 3, texldl 2). What no single instruction does costs what its shortest sequence
+ * Slots: the table of CONVENTIONS.md, "Profiles". What no single instruction does costs what its shortest sequence
  * does: a / b is rcp and mul, 1 / b rcp, sqrt_ rsq and rcp, floor_ frc and sub, dp2 a dp2add. Every
  * instruction has its price in both kinds of shader, though Direct3D gave lit, dst, sgn, slt and
  * sge to vertex shaders only and dp2add to pixel shaders only. Swizzles, packing (rgba, vec3, xyz)
@@ -18,7 +17,7 @@
  *
  * Moves: an output register takes a mov where some component of it is an input, a constant, a texel,
  * negated, or computed by an instruction that something else reads too. In ps_2_x every target and
- * oDepth takes one: nothing but mov may write them (A2).
+ * oDepth takes one: nothing but mov may write them.
  *
  * Temporaries: an estimate. The live instructions are put in an order that depends on the graph
  * alone (texkills, then outputs, each after its operands from left to right), since the order in

@@ -1,3 +1,4 @@
+/* Profiles: the table of limits. */
 #include "pipeline/shader/profile.h"
 
 typedef struct Profile {

@@ -1,4 +1,4 @@
-/* Profiles: what a shader of a 2005 machine could be (pipeline facts A1 and A2). */
+/* Profiles: what a shader of a 2005 machine could be (CONVENTIONS.md, "Profiles"). */
 #ifndef GP_PROFILE_H
 #define GP_PROFILE_H
 

@@ -1,3 +1,5 @@
+/* The check of a program: its declarations against each other, and its counted shaders against both its
+ * declarations and its profiles. */
 #include "pipeline/shader/program.h"
 
 #include "pipeline/shader/profile.h"
@@ -6,7 +8,7 @@
 
 #define REFUSE(...) gp_fail(error, GP_ERROR_INVALID, __VA_ARGS__)
 
-/* --- the program against itself ----------------------------------------------------------------- */
+/* --- the program against itself --------------------------------------------------------------- */
 
 static GpResult check_inputs(const GpProgram *p, GpError *error)
 {
@@ -101,7 +103,7 @@ static GpResult check_pixel_side(const GpProgram *p, GpError *error)
     return GP_OK;
 }
 
-/* --- the counted shaders against the declarations ------------------------------------------------- */
+/* --- the counted shaders against the declarations --------------------------------------------- */
 
 static GpResult check_slots_declared(const GpProgram *p, const char *field, unsigned read,
                                      unsigned declared, GpError *error)
@@ -166,7 +168,7 @@ static GpResult check_outputs_written(const GpProgram *p, const GpShaderCounts *
     return GP_OK;
 }
 
-/* --- the counted shaders against their profiles --------------------------------------------------- */
+/* --- the counted shaders against their profiles ----------------------------------------------- */
 
 /* Declared to have no counts, where that would help. */
 static GpResult refuse_count(const GpProgram *p, GpProfile profile, const char *what, int count,

@@ -54,7 +54,7 @@ typedef struct GpVaryingDecl {
     GpInterpolation mode;
 } GpVaryingDecl;
 
-/* --- the calls ---------------------------------------------------------------------------------- */
+/* --- the calls -------------------------------------------------------------------------------- */
 
 /* How a texture read chooses its level of detail. */
 typedef enum GpLodMode {
@@ -118,7 +118,7 @@ typedef struct GpProgramCode {
     GpShaderFn vertex, pixel;
 } GpProgramCode;
 
-/* What the counting build of a shader reports, costs as in pipeline facts A3. */
+/* What the counting build of a shader reports, costs as in CONVENTIONS.md, "Profiles". */
 typedef struct GpShaderCounts {
     int slots; /* instruction slots: arithmetic + texture */
     int arithmetic_slots;
@@ -191,7 +191,7 @@ static inline const GpProgramCode *gp_program_code(const GpProgram *program, int
 }
 
 /* Checks a program against itself and, where it was counted, its shaders against what it declares
- * and against their profiles (A1, A2): names, component sums, undeclared texture slots, discards
+ * and against their profiles: names, component sums, undeclared texture slots, discards
  * and the like, varyings read but never written; slots, temporaries, constants, samplers, dependent
  * reads, features. A profile that is not declared sets no limits.
  * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no such

@@ -1,3 +1,5 @@
+/* Alpha test: the alpha of target 0 against reference / 255, as floats.
+ * in: the state, and a shaded quad; out: its mask. Rules: CONVENTIONS.md, "Pixels". */
 #include "pipeline/units/alpha_test.h"
 
 #include "pipeline/resources/compare.h"

@@ -1,3 +1,6 @@
+/* Clipping: a triangle is cut by near, far and guard band, after Sutherland and Hodgman.
+ * in: three shaded vertices in clip space; out: a convex polygon whose new corners have varyings of their
+ * own. Rules R3, R10; of points R12. */
 #include "pipeline/units/clip.h"
 
 /* Limits of the band in pixels: a little inside the fixed-point range [-32768, 32768), so that the

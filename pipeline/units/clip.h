@@ -42,7 +42,7 @@ GpGuardBand gp_guard_band(const GpViewport *viewport);
 void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3], int components,
                       uint64_t flat, GpClipPolygon *polygon);
 
-/* Whether a point's vertex is kept: 0 <= z <= w, w > 0, no NaN (pipeline facts A6). */
+/* Whether a point's vertex is kept: 0 <= z <= w, w > 0, no NaN (R12). */
 bool gp_clip_point(const GpVertex *vertex);
 
 #endif

@@ -1,3 +1,6 @@
+/* Input assembly: vertex numbers become primitives, streams become the inputs of vertices.
+ * in: a geometry, and what the program wants; out: floats in the order of the vertex struct. Rules:
+ * CONVENTIONS.md, "Geometry". */
 #include "pipeline/units/input_assembly.h"
 
 #include <string.h>

@@ -16,7 +16,7 @@ static inline size_t gp_stream_stride(const GpStream *stream)
  * in   index < geometry->vertex_count
  * out  input: components that the stream lacks are (0, 0, 0, 1); signalling NaNs become the
  *      canonical quiet one
- * source rule A1 */
+ * source CONVENTIONS.md, "Geometry" */
 void gp_fetch_input(const GpStream *stream, int components, uint32_t index, float *input);
 
 /* All inputs of one vertex for a program.

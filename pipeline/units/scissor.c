@@ -1,3 +1,5 @@
+/* Scissor test: keeps the pixels of a half-open rectangle.
+ * in: the state and a quad; out: its mask. */
 #include "pipeline/units/scissor.h"
 
 void gp_scissor(const GpRasterState *state, GpQuad *quad)

@@ -1,3 +1,6 @@
+/* Texture sampling: finds the texels under a filter, and blends or compares them.
+ * in: a bound texture, coordinates, a level of detail; out: one colour, and a report of the texels used.
+ * Rules R40 to R44 by texture_address.c, R46, R48, R49. */
 #include "pipeline/units/texture.h"
 
 #include <float.h>

@@ -1,3 +1,5 @@
+/* Vertex stage: packs vertices into lanes, runs the vertex shader, unpacks positions and varyings.
+ * in: input floats, vertex after vertex; out: vertices in clip space. */
 #include "pipeline/units/vertex_stage.h"
 
 enum { MAX_LANES = 16 };

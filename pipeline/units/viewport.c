@@ -1,3 +1,5 @@
+/* Viewport: clip space becomes pixels, snapped to 1/256, and depth; the implicit scissor.
+ * in: clip positions with w > 0; out: screen vertices. Rules R1, R2, R11, R14, R17. */
 #include "pipeline/units/viewport.h"
 
 #include <math.h>

@@ -30,12 +30,12 @@ static void unpack_unorm8(const uint32_t *word, int byte, float *v)
 
 static void through_unorm8(const float *v, float *result)
 {
-    flt_store(result, flt_through_unorm8(flt_load(v)));
+    flt_store(result, flt_quantize_unorm8(flt_load(v)));
 }
 
 static void through_half(const float *v, float *result)
 {
-    flt_store(result, flt_through_half(flt_load(v)));
+    flt_store(result, flt_quantize_half(flt_load(v)));
 }
 
 #define CODE_PASTE_(lanes) channels_code##lanes

@@ -47,11 +47,16 @@ tests/                           the facts of one unit stay together
         fault "lint: sizes and sections"
 
     forbid "lint: reciprocal estimates differ between processors (R29)" \
-        '_mm[0-9]*_(rcp|rsqrt)|vrecpe|vrsqrte' $sources
+        '(_mm[0-9]*_|GP_NATIVE\()(rcp|rsqrt)|vrecpe|vrsqrte' $sources
     forbid "lint: fast-math and contraction change bits" \
         'fast-math|Ofast|STDC FP_CONTRACT ON' $sources
     forbid "lint: a shader is pure and has no library" \
         '^ +static |^static [^(]*[=;]|malloc|[a-z]f\(' $shaders
+    # shellcheck disable=SC2013 # words, not lines
+    for rule in $(grep -ohE '\bR[0-9]{1,2}\b' $sources | sort -u); do
+        grep -qw "$rule" pipeline/CONVENTIONS.md ||
+            fault "$(grep -lw "$rule" $sources | head -1): $rule is not in pipeline/CONVENTIONS.md"
+    done
     forbid "lint: a path of one machine" '(^|[^[:alnum:].$])/(work|home|root|Users|mnt)/' $texts
     forbid "lint: unfinished" '(^|[^[:alnum:]])(TODO|FIXME|XXX)([^[:alnum:]]|$)' $texts
 

@@ -43,7 +43,7 @@ static void describe_values(const VoxelSetting *setting, VoxelSheetsUniforms *u)
 {
     const bool wide = setting->bits == 16;
     for (int c = 0; c < 4; c++) {
-        const int byte = flat_texture_channel[c];
+        const int byte = gp_format_info(GP_A8R8G8B8)->first_byte[c];
         u->voxel_of[c] = (float)(wide ? byte / 2 : byte);
         u->low[c] = !wide || byte % 2 == 0 ? 1 : 0;
         u->high[c] = 1 - u->low[c];

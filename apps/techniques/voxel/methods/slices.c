@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-/* A bit of a texel's word as a colour. */
+/* A bit of a texel's word as a colour. (Bytes of channels, and channels of bytes, are the same table.) */
 static void color_of_bit(uint32_t bit, float color[4])
 {
     memset(color, 0, sizeof(float[4]));
-    color[flat_texture_channel[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
+    color[gp_format_info(GP_A8R8G8B8)->first_byte[bit / 8]] = (float)(1u << bit % 8) / 255.0f;
 }
 
 /* Surface: the piece of the model inside the slice sets its voxels. Solid: a centre that an odd

@@ -102,8 +102,6 @@ GpPass *flat_texture_pass(Frame *frame, const char *name, const FlatTexture *fla
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
-const int flat_texture_channel[4] = { 2, 1, 0, 3 };
-
 uint8_t *flat_texture_texel(const FlatTexture *flat, uint32_t slab, uint32_t x, uint32_t y)
 {
     return gp_surface_texel(&flat->texels->level[0], sizeof(uint32_t),

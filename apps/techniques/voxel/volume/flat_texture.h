@@ -32,10 +32,6 @@ GpViewport flat_texture_patch(const FlatTexture *flat, uint32_t slab);
 /* The word of the column (x, y) of a slab. */
 uint8_t *flat_texture_texel(const FlatTexture *flat, uint32_t slab, uint32_t x, uint32_t y);
 
-/* The channel, from red 0 to alpha 3, of each byte of a word; also the byte of each channel, since
- * red and blue change places. */
-extern const int flat_texture_channel[4];
-
 /* A triangle that covers the viewport: shaders_c/common/cover_shared.h. One, so that no tile is cut
  * by a diagonal. */
 extern const GpGeometry flat_texture_cover;

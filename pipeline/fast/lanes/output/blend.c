@@ -222,7 +222,7 @@ GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
             for (int c = 0; c < 4; c++)
                 if (!(blend->keep >> c & 1))
                     target[p][c] =
-                        flt_through_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
+                        flt_quantize_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
         }
     for (int p = 0; p < pixels; p++)
         store_pixels(m, true, p, place_of(m, p), m->planes->packed, word_of(target[p]));

@@ -15,10 +15,10 @@ GP_INLINE flt quantize(GpFormat format, flt v)
     switch (format) {
     case GP_A8R8G8B8:
     case GP_R8:
-        return flt_through_unorm8(clamped(v));
+        return flt_quantize_unorm8(clamped(v));
     case GP_G16R16F:
     case GP_A16B16G16R16F:
-        return flt_through_half(v);
+        return flt_quantize_half(v);
     default:
         return v;
     }

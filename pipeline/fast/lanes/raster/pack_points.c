@@ -71,7 +71,7 @@ GP_INLINE void fill_packet(Tile *tile, const itg *varying, itg word, msk fresh, 
     gathered->at = gathered->y * FAST_PITCH + gathered->x;
     flt *in = fast_inputs(tile) + at * (uint32_t)components;
     for (int c = 0; c < components; c++) {
-        const flt value = (flt)itg_pick(varying[c], point);
+        const flt value = (flt)itg_permute(varying[c], point);
         in[c] = whole ? value : flt_select(fresh, value, in[c]);
     }
 }

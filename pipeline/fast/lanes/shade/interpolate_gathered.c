@@ -22,7 +22,7 @@ static Spread add_runs(const FastGathered *gathered, FastLaneRuns *runs)
 {
     itg left = itg_shift_in(gathered->record, 0);
     unsigned starts = LANES_SHARE ? msk_bits(gathered->record != left) | 1 : (1u << GP_LANES) - 1;
-    Spread spread = { runs->count, itg_running_sum((itg)mask_of(starts) & 1) - 1 };
+    Spread spread = { runs->count, itg_prefix_sum((itg)mask_of(starts) & 1) - 1 };
     itg_compress(runs->record + runs->count, starts, gathered->record);
     runs->count += (uint32_t)__builtin_popcount(starts);
     return spread;
@@ -96,7 +96,7 @@ GP_INLINE itg spread_itg(const void *values, const Spread *spread)
 {
     itg all;
     __builtin_memcpy(&all, (const uint32_t *)values + spread->first, sizeof all);
-    return LANES_SHARE ? itg_pick(all, spread->run) : all;
+    return LANES_SHARE ? itg_permute(all, spread->run) : all;
 }
 
 GP_INLINE flt spread_flt(const void *values, const Spread *spread)

@@ -1,4 +1,4 @@
-/* Texture filtering, depth comparison, borders and sample reports (R46, R48, R49; A7). */
+/* Texture filtering, depth comparison, borders and sample reports (R46, R48, R49). */
 #include <float.h>
 #include <math.h>
 

@@ -1,0 +1,142 @@
+/* Shader functions, called a block of packets at a time, and the programs that they make. */
+#ifndef GP_SHADER_ENTRY_POINTS_H
+#define GP_SHADER_ENTRY_POINTS_H
+
+#include "pipeline/shader/types.h"
+
+#define GP_VERTEX_PACKETS(name, U, IN, varyings)                                                   \
+    for (int k = 0; k < call->packets; k++) {                                                      \
+        GpInvocation invocation = { .call = call, .packet = k };                                   \
+        flt size = flt_set(1);                                                                     \
+        name##_body(&invocation, (const U *)call->uniforms,                                        \
+                    (const IN *)(const void *)call->in + k, (float4 *)(void *)call->position + k,  \
+                    varyings, &size);                                                              \
+        if (call->point_size)                                                                      \
+            ((flt *)(void *)call->point_size)[k] = size;                                           \
+    }
+
+/* The loop over packets and the inlined body live together in the shader's object file: calling a
+ * shader costs one indirect call a block. */
+#define vertex_shader(name, U, IN, OUT)                                                            \
+    enum {                                                                                         \
+        name##_in = sizeof(IN) / sizeof(flt),                                                      \
+        name##_out = sizeof(OUT) / sizeof(flt),                                                    \
+        name##_uniforms = sizeof(U)                                                                \
+    };                                                                                             \
+    GP_INLINE void name##_body(GpInvocation *gp, const U *c, const IN *in, float4 *position,       \
+                               OUT *out, flt *point_size);                                         \
+    static void name(const GpShaderCall *call)                                                     \
+    {                                                                                              \
+        OUT *out = (OUT *)(void *)call->varying;                                                   \
+        if (out) {                                                                                 \
+            GP_VERTEX_PACKETS(name, U, IN, &out[k])                                                \
+        } else { /* positions only: what nobody asks for is left out by the compiler */            \
+            OUT unused;                                                                            \
+            GP_VERTEX_PACKETS(name, U, IN, &unused)                                                \
+        }                                                                                          \
+    }                                                                                              \
+    GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \
+                               __attribute__((unused)) const U *c, const IN *in, float4 *position, \
+                               __attribute__((unused)) OUT *out,                                   \
+                               __attribute__((unused)) flt *point_size)
+
+GP_INLINE void gp_end_packet(const GpInvocation *gp)
+{
+    if (gp->call->depth)
+        ((flt *)(void *)gp->call->depth)[gp->packet] = gp->depth;
+    if (gp->call->killed)
+        ((msk *)(void *)gp->call->killed)[gp->packet] = gp->killed;
+}
+
+#ifndef GP_SHADER_PAIRS
+#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+    for (int k = 0; k < call->packets; k++) {                                                      \
+        GpInvocation invocation = { .call = call, .packet = k };                                   \
+        name##_body(&invocation, (const U *)call->uniforms, in + k, out + k);                      \
+        gp_end_packet(&invocation);                                                                \
+    }
+#else
+#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+    for (int k = 0; k < call->packets; k += 2) {                                                   \
+        const int l = k + 1 < call->packets ? k + 1 : k; /* the odd last one, once more */         \
+        GpInvocation left = { .call = call, .packet = k }, right = { .call = call, .packet = l };  \
+        OUT left_out, right_out;                                                                   \
+        name##_body(&left, (const U *)call->uniforms, in + k, &left_out);                          \
+        name##_body(&right, (const U *)call->uniforms, in + l, &right_out);                        \
+        out[k] = left_out;                                                                         \
+        out[l] = right_out;                                                                        \
+        gp_end_packet(&left);                                                                      \
+        gp_end_packet(&right);                                                                     \
+    }
+#endif
+
+#define pixel_shader_targets(name, U, IN, OUT)                                                     \
+    enum {                                                                                         \
+        name##_in = sizeof(IN) / sizeof(flt),                                                      \
+        name##_out = sizeof(OUT) / sizeof(flt),                                                    \
+        name##_uniforms = sizeof(U)                                                                \
+    };                                                                                             \
+    GP_INLINE void name##_body(GpInvocation *gp, const U *c, const IN *in, OUT *out);              \
+    static void name(const GpShaderCall *call)                                                     \
+    {                                                                                              \
+        const IN *in = (const IN *)(const void *)call->in;                                         \
+        OUT *out = (OUT *)(void *)call->color;                                                     \
+        GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+    }                                                                                              \
+    GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \
+                               __attribute__((unused)) const U *c,                                 \
+                               __attribute__((unused)) const IN *in, OUT *out)
+
+#define pixel_shader(name, U, IN)                                                                  \
+    GP_INLINE float4 name##_color(GpInvocation *gp, const U *c, const IN *in);                     \
+    pixel_shader_targets(name, U, IN, float4)                                                      \
+    {                                                                                              \
+        *out = name##_color(gp, c, in);                                                            \
+    }                                                                                              \
+    GP_INLINE float4 name##_color(__attribute__((unused)) GpInvocation *gp,                        \
+                                  __attribute__((unused)) const U *c,                              \
+                                  __attribute__((unused)) const IN *in)
+
+#define GP_PASTE_(a, b) a##b
+#define GP_PASTE(a, b)  GP_PASTE_(a, b)
+#define GP_CODE(name)   GP_PASTE(name##_code, GP_LANES)
+
+#ifndef GP_ISA_NAME
+#define GP_ISA_NAME "generic"
+#endif
+
+#define GP_CODE_OF(name, vs, ps)                                                                   \
+    extern const GpProgramCode GP_CODE(name);                                                      \
+    const GpProgramCode GP_CODE(name) = { GP_LANES, GP_ISA_NAME, vs, ps };
+
+#if GP_LANES == 4
+#define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)                                            \
+    extern const GpProgramCode id##_code8 __attribute__((weak)),                                   \
+        id##_code16 __attribute__((weak));                                                         \
+    extern void id##_count(GpShaderCounts *, GpShaderCounts *) __attribute__((weak));              \
+    extern const GpProgram id;                                                                     \
+    const GpProgram id = { .name = #id,                                                            \
+                           __VA_ARGS__,                                                            \
+                           .uniform_bytes = vs##_uniforms,                                         \
+                           .input_components = vs##_in,                                            \
+                           .varying_components = vs##_out,                                         \
+                           .pixel_input_components = pixel_in,                                     \
+                           .color_components = pixel_out,                                          \
+                           .code = { &id##_code4, &id##_code8, &id##_code16 },                     \
+                           .count = id##_count };
+#else
+#define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)
+#endif
+
+#define program(id, vs, ps, ...)                                                                   \
+    _Static_assert((int)vs##_uniforms == (int)ps##_uniforms,                                       \
+                   "both shaders share one uniform struct");                                       \
+    _Static_assert((int)vs##_out == (int)ps##_in, "both shaders share one varying struct");        \
+    GP_CODE_OF(id, vs, ps)                                                                         \
+    GP_PROGRAM_OF(id, vs, ps##_in, ps##_out, __VA_ARGS__)
+
+#define depth_program(id, vs, ...)                                                                 \
+    GP_CODE_OF(id, vs, 0)                                                                          \
+    GP_PROGRAM_OF(id, vs, 0, 0, __VA_ARGS__)
+
+#endif
