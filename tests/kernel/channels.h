@@ -1,4 +1,4 @@
-/* The conversions of pipeline/base/lanes.h as functions of arrays, so that a check can call every lane
+/* The conversions of pipeline/base/lanes as functions of arrays, so that a check can call every lane
  * width's. */
 #ifndef TESTS_KERNEL_CHANNELS_H
 #define TESTS_KERNEL_CHANNELS_H

@@ -28,9 +28,6 @@ texts=$(find Makefile README.md CONTRIBUTING.md .ci pipeline shaders_c apps test
 
 # Longer than 500 lines, with the reason.
 long_files='
-pipeline/base/lanes.h            the lanes of three instruction sets, operation by operation
-pipeline/shader.h                the shader language: one header for who writes a shader
-pipeline/shader/counting.hpp     the operations of lanes.h again, which count
 pipeline/fast/lanes/shade/sample.c  the texture unit in lanes
 tests/                           the facts of one unit stay together
 '
