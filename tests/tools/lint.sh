@@ -28,7 +28,6 @@ texts=$(find Makefile README.md CONTRIBUTING.md .ci pipeline shaders_c apps test
 
 # Longer than 500 lines, with the reason.
 long_files='
-pipeline/fast/lanes/shade/sample.c  the texture unit in lanes
 tests/                           the facts of one unit stay together
 '
 
