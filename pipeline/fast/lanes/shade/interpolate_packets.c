@@ -168,9 +168,12 @@ void fast_interpolate_run(const FastDraw *d, const FastTriangleRecord *r,
     const int stride = d->modes.components;
     const uint64_t all = d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN];
     const uint64_t perspective = weights->has_perspective ? d->varyings_by[GP_PERSPECTIVE] : 0;
-    blend_run(r, weights->perspective, perspective, count, stride, in);
-    blend_run(r, weights->screen, all ^ perspective, count, stride, in);
-    repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);
+    if (perspective)
+        blend_run(r, weights->perspective, perspective, count, stride, in);
+    if (all != perspective)
+        blend_run(r, weights->screen, all ^ perspective, count, stride, in);
+    if (d->varyings_by[GP_FLAT])
+        repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);
 }
 
 static void interpolate_triangle(const Tile *tile, const FastDraw *d, const FastPacket *packets,
