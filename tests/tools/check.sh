@@ -121,10 +121,6 @@ for side in 16 32 128; do
 done
 step aarch64-scenes aarch64_scenes
 step one-picture same_hashes
-for cpu in Nehalem Haswell-noTSX; do
-    step "as-$cpu" env TEST_SECONDS=7200 make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 \
-        EMULATOR="qemu-x86_64 -cpu $cpu" SEEDS=0..299 test
-done
 step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined test
 # without WERROR: instrumented, gcc 12 takes vectors that are set lane by lane for unset ones
 step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEEDS=0..299
@@ -138,6 +134,11 @@ for name in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 aarch64; do
 done
 step install sh tests/tools/check_install.sh "$out/gcc-O2"
 step peer peer
+# the longest last
+for cpu in Nehalem Haswell-noTSX; do
+    step "as-$cpu" env TEST_SECONDS=7200 make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 \
+        EMULATOR="qemu-x86_64 -cpu $cpu" SEEDS=0..299 test
+done
 
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ]
