@@ -5,6 +5,7 @@
 #include "apps/commands/shader_limits.h"
 #include "apps/commands/pass_list.h"
 #include "apps/scene/scene.h"
+#include "pipeline/shader/counts.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef APPS_COMMANDS_SHADER_LIMITS_H
 #define APPS_COMMANDS_SHADER_LIMITS_H
 
-#include "pipeline/shader/program.h"
+#include "pipeline/shader/counts.h"
 
 #include <jansson.h>
 

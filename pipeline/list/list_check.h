@@ -6,6 +6,7 @@
 #include "pipeline/list/index_range.h"
 #include "pipeline/list/list.h"
 #include "pipeline/list/needs.h"
+#include "pipeline/shader/counts.h"
 
 /* Programs that were found right, the last few, as they were then. A zeroed one is empty. */
 enum { GP_CHECKED_PROGRAMS = 16 };

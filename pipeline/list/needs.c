@@ -5,21 +5,6 @@
 
 #include <stdio.h>
 
-static uint64_t all_components(int count)
-{
-    return count >= 64 ? ~(uint64_t)0 : ((uint64_t)1 << count) - 1;
-}
-
-GpPixelFacts gp_pixel_facts(const GpProgram *program)
-{
-    uint64_t all = all_components(program->varying_components);
-    if (!program->count || !program->code[0]->pixel)
-        return (GpPixelFacts){ all, 0 };
-    GpShaderCounts vertex, pixel;
-    program->count(&vertex, &pixel);
-    return (GpPixelFacts){ all & pixel.inputs_read, pixel.copied_slot };
-}
-
 static bool needs_mip_levels(const GpDraw *draw)
 {
     for (int i = 0; i < GP_MAX_SAMPLERS; i++) {
@@ -65,7 +50,7 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_
     }
     needs.interpolate = needs.varyings != 0;
     needs.vertex_textures = program->vertex_samplers != 0;
-    needs.clip_planes = state->raster.clip_planes & (uint8_t)all_components(GP_MAX_CLIP_PLANES);
+    needs.clip_planes = state->raster.clip_planes & ((1u << GP_MAX_CLIP_PLANES) - 1);
     needs.scissor = state->raster.scissor;
     needs.cull = state->raster.cull != GP_CULL_NONE;
     needs.depth_bias =

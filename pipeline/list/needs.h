@@ -20,17 +20,8 @@ typedef struct GpNeeds {
     bool late_depth; /* depth and stencil must wait for the pixel shader */
 } GpNeeds;
 
-/* What counting a pixel shader tells of it. */
-typedef struct GpPixelFacts {
-    uint64_t varyings_read; /* bit i: component i; all where the counting build is not there */
-    int copied_slot;        /* GpShaderCounts.copied_slot */
-} GpPixelFacts;
-
-/* Takes some microseconds: to be asked once for a program. */
-GpPixelFacts gp_pixel_facts(const GpProgram *program);
-
 /* The needs of a draw in its pass; both already checked.
- * in   varyings_read: of the draw's program */
+ * in   varyings_read: of the draw's program, as gp_pixel_facts (pipeline/shader/counts.h) has them */
 GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read);
 
 /* One line a unit: "blend        skipped: GP_BLEND_OFF on all targets". Writes at most size bytes,

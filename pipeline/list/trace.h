@@ -7,7 +7,7 @@
 #define GP_TRACE_H
 
 #include "pipeline/list/list.h"
-#include "pipeline/units/texture.h"
+#include "pipeline/resources/sample_report.h"
 
 typedef enum GpTraceKind {
     GP_TRACE_CLEAR,       /* a target's pixel was cleared */

@@ -3,6 +3,7 @@
 
 #include "pipeline/list/index_range.h"
 #include "pipeline/reference/reference_draw.h"
+#include "pipeline/shader/counts.h"
 #include "pipeline/units/alpha_test.h"
 #include "pipeline/units/blend.h"
 #include "pipeline/units/input_assembly.h"
@@ -154,7 +155,8 @@ static void draw_triangle(GpReferenceDraw *d)
 
     GpScreenVertex screen[GP_MAX_CLIPPED];
     for (int i = 0; i < polygon.corners; i++)
-        if (!gp_place_vertex(&d->viewport, &d->draw->state.raster, &polygon.corner[i], &screen[i]))
+        if (!gp_viewport_transform(&d->viewport, &d->draw->state.raster, &polygon.corner[i],
+                                   &screen[i]))
             return;
     for (int i = 2; i < polygon.corners; i++) { /* a fan round the first corner */
         GpScreenVertex corner[3] = { screen[0], screen[i - 1], screen[i] };
@@ -173,7 +175,7 @@ static void draw_point(GpReferenceDraw *d)
     GpScreenVertex center;
     GpPointSprite sprite;
     if (!gp_clip_point(vertex) ||
-        !gp_place_vertex(&d->viewport, &d->draw->state.raster, vertex, &center))
+        !gp_viewport_transform(&d->viewport, &d->draw->state.raster, vertex, &center))
         return;
     for (int i = 0; i < GP_MAX_CLIP_PLANES; i++) /* points are cut whole, by their vertex */
         if ((d->needs.clip_planes >> i & 1) && !(center.clip_distance[i] >= 0))

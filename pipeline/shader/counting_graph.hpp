@@ -41,7 +41,7 @@
 #ifndef GP_COUNTING_GRAPH_HPP
 #define GP_COUNTING_GRAPH_HPP
 
-#include "pipeline/shader/program.h"
+#include "pipeline/shader/counts.h"
 
 #include <array>
 #include <cstring>

@@ -2,7 +2,7 @@
 #ifndef GP_PROFILE_H
 #define GP_PROFILE_H
 
-#include "pipeline/shader/program.h"
+#include "pipeline/shader/counts.h"
 
 #include <limits.h>
 

@@ -118,31 +118,8 @@ typedef struct GpProgramCode {
     GpShaderFn vertex, pixel;
 } GpProgramCode;
 
-/* What the counting build of a shader reports, costs as in CONVENTIONS.md, "Profiles". */
-typedef struct GpShaderCounts {
-    int slots; /* instruction slots: arithmetic + texture */
-    int arithmetic_slots;
-    int texture_slots;
-    int temporaries;      /* four-component registers live at once: an estimate, described with all
-                             other figures in pipeline/shader/counting_graph.hpp */
-    int constants;        /* float4 constants: uniforms read plus literals */
-    int inputs;           /* declared inputs or interpolants read */
-    int outputs;          /* interpolants (vertex) or colour targets (pixel) written */
-    int samplers;         /* distinct texture slots read */
-    int dependent_reads;  /* longest chain of texture reads, 0 = no read depends on another or on
-                             computed coordinates */
-    uint64_t inputs_read; /* bit i: component i of the input struct is used */
-    uint64_t outputs_written; /* bit i: component i of the varyings or of the targets is written */
-    uint16_t sampler_slots;   /* bit i: slot i is read by texld and its kin */
-    uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
-    int copied_slot;   /* 1 + the slot whose texel, read in place, is all that the pixel shader
-                                 gives, as it is; 0: it does something else */
-    bool gradients;    /* dsx, dsy or texldd appear */
-    bool needs_quads;  /* dsx or dsy */
-    bool implicit_lod; /* texld, texldp or texldb appear */
-    bool explicit_lod; /* texldl appears */
-    bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
-} GpShaderCounts;
+/* What the counting build of a shader reports: pipeline/shader/counts.h. */
+typedef struct GpShaderCounts GpShaderCounts;
 
 /* Runs the counting build once; pixel may be NULL. */
 typedef void (*GpCountFn)(GpShaderCounts *vertex, GpShaderCounts *pixel);

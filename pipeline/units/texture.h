@@ -3,22 +3,8 @@
 #ifndef GP_TEXTURE_H
 #define GP_TEXTURE_H
 
+#include "pipeline/resources/sample_report.h"
 #include "pipeline/resources/state.h"
-
-/* One texel that a sample used, for the inspector. */
-typedef struct GpTexelUse {
-    int32_t x, y; /* after addressing; -1, -1 where the border colour was used */
-    uint8_t level;
-    float weight;   /* share in the result, exact and not 0; all of a sample's sum to exactly 1 */
-    float value[4]; /* as loaded: r g b a */
-} GpTexelUse;
-
-typedef struct GpSampleReport {
-    float lod; /* after bias and clamp, as an 8.8 fixed-point value */
-    bool magnified;
-    int count; /* texels used, at most 8 */
-    GpTexelUse texel[8];
-} GpSampleReport;
 
 /* Level of detail before bias and clamp: log2 of the longer of the two footprint axes, from the
  * derivatives of u and v by x and by y, in texture space (R44).

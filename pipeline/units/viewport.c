@@ -35,7 +35,7 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
                      floor_within(v.x + v.width, width), floor_within(v.y + v.height, height) };
 }
 
-bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen)
+bool gp_viewport_position(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen)
 {
     float rw = 1.0f / clip[3];
     float x = (clip[0] * rw + 1.0f) * viewport->width * 0.5f + viewport->x;
@@ -50,8 +50,8 @@ bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpSc
     return true;
 }
 
-bool gp_place_vertex(const GpViewport *viewport, const GpRasterState *raster,
-                     const GpVertex *vertex, GpScreenVertex *screen)
+bool gp_viewport_transform(const GpViewport *viewport, const GpRasterState *raster,
+                           const GpVertex *vertex, GpScreenVertex *screen)
 {
     const float *clip = vertex->clip;
     screen->varying = vertex->varying;
@@ -60,5 +60,5 @@ bool gp_place_vertex(const GpViewport *viewport, const GpRasterState *raster,
         screen->clip_distance[i] =
             clip[0] * plane[0] + clip[1] * plane[1] + clip[2] * plane[2] + clip[3] * plane[3];
     }
-    return gp_viewport_transform(viewport, clip, screen);
+    return gp_viewport_position(viewport, clip, screen);
 }

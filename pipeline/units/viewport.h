@@ -16,11 +16,11 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
  * in   viewport: resolved; clip: w > 0
  * out  x, y, z, rw of screen
  * returns false where x or y is no number or outside the fixed-point range */
-bool gp_viewport_transform(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen);
+bool gp_viewport_position(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen);
 
 /* The same for a shaded vertex, with its distances from the user planes (R11): plane . clip position,
  * summed left to right. screen->varying points into the vertex. */
-bool gp_place_vertex(const GpViewport *viewport, const GpRasterState *raster,
-                     const GpVertex *vertex, GpScreenVertex *screen);
+bool gp_viewport_transform(const GpViewport *viewport, const GpRasterState *raster,
+                           const GpVertex *vertex, GpScreenVertex *screen);
 
 #endif

@@ -208,7 +208,7 @@ static GpResult place_corners(const PeerScene *scene, PeerTruth *truth)
     GpViewport viewport = gp_viewport_resolve(&(GpViewport){ 0 }, PEER_SIZE, PEER_SIZE);
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
         GpScreenVertex screen;
-        bool in_range = gp_viewport_transform(&viewport, clip[i], &screen);
+        bool in_range = gp_viewport_position(&viewport, clip[i], &screen);
         GP_ASSERT(in_range); /* the scenes lie inside the viewport: nothing is ever clipped */
         double w = (double)clip[i][3];
         truth->corners[i] = (PeerCorner){

@@ -159,7 +159,8 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
     range->clipped += polygon.cut;
     GpScreenVertex screen[GP_MAX_CLIPPED];
     for (int i = 0; i < polygon.corners; i++)
-        if (!gp_place_vertex(&d->viewport, &d->draw->state.raster, &polygon.corner[i], &screen[i]))
+        if (!gp_viewport_transform(&d->viewport, &d->draw->state.raster, &polygon.corner[i],
+                                   &screen[i]))
             return;
     FastBox whole = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
     for (int i = 2; i < polygon.corners; i++) {

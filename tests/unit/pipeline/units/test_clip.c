@@ -54,7 +54,7 @@ static void r03_nothing_that_is_left_leaves_the_fixed_point_range(void **state)
         GpClipPolygon polygon = clip(&band, v, 0);
         for (int k = 0; k < polygon.corners; k++) {
             GpScreenVertex s;
-            assert_true(gp_viewport_transform(&viewport, polygon.corner[k].clip, &s));
+            assert_true(gp_viewport_position(&viewport, polygon.corner[k].clip, &s));
             assert_true(s.z >= -1e-5f && s.z <= 1 + 1e-5f);
         }
     }

@@ -8,7 +8,7 @@
 static GpScreenVertex transform(const GpViewport *viewport, float x, float y, float z, float w)
 {
     GpScreenVertex screen = { 0 };
-    assert_true(gp_viewport_transform(viewport, (float[4]){ x, y, z, w }, &screen));
+    assert_true(gp_viewport_position(viewport, (float[4]){ x, y, z, w }, &screen));
     return screen;
 }
 
@@ -101,9 +101,9 @@ static void positions_off_the_number_range_are_refused(void **state)
     (void)state;
     GpViewport v = gp_viewport_resolve(&(GpViewport){ 0 }, 64, 64);
     GpScreenVertex s;
-    assert_false(gp_viewport_transform(&v, (float[4]){ 1e9f, 0, 0, 1 }, &s));
-    assert_false(gp_viewport_transform(&v, (float[4]){ 0, -INFINITY, 0, 1 }, &s));
-    assert_false(gp_viewport_transform(&v, (float[4]){ NAN, 0, 0, 1 }, &s));
+    assert_false(gp_viewport_position(&v, (float[4]){ 1e9f, 0, 0, 1 }, &s));
+    assert_false(gp_viewport_position(&v, (float[4]){ 0, -INFINITY, 0, 1 }, &s));
+    assert_false(gp_viewport_position(&v, (float[4]){ NAN, 0, 0, 1 }, &s));
 }
 
 int main(void)

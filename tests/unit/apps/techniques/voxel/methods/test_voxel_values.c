@@ -3,6 +3,7 @@
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
 
+#include "pipeline/shader/counts.h"
 #include "shaders_c/voxel/volume/patch_copy.h"
 #include "shaders_c/voxel/methods/rows.h"
 #include "shaders_c/voxel/methods/sheets.h"
