@@ -7,12 +7,10 @@ typedef struct ArenaChunk {
     size_t used, size; /* with this header */
 } ArenaChunk;
 
-/* What has an owner of its own; one of both is not NULL. */
-typedef struct ArenaItem {
-    struct ArenaItem *next;
-    void *memory;
+typedef struct ArenaSurface {
+    struct ArenaSurface *next;
     GpSurface *surface;
-} ArenaItem;
+} ArenaSurface;
 
 static void *fail(Arena *arena, GpResult result, const char *reason)
 {
@@ -52,35 +50,15 @@ void *arena_alloc(Arena *arena, size_t count, size_t size)
     return (char *)chunk + chunk->used - bytes;
 }
 
-static ArenaItem *add_item(Arena *arena)
-{
-    ArenaItem *item = arena_alloc(arena, 1, sizeof *item);
-    if (item) {
-        item->next = arena->items;
-        arena->items = item;
-    }
-    return item;
-}
-
-void *arena_own(Arena *arena, void *memory)
-{
-    if (!memory)
-        return fail(arena, GP_ERROR_MEMORY, "out of memory");
-    ArenaItem *item = add_item(arena);
-    if (item)
-        item->memory = memory;
-    else
-        gp_free(memory);
-    return item ? memory : NULL;
-}
-
 GpSurface *arena_own_surface(Arena *arena, GpSurface *surface)
 {
-    ArenaItem *item = add_item(arena);
-    if (item)
-        item->surface = surface;
-    else
+    ArenaSurface *owned = arena_alloc(arena, 1, sizeof *owned);
+    if (owned) {
+        *owned = (ArenaSurface){ arena->surfaces, surface };
+        arena->surfaces = owned;
+    } else {
         gp_surface_destroy(&surface);
+    }
     return surface;
 }
 
@@ -99,10 +77,8 @@ GpResult arena_result(const Arena *arena, GpError *error)
 
 void arena_free(Arena *arena)
 {
-    for (ArenaItem *item = arena->items; item; item = item->next) {
-        gp_free(item->memory);
-        gp_surface_destroy(&item->surface);
-    }
+    for (ArenaSurface *owned = arena->surfaces; owned; owned = owned->next)
+        gp_surface_destroy(&owned->surface);
     while (arena->chunks) {
         ArenaChunk *chunk = arena->chunks;
         arena->chunks = chunk->next;

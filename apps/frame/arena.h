@@ -17,14 +17,11 @@ typedef struct Arena {
     /* private */
     uint32_t calls;
     struct ArenaChunk *chunks;
-    struct ArenaItem *items;
+    struct ArenaSurface *surfaces;
 } Arena;
 
 /* Zeroed memory, aligned to 64 bytes. */
 void *arena_alloc(Arena *arena, size_t count, size_t size);
-
-/* Takes memory of gp_alloc over, which is freed at once where that fails; NULL is a failure. */
-void *arena_own(Arena *arena, void *memory);
 
 /* Makes a surface; takes one over, which is destroyed at once where that fails. */
 GpSurface *arena_surface(Arena *arena, const GpSurfaceDesc *desc);

@@ -97,7 +97,8 @@ static void read_shape(const Node *node, bool points, Shape *shape)
 
 static Bounds bounds(const Shape *shape)
 {
-    return bounds_of(shape->vertices->position, sizeof *shape->vertices, NULL, shape->vertex_count);
+    return bounds_of((const float *)shape->vertices, sizeof *shape->vertices, NULL,
+                     shape->vertex_count);
 }
 
 /* "fit" [x, y, z, size]: the centre of the box goes to x and z, its floor to y, its longest side to
@@ -215,39 +216,32 @@ static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
     }
 }
 
-static void bind_streams(const Shape *shape, GpGeometry *geometry)
+/* The scene's own copy of a shape, as draws have it. */
+static void copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry)
 {
-    const ShapeVertex *first = shape->vertices;
-    const uint32_t stride = sizeof *first;
-    geometry->primitive = shape->indices ? GP_TRIANGLES : GP_POINTS;
-    geometry->vertex_count = shape->vertex_count;
-    geometry->indices = shape->indices;
-    geometry->index_count = shape->index_count;
-    geometry->streams[GP_POSITION] =
-        (GpStream){ first->position, stride, .components = 3, .type = GP_FLOAT32 };
-    geometry->streams[GP_NORMAL] =
-        (GpStream){ first->normal, stride, .components = 3, .type = GP_FLOAT32 };
-    geometry->streams[GP_TEXCOORD0] =
-        (GpStream){ first->texcoord, stride, .components = 2, .type = GP_FLOAT32 };
-    geometry->streams[GP_COLOR] =
-        (GpStream){ first->color, stride, .components = 4, .type = GP_FLOAT32 };
-    geometry->streams[GP_POINT_SIZE] =
-        (GpStream){ &first->size, stride, .components = 1, .type = GP_FLOAT32 };
+    const uint32_t stride = sizeof *shape->vertices;
+    const ShapeVertex *first =
+        shape->vertices ? frame_copy(frame, shape->vertices, shape->vertex_count * (size_t)stride)
+                        : NULL;
+    const uint32_t *indices =
+        shape->indices ? frame_copy(frame, shape->indices, shape->index_count * sizeof *indices)
+                       : NULL;
+    if (!first)
+        return;
+    *geometry = (GpGeometry){
+        .primitive = shape->indices ? GP_TRIANGLES : GP_POINTS,
+        .vertex_count = shape->vertex_count,
+        .indices = indices,
+        .index_count = shape->index_count,
+        .streams = { [GP_POSITION] = { first->position, stride, 3, GP_FLOAT32 },
+                     [GP_NORMAL] = { first->normal, stride, 3, GP_FLOAT32 },
+                     [GP_TEXCOORD0] = { first->texcoord, stride, 2, GP_FLOAT32 },
+                     [GP_COLOR] = { first->color, stride, 4, GP_FLOAT32 },
+                     [GP_POINT_SIZE] = { &first->size, stride, 1, GP_FLOAT32 } },
+    };
 }
 
 /* --- objects --------------------------------------------------------------------------------- */
-
-/* Hands the arrays over to the scene; an empty shape where that failed. */
-static void keep_shape(Loader *loader, const Node *node, Shape *shape)
-{
-    Arena *arena = &loader->frame->arena;
-    void *vertices = arena_own(arena, shape->vertices);
-    void *indices = shape->indices ? arena_own(arena, shape->indices) : NULL;
-    if (!vertices || (shape->indices && !indices))
-        *shape = (Shape){ 0 };
-    if (!shape->vertex_count)
-        node_fail(node, GP_ERROR_FORMAT, "no vertices");
-}
 
 /* Reads "mesh" or "points" and all that changes their vertices. */
 static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
@@ -259,13 +253,8 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     if (node_exists(&mesh) == node_exists(&points))
         node_fail(node, GP_ERROR_FORMAT, "expected a mesh or points");
     read_shape(node_exists(&mesh) ? &mesh : &points, node_exists(&points), &shape);
-    if (loader->reader.result) {
-        shape_free(&shape);
-        return;
-    }
-    keep_shape(loader, node, &shape);
-    if (loader->reader.result)
-        return;
+    if (!shape.vertex_count)
+        node_fail(node, GP_ERROR_FORMAT, "no vertices");
     if (node_exists(&transform)) {
         read_transform(transform, m);
         transform_shape(&shape, m);
@@ -276,7 +265,8 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     }
     read_color(node_member(node, "color"), &shape);
     read_tile_and_size(node_member(node, "tile"), node_member(node, "size"), &shape);
-    bind_streams(&shape, geometry);
+    copy_shape(loader->frame, &shape, geometry);
+    shape_free(&shape);
 }
 
 void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
@@ -300,15 +290,10 @@ void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *d
     Shape shape = { 0 };
     draw->name = "quad";
     draw->viewport = view->viewport;
-    GpResult result = shape_create("quad", &shape);
-    if (result) {
-        node_fail(&node, result, "no memory");
-        return;
-    }
-    keep_shape(loader, &node, &shape);
-    if (loader->reader.result)
-        return;
-    bind_streams(&shape, &draw->geometry);
+    if (shape_create("quad", &shape))
+        node_fail(&node, GP_ERROR_MEMORY, "no memory");
+    copy_shape(loader->frame, &shape, &draw->geometry);
+    shape_free(&shape);
     scene_read_state(node_member(&node, "state"), view, &draw->state);
     scene_read_material(loader, node_member(&node, "material"), view, "blit", draw);
     node_close(&node);
