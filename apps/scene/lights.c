@@ -25,8 +25,7 @@ static void read_shadow(Node node, const SceneLight *light, SceneShadow *shadow)
         node_fail(&fovy, GP_ERROR_FORMAT, "the light looks at nothing: it has no \"at\"");
     if (node_exists(&height) && !light->directional)
         node_fail(&height, GP_ERROR_FORMAT, "only parallel rays have a height");
-    if (node_exists(&node))
-        node_close(&node);
+    node_close(&node);
 }
 
 static void read_light(Node node, SceneLight *light)

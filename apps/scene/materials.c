@@ -21,24 +21,27 @@
 
 #include <string.h>
 
-typedef enum Source {
-    FROM_MATERIAL = 0,
-    FROM_CAMERA,  /* float[4][4]: world to clip space */
-    FROM_EYE,     /* float[3] */
-    FROM_LIGHT,   /* float[3]: unit length, towards the first light, as seen from the point that
-                        the camera looks at */
-    FROM_LIGHTS,  /* all lights: position, colour, 1 / range^2 of each; black where there is none */
-    FROM_AMBIENT, /* float[3]: the scene's ambient light times the material's diffuse colour */
-    FROM_BACKGROUND, /* float[3] */
-    FROM_NEAR,
-    FROM_FAR,
-    FROM_HEIGHT, /* of the viewport, in pixels */
-} Source;
+/* What a pass says of its uniforms. */
+typedef struct Given {
+    float camera[4][4]; /* world to clip space */
+    float eye[3];
+    float light[3]; /* unit length, towards the first light, as seen from the point that the camera
+                       looks at */
+    float lights[SCENE_MAX_LIGHTS]
+                [7];  /* position, colour, 1 / range^2; black where there is none */
+    float ambient[3]; /* the scene's light times the material's diffuse colour */
+    float background[3];
+    float near, far;
+    float height; /* of the viewport, in pixels */
+} Given;
+
+/* Where a uniform comes from: the material, or a member of Given. */
+#define FROM_MATERIAL SIZE_MAX
+#define FROM(member)  offsetof(Given, member)
 
 /* A uniform. With a key, the material may give it; its source is then the default. */
 typedef struct Uniform {
-    Source source;
-    size_t offset;
+    size_t source, offset;
     int count; /* floats; 0 ends a list */
     const char *key;
     float low, high;   /* limits of what the material gives */
@@ -51,8 +54,6 @@ typedef struct Entry {
     Uniform uniforms[12];
 } Entry;
 
-enum { LIGHT_FLOATS = 7, MAX_FLOATS = LIGHT_FLOATS * SCENE_MAX_LIGHTS };
-
 /* clang-format off */
 #define FLOATS(type, name) (int)(sizeof(((type *)0)->name) / (sizeof(float)))
 #define GIVEN(type, name, from) \
@@ -60,12 +61,12 @@ enum { LIGHT_FLOATS = 7, MAX_FLOATS = LIGHT_FLOATS * SCENE_MAX_LIGHTS };
 #define ASKED(type, name, from, low, high, ...) \
     { from, offsetof(type, name), FLOATS(type, name), #name, low, high, \
       { __VA_ARGS__ } }
-#define CAMERA(type)                GIVEN(type, mvp, FROM_CAMERA)
-#define LIGHT(type)                 GIVEN(type, light, FROM_LIGHT)
+#define CAMERA(type)                GIVEN(type, mvp, FROM(camera))
+#define LIGHT(type)                 GIVEN(type, light, FROM(light))
 #define VALUE(type, name, low, high, ...) ASKED(type, name, FROM_MATERIAL, low, high, __VA_ARGS__)
 #define SURFACE(type, ...)          VALUE(type, diffuse, 0, 100, __VA_ARGS__), \
-                                    ASKED(type, ambient, FROM_AMBIENT, 0, 100, 0)
-#define SHINE(type)  GIVEN(type, eye, FROM_EYE), VALUE(type, specular, 0, 100, 0.3f), \
+                                    ASKED(type, ambient, FROM(ambient), 0, 100, 0)
+#define SHINE(type)  GIVEN(type, eye, FROM(eye)), VALUE(type, specular, 0, 100, 0.3f), \
                                     VALUE(type, shininess, 0, 10000, 32)
 
 static const Entry programs[] = {
@@ -78,7 +79,7 @@ static const Entry programs[] = {
     { "textured_phong", &textured_phong_program, {
         CAMERA(PhongUniforms), LIGHT(PhongUniforms),
         SURFACE(PhongUniforms, 1, 1, 1), SHINE(PhongUniforms) } },
-    { "toon", &toon_program, { CAMERA(ToonUniforms), GIVEN(ToonUniforms, eye, FROM_EYE),
+    { "toon", &toon_program, { CAMERA(ToonUniforms), GIVEN(ToonUniforms, eye, FROM(eye)),
         LIGHT(ToonUniforms), SURFACE(ToonUniforms, 0.7f, 0.7f, 0.7f),
         VALUE(ToonUniforms, bands, -1, 1, 0.1f, 0.7f), VALUE(ToonUniforms, outline, -1, 1, 0.25f),
         VALUE(ToonUniforms, ink, 0, 100, 0.02f, 0.02f, 0.03f) } },
@@ -87,17 +88,17 @@ static const Entry programs[] = {
     { "vertex_color", &vertex_color_program, { CAMERA(VertexColorUniforms) } },
     { "normals", &normals_program, { CAMERA(NormalsUniforms) } },
     { "depth", &depth_program, { CAMERA(DepthUniforms),
-        ASKED(DepthUniforms, near, FROM_NEAR, 0, 1e6f, 0),
-        ASKED(DepthUniforms, far, FROM_FAR, 0, 1e6f, 0) } },
+        ASKED(DepthUniforms, near, FROM(near), 0, 1e6f, 0),
+        ASKED(DepthUniforms, far, FROM(far), 0, 1e6f, 0) } },
     { "depth_only", &depth_only_program, { CAMERA(DepthOnlyUniforms) } },
     { "sprite", &sprite_program, { CAMERA(SpriteUniforms), LIGHT(SpriteUniforms),
         VALUE(SpriteUniforms, ambient, 0, 100, 0.25f),
-        GIVEN(SpriteUniforms, height, FROM_HEIGHT) } },
+        GIVEN(SpriteUniforms, height, FROM(height)) } },
     { "gbuffer", &gbuffer_program, { CAMERA(GbufferUniforms),
         VALUE(GbufferUniforms, diffuse, 0, 100, 0.7f, 0.7f, 0.7f) } },
-    { "deferred", &deferred_program, { ASKED(DeferredUniforms, ambient, FROM_AMBIENT, 0, 100, 0),
-        ASKED(DeferredUniforms, background, FROM_BACKGROUND, 0, 100, 0),
-        GIVEN(DeferredUniforms, lights, FROM_LIGHTS) } },
+    { "deferred", &deferred_program, { ASKED(DeferredUniforms, ambient, FROM(ambient), 0, 100, 0),
+        ASKED(DeferredUniforms, background, FROM(background), 0, 100, 0),
+        GIVEN(DeferredUniforms, lights, FROM(lights)) } },
     { "blit", &blit_program, { { .count = 0 } } },
 };
 /* clang-format on */
@@ -127,89 +128,50 @@ static void light_direction(const SceneView *view, float direction[3])
         direction[i] = (float)towards[i];
 }
 
-/* The scene's ambient light on the material's diffuse colour. */
-static void ambient_color(const Entry *entry, const SceneView *view, const char *uniforms,
-                          float color[3])
+/* All lights; a direction is a very distant place. */
+static void all_lights(const SceneView *view, float values[SCENE_MAX_LIGHTS][7])
 {
-    memcpy(color, view->ambient, sizeof view->ambient);
-    for (const Uniform *u = entry->uniforms; u->count; u++) {
-        float diffuse[3];
-        if (!u->key || strcmp(u->key, "diffuse") != 0)
-            continue;
-        memcpy(diffuse, uniforms + u->offset, sizeof diffuse);
-        for (int i = 0; i < 3; i++)
-            color[i] *= diffuse[i];
-    }
-}
-
-/* All lights, one after the other; a direction is a very distant place. */
-static void all_lights(const SceneView *view, float *values)
-{
-    memset(values, 0, MAX_FLOATS * sizeof *values);
     for (uint32_t i = 0; i < view->light_count; i++) {
         const SceneLight *light = &view->lights[i];
         for (int k = 0; k < 3; k++) {
-            values[k] = (float)(light->position[k] * (light->directional ? 1e4 : 1.0));
-            values[3 + k] = light->color[k];
+            values[i][k] = (float)(light->position[k] * (light->directional ? 1e4 : 1.0));
+            values[i][3 + k] = light->color[k];
         }
-        values[6] = light->range > 0 ? 1 / (light->range * light->range) : 0;
-        values += LIGHT_FLOATS;
+        values[i][6] = light->range > 0 ? 1 / (light->range * light->range) : 0;
     }
 }
 
-/* What the pass says about a uniform. */
-static void default_values(const Entry *entry, const Uniform *u, const SceneView *view,
-                           const char *uniforms, float values[MAX_FLOATS])
+static Given given_by(const SceneView *view)
 {
-    const Camera *camera = &view->camera;
-    switch (u->source) {
-    case FROM_MATERIAL:
-        memcpy(values, u->fallback, sizeof u->fallback);
-        break;
-    case FROM_CAMERA:
-        memcpy(values, view->world_to_clip, sizeof view->world_to_clip);
-        break;
-    case FROM_EYE:
-        for (int i = 0; i < 3; i++)
-            values[i] = (float)camera->eye[i];
-        break;
-    case FROM_LIGHT:
-        light_direction(view, values);
-        break;
-    case FROM_LIGHTS:
-        all_lights(view, values);
-        break;
-    case FROM_AMBIENT:
-        ambient_color(entry, view, uniforms, values);
-        break;
-    case FROM_BACKGROUND:
-        memcpy(values, view->background, sizeof view->background);
-        break;
-    case FROM_NEAR:
-        values[0] = (float)camera->near;
-        break;
-    case FROM_FAR:
-        values[0] = (float)camera->far;
-        break;
-    case FROM_HEIGHT:
-        values[0] = view->viewport.height > 0 ? view->viewport.height : (float)view->height;
-        break;
-    }
+    Given given = { .near = (float)view->camera.near,
+                    .far = (float)view->camera.far,
+                    .height =
+                        view->viewport.height > 0 ? view->viewport.height : (float)view->height };
+    memcpy(given.camera, view->world_to_clip, sizeof given.camera);
+    memcpy(given.ambient, view->ambient, sizeof given.ambient);
+    memcpy(given.background, view->background, sizeof given.background);
+    for (int k = 0; k < 3; k++)
+        given.eye[k] = (float)view->camera.eye[k];
+    light_direction(view, given.light);
+    all_lights(view, given.lights);
+    return given;
 }
 
-static void read_uniform(const Entry *entry, const Uniform *u, Node *material,
-                         const SceneView *view, char *uniforms)
+static void read_uniform(const Uniform *u, Node *material, Given *given, char *uniforms)
 {
-    float values[MAX_FLOATS];
-    default_values(entry, u, view, uniforms, values);
-    if (u->key) {
-        Node node = node_member(material, u->key);
-        if (u->count == 1)
-            values[0] = node_number(node, values[0], u->low, u->high);
-        else
-            node_numbers(node, values, u->count, u->low, u->high);
-    }
-    memcpy(uniforms + u->offset, values, (size_t)u->count * sizeof values[0]);
+    float *values = (void *)(uniforms + u->offset);
+    const void *from =
+        u->source == FROM_MATERIAL ? u->fallback : (const void *)((char *)given + u->source);
+    memcpy(values, from, (size_t)u->count * sizeof *values);
+    if (!u->key)
+        return;
+    Node node = node_member(material, u->key);
+    if (u->count == 1)
+        values[0] = node_number(node, values[0], u->low, u->high);
+    else
+        node_numbers(node, values, u->count, u->low, u->high);
+    for (int k = 0; k < 3 && strcmp(u->key, "diffuse") == 0; k++)
+        given->ambient[k] *= values[k];
 }
 
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,
@@ -220,8 +182,9 @@ void scene_read_material(Loader *loader, Node node, const SceneView *view, const
     char *uniforms = entry ? frame_alloc(loader->frame, 1, entry->program->uniform_bytes) : NULL;
     if (!uniforms)
         return;
+    Given given = given_by(view);
     for (const Uniform *u = entry->uniforms; u->count; u++)
-        read_uniform(entry, u, &node, view, uniforms);
+        read_uniform(u, &node, &given, uniforms);
     draw->program = entry->program;
     draw->uniforms = uniforms;
     size_t count = node_length(textures, GP_MAX_SAMPLERS);
@@ -233,6 +196,5 @@ void scene_read_material(Loader *loader, Node node, const SceneView *view, const
         if ((read >> i & 1) && !draw->textures[i].surface)
             node_fail(node_exists(&textures) ? &textures : &node, GP_ERROR_FORMAT,
                       "program %s reads texture %u", entry->name, i);
-    if (node_exists(&node))
-        node_close(&node);
+    node_close(&node);
 }

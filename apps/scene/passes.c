@@ -76,8 +76,7 @@ static void read_depth_target(Loader *loader, Node node, const SceneView *view,
         if (!info->is_depth)
             node_fail(&node, GP_ERROR_FORMAT, "%s is no format for depth", info->name);
     }
-    if (node_exists(&node))
-        node_close(&node);
+    node_close(&node);
 }
 
 static void read_targets(Loader *loader, Node *node, const SceneView *view, GpPass *pass)

@@ -18,8 +18,6 @@ static void read_byte(Node *object, const char *key, uint8_t *byte)
 
 static void read_depth(Node node, GpDepthState *depth)
 {
-    if (!node_exists(&node))
-        return;
     read_compare(&node, "test", &depth->test);
     depth->write = node_bool(node_member(&node, "write"), depth->write);
     node_close(&node);
@@ -43,16 +41,12 @@ static void read_stencil_face(Node *object, GpStencilFace *face)
  * "back". */
 static void read_stencil(Node node, GpStencilState *stencil)
 {
-    if (!node_exists(&node))
-        return;
-    stencil->enable = true;
-    read_stencil_face(&node, &stencil->front);
     Node back = node_member(&node, "back");
-    if (node_exists(&back)) {
-        stencil->two_sided = true;
-        read_stencil_face(&back, &stencil->back);
-        node_close(&back);
-    }
+    stencil->enable = node_exists(&node);
+    stencil->two_sided = node_exists(&back);
+    read_stencil_face(&node, &stencil->front);
+    read_stencil_face(&back, &stencil->back);
+    node_close(&back);
     read_byte(&node, "reference", &stencil->reference);
     read_byte(&node, "ignore", &stencil->ignore);
     read_byte(&node, "keep", &stencil->keep);
@@ -61,8 +55,6 @@ static void read_stencil(Node node, GpStencilState *stencil)
 
 static void read_alpha_test(Node node, GpAlphaTest *test)
 {
-    if (!node_exists(&node))
-        return;
     read_compare(&node, "test", &test->test);
     read_byte(&node, "reference", &test->reference);
     node_close(&node);
@@ -108,8 +100,6 @@ static void read_blend(Node *node, GpBlend *blend)
 /* One object for all targets, or an array of one a target. */
 static void read_blends(Node node, GpBlend blend[GP_MAX_TARGETS])
 {
-    if (!node_exists(&node))
-        return;
     if (!json_is_array(node.value)) {
         read_blend(&node, &blend[0]);
         for (int i = 1; i < GP_MAX_TARGETS; i++)
@@ -126,13 +116,11 @@ static void read_blends(Node node, GpBlend blend[GP_MAX_TARGETS])
 static void read_scissor(Node node, GpRasterState *raster)
 {
     double box[4] = { 0 };
-    if (!node_exists(&node))
-        return;
     node_doubles(node, box, 4, 0, GP_MAX_SIZE);
     for (int i = 0; i < 4; i++)
         if (box[i] != (double)(int32_t)box[i])
             node_fail(&node, GP_ERROR_FORMAT, "expected whole numbers x0, y0, x1, y1");
-    raster->scissor = true;
+    raster->scissor = node_exists(&node);
     raster->scissor_x0 = (int32_t)box[0];
     raster->scissor_y0 = (int32_t)box[1];
     raster->scissor_x1 = (int32_t)box[2];
@@ -157,8 +145,6 @@ static void read_clip_plane(const Node *node, const SceneView *view, float plane
 
 void scene_read_state(Node node, const SceneView *view, GpState *state)
 {
-    if (!node_exists(&node))
-        return;
     GpRasterState *raster = &state->raster;
     raster->cull =
         (GpCull)node_name(node_member(&node, "cull"), (int)raster->cull, gp_cull_names, GP_CULLS);
