@@ -59,22 +59,6 @@ static bool is_number(const Polynomial *p)
     return true;
 }
 
-double polynomial_value(const Polynomial *p, const double place[3])
-{
-    double in_x = 0;
-    for (int i = POLYNOMIAL_DEGREE; i >= 0; i--) {
-        double in_y = 0;
-        for (int j = POLYNOMIAL_DEGREE - i; j >= 0; j--) {
-            double in_z = 0;
-            for (int k = POLYNOMIAL_DEGREE - i - j; k >= 0; k--)
-                in_z = in_z * place[2] + p->c[i][j][k];
-            in_y = in_y * place[1] + in_z;
-        }
-        in_x = in_x * place[0] + in_y;
-    }
-    return in_x;
-}
-
 /* --- text ------------------------------------------------------------------------------------- */
 
 typedef struct Reader {

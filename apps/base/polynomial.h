@@ -16,6 +16,4 @@ typedef struct Polynomial {
  * errors GP_ERROR_INVALID, with the column, what was expected and what is there */
 GpResult polynomial_parse(const char *text, Polynomial *polynomial, GpError *error);
 
-double polynomial_value(const Polynomial *polynomial, const double place[3]);
-
 #endif

@@ -1,5 +1,6 @@
 /* Polynomials from text against the same in C, and what is wrong with others. */
 #include "apps/base/polynomial.h"
+#include "tests/support/polynomial_value.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 

@@ -3,6 +3,7 @@
 #include "apps/techniques/voxel/inputs/parametric.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_file.h"
+#include "tests/support/polynomial_value.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 #include "tests/support/voxel_case.h"
