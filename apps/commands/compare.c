@@ -2,7 +2,7 @@
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
-#include "apps/base/compare.h"
+#include "apps/frame/compare.h"
 #include "apps/base/json.h"
 #include "apps/frame/picture.h"
 

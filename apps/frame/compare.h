@@ -1,6 +1,6 @@
 /* Comparison of two pictures: bits, differences, and where they are. */
-#ifndef APPS_BASE_COMPARE_H
-#define APPS_BASE_COMPARE_H
+#ifndef APPS_FRAME_COMPARE_H
+#define APPS_FRAME_COMPARE_H
 
 #include "pipeline/base/base.h"
 

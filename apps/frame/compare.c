@@ -1,4 +1,4 @@
-#include "apps/base/compare.h"
+#include "apps/frame/compare.h"
 
 #include <math.h>
 #include <string.h>
