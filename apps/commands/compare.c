@@ -4,7 +4,6 @@
 #include "apps/commands/output.h"
 #include "apps/frame/compare.h"
 #include "apps/base/json.h"
-#include "apps/frame/picture.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -49,9 +48,7 @@ static const CommandSyntax syntax = {
         "  glasspipe compare a.png b.png --fail 0.004 --failpercent 0.1 --hardfail 0.1\n"
         "\n"
         "Compares two pictures: the same bits, or how far apart and where. Differences are of "
-        "values "
-        "in "
-        "[0, 1] (codes divided by their largest) or of floats; a pixel's is its largest "
+        "values in [0, 1] (codes divided by their largest) or of floats; a pixel's is its largest "
         "channel's.\v"
         "PSNR is over all channels for a peak of 1. SSIM is the mean over 11x11 Gaussian windows "
         "(sigma 1.5) of the luminance for a range of 1. Tolerances are named as idiff names them.\n"
@@ -62,8 +59,7 @@ static const CommandSyntax syntax = {
     .expected = "two pictures",
 };
 
-/* --- results
- * -------------------------------------------------------------------------------------- */
+/* --- results ---------------------------------------------------------------------------------- */
 
 static void print_values(const Picture *picture, uint32_t x, uint32_t y)
 {
@@ -116,23 +112,16 @@ static void print_json(const CompareReport *r, const Picture *picture)
     output_json(object);
 }
 
-/* --- comparing
- * ------------------------------------------------------------------------------------ */
-
-static ComparePicture view(const Picture *picture)
-{
-    return (ComparePicture){ picture->width, picture->height, picture->channels, picture->values };
-}
+/* --- comparing -------------------------------------------------------------------------------- */
 
 static int write_difference(const Compare *compare, const Picture pictures[2])
 {
-    ComparePicture a = view(&pictures[0]), b = view(&pictures[1]);
     Picture difference = pictures[0];
-    size_t count = (size_t)a.width * a.height * (size_t)a.channels;
+    size_t count = (size_t)difference.width * difference.height * (size_t)difference.channels;
     difference.values = gp_alloc(count, sizeof(float));
     if (!difference.values)
         return report(EXIT_INTERNAL, "out of memory");
-    compare_difference(&a, &b, compare->scale, difference.values);
+    compare_difference(&pictures[0], &pictures[1], compare->scale, difference.values);
     GpError error = { "" };
     int code = EXIT_DONE;
     if (picture_write(compare->output, &difference, &error))
@@ -173,8 +162,7 @@ static int compare_pair(const Compare *compare, Picture pictures[2])
         return report(EXIT_INTERNAL, "%s", error.text);
 
     CompareReport result;
-    ComparePicture views[2] = { view(a), view(b) };
-    compare_pictures(&views[0], &views[1], &compare->limits, &result);
+    compare_pictures(a, b, &compare->limits, &result);
     if (compare->options.json)
         print_json(&result, a);
     else

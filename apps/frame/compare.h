@@ -2,19 +2,12 @@
 #ifndef APPS_FRAME_COMPARE_H
 #define APPS_FRAME_COMPARE_H
 
-#include "pipeline/base/base.h"
+#include "apps/frame/picture.h"
 
 enum {
     COMPARE_TILE = 64,   /* pixels a side of the tiles that are ranked */
     COMPARE_WINDOW = 11, /* pixels a side of SSIM's Gaussian window */
 };
-
-/* A picture as the comparison sees it. Borrowed. */
-typedef struct ComparePicture {
-    uint32_t width, height;
-    int channels;        /* 1..4; with 3 or 4 the first three are red, green and blue */
-    const float *values; /* [height][width][channels], row 0 at the top */
-} ComparePicture;
 
 /* Limits under the names of OpenImageIO's idiff; a pixel's difference is the largest of its
  * channels'. All zero: any difference fails. */
@@ -27,15 +20,14 @@ typedef struct CompareLimits {
 
 typedef struct CompareReport {
     uint64_t pixels;
-    uint64_t
-        differing;    /* pixels with a channel of other bits (0 and -0 differ, equal NaNs do not) */
-    uint64_t failing; /* pixels that differ by more than limits.fail */
-    uint64_t warning; /* by more than limits.warn */
-    double max;       /* largest difference of a channel */
-    double mean;      /* mean absolute difference, over pixels and channels */
-    double rmse;      /* root of the mean squared difference */
-    double psnr;      /* decibels, 20 log10(1 / rmse): a peak of 1; infinite where rmse is 0 */
-    double ssim;      /* see compare_ssim; NaN where it is not defined */
+    uint64_t differing; /* with a channel of other bits (0 and -0 differ, equal NaNs do not) */
+    uint64_t failing;   /* pixels that differ by more than limits.fail */
+    uint64_t warning;   /* by more than limits.warn */
+    double max;         /* largest difference of a channel */
+    double mean;        /* mean absolute difference, over pixels and channels */
+    double rmse;        /* root of the mean squared difference */
+    double psnr;        /* decibels, 20 log10(1 / rmse): a peak of 1; infinite where rmse is 0 */
+    double ssim;        /* see below; NaN where the picture is smaller than a window */
     uint32_t first_x, first_y; /* first differing pixel, row by row from the top */
     uint32_t tile_x, tile_y;   /* top left pixel of the tile with the largest sum */
     uint64_t tile_differing;   /* of squared differences, and its differing pixels */
@@ -47,20 +39,17 @@ typedef struct CompareReport {
  * note  a NaN or infinity against another value counts as an infinite difference
  * order sums run row by row in double: the same figures on every machine but for psnr and ssim,
  *       which use libm and are rounded where they are printed
- * source definitions in the struct above: ours, limits as in idiff's manual */
-void compare_pictures(const ComparePicture *a, const ComparePicture *b, const CompareLimits *limits,
+ * source definitions in the struct above: ours, limits as in idiff's manual. SSIM is the structural
+ *        similarity of the luminance (Rec. 709 weights; channel 0 of pictures with one or two
+ *        channels): mean over all 11x11 windows inside the picture, Gaussian weights of sigma 1.5,
+ *        K1 0.01, K2 0.03, dynamic range 1: Wang, Bovik, Sheikh, Simoncelli, "Image quality
+ *        assessment: from error visibility to structural similarity", IEEE TIP 13(4), 2004,
+ *        equations 13 to 17 */
+void compare_pictures(const Picture *a, const Picture *b, const CompareLimits *limits,
                       CompareReport *report);
-
-/* Structural similarity of the luminance (Rec. 709 weights; channel 0 of pictures with one or two
- * channels): mean over all 11x11 windows inside the picture, Gaussian weights of sigma 1.5,
- * K1 0.01, K2 0.03, dynamic range 1. NaN where the picture is smaller than a window.
- * source Wang, Bovik, Sheikh, Simoncelli, "Image quality assessment: from error visibility to
- *        structural similarity", IEEE TIP 13(4), 2004, equations 13 to 17 */
-double compare_ssim(const ComparePicture *a, const ComparePicture *b);
 
 /* Difference picture: abs(a - b) * scale for each channel, alpha (channel 3) 1.
  * out  values: [height][width][channels] */
-void compare_difference(const ComparePicture *a, const ComparePicture *b, double scale,
-                        float *values);
+void compare_difference(const Picture *a, const Picture *b, double scale, float *values);
 
 #endif
