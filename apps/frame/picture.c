@@ -90,9 +90,7 @@ GpResult picture_check_path(const char *path, GpError *error)
         return GP_OK;
     }
     return gp_fail(error, GP_ERROR_INVALID,
-                   "%s: expected a name that ends in .png, .exr, .pfm or "
-                   ".ppm",
-                   path);
+                   "%s: expected a name that ends in .png, .exr, .pfm or .ppm", path);
 }
 
 /* How a file holds a picture: what its format can, and of that what fits the source best. */
@@ -205,10 +203,12 @@ GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface 
 
 /* Level 0 as floats. Codes survive: dividing by the largest and rounding back is exact (R23, R24).
  * Two channels become red and green of three, since a picture's two are grey and alpha. */
-static GpResult picture_of_surface(const GpSurface *surface, Picture *picture, GpError *error)
+static GpResult picture_of_surface(const GpSurface *surface, bool opaque, Picture *picture,
+                                   GpError *error)
 {
     const GpFormatInfo *info = gp_format_info(surface->format);
-    int channels = info->is_depth ? 1 : info->channels == 2 ? 3 : info->channels;
+    const bool three = info->channels == 2 || (opaque && info->channels == 4);
+    int channels = info->is_depth ? 1 : three ? 3 : info->channels;
     size_t pixels = (size_t)surface->width * surface->height;
     float *values = gp_alloc(pixels, (size_t)channels * sizeof *values);
     if (!values)
@@ -233,26 +233,13 @@ static GpImageType samples_of(GpFormat format)
     return info->is_float && info->bytes == 2 * info->channels ? GP_IMAGE_F16 : GP_IMAGE_U8;
 }
 
-static void drop_alpha(Picture *picture)
-{
-    if (picture->channels != 4)
-        return;
-    size_t pixels = (size_t)picture->width * picture->height;
-    for (size_t i = 0; i < pixels; i++)
-        memmove(picture->values + 3 * i, picture->values + 4 * i, 3 * sizeof *picture->values);
-    picture->channels = 3;
-}
-
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
                                GpError *error)
 {
     Picture picture = { .values = NULL };
-    GpResult result = picture_of_surface(surface, &picture, error);
-    if (result)
-        return result;
-    if (opaque)
-        drop_alpha(&picture);
-    result = write_picture(path, &picture, samples_of(surface->format), error);
+    GpResult result = picture_of_surface(surface, opaque, &picture, error);
+    if (!result)
+        result = write_picture(path, &picture, samples_of(surface->format), error);
     picture_free(&picture);
     return result;
 }

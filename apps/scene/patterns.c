@@ -123,12 +123,13 @@ static Color glow(int x, int y)
     return white;
 }
 
-/* In the order of the names; the last one is dyed afterwards. */
-static PatternFn *const patterns[] = { checker, gradient, bricks, uv_grid, noise,
-                                       dots,    leaf,     glow,   checker };
-
-static const char *const pattern_names[] = { "checker", "gradient", "bricks", "uv",     "noise",
-                                             "dots",    "leaf",     "glow",   "levels", NULL };
+/* The last one is dyed afterwards. */
+static const struct {
+    const char *name;
+    PatternFn *texel;
+} patterns[] = { { "checker", checker }, { "gradient", gradient }, { "bricks", bricks },
+                 { "uv", uv_grid },      { "noise", noise },       { "dots", dots },
+                 { "leaf", leaf },       { "glow", glow },         { "levels", checker } };
 
 static void draw(GpSurface *surface, PatternFn *texel)
 {
@@ -164,9 +165,9 @@ static void dye_levels(GpSurface *surface)
 GpResult pattern_create(const char *name, bool srgb, bool mips, GpSurface **surface, GpError *error)
 {
     size_t index = 0;
-    while (pattern_names[index] && strcmp(name, pattern_names[index]) != 0)
+    while (index < GP_COUNT(patterns) && strcmp(name, patterns[index].name) != 0)
         index++;
-    if (!pattern_names[index])
+    if (index == GP_COUNT(patterns))
         return gp_fail(error, GP_ERROR_INVALID, "no builtin picture '%.40s'", name);
     GpSurfaceDesc desc = { .format = srgb ? GP_A8R8G8B8_SRGB : GP_A8R8G8B8,
                            .width = SIDE,
@@ -177,7 +178,7 @@ GpResult pattern_create(const char *name, bool srgb, bool mips, GpSurface **surf
     GpResult result = gp_surface_create(&desc, &made, error);
     if (result)
         return result;
-    draw(made, patterns[index]);
+    draw(made, patterns[index].texel);
     if (mips)
         gp_surface_build_mips(made);
     if (mips && strcmp(name, "levels") == 0)
