@@ -21,3 +21,13 @@ json_t *json_text(const char *text)
 {
     return text ? json_string(text) : json_null();
 }
+
+long long json_whole_of(const json_t *object, const char *key)
+{
+    return (long long)json_integer_value(json_object_get(object, key));
+}
+
+const char *json_text_of(const json_t *object, const char *key)
+{
+    return json_string_value(json_object_get(object, key));
+}

@@ -13,4 +13,8 @@ json_t *json_floats(const float *values, int count);
 /* A string, or null for NULL. */
 json_t *json_text(const char *text);
 
+/* Members that are there. */
+long long json_whole_of(const json_t *object, const char *key);
+const char *json_text_of(const json_t *object, const char *key);
+
 #endif

@@ -19,7 +19,7 @@ double bench_sine(double radians)
     return sine;
 }
 
-const float bench_background[4] = BENCH_BACKGROUND;
+const float bench_background[4] = { 0.10f, 0.12f, 0.15f, 0.0f };
 const float bench_black[4] = { 0 };
 const GpDepthState bench_depth_less = { .test = GP_LESS, .write = true };
 

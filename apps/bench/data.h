@@ -67,19 +67,11 @@ GpGeometry bench_points(const float *positions, uint32_t count);
 
 /* --- constants of the peers' workloads ------------------------------------------------------------ */
 
-#define BENCH_LIGHT                                                                                \
-    {                                                                                              \
-        0.557086f, 0.742781f, 0.371391f                                                            \
-    } /* (3, 4, 2), unit length */
-#define BENCH_ALBEDO                                                                               \
-    {                                                                                              \
-        0.80f, 0.55f, 0.40f                                                                        \
-    }
-#define BENCH_AMBIENT 0.15f
-#define BENCH_BACKGROUND                                                                           \
-    {                                                                                              \
-        0.10f, 0.12f, 0.15f, 0.0f                                                                  \
-    }
+/* clang-format off */
+#define BENCH_LIGHT      { 0.557086f, 0.742781f, 0.371391f } /* (3, 4, 2), unit length */
+#define BENCH_ALBEDO     { 0.80f, 0.55f, 0.40f }
+#define BENCH_AMBIENT    0.15f
+/* clang-format on */
 
 extern const float bench_background[4], bench_black[4];
 

@@ -9,15 +9,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* --- names ------------------------------------------------------------------------------------ */
 
 const char *chart_folder(void)
 {
-    struct stat status;
-    bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
-    return out ? "out/charts" : "charts";
+    return gp_path_is_folder("out") ? "out/charts" : "charts";
 }
 
 void chart_name(const Experiment *experiment, const char *scene, char *name, size_t size)

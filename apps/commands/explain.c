@@ -1,10 +1,10 @@
 /* glasspipe explain: which units every draw needs, and what its shaders cost. */
+#include "apps/base/json.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 #include "apps/commands/shader_limits.h"
 #include "apps/commands/pass_list.h"
-#include "apps/scene/scene.h"
 #include "pipeline/shader/counts.h"
 
 #include <stdio.h>
@@ -72,14 +72,12 @@ static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number
 
 static void print_draw(const json_t *draw)
 {
-    printf("\n  Draw %lld", (long long)json_integer_value(json_object_get(draw, "draw")));
-    const char *name = json_string_value(json_object_get(draw, "name"));
+    printf("\n  Draw %lld", json_whole_of(draw, "draw"));
+    const char *name = json_text_of(draw, "name");
     if (name[0])
         printf(" \"%s\"", name);
-    printf(": %lld %s, program %s\n",
-           (long long)json_integer_value(json_object_get(draw, "primitives")),
-           json_string_value(json_object_get(draw, "geometry")),
-           json_string_value(json_object_get(draw, "program")));
+    printf(": %lld %s, program %s\n", json_whole_of(draw, "primitives"),
+           json_text_of(draw, "geometry"), json_text_of(draw, "program"));
     size_t i;
     const json_t *line;
     json_array_foreach(json_object_get(draw, "units"), i, line)
@@ -94,17 +92,16 @@ static void print_draw(const json_t *draw)
 
 static void print_pass(const json_t *pass)
 {
-    printf("Pass %lld", (long long)json_integer_value(json_object_get(pass, "pass")));
-    const char *name = json_string_value(json_object_get(pass, "name"));
+    printf("Pass %lld", json_whole_of(pass, "pass"));
+    const char *name = json_text_of(pass, "name");
     if (name[0])
         printf(" \"%s\"", name);
-    printf(": %lldx%lld,", (long long)json_integer_value(json_object_get(pass, "width")),
-           (long long)json_integer_value(json_object_get(pass, "height")));
+    printf(": %lldx%lld,", json_whole_of(pass, "width"), json_whole_of(pass, "height"));
     size_t i;
     const json_t *item;
     json_array_foreach(json_object_get(pass, "targets"), i, item)
         printf(" %s", json_string_value(item));
-    printf(", group %lld\n", (long long)json_integer_value(json_object_get(pass, "group")));
+    printf(", group %lld\n", json_whole_of(pass, "group"));
     json_array_foreach(json_object_get(pass, "draws"), i, item) print_draw(item);
     putchar('\n');
 }
@@ -141,11 +138,9 @@ int cmd_explain(int argc, char **argv)
     Explain explain = { .scene = NULL };
     command_parse(&syntax, NULL, argc, argv, &explain);
     Scene scene = { .picture = NULL };
-    SceneOptions size = { .width = 0 };
-    GpError error = { "" };
-    GpResult result = scene_load(explain.scene, &size, &scene, &error);
-    int code = result ? report(exit_of_input(result), "%s", error.text)
-                      : explain_list(&explain, &scene.list);
+    int code = options_scene(&explain.options, explain.scene, &scene);
+    if (!code)
+        code = explain_list(&explain, &scene.list);
     scene_free(&scene);
     return code;
 }

@@ -61,6 +61,14 @@ int options_device(const Options *options, const GpTrace *trace, GpDevice **devi
     return report(asked_wrongly ? EXIT_USAGE : EXIT_INTERNAL, "%s", error.text);
 }
 
+int options_scene(const Options *options, const char *path, Scene *scene)
+{
+    const SceneOptions size = { .width = options->size[0], .height = options->size[1] };
+    GpError error = { "" };
+    GpResult result = scene_load(path, &size, scene, &error);
+    return result ? report(exit_of_input(result), "%s", error.text) : EXIT_DONE;
+}
+
 int report(int code, const char *format, ...)
 {
     va_list args;

@@ -3,6 +3,7 @@
 #ifndef APPS_COMMANDS_OPTIONS_H
 #define APPS_COMMANDS_OPTIONS_H
 
+#include "apps/scene/scene.h"
 #include "apps/techniques/settings.h"
 #include "pipeline/glasspipe.h"
 
@@ -39,6 +40,9 @@ extern const SettingField options_frame[];  /* --size */
  * returns EXIT_DONE, or an exit code after a message: an isa that does not exist or that this
  * machine lacks is a usage error */
 int options_device(const Options *options, const GpTrace *trace, GpDevice **device);
+
+/* Reads a scene, in the size that the options ask for. returns as options_device */
+int options_scene(const Options *options, const char *path, Scene *scene);
 
 /* Prints "glasspipe: " and a line to stderr; returns code, so that a caller can return it. */
 int report(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));

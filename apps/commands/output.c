@@ -2,25 +2,23 @@
 
 #include "apps/base/text.h"
 #include "apps/frame/picture.h"
+#include "pipeline/io/file.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <xxhash.h>
 
 void output_default_path(const char *input, const char *extension, char *path, size_t size)
 {
     static const char *const prefixes[] = { "builtin:", "parametric:" }; /* of names, not files */
-    struct stat status;
-    bool out = stat("out", &status) == 0 && S_ISDIR(status.st_mode);
     char name[256] = "implicit"; /* of a function, whose text is no name */
     for (size_t i = 0; i < GP_COUNT(prefixes); i++)
         if (strncmp(input, prefixes[i], strlen(prefixes[i])) == 0)
             input += strlen(prefixes[i]);
     if (strncmp(input, "implicit:", 9) != 0)
         text_stem(input, name, sizeof name);
-    snprintf(path, size, "%s%s.%s", out ? "out/" : "", name, extension);
+    snprintf(path, size, "%s%s.%s", gp_path_is_folder("out") ? "out/" : "", name, extension);
 }
 
 /* --- results ---------------------------------------------------------------------------------- */

@@ -1,5 +1,6 @@
 #include "apps/commands/pass_list.h"
 
+#include "apps/base/json.h"
 #include <stdio.h>
 
 static json_t *formats_of(const GpPass *pass)
@@ -35,11 +36,6 @@ json_t *pass_list_json(const GpList *list)
     return passes;
 }
 
-static long long integer(const json_t *object, const char *key)
-{
-    return (long long)json_integer_value(json_object_get(object, key));
-}
-
 void pass_list_print(const json_t *passes)
 {
     printf("pass  %-20s %-10s %5s  %5s  targets\n", "name", "size", "draws", "group");
@@ -48,10 +44,11 @@ void pass_list_print(const json_t *passes)
     json_array_foreach(passes, p, pass)
     {
         char size[32];
-        snprintf(size, sizeof size, "%lldx%lld", integer(pass, "width"), integer(pass, "height"));
-        printf("%4lld  %-20s %-10s %5lld  %5lld ", integer(pass, "pass"),
-               json_string_value(json_object_get(pass, "name")), size, integer(pass, "draws"),
-               integer(pass, "group"));
+        snprintf(size, sizeof size, "%lldx%lld", json_whole_of(pass, "width"),
+                 json_whole_of(pass, "height"));
+        printf("%4lld  %-20s %-10s %5lld  %5lld ", json_whole_of(pass, "pass"),
+               json_text_of(pass, "name"), size, json_whole_of(pass, "draws"),
+               json_whole_of(pass, "group"));
         json_array_foreach(json_object_get(pass, "targets"), t, target)
             printf(" %s", json_string_value(target));
         putchar('\n');

@@ -5,7 +5,6 @@
 #include "apps/commands/pixel_json.h"
 #include "apps/commands/pixel_text.h"
 #include "apps/frame/passes.h"
-#include "apps/scene/scene.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -135,10 +134,9 @@ int cmd_pixel(int argc, char **argv)
     Pixel pixel = { .pass = NULL };
     command_parse(&syntax, NULL, argc, argv, &pixel);
     Scene scene = { .picture = NULL };
-    SceneOptions size = { .width = pixel.options.size[0], .height = pixel.options.size[1] };
-    GpError error = { "" };
-    GpResult result = scene_load(pixel.arguments[0], &size, &scene, &error);
-    int code = result ? report(exit_of_input(result), "%s", error.text) : follow(&pixel, &scene);
+    int code = options_scene(&pixel.options, pixel.arguments[0], &scene);
+    if (!code)
+        code = follow(&pixel, &scene);
     scene_free(&scene);
     return code;
 }

@@ -5,7 +5,6 @@
 #include "apps/commands/pass_list.h"
 #include "apps/frame/passes.h"
 #include "apps/frame/picture.h"
-#include "apps/scene/scene.h"
 
 typedef struct Render {
     Options options; /* first: see options.h */
@@ -107,14 +106,10 @@ int cmd_render(int argc, char **argv)
         return code;
 
     Scene scene = { .picture = NULL };
-    SceneOptions size = { .width = render.options.size[0], .height = render.options.size[1] };
-    GpResult result = scene_load(render.scene, &size, &scene, &error);
-    if (result)
-        code = report(exit_of_input(result), "%s", error.text);
-    else if (render.list_passes)
-        code = list_passes(&render, &scene.list);
-    else
-        code = render_scene(&render, output, device, &scene);
+    code = options_scene(&render.options, render.scene, &scene);
+    if (!code)
+        code = render.list_passes ? list_passes(&render, &scene.list)
+                                  : render_scene(&render, output, device, &scene);
     scene_free(&scene);
     gp_device_destroy(&device);
     return code;

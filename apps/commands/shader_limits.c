@@ -1,5 +1,6 @@
 #include "apps/commands/shader_limits.h"
 
+#include "apps/base/json.h"
 #include "pipeline/shader/profile.h"
 
 #include <stddef.h>
@@ -49,7 +50,7 @@ static void print_cell(const json_t *shader, const char *key, int width)
     const json_t *resource = json_object_get(shader, key);
     const json_t *limit = json_object_get(resource, "limit");
     char text[48];
-    long long used = (long long)json_integer_value(json_object_get(resource, "used"));
+    long long used = json_whole_of(resource, "used");
     if (json_is_integer(limit))
         snprintf(text, sizeof text, "%lld of %lld", used, (long long)json_integer_value(limit));
     else
@@ -67,7 +68,7 @@ void shader_limits_print(const json_t *vertex, const json_t *pixel)
     printf("    %-20s", "shader");
     for (size_t s = 0; s < GP_COUNT(shaders); s++)
         if (shaders[s])
-            printf("  %*s", s ? 0 : -14, json_string_value(json_object_get(shaders[s], "profile")));
+            printf("  %*s", s ? 0 : -14, json_text_of(shaders[s], "profile"));
     for (size_t i = 0; i < GP_COUNT(resources); i++) {
         printf("\n    %-20s", resources[i].name);
         for (size_t s = 0; s < GP_COUNT(shaders); s++)

@@ -8,7 +8,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 typedef struct TechniqueArgs {
     Options options; /* first: see options.h */
@@ -86,24 +85,14 @@ static void parse(int argc, char **argv, TechniqueArgs *args)
 
 /* --- the output ------------------------------------------------------------------------------- */
 
-static bool is_picture(const TechniqueArgs *args)
-{
-    static const char *const ends[] = { "png", "exr", "pfm", "ppm" };
-    for (size_t i = 0; i < GP_COUNT(ends); i++)
-        if (strcmp(args->extension, ends[i]) == 0)
-            return true;
-    return false;
-}
-
 static GpResult check_volume(const TechniqueArgs *args, GpError *error)
 {
-    struct stat status;
     if (strcmp(args->extension, "nrrd") != 0 && strcmp(args->extension, "bits") != 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "%s: expected a name that ends with .nrrd or .bits%s", args->output,
                        args->technique->show ? ", or that of a picture, .png, .exr, .pfm or .ppm"
                                              : "");
-    if (stat(args->output, &status) == 0 && S_ISDIR(status.st_mode))
+    if (gp_path_is_folder(args->output))
         return gp_fail(error, GP_ERROR_INVALID, "%s: is a directory", args->output);
     return GP_OK;
 }
@@ -114,7 +103,8 @@ static GpResult check_output(TechniqueArgs *args, GpError *error)
     const Technique *technique = args->technique;
     GpError reason;
     gp_file_extension(args->output, args->extension);
-    const bool picture = is_picture(args) && (technique->show || !technique->volume);
+    const bool picture =
+        picture_has_extension(args->output) && (technique->show || !technique->volume);
     GpResult result = picture || !technique->volume ? picture_check_path(args->output, &reason)
                                                     : check_volume(args, &reason);
     if (result)
@@ -192,7 +182,7 @@ static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, 
 {
     const Technique *technique = args->technique;
     GpResult result = technique->build(scene, args->settings.object, device, frame, error);
-    if (!result && technique->show && is_picture(args))
+    if (!result && technique->show && picture_has_extension(args->output))
         result = technique->show(scene, args->settings.object, frame, error);
     return result;
 }
@@ -243,7 +233,7 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const 
     GpResult result = run_first(device, &frame->list, &output.statistics, &error);
     if (result)
         return report(exit_of_run(result), "%s: %s", args->scene, error.text);
-    if (technique->volume && !is_picture(args))
+    if (technique->volume && !picture_has_extension(args->output))
         result = technique->volume(frame, &output.volume, &error);
     if (!result)
         result = tell(args, scene, frame, device, &told, &error);

@@ -4,7 +4,6 @@
 #include "pipeline/io/image/image_file.h"
 
 #include <string.h>
-#include <sys/stat.h>
 
 /* Channel `wanted` of `channels` of a pixel that has `had`: grey is repeated, a missing alpha is
  * 1. */
@@ -76,21 +75,25 @@ void picture_free(Picture *picture)
 
 /* --- writing ---------------------------------------------------------------------------------- */
 
-GpResult picture_check_path(const char *path, GpError *error)
+bool picture_has_extension(const char *path)
 {
     static const char *const known[] = { "png", "exr", "pfm", "ppm" };
     char extension[8];
-    struct stat status;
     gp_file_extension(path, extension);
-    for (size_t i = 0; i < GP_COUNT(known); i++) {
-        if (strcmp(extension, known[i]) != 0)
-            continue;
-        if (stat(path, &status) == 0 && S_ISDIR(status.st_mode))
-            return gp_fail(error, GP_ERROR_INVALID, "%s: is a directory", path);
-        return GP_OK;
-    }
-    return gp_fail(error, GP_ERROR_INVALID,
-                   "%s: expected a name that ends in .png, .exr, .pfm or .ppm", path);
+    for (size_t i = 0; i < GP_COUNT(known); i++)
+        if (strcmp(extension, known[i]) == 0)
+            return true;
+    return false;
+}
+
+GpResult picture_check_path(const char *path, GpError *error)
+{
+    if (!picture_has_extension(path))
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "%s: expected a name that ends in .png, .exr, .pfm or .ppm", path);
+    if (gp_path_is_folder(path))
+        return gp_fail(error, GP_ERROR_INVALID, "%s: is a directory", path);
+    return GP_OK;
 }
 
 /* How a file holds a picture: what its format can, and of that what fits the source best. */

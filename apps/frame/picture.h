@@ -20,6 +20,9 @@ void picture_free(Picture *picture); /* a zeroed picture is fine; zeroes it */
  */
 GpResult picture_widen(Picture *picture, int channels, GpError *error);
 
+/* Whether a path ends as pictures' do: .png, .exr, .pfm or .ppm. */
+bool picture_has_extension(const char *path);
+
 /* Whether a file of this name could be written, as far as its name tells: a known extension, no
  * directory. Errors: GP_ERROR_INVALID. */
 GpResult picture_check_path(const char *path, GpError *error);

@@ -44,17 +44,21 @@ static GpResult find_places(const float *positions, uint32_t vertex_count, uint3
 
 /* --- values in groups ------------------------------------------------------------------------- */
 
-/* Values sorted by a group and, within it, by value: [group_count + 1] begins, [count] values. */
+/* Up to three values a triangle, each of a group: first as listed, then sorted by group and, within it,
+ * by value. */
 typedef struct Groups {
-    uint32_t count;
-    uint32_t *begin;
-    uint64_t *values;
+    uint32_t *group_of; /* [count] */
+    uint64_t *values;   /* [count] */
+    size_t count;
+    uint32_t group_count;
+    uint32_t *begin; /* [group_count + 1] of each group in sorted */
+    uint64_t *sorted;
 } Groups;
 
-static void groups_free(Groups *groups)
+static void add(Groups *groups, uint32_t group, uint64_t value)
 {
-    gp_free(groups->begin);
-    gp_free(groups->values);
+    groups->group_of[groups->count] = group;
+    groups->values[groups->count++] = value;
 }
 
 static int compare_values(const void *a, const void *b)
@@ -63,42 +67,23 @@ static int compare_values(const void *a, const void *b)
     return (*x > *y) - (*x < *y);
 }
 
-/* in     group_of: [count], all < group_count. owns: the caller, until groups_free, always
- * errors GP_ERROR_MEMORY */
-static GpResult make_groups(const uint32_t *group_of, const uint64_t *values, size_t count,
-                            uint32_t group_count, Groups *groups)
+static void sort_groups(Groups *groups)
 {
-    *groups = (Groups){ group_count, gp_alloc((size_t)group_count + 2, sizeof *groups->begin),
-                        gp_alloc(count, sizeof *groups->values) };
+    const uint32_t group_count = groups->group_count;
     uint32_t *next = groups->begin + 1; /* where a group's next value goes; at last, its end */
-    if (!groups->begin || !groups->values)
-        return GP_ERROR_MEMORY;
-    for (size_t i = 0; i < count; i++)
-        next[group_of[i] + 1]++;
+    memset(groups->begin, 0, ((size_t)group_count + 2) * sizeof *groups->begin);
+    for (size_t i = 0; i < groups->count; i++)
+        next[groups->group_of[i] + 1]++;
     for (uint32_t g = 0; g < group_count; g++)
         next[g + 1] += next[g];
-    for (size_t i = 0; i < count; i++)
-        groups->values[next[group_of[i]]++] = values[i];
+    for (size_t i = 0; i < groups->count; i++)
+        groups->sorted[next[groups->group_of[i]]++] = groups->values[i];
     for (uint32_t g = 0; g < group_count; g++)
-        qsort(groups->values + groups->begin[g], groups->begin[g + 1] - groups->begin[g],
-              sizeof *values, compare_values);
-    return GP_OK;
+        qsort(groups->sorted + groups->begin[g], groups->begin[g + 1] - groups->begin[g],
+              sizeof *groups->sorted, compare_values);
 }
 
 /* --- triangles -------------------------------------------------------------------------------- */
-
-/* What is grouped: up to three values a triangle. */
-typedef struct List {
-    uint32_t *group_of;
-    uint64_t *values;
-    size_t count;
-} List;
-
-static void add(List *list, uint32_t group, uint64_t value)
-{
-    list->group_of[list->count] = group;
-    list->values[list->count++] = value;
-}
 
 static bool has_three_corners(const uint32_t corner[3])
 {
@@ -112,16 +97,16 @@ static void places_of(const uint32_t *place_of, const uint32_t *index, uint32_t 
 }
 
 static void list_edges(const uint32_t *place_of, const uint32_t *indices, uint32_t triangle_count,
-                       List *list)
+                       Groups *groups)
 {
-    list->count = 0;
+    groups->count = 0;
     for (size_t i = 0; i < triangle_count; i++) {
         uint32_t corner[3];
         places_of(place_of, indices + 3 * i, corner);
         for (int c = 0; c < 3 && has_three_corners(corner); c++) {
             uint32_t from = corner[c], to = corner[(c + 1) % 3];
             bool turned = from > to;
-            add(list, turned ? to : from, (uint64_t)(turned ? from : to) << 1 | turned);
+            add(groups, turned ? to : from, (uint64_t)(turned ? from : to) << 1 | turned);
         }
     }
 }
@@ -134,16 +119,16 @@ static void put_in_order(uint32_t *a, uint32_t *b)
 }
 
 static void list_triangles(const uint32_t *place_of, const uint32_t *indices,
-                           uint32_t triangle_count, List *list)
+                           uint32_t triangle_count, Groups *groups)
 {
-    list->count = 0;
+    groups->count = 0;
     for (size_t i = 0; i < triangle_count; i++) {
         uint32_t corner[3];
         places_of(place_of, indices + 3 * i, corner);
         put_in_order(&corner[0], &corner[1]);
         put_in_order(&corner[1], &corner[2]);
         put_in_order(&corner[0], &corner[1]);
-        add(list, corner[0], (uint64_t)corner[1] << 32 | corner[2]);
+        add(groups, corner[0], (uint64_t)corner[1] << 32 | corner[2]);
     }
 }
 
@@ -159,20 +144,20 @@ static void count_edge(uint64_t ways[2], MeshReport *report)
 
 static void count_edges(const Groups *groups, MeshReport *report)
 {
-    for (uint32_t g = 0; g < groups->count; g++)
+    for (uint32_t g = 0; g < groups->group_count; g++)
         for (uint32_t i = groups->begin[g], end = groups->begin[g + 1]; i < end;) {
-            uint64_t edge = groups->values[i] >> 1, ways[2] = { 0 };
-            for (; i < end && groups->values[i] >> 1 == edge; i++)
-                ways[groups->values[i] & 1]++;
+            uint64_t edge = groups->sorted[i] >> 1, ways[2] = { 0 };
+            for (; i < end && groups->sorted[i] >> 1 == edge; i++)
+                ways[groups->sorted[i] & 1]++;
             count_edge(ways, report);
         }
 }
 
 static void count_duplicates(const Groups *groups, MeshReport *report)
 {
-    for (uint32_t g = 0; g < groups->count; g++)
+    for (uint32_t g = 0; g < groups->group_count; g++)
         for (uint32_t i = groups->begin[g] + 1; i < groups->begin[g + 1]; i++)
-            report->duplicates += groups->values[i] == groups->values[i - 1];
+            report->duplicates += groups->sorted[i] == groups->sorted[i - 1];
 }
 
 /* Six times the volume of the triangles' cones over the first vertex; and triangles without area.
@@ -199,42 +184,35 @@ static void measure(const float *positions, const uint32_t *indices, uint32_t tr
     report->volume = sum / 6;
 }
 
-static GpResult count_all(const uint32_t *place_of, uint32_t vertex_count, const uint32_t *indices,
-                          uint32_t triangle_count, List *list, MeshReport *report)
-{
-    Groups groups;
-    list_edges(place_of, indices, triangle_count, list);
-    GpResult result = make_groups(list->group_of, list->values, list->count, vertex_count, &groups);
-    if (!result)
-        count_edges(&groups, report);
-    groups_free(&groups);
-    if (result)
-        return result;
-    list_triangles(place_of, indices, triangle_count, list);
-    result = make_groups(list->group_of, list->values, list->count, vertex_count, &groups);
-    if (!result)
-        count_duplicates(&groups, report);
-    groups_free(&groups);
-    return result;
-}
-
 GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32_t *indices,
                      uint32_t triangle_count, MeshReport *report)
 {
     MeshReport found = { .edges = 0 };
     uint32_t *place_of = gp_alloc(vertex_count, sizeof *place_of);
-    List list = { gp_alloc(3 * (size_t)triangle_count, sizeof *list.group_of),
-                  gp_alloc(3 * (size_t)triangle_count, sizeof *list.values), 0 };
-    GpResult result = place_of && list.group_of && list.values ? GP_OK : GP_ERROR_MEMORY;
-    if (!result)
-        result = find_places(positions, vertex_count, place_of);
-    if (!result)
-        result = count_all(place_of, vertex_count, indices, triangle_count, &list, &found);
+    const size_t corners = 3 * (size_t)triangle_count;
+    Groups groups = { .group_of = gp_alloc(corners, sizeof *groups.group_of),
+                      .values = gp_alloc(corners, sizeof *groups.values),
+                      .group_count = vertex_count,
+                      .begin = gp_alloc((size_t)vertex_count + 2, sizeof *groups.begin),
+                      .sorted = gp_alloc(corners, sizeof *groups.sorted) };
+    GpResult result = place_of && groups.group_of && groups.values && groups.begin && groups.sorted
+                          ? find_places(positions, vertex_count, place_of)
+                          : GP_ERROR_MEMORY;
+    if (!result) {
+        list_edges(place_of, indices, triangle_count, &groups);
+        sort_groups(&groups);
+        count_edges(&groups, &found);
+        list_triangles(place_of, indices, triangle_count, &groups);
+        sort_groups(&groups);
+        count_duplicates(&groups, &found);
+    }
     if (!result && triangle_count > 0)
         measure(positions, indices, triangle_count, &found);
     gp_free(place_of);
-    gp_free(list.group_of);
-    gp_free(list.values);
+    gp_free(groups.group_of);
+    gp_free(groups.values);
+    gp_free(groups.begin);
+    gp_free(groups.sorted);
     if (result)
         return result;
     found.is_closed = found.edges > 0 && !found.boundary_edges && !found.non_manifold_edges &&

@@ -167,6 +167,12 @@ GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error)
                    name, variable ? variable : "not set");
 }
 
+bool gp_path_is_folder(const char *path)
+{
+    struct stat info;
+    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
+}
+
 void gp_file_extension(const char *path, char extension[8])
 {
     const char *dot = strrchr(path, '.');

@@ -36,6 +36,8 @@ GpResult gp_file_write(const char *path, const void *data, size_t size, GpError 
  * errors GP_ERROR_IO where there is none or it does not fit; path is untouched then */
 GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error);
 
+bool gp_path_is_folder(const char *path);
+
 /* The part of a path after its last dot, lower case, at most 7 characters; "" where there is none.
  */
 void gp_file_extension(const char *path, char extension[8]);
