@@ -32,8 +32,9 @@ GpResult bench_build_voxelize(const BenchCase *bench, Frame *frame, GpError *err
 {
     static const struct {
         const char *mesh;
-        int kind, method; /* VoxelKind, VoxelMethod */
-        float twist;      /* radians a voxel, by a motion that may change from frame to frame */
+        VoxelKind kind;
+        VoxelMethod method;
+        float twist; /* radians a voxel, by a motion that may change from frame to frame */
     } volumes[] = {
         [VOXELIZE_CONSERVATIVE] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_CONSERVATIVE, 0 },
         [VOXELIZE_THIN] = { "meshes/bunny.ply", VOXEL_SURFACE, VOXEL_THIN, 0 },

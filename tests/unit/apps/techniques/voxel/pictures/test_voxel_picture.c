@@ -82,7 +82,7 @@ static void every_view_shows_all_of_the_box(void **state)
         picture.height = sizes[i % GP_COUNT(sizes)][1];
         picture.orbit.azimuth = view[0];
         picture.orbit.elevation = view[1];
-        picture.orbit.up = (int)(i % 5);
+        picture.orbit.up = (OrbitUp)(i % 5);
         Frame frame;
         VoxelPairMade made;
         begin(&frame, &made);
@@ -113,7 +113,7 @@ static void the_axis_that_is_up_points_up(void **state)
     for (size_t i = 0; i < GP_COUNT(ends); i++) {
         VoxelPicture picture = voxel_option_defaults.picture;
         picture.width = picture.height = 64;
-        picture.orbit.up = (int)i;
+        picture.orbit.up = (OrbitUp)i;
         Frame frame;
         VoxelPairMade made;
         begin(&frame, &made);
@@ -170,7 +170,7 @@ static void what_two_have_in_common_is_red(void **state)
             VoxelPicture picture = voxel_option_defaults.picture;
             picture.width = picture.height = 64;
             picture.shows_both = true;
-            picture.look = look;
+            picture.look = (VoxelViewMode)look;
             const uint32_t first = touching ? 10 : 12;
             const VoxelRange boxes[2] = { { { 4, 4, 4 }, { 12, 20, 20 } },
                                           { { first, 4, 4 }, { 20, 20, 20 } } };
@@ -199,7 +199,7 @@ static uint8_t ball_sample(int i)
     return square < 10 ? 255 : square < 40 ? 90 : 0;
 }
 
-static uint64_t hash_of_scan(GpVolumeType type, void *data, bool has_model, int look)
+static uint64_t hash_of_scan(GpVolumeType type, void *data, bool has_model, VoxelViewMode look)
 {
     const GpVolume scan = {
         .dims = { SCAN, SCAN, SCAN }, .type = type, .spacing = { 1, 1, 1 }, .data = data
@@ -249,8 +249,8 @@ static void a_model_is_seen_in_a_scan(void **state)
     for (int i = 0; i < SAMPLES; i++)
         bytes[i] = ball_sample(i);
     for (int look = VOXEL_OPAQUE; look <= VOXEL_TRANSPARENT; look++)
-        assert_true(hash_of_scan(GP_VOLUME_U8, bytes, true, look) !=
-                    hash_of_scan(GP_VOLUME_U8, bytes, false, look));
+        assert_true(hash_of_scan(GP_VOLUME_U8, bytes, true, (VoxelViewMode)look) !=
+                    hash_of_scan(GP_VOLUME_U8, bytes, false, (VoxelViewMode)look));
 }
 
 int main(void)

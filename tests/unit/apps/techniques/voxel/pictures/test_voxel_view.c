@@ -265,7 +265,7 @@ static double light_of_ball(double right, double up)
 }
 
 /* Mean difference of a picture of a solid ball from what its true normals give. */
-static double ball_error(int shading)
+static double ball_error(VoxelShading shading)
 {
     enum { SIZE = 48 };
     const double centre = SIZE / 2.0, radius = 20;
