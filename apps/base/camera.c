@@ -14,24 +14,10 @@ void angle_sincos(double degrees, double *sine, double *cosine)
     }
     s = x + x * s;
     c = 1.0 + c;
-    switch ((int)(quarters - 4.0 * floor(quarters / 4.0))) {
-    case 0:
-        *sine = s;
-        *cosine = c;
-        break;
-    case 1:
-        *sine = c;
-        *cosine = -s;
-        break;
-    case 2:
-        *sine = -s;
-        *cosine = -c;
-        break;
-    default:
-        *sine = -c;
-        *cosine = s;
-        break;
-    }
+    const double turned[4] = { s, c, -s, -c };
+    const int quarter = (int)(quarters - 4.0 * floor(quarters / 4.0));
+    *sine = turned[quarter & 3];
+    *cosine = turned[(quarter + 1) & 3];
 }
 
 void matrix_round(double from[4][4], float to[4][4])

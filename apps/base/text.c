@@ -115,12 +115,14 @@ GpResult text_write(const char *path, const Text *text, GpError *error)
     return gp_file_write(path, text->data, text->length, error);
 }
 
-GpResult text_write_as(const char *path, const char *extension, const Text *text, GpError *error)
+GpResult text_write_as(const char *path, const char *extension, Text *text, GpError *error)
 {
     char name[4096];
-    if (snprintf(name, sizeof name, "%s.%s", path, extension) >= (int)sizeof name)
-        return gp_fail(error, GP_ERROR_IO, "%.200s: the path is too long", path);
-    return text_write(name, text, error);
+    GpResult result = snprintf(name, sizeof name, "%s.%s", path, extension) < (int)sizeof name
+                          ? text_write(name, text, error)
+                          : gp_fail(error, GP_ERROR_IO, "%.200s: the path is too long", path);
+    text_free(text);
+    return result;
 }
 
 void text_free(Text *text)

@@ -26,8 +26,8 @@ void text_add_csv_number(Text *text, double value); /* and a comma */
 /* Writes it to a file as gp_file_write does. errors those, and GP_ERROR_MEMORY */
 GpResult text_write(const char *path, const Text *text, GpError *error);
 
-/* The same to PATH.EXTENSION. errors also GP_ERROR_IO: the path is too long */
-GpResult text_write_as(const char *path, const char *extension, const Text *text, GpError *error);
+/* The same to PATH.EXTENSION, and frees it. errors also GP_ERROR_IO: the path is too long */
+GpResult text_write_as(const char *path, const char *extension, Text *text, GpError *error);
 
 void text_free(Text *text); /* zeroes it */
 

@@ -7,8 +7,6 @@
 
 #include <math.h>
 
-static const GpBlend add_blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
-
 /* Front to back: what is there hides what comes. Colours are multiplied by alpha. */
 static const GpBlend under_blend = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
 
@@ -46,7 +44,7 @@ GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error
     frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "points", frame->color, NULL, bench_black);
     GpDraw *draw = bench_draw(frame, &soft_sprite_program, &uniforms, sizeof uniforms, &points);
-    draw->state.blend[0] = add_blend;
+    draw->state.blend[0] = bench_blend_add;
     return frame_result(frame, error);
 }
 
@@ -85,7 +83,8 @@ GpResult bench_build_sheets(const BenchCase *bench, Frame *frame, GpError *error
     for (int i = 0; i < SHEET_COUNT; i++) {
         GpGeometry points = bench_points(positions + (size_t)i * SHEET_POINTS * 3, SHEET_POINTS);
         frame_pass(frame, "sheet", sheet, NULL, bench_black);
-        frame_draw(frame, &sheet_sprite_program, &sprite, &points)->state.blend[0] = add_blend;
+        frame_draw(frame, &sheet_sprite_program, &sprite, &points)->state.blend[0] =
+            bench_blend_add;
 
         GpPass *pass = frame_pass(frame, "under", frame->color, NULL, bench_black);
         pass->color[0].clear = i == 0;

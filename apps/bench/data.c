@@ -22,6 +22,7 @@ double bench_sine(double radians)
 const float bench_background[4] = { 0.10f, 0.12f, 0.15f, 0.0f };
 const float bench_black[4] = { 0 };
 const GpDepthState bench_depth_less = { .test = GP_LESS, .write = true };
+const GpBlend bench_blend_add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 
 void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4])
 {

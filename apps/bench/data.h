@@ -7,6 +7,8 @@
 /* Nearer wins and stays. */
 extern const GpDepthState bench_depth_less;
 
+extern const GpBlend bench_blend_add;
+
 /* Model to clip, for pictures that are square. */
 void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4]);
 

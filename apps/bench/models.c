@@ -27,12 +27,6 @@ static GpGeometry big_torus(Frame *frame)
     return bench_torus(frame, 1000, 500);
 }
 
-/* The big torus is tilted for the cameras. */
-static void torus_world(double world[4][4])
-{
-    matrix_rotation((double[3]){ 1, 0, 0 }, 55, world);
-}
-
 /* --- one mesh ------------------------------------------------------------------------------------ */
 
 static const Camera *camera_of(const BenchCase *bench)
@@ -48,7 +42,7 @@ static GpResult choose_model(const BenchCase *bench, Frame *frame, GpGeometry *g
     if (bench->variant != MODEL_TORUS)
         return load_bunny(frame, geometry, error);
     *geometry = big_torus(frame);
-    torus_world(world);
+    matrix_rotation((double[3]){ 1, 0, 0 }, 55, world); /* tilted for the camera */
     return GP_OK;
 }
 
@@ -229,7 +223,7 @@ GpResult bench_build_slabs(const BenchCase *bench, Frame *frame, GpError *error)
             GpSurface *slab =
                 frame_surface(frame, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
             pass->color[i] = (GpColorTarget){ .surface = slab, .clear = true };
-            draw->state.blend[i] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+            draw->state.blend[i] = bench_blend_add;
         }
     }
     frame->color = frame->arena.result ? NULL : frame->list.passes[0].color[0].surface;

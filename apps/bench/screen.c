@@ -8,50 +8,37 @@
 
 /* --- fill ---------------------------------------------------------------------------------------- */
 
-typedef struct Fill {
-    GpFormat format;
-    bool depth, quads;
-    float scale;
-    GpBlend blend;
-} Fill;
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 
-static const Fill fills[] = {
-    [FILL_CLEAR] = { .format = GP_A8R8G8B8, .depth = true },
-    [FILL_OPAQUE] = { .format = GP_A8R8G8B8, .depth = true, .quads = true, .scale = 1 },
-    [FILL_NO_DEPTH] = { .format = GP_A8R8G8B8, .quads = true, .scale = 1 },
-    [FILL_BLEND] = { .format = GP_A8R8G8B8,
-                     .depth = true,
-                     .quads = true,
-                     .scale = 1,
-                     .blend = { .op = GP_BLEND_ADD,
-                                .src = GP_SRC_ALPHA,
-                                .dst = GP_INV_SRC_ALPHA } },
-    [FILL_ADD_16F] = { .format = GP_A16B16G16R16F,
-                       .depth = true,
-                       .quads = true,
-                       .scale = 1.0f / 128,
-                       .blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE } },
-    [FILL_ADD_32F] = { .format = GP_A32B32G32R32F,
-                       .depth = true,
-                       .quads = true,
-                       .scale = 1.0f / 128,
-                       .blend = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE } },
+static const struct {
+    GpFormat format;
+    bool depth;
+    float scale; /* of the quads' colours; 0: no quads */
+    const GpBlend *blend;
+} fills[] = {
+    [FILL_CLEAR] = { GP_A8R8G8B8, true, 0, NULL },
+    [FILL_OPAQUE] = { GP_A8R8G8B8, true, 1, NULL },
+    [FILL_NO_DEPTH] = { GP_A8R8G8B8, false, 1, NULL },
+    [FILL_BLEND] = { GP_A8R8G8B8, true, 1, &over },
+    [FILL_ADD_16F] = { GP_A16B16G16R16F, true, 1.0f / 128, &bench_blend_add },
+    [FILL_ADD_32F] = { GP_A32B32G32R32F, true, 1.0f / 128, &bench_blend_add },
 };
 
 GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    const Fill *fill = &fills[bench->variant];
-    frame->color = frame_surface(frame, fill->format, BENCH_SIZE, BENCH_SIZE, 1);
-    frame->depth = fill->depth ? frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
+    const int i = bench->variant;
+    const ScaledColorUniforms uniforms = { .scale = fills[i].scale };
+    frame->color = frame_surface(frame, fills[i].format, BENCH_SIZE, BENCH_SIZE, 1);
+    frame->depth = fills[i].depth ? frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1) : NULL;
     frame_pass(frame, "fill", frame->color, frame->depth,
-               fill->format == GP_A8R8G8B8 ? bench_background : bench_black);
-    if (!fill->quads)
+               fills[i].format == GP_A8R8G8B8 ? bench_background : bench_black);
+    if (uniforms.scale == 0)
         return frame_result(frame, error);
 
-    ScaledColorUniforms uniforms = { .scale = fill->scale };
     GpGeometry quads = bench_quads(frame, FILL_QUADS, GP_COLOR, bench_corner_color);
     GpDraw *draw = bench_draw(frame, &scaled_color_program, &uniforms, sizeof uniforms, &quads);
-    draw->state.blend[0] = fill->blend;
+    if (fills[i].blend)
+        draw->state.blend[0] = *fills[i].blend;
     return frame_result(frame, error);
 }
 

@@ -90,18 +90,17 @@ static void write_json(const Chart *chart, Text *text)
 
 GpResult chart_write(const char *path, const Chart *chart, GpError *error)
 {
-    static const struct {
-        const char *extension;
-        void (*write)(const Chart *chart, Text *text);
-    } files[] = { { "csv", write_csv }, { "json", write_json }, { "svg", chart_draw } };
-    GpResult result = GP_OK;
-    for (size_t i = 0; i < GP_COUNT(files) && !result; i++) {
-        Text text = { .data = NULL };
-        files[i].write(chart, &text);
-        result = text_write_as(path, files[i].extension, &text, error);
-        text_free(&text);
-    }
-    return result;
+    Text csv = { .data = NULL }, json = { .data = NULL }, svg = { .data = NULL };
+    write_csv(chart, &csv);
+    GpResult result = text_write_as(path, "csv", &csv, error);
+    if (result)
+        return result;
+    write_json(chart, &json);
+    result = text_write_as(path, "json", &json, error);
+    if (result)
+        return result;
+    chart_draw(chart, &svg);
+    return text_write_as(path, "svg", &svg, error);
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */

@@ -45,16 +45,11 @@ json_t *scaling_json(const Scaling *scaling)
 
 GpResult scaling_write(const char *path, const Scaling *scaling, GpError *error)
 {
-    static const struct {
-        const char *extension;
-        void (*write)(const Scaling *scaling, Text *text);
-    } files[] = { { "csv", write_csv }, { "svg", scaling_draw } };
-    GpResult result = GP_OK;
-    for (size_t i = 0; i < GP_COUNT(files) && !result; i++) {
-        Text text = { .data = NULL };
-        files[i].write(scaling, &text);
-        result = text_write_as(path, files[i].extension, &text, error);
-        text_free(&text);
-    }
-    return result;
+    Text csv = { .data = NULL }, svg = { .data = NULL };
+    write_csv(scaling, &csv);
+    GpResult result = text_write_as(path, "csv", &csv, error);
+    if (result)
+        return result;
+    scaling_draw(scaling, &svg);
+    return text_write_as(path, "svg", &svg, error);
 }

@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include "apps/base/edit_distance.h"
 #include "apps/commands/options.h"
 #include "apps/commands/technique_command.h"
 #include "apps/techniques/registry.h"
@@ -61,6 +60,30 @@ static const char *command_name(size_t i)
         return commands[i].name;
     const Technique *const technique = technique_registry[i - GP_COUNT(commands)];
     return technique ? technique->name : NULL;
+}
+
+/* Number of single-letter edits (insert, delete, replace) from a to b: Levenshtein's distance, one
+ * row of the table at a time. Words of over 31 letters are no typing errors: they are simply far. */
+static size_t edit_distance(const char *a, const char *b)
+{
+    enum { LONGEST = 31 };
+    size_t row[LONGEST + 1], length = strlen(b);
+    if (strlen(a) > LONGEST || length > LONGEST)
+        return LONGEST;
+    for (size_t j = 0; j <= length; j++)
+        row[j] = j;
+    for (size_t i = 1; a[i - 1]; i++) {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= length; j++) {
+            size_t replace = diagonal + (a[i - 1] != b[j - 1]);
+            size_t insert = row[j - 1] + 1, remove = row[j] + 1;
+            diagonal = row[j];
+            row[j] = insert < remove ? insert : remove;
+            row[j] = row[j] < replace ? row[j] : replace;
+        }
+    }
+    return row[length];
 }
 
 static int unknown_command(const char *name)

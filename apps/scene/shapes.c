@@ -16,20 +16,13 @@ static void column_direction(const ShapePatch *patch, uint32_t column, double *x
     *z = -sine;
 }
 
-static void set3(double out[3], double x, double y, double z)
-{
-    out[0] = x;
-    out[1] = y;
-    out[2] = z;
-}
-
 static void sphere(const ShapePatch *patch, uint32_t column, uint32_t row, ShapePoint *point)
 {
     double x, z, radius, y;
     column_direction(patch, column, &x, &z);
     angle_sincos(180.0 * row / patch->rows, &radius, &y);
-    set3(point->position, radius * x, y, radius * z);
-    set3(point->normal, radius * x, y, radius * z);
+    vector_set(point->position, radius * x, y, radius * z);
+    vector_set(point->normal, radius * x, y, radius * z);
 }
 
 static void torus(const ShapePatch *patch, uint32_t column, uint32_t row, ShapePoint *point)
@@ -39,8 +32,8 @@ static void torus(const ShapePatch *patch, uint32_t column, uint32_t row, ShapeP
     column_direction(patch, column, &x, &z);
     angle_sincos(-360.0 * row / patch->rows, &up, &out);
     double radius = major + minor * out;
-    set3(point->position, radius * x, minor * up, radius * z);
-    set3(point->normal, out * x, up, out * z);
+    vector_set(point->position, radius * x, minor * up, radius * z);
+    vector_set(point->normal, out * x, up, out * z);
 }
 
 /* A tube round the (2, 3) torus knot. Any frame square to the curve gives the tube's exact normals;
@@ -75,8 +68,8 @@ static void frustum(const ShapePatch *patch, uint32_t column, uint32_t row, Shap
     double x, z, t = (double)row / patch->rows;
     column_direction(patch, column, &x, &z);
     double radius = d[0] + (d[2] - d[0]) * t;
-    set3(point->position, radius * x, d[1] + (d[3] - d[1]) * t, radius * z);
-    set3(point->normal, (d[1] - d[3]) * x, d[2] - d[0], (d[1] - d[3]) * z);
+    vector_set(point->position, radius * x, d[1] + (d[3] - d[1]) * t, radius * z);
+    vector_set(point->normal, (d[1] - d[3]) * x, d[2] - d[0], (d[1] - d[3]) * z);
     if (d[1] == d[3]) { /* a disc: the picture lies on it flat */
         point->texcoord[0] = 0.5 + 0.5 * radius * x;
         point->texcoord[1] = 0.5 + 0.5 * radius * z;
@@ -94,9 +87,6 @@ static void rectangle(const ShapePatch *patch, uint32_t column, uint32_t row, Sh
 }
 
 /* --- names ----------------------------------------------------------------------------------- */
-
-const char *const shape_names[] = { "sphere", "ball",  "cube", "torus", "knot",   "cylinder",
-                                    "cone",   "plane", "disc", "quad",  "teapot", NULL };
 
 static const double top_disc[] = { 0, 1, 1, 1 }, bottom_disc[] = { 1, -1, 0, -1 };
 static const double tube_side[] = { 1, 1, 1, -1 }, cone_side[] = { 0, 1, 1, -1 };
@@ -144,16 +134,16 @@ static void spiral_point(uint32_t i, uint32_t n, ShapePoint *point)
 {
     double x, z, y = 1.0 - (2.0 * i + 1.0) / n, radius = sqrt(1.0 - y * y);
     angle_sincos(137.50776405003785 * i, &z, &x);
-    set3(point->position, radius * x, y, radius * z);
-    set3(point->normal, radius * x, y, radius * z);
+    vector_set(point->position, radius * x, y, radius * z);
+    vector_set(point->normal, radius * x, y, radius * z);
 }
 
 static void grid_point(uint32_t i, uint32_t n, ShapePoint *point)
 {
     uint32_t side = (uint32_t)sqrt((double)n);
     double u = (i % side + 0.5) / side, v = (i / side + 0.5) / side;
-    set3(point->position, 2 * u - 1, 0, 2 * v - 1);
-    set3(point->normal, 0, 1, 0);
+    vector_set(point->position, 2 * u - 1, 0, 2 * v - 1);
+    vector_set(point->normal, 0, 1, 0);
     point->texcoord[0] = u;
     point->texcoord[1] = v;
 }

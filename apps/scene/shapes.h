@@ -19,7 +19,4 @@ GpResult shape_create(const char *name, Shape *shape);
  * normals. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */
 GpResult shape_create_points(const char *name, Shape *shape);
 
-/* Names of the meshes, NULL at the end. */
-extern const char *const shape_names[];
-
 #endif

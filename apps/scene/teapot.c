@@ -10,6 +10,8 @@
  */
 #include "apps/scene/teapot.h"
 
+#include "apps/base/vector.h"
+
 enum { STEPS = 12 }; /* quads along a patch */
 
 /* Value and derivative of a cubic Bezier curve; points lie `stride` doubles apart. */
@@ -46,19 +48,15 @@ static void revolve(const ShapePatch *patch, uint32_t column, uint32_t row, Shap
     const double *profile = patch->data + 6 * patch_of(row, patch->rows, &t);
     double radius = bezier(profile, 2, t, &dradius);
     double height = bezier(profile + 1, 2, t, &dheight);
-    const double position[3] = { radius * x, height, -radius * y };
-    const double normal[3] = { -dheight * dy, dradius * (x * dy - y * dx), -dheight * dx };
-    for (int i = 0; i < 3; i++) {
-        point->position[i] = position[i];
-        point->normal[i] = normal[i];
-    }
+    vector_set(point->position, radius * x, height, -radius * y);
+    vector_set(point->normal, -dheight * dy, dradius * (x * dy - y * dx), -dheight * dx);
 }
 
 /* data: rows of control points (x, height) of one edge, (x, height) of the other, half width; the
  * cross section is a cubic from edge to edge on each side of z = 0. */
 static void sweep(const ShapePatch *patch, uint32_t column, uint32_t row, ShapePoint *point)
 {
-    double u, v, section[3][4], along[3][4], position[3], by_u[3], by_v[3];
+    double u, v, section[3][4], along[3][4], by_u[3], by_v[3];
     uint32_t side = patch_of(column, patch->columns, &u);
     const double *rows = patch->data + 15 * patch_of(row, patch->rows, &v);
     if (side == 1) /* back on the other side */
@@ -74,16 +72,12 @@ static void sweep(const ShapePatch *patch, uint32_t column, uint32_t row, ShapeP
     }
     for (int i = 0; i < 3; i++) {
         double unused;
-        position[i] = bezier(section[i], 1, u, &by_u[i]);
+        point->position[i] = bezier(section[i], 1, u, &by_u[i]);
         by_v[i] = bezier(along[i], 1, u, &unused);
         if (side == 1)
             by_u[i] = -by_u[i];
     }
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        point->position[i] = position[i];
-        point->normal[i] = by_v[j] * by_u[k] - by_v[k] * by_u[j];
-    }
+    vector_cross(by_v, by_u, point->normal);
 }
 
 /* clang-format off */

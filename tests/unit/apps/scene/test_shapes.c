@@ -6,6 +6,9 @@
 
 static const double pi = 3.14159265358979323846;
 
+static const char *const shape_names[] = { "sphere", "ball",  "cube", "torus", "knot",   "cylinder",
+                                           "cone",   "plane", "disc", "quad",  "teapot", NULL };
+
 static Shape make(const char *name)
 {
     Shape shape = { 0 };
