@@ -253,6 +253,12 @@ int node_name(Node node, int fallback, const char *const *names, int count)
     return fallback;
 }
 
+void node_enum(Node *object, const char *key, const char *const *names, int count, void *value)
+{
+    unsigned *number = value;
+    *number = (unsigned)node_name(node_member(object, key), (int)*number, names, count);
+}
+
 void node_doubles(Node node, double *values, int count, double low, double high)
 {
     if (!node.value || node.reader->result)

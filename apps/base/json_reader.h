@@ -73,6 +73,9 @@ const char *node_string(Node node, const char *fallback);
 /* Index of one of `count` names. */
 int node_name(Node node, int fallback, const char *const *names, int count);
 
+/* The same of a member, as an enumeration that counts from 0; it stays as it is where there is none. */
+void node_enum(Node *object, const char *key, const char *const *names, int count, void *value);
+
 /* Exactly `count` numbers; `values` stay as they are where there is none. */
 void node_doubles(Node node, double *values, int count, double low, double high);
 void node_numbers(Node node, float *values, int count, float low, float high);

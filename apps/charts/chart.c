@@ -14,14 +14,14 @@ void chart_free(Chart *chart)
 static bool beats(const ChartPoint *a, const ChartPoint *b)
 {
     double error = a->measured.error, other = b->measured.error;
-    return a->ms <= b->ms && error <= other && (a->ms < b->ms || error < other);
+    return a->time.ms <= b->time.ms && error <= other && (a->time.ms < b->time.ms || error < other);
 }
 
 void chart_mark_best(Chart *chart)
 {
     for (uint32_t i = 0; i < chart->count; i++) {
         ChartPoint *point = &chart->points[i];
-        point->best = !isnan(point->ms) && !isnan(point->measured.error);
+        point->best = !isnan(point->time.ms) && !isnan(point->measured.error);
         for (uint32_t k = 0; k < chart->count && point->best; k++)
             point->best = !beats(&chart->points[k], point);
     }
@@ -31,7 +31,8 @@ void chart_mark_best(Chart *chart)
 static int compare_times(const void *a, const void *b)
 {
     const ChartPoint *x = *(const ChartPoint *const *)a, *y = *(const ChartPoint *const *)b;
-    return x->ms != y->ms ? (x->ms > y->ms) - (x->ms < y->ms) : (x > y) - (x < y);
+    return x->time.ms != y->time.ms ? (x->time.ms > y->time.ms) - (x->time.ms < y->time.ms)
+                                    : (x > y) - (x < y);
 }
 
 uint32_t chart_list_best(const Chart *chart, const ChartPoint **best)
@@ -49,8 +50,8 @@ const ChartPoint *chart_choose(const Chart *chart, double error)
     const ChartPoint *chosen = NULL;
     for (uint32_t i = 0; i < chart->count; i++) {
         const ChartPoint *point = &chart->points[i];
-        bool enough = point->measured.error <= error && !isnan(point->ms);
-        if (enough && (!chosen || point->ms < chosen->ms || beats(point, chosen)))
+        bool enough = point->measured.error <= error && !isnan(point->time.ms);
+        if (enough && (!chosen || point->time.ms < chosen->time.ms || beats(point, chosen)))
             chosen = point;
     }
     return chosen;

@@ -6,14 +6,14 @@
 #ifndef APPS_CHARTS_CHART_H
 #define APPS_CHARTS_CHART_H
 
+#include "apps/frame/timing.h"
 #include "apps/techniques/technique.h"
 
 enum { CHART_MAX_POINTS = 4096, CHART_MAX_PICTURES = 6, CHART_MAX_PATH = 4096 };
 
 typedef struct ChartPoint {
     char method[64], options[SETTING_MAX_TEXT];
-    double ms, min_ms, cpu_ms; /* of a frame: median, least, processor time */
-    uint32_t frames;           /* timed */
+    Timing time;
     TechniqueError measured;
     bool best;        /* no other point is as fast and as near to the truth, and better in one */
     char picture[96]; /* its file, beside the chart's; empty: none */

@@ -52,7 +52,7 @@ static void draw_front(const Plot *plot, Text *svg)
 static void add_tooltip(const Chart *chart, const ChartPoint *point, Text *svg)
 {
     text_add_escaped(svg, "<title>%s\n%s\n", point->method, point->options);
-    plot_tooltip_times(svg, point->ms, point->min_ms, point->cpu_ms, point->frames);
+    plot_tooltip_times(svg, &point->time);
     text_add_escaped(svg, "\n%s: %.6g", chart->error_name, point->measured.error);
     for (int i = 0; i < chart->metric_count; i++)
         text_add_escaped(svg, "\n%s: %.6g", chart->metrics[i], point->measured.metrics[i]);

@@ -38,10 +38,10 @@ static void write_csv(const Chart *chart, Text *csv)
         const ChartPoint *point = &chart->points[k];
         text_add_csv(csv, point->method, ",");
         text_add_csv(csv, point->options, ",");
-        text_add_csv_number(csv, point->ms);
-        text_add_csv_number(csv, point->min_ms);
-        text_add_csv_number(csv, point->cpu_ms);
-        text_add_csv_number(csv, point->frames);
+        text_add_csv_number(csv, point->time.ms);
+        text_add_csv_number(csv, point->time.min_ms);
+        text_add_csv_number(csv, point->time.cpu_ms);
+        text_add_csv_number(csv, point->time.frames);
         text_add_csv_number(csv, point->measured.error);
         for (int i = 0; i < chart->metric_count; i++)
             text_add_csv_number(csv, point->measured.metrics[i]);
@@ -57,10 +57,11 @@ static json_t *point_json(const ChartPoint *point, int metric_count)
     for (int i = 0; i < metric_count; i++)
         json_array_append_new(metrics, json_number(point->measured.metrics[i]));
     return json_pack("{s:s, s:s, s:o, s:o, s:o, s:I, s:o, s:o, s:b, s:s}", "method", point->method,
-                     "options", point->options, "ms", json_number(point->ms), "min_ms",
-                     json_number(point->min_ms), "cpu_ms", json_number(point->cpu_ms), "frames",
-                     (json_int_t)point->frames, "error", json_number(point->measured.error),
-                     "metrics", metrics, "best", point->best, "picture", point->picture);
+                     "options", point->options, "ms", json_number(point->time.ms), "min_ms",
+                     json_number(point->time.min_ms), "cpu_ms", json_number(point->time.cpu_ms),
+                     "frames", (json_int_t)point->time.frames, "error",
+                     json_number(point->measured.error), "metrics", metrics, "best", point->best,
+                     "picture", point->picture);
 }
 
 json_t *chart_json(const Chart *chart)
@@ -150,10 +151,10 @@ static void read_point(Node node, ChartPoint *point, int metric_count)
     read_text(&node, "method", point->method, sizeof point->method);
     read_text(&node, "options", point->options, sizeof point->options);
     read_text(&node, "picture", point->picture, sizeof point->picture);
-    point->ms = read_number(&node, "ms");
-    point->min_ms = read_number(&node, "min_ms");
-    point->cpu_ms = read_number(&node, "cpu_ms");
-    point->frames = (uint32_t)read_integer(&node, "frames", UINT32_MAX);
+    point->time.ms = read_number(&node, "ms");
+    point->time.min_ms = read_number(&node, "min_ms");
+    point->time.cpu_ms = read_number(&node, "cpu_ms");
+    point->time.frames = (uint32_t)read_integer(&node, "frames", UINT32_MAX);
     point->measured.error = read_number(&node, "error");
     Node metrics = node_member(&node, "metrics"), best = node_member(&node, "best");
     node_require(&best);

@@ -11,7 +11,7 @@
 /* Time and error are numbers such as a measurement can give. */
 static bool has_place(const ChartPoint *point)
 {
-    double ms = point->ms, error = point->measured.error;
+    double ms = point->time.ms, error = point->measured.error;
     return ms >= 1e-6 && ms <= 1e9 && (error == 0 || (error >= 1e-12 && error <= 1e12));
 }
 
@@ -23,7 +23,7 @@ static void make_scales(Plot *plot, const Chart *chart)
         const ChartPoint *point = &chart->points[i];
         if (!has_place(point))
             continue;
-        plot_range_add(&ms, point->ms);
+        plot_range_add(&ms, point->time.ms);
         if (point->measured.error > 0)
             plot_range_add(&error, point->measured.error);
         else
@@ -40,7 +40,7 @@ static PlotPoint place(Plot *plot, const ChartPoint *point)
 {
     const double error = point->measured.error;
     return (PlotPoint){ .point = point,
-                        .x = plot_place(&plot->x, point->ms),
+                        .x = plot_place(&plot->x, point->time.ms),
                         .y = error > 0 ? plot_place(&plot->y, error) : plot->zero_y,
                         .method = plot_series(plot->methods, &plot->method_count, point->method) };
 }

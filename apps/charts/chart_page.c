@@ -55,7 +55,7 @@ static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
     add_cell(page, "td", "", point->method);
     text_add_escaped(page,
                      "<td><code>%s</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>",
-                     point->options, point->ms, point->measured.error);
+                     point->options, point->time.ms, point->measured.error);
     for (int i = 0; i < chart->metric_count; i++)
         text_add(page, "<td class=\"n\">%.6g</td>", point->measured.metrics[i]);
 }
@@ -103,7 +103,7 @@ static void add_picture(const char *folder, const ChartPoint *point, Text *page)
     add_base64(page, (const unsigned char *)file.data, file.size);
     text_add_escaped(
         page, "\"><figcaption>%s: <code>%s</code>, %.3g ms, error %.6g</figcaption></figure>\n",
-        point->method, point->options, point->ms, point->measured.error);
+        point->method, point->options, point->time.ms, point->measured.error);
     gp_file_free(&file);
 }
 

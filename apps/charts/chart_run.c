@@ -46,20 +46,13 @@ static void describe_frame(Chart *chart, bool is_picture, const Frame *frame,
 static GpResult measure(Run *run, const Frame *frame, RunStatistics *statistics, ChartPoint *point)
 {
     const TechniqueClock *clock = &run->clock;
-    Timing timing;
     describe_frame(&run->chart, !run->job->technique->volume, frame, statistics);
     GpResult result =
         run->job->experiment->measure(run->scene, frame, &point->measured, run->error);
     if (!result)
         result = timing_run(clock->device, &frame->list, &clock->plan, clock->each, statistics,
-                            &timing, run->error);
-    if (result)
-        return result;
-    point->ms = timing.ms;
-    point->min_ms = timing.min_ms;
-    point->cpu_ms = timing.cpu_ms;
-    point->frames = timing.frames;
-    return GP_OK;
+                            &point->time, run->error);
+    return result;
 }
 
 static void tell_progress(const Run *run, uint32_t done, const char *text)

@@ -86,7 +86,8 @@ void plot_end(Text *svg, int height, const char *words)
     text_add(svg, "</g>\n</svg>\n");
 }
 
-void plot_tooltip_times(Text *svg, double ms, double min_ms, double cpu_ms, uint32_t frames)
+void plot_tooltip_times(Text *svg, const Timing *time)
 {
-    text_add(svg, "%.3g ms (least %.3g, processor %.3g; %u frames)", ms, min_ms, cpu_ms, frames);
+    text_add(svg, "%.3g ms (least %.3g, processor %.3g; %u frames)", time->ms, time->min_ms,
+             time->cpu_ms, time->frames);
 }

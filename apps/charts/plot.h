@@ -3,6 +3,7 @@
 #define APPS_CHARTS_PLOT_H
 
 #include "apps/charts/axis.h"
+#include "apps/frame/timing.h"
 
 enum { PLOT_MARGIN = 32 };
 
@@ -21,6 +22,6 @@ void plot_note(Text *svg, int line, const char *format, ...) __attribute__((form
 void plot_end(Text *svg, int height, const char *words);
 
 /* A line of a tooltip. */
-void plot_tooltip_times(Text *svg, double ms, double min_ms, double cpu_ms, uint32_t frames);
+void plot_tooltip_times(Text *svg, const Timing *time);
 
 #endif

@@ -6,14 +6,14 @@
 #ifndef APPS_CHARTS_SCALING_H
 #define APPS_CHARTS_SCALING_H
 
+#include "apps/frame/timing.h"
 #include "apps/techniques/technique.h"
 
 typedef struct ScalingPoint {
     int panel, line; /* of the technique's table */
     char scene[256], options[SETTING_MAX_TEXT];
-    double amount;             /* along the panel's axis */
-    double ms, min_ms, cpu_ms; /* of a frame: median, least, processor time */
-    uint32_t frames;           /* timed */
+    double amount; /* along the panel's axis */
+    Timing time;
 } ScalingPoint;
 
 typedef struct Scaling {

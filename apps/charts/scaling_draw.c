@@ -35,7 +35,8 @@ typedef struct Panel {
 
 static bool has_place(const ScalingPoint *point)
 {
-    return point->amount > 0 && point->ms > 0 && isfinite(point->amount) && isfinite(point->ms);
+    return point->amount > 0 && point->time.ms > 0 && isfinite(point->amount) &&
+           isfinite(point->time.ms);
 }
 
 /* Times have one scale in all panels, so that they can be compared. */
@@ -45,7 +46,7 @@ static Panel make_panel(const Scaling *scaling, int number)
     for (uint32_t i = 0; i < scaling->count; i++) {
         const ScalingPoint *point = &scaling->points[i];
         if (has_place(point))
-            plot_range_add(&times, point->ms);
+            plot_range_add(&times, point->time.ms);
         if (has_place(point) && point->panel == number)
             plot_range_add(&amounts, point->amount);
     }
@@ -89,7 +90,7 @@ static void add_tooltip(const Panel *panel, const ScalingPoint *point, Text *svg
 {
     text_add_escaped(svg, "<title>%s\n%s\n%s\n%.10g %s\n", panel->table->lines[point->line].name,
                      point->scene, point->options, point->amount, panel->table->axis);
-    plot_tooltip_times(svg, point->ms, point->min_ms, point->cpu_ms, point->frames);
+    plot_tooltip_times(svg, &point->time);
     text_add(svg, "</title>");
 }
 
@@ -103,13 +104,13 @@ static void draw_line(const Panel *panel, int line, Text *svg)
              plot_color(series));
     for (const ScalingPoint *point = NULL; (point = next_point(panel, line, point)); step = "L")
         text_add(svg, "%s%.1f %.1f", step, plot_place(&panel->x, point->amount),
-                 plot_place(&panel->y, point->ms));
+                 plot_place(&panel->y, point->time.ms));
     text_add(svg, "\"/>\n");
     for (const ScalingPoint *point = NULL; (point = next_point(panel, line, point));) {
         text_add(svg, "<g>");
         add_tooltip(panel, point, svg);
-        plot_marker(svg, plot_place(&panel->x, point->amount), plot_place(&panel->y, point->ms),
-                    series, false);
+        plot_marker(svg, plot_place(&panel->x, point->amount),
+                    plot_place(&panel->y, point->time.ms), series, false);
         text_add(svg, "</g>\n");
     }
 }
@@ -122,7 +123,7 @@ static bool covers_point(const Panel *panel, const double end[2], const double a
     const double below = 9, reach = 14;
     for (const ScalingPoint *point = NULL; (point = next_point(panel, ANY_LINE, point));) {
         double x = plot_place(&panel->x, point->amount) - end[0];
-        double y = plot_place(&panel->y, point->ms) - end[1];
+        double y = plot_place(&panel->y, point->time.ms) - end[1];
         double back = -(x * along[0] + y * along[1]), aside = y * along[0] - x * along[1];
         if (back > -reach && back < width + reach && fabs(aside - below) < reach)
             return true;

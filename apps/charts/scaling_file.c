@@ -18,10 +18,10 @@ static void write_csv(const Scaling *scaling, Text *csv)
         text_add_csv(csv, scaling_name(scaling, point), ",");
         text_add_csv(csv, point->scene, ",");
         text_add_csv(csv, point->options, ",");
-        text_add_csv_number(csv, point->ms);
-        text_add_csv_number(csv, point->min_ms);
-        text_add_csv_number(csv, point->cpu_ms);
-        text_add(csv, "%u\n", point->frames);
+        text_add_csv_number(csv, point->time.ms);
+        text_add_csv_number(csv, point->time.min_ms);
+        text_add_csv_number(csv, point->time.cpu_ms);
+        text_add(csv, "%u\n", point->time.frames);
     }
 }
 
@@ -31,12 +31,13 @@ json_t *scaling_json(const Scaling *scaling)
     for (uint32_t i = 0; i < scaling->count; i++) {
         const ScalingPoint *point = &scaling->points[i];
         json_array_append_new(
-            points, json_pack("{s:s, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:I}", "grows",
-                              panel_of(scaling, point)->axis, "amount", json_number(point->amount),
-                              "method", scaling_name(scaling, point), "scene", point->scene,
-                              "options", point->options, "ms", json_number(point->ms), "min_ms",
-                              json_number(point->min_ms), "cpu_ms", json_number(point->cpu_ms),
-                              "frames", (json_int_t)point->frames));
+            points,
+            json_pack("{s:s, s:o, s:s, s:s, s:s, s:o, s:o, s:o, s:I}", "grows",
+                      panel_of(scaling, point)->axis, "amount", json_number(point->amount),
+                      "method", scaling_name(scaling, point), "scene", point->scene, "options",
+                      point->options, "ms", json_number(point->time.ms), "min_ms",
+                      json_number(point->time.min_ms), "cpu_ms", json_number(point->time.cpu_ms),
+                      "frames", (json_int_t)point->time.frames));
     }
     return json_pack("{s:s, s:s, s:s, s:s, s:i, s:o}", "technique", scaling->technique->name,
                      "title", scaling->technique->scaling->title, "machine", scaling->machine,

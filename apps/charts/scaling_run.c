@@ -32,17 +32,12 @@ static GpResult add_point(Run *run, ScalingPoint point, void *scene, const char 
     Scaling *scaling = &run->scaling;
     const Technique *technique = scaling->technique;
     Frame frame = { .color = NULL };
-    Timing timing;
     GpResult result =
-        technique_time(&run->clock, technique, scene, options, &frame, &timing, run->error);
+        technique_time(&run->clock, technique, scene, options, &frame, &point.time, run->error);
     if (result)
         return result;
     text_copy(point.options, sizeof point.options, options);
     point.amount = technique->scaling->panels[point.panel].amount(scene, &frame);
-    point.ms = timing.ms;
-    point.min_ms = timing.min_ms;
-    point.cpu_ms = timing.cpu_ms;
-    point.frames = timing.frames;
     scaling->points[scaling->count++] = point;
     scaling->threads = gp_device_threads(run->clock.device);
     text_copy(scaling->isa, sizeof scaling->isa, gp_device_isa(run->clock.device));

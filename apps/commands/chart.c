@@ -125,7 +125,7 @@ static int print_best(const Chart *chart)
     const int width = length > least_width ? length : least_width;
     printf("%10s  %*s  setting\n", "ms", width, chart->error_name);
     for (uint32_t i = 0; i < count; i++)
-        printf("%10.3f  %*.6g  %s: %s\n", best[i]->ms, width, best[i]->measured.error,
+        printf("%10.3f  %*.6g  %s: %s\n", best[i]->time.ms, width, best[i]->measured.error,
                best[i]->method, best[i]->options);
     gp_free(best);
     return EXIT_DONE;
@@ -136,7 +136,7 @@ static void print_scaling(const Scaling *scaling)
     printf("%10s  %12s  setting\n", "ms", "amount");
     for (uint32_t i = 0; i < scaling->count; i++) {
         const ScalingPoint *point = &scaling->points[i];
-        printf("%10.3f  %12.10g  %s: %s %s\n", point->ms, point->amount,
+        printf("%10.3f  %12.10g  %s: %s %s\n", point->time.ms, point->amount,
                scaling_name(scaling, point), point->scene, point->options);
     }
 }

@@ -129,7 +129,7 @@ static void explain_choice(const TechniqueArgs *args, const Chart *chart, const 
         enough += chart->points[i].measured.error <= args->error;
     notice(&args->options,
            "chose %s (%s): %g %s, in %.2f ms, the fastest of %u settings of %u with at most %g",
-           point->options, point->method, point->measured.error, chart->error_name, point->ms,
+           point->options, point->method, point->measured.error, chart->error_name, point->time.ms,
            enough, chart->count, args->error);
     char scene[320];
     chart_print_scene(chart, scene, sizeof scene);

@@ -59,9 +59,8 @@ static void read_light(Node node, SceneLight *light)
     node_close(&node);
 }
 
-void scene_read_lights(Loader *loader, Node node)
+void scene_read_lights(Scene *scene, Node node)
 {
-    Scene *scene = loader->scene;
     scene->lights[0] =
         (SceneLight){ .position = { 0.4, 0.8, 0.45 }, .directional = true, .color = { 1, 1, 1 } };
     vector_normalize(scene->lights[0].position);
@@ -71,6 +70,4 @@ void scene_read_lights(Loader *loader, Node node)
         for (uint32_t i = 0; i < scene->light_count; i++)
             read_light(node_element(&node, i), &scene->lights[i]);
     }
-    loader->view.lights = scene->lights;
-    loader->view.light_count = scene->light_count;
 }

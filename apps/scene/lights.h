@@ -2,9 +2,10 @@
 #ifndef APPS_SCENE_LIGHTS_H
 #define APPS_SCENE_LIGHTS_H
 
-#include "apps/scene/loader.h"
+#include "apps/base/json_reader.h"
+#include "apps/scene/scene.h"
 
 /* "lights" of a scene; where there are none, a direction from above. */
-void scene_read_lights(Loader *loader, Node node);
+void scene_read_lights(Scene *scene, Node node);
 
 #endif

@@ -12,10 +12,8 @@ typedef struct SceneView {
     uint32_t width, height; /* of the targets */
     float world_to_clip[4][4];
     GpViewport viewport;
-    const SceneLight *lights;
-    uint32_t light_count;
-    float ambient[3], background[4];
-    bool has_depth; /* the pass has a depth target */
+    const Scene *scene; /* lights, ambient light and background */
+    bool has_depth;     /* the pass has a depth target */
 } SceneView;
 
 /* A picture that is loaded already: the same name with the same treatment is not loaded again. */

@@ -120,9 +120,9 @@ static const Entry *find_program(const Node *node, const char *name)
 static void light_direction(const SceneView *view, float direction[3])
 {
     double towards[3] = { 0, 0, 0 };
-    for (int i = 0; i < 3 && view->light_count; i++)
-        towards[i] =
-            view->lights[0].position[i] - (view->lights[0].directional ? 0.0 : view->camera.at[i]);
+    for (int i = 0; i < 3 && view->scene->light_count; i++)
+        towards[i] = view->scene->lights[0].position[i] -
+                     (view->scene->lights[0].directional ? 0.0 : view->camera.at[i]);
     vector_normalize(towards);
     for (int i = 0; i < 3; i++)
         direction[i] = (float)towards[i];
@@ -131,8 +131,8 @@ static void light_direction(const SceneView *view, float direction[3])
 /* All lights; a direction is a very distant place. */
 static void all_lights(const SceneView *view, float values[SCENE_MAX_LIGHTS][7])
 {
-    for (uint32_t i = 0; i < view->light_count; i++) {
-        const SceneLight *light = &view->lights[i];
+    for (uint32_t i = 0; i < view->scene->light_count; i++) {
+        const SceneLight *light = &view->scene->lights[i];
         for (int k = 0; k < 3; k++) {
             values[i][k] = (float)(light->position[k] * (light->directional ? 1e4 : 1.0));
             values[i][3 + k] = light->color[k];
@@ -148,8 +148,8 @@ static Given given_by(const SceneView *view)
                     .height =
                         view->viewport.height > 0 ? view->viewport.height : (float)view->height };
     memcpy(given.camera, view->world_to_clip, sizeof given.camera);
-    memcpy(given.ambient, view->ambient, sizeof given.ambient);
-    memcpy(given.background, view->background, sizeof given.background);
+    memcpy(given.ambient, view->scene->ambient, sizeof given.ambient);
+    memcpy(given.background, view->scene->background, sizeof given.background);
     for (int k = 0; k < 3; k++)
         given.eye[k] = (float)view->camera.eye[k];
     light_direction(view, given.light);

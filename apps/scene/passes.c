@@ -42,7 +42,7 @@ static void read_color_target(Loader *loader, Node node, const SceneView *view,
 {
     Node clear = node_member(&node, "clear");
     target->surface = read_surface(loader, &node, view, GP_A8R8G8B8, &target->clear);
-    memcpy(target->clear_color, view->background, sizeof view->background);
+    memcpy(target->clear_color, view->scene->background, sizeof view->scene->background);
     if (node_exists(&clear)) {
         target->clear = !node_is_false(&clear);
         if (target->clear)

@@ -9,7 +9,9 @@
 
 static void read_view(Loader *loader, Node *root, const SceneOptions *options)
 {
+    Scene *scene = loader->scene;
     SceneView *view = &loader->view;
+    view->scene = scene;
     view->width = view->height = 512;
     scene_read_size(node_member(root, "size"), view);
     if (options && options->width)
@@ -19,14 +21,12 @@ static void read_view(Loader *loader, Node *root, const SceneOptions *options)
     view->camera =
         (Camera){ .eye = { 0, 1, 4 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.1, .far = 100 };
     scene_read_camera(node_member(root, "camera"), &view->camera);
-    view->ambient[0] = view->ambient[1] = view->ambient[2] = 0.2f;
-    node_numbers(node_member(root, "ambient"), view->ambient, 3, 0, 100);
-    view->background[3] = 1;
-    node_numbers(node_member(root, "background"), view->background, 4, 0, 1);
-    scene_read_lights(loader, node_member(root, "lights"));
-    loader->scene->camera = view->camera;
-    memcpy(loader->scene->ambient, view->ambient, sizeof view->ambient);
-    memcpy(loader->scene->background, view->background, sizeof view->background);
+    scene->camera = view->camera;
+    scene->ambient[0] = scene->ambient[1] = scene->ambient[2] = 0.2f;
+    node_numbers(node_member(root, "ambient"), scene->ambient, 3, 0, 100);
+    scene->background[3] = 1;
+    node_numbers(node_member(root, "background"), scene->background, 4, 0, 1);
+    scene_read_lights(scene, node_member(root, "lights"));
 }
 
 static void read_passes(Loader *loader, Node *root)

@@ -5,12 +5,6 @@
 
 enum { FAR = 1000000 }; /* no coordinate of a scene lies beyond */
 
-static void read_compare(Node *object, const char *key, GpCompare *compare)
-{
-    *compare = (GpCompare)node_name(node_member(object, key), (int)*compare, gp_compare_names,
-                                    GP_COMPARES);
-}
-
 static void read_byte(Node *object, const char *key, uint8_t *byte)
 {
     *byte = (uint8_t)node_integer(node_member(object, key), *byte, 0, 255);
@@ -18,23 +12,17 @@ static void read_byte(Node *object, const char *key, uint8_t *byte)
 
 static void read_depth(Node node, GpDepthState *depth)
 {
-    read_compare(&node, "test", &depth->test);
+    node_enum(&node, "test", gp_compare_names, GP_COMPARES, &depth->test);
     depth->write = node_bool(node_member(&node, "write"), depth->write);
     node_close(&node);
 }
 
-static void read_stencil_op(Node *object, const char *key, GpStencilOp *op)
-{
-    *op = (GpStencilOp)node_name(node_member(object, key), (int)*op, gp_stencil_op_names,
-                                 GP_STENCIL_OPS);
-}
-
 static void read_stencil_face(Node *object, GpStencilFace *face)
 {
-    read_compare(object, "test", &face->test);
-    read_stencil_op(object, "fail", &face->fail);
-    read_stencil_op(object, "depth_fail", &face->depth_fail);
-    read_stencil_op(object, "pass", &face->pass);
+    node_enum(object, "test", gp_compare_names, GP_COMPARES, &face->test);
+    node_enum(object, "fail", gp_stencil_op_names, GP_STENCIL_OPS, &face->fail);
+    node_enum(object, "depth_fail", gp_stencil_op_names, GP_STENCIL_OPS, &face->depth_fail);
+    node_enum(object, "pass", gp_stencil_op_names, GP_STENCIL_OPS, &face->pass);
 }
 
 /* The members of the object itself serve all triangles, or the clockwise ones where there is a
@@ -55,20 +43,9 @@ static void read_stencil(Node node, GpStencilState *stencil)
 
 static void read_alpha_test(Node node, GpAlphaTest *test)
 {
-    read_compare(&node, "test", &test->test);
+    node_enum(&node, "test", gp_compare_names, GP_COMPARES, &test->test);
     read_byte(&node, "reference", &test->reference);
     node_close(&node);
-}
-
-static void read_blend_op(Node *object, const char *key, GpBlendOp *op)
-{
-    *op = (GpBlendOp)node_name(node_member(object, key), (int)*op, gp_blend_op_names, GP_BLEND_OPS);
-}
-
-static void read_factor(Node *object, const char *key, GpBlendFactor *factor)
-{
-    *factor = (GpBlendFactor)node_name(node_member(object, key), (int)*factor,
-                                       gp_blend_factor_names, GP_BLEND_FACTORS);
 }
 
 /* "keep": the letters of the channels that are not written, such as "a" or "rgba". */
@@ -87,12 +64,12 @@ static void read_keep(Node node, uint8_t *keep)
 
 static void read_blend(Node *node, GpBlend *blend)
 {
-    read_blend_op(node, "op", &blend->op);
-    read_factor(node, "src", &blend->src);
-    read_factor(node, "dst", &blend->dst);
-    read_blend_op(node, "alpha_op", &blend->alpha_op);
-    read_factor(node, "alpha_src", &blend->alpha_src);
-    read_factor(node, "alpha_dst", &blend->alpha_dst);
+    node_enum(node, "op", gp_blend_op_names, GP_BLEND_OPS, &blend->op);
+    node_enum(node, "src", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->src);
+    node_enum(node, "dst", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->dst);
+    node_enum(node, "alpha_op", gp_blend_op_names, GP_BLEND_OPS, &blend->alpha_op);
+    node_enum(node, "alpha_src", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->alpha_src);
+    node_enum(node, "alpha_dst", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->alpha_dst);
     read_keep(node_member(node, "keep"), &blend->keep);
     node_close(node);
 }
@@ -146,8 +123,7 @@ static void read_clip_plane(const Node *node, const SceneView *view, float plane
 void scene_read_state(Node node, const SceneView *view, GpState *state)
 {
     GpRasterState *raster = &state->raster;
-    raster->cull =
-        (GpCull)node_name(node_member(&node, "cull"), (int)raster->cull, gp_cull_names, GP_CULLS);
+    node_enum(&node, "cull", gp_cull_names, GP_CULLS, &raster->cull);
     read_scissor(node_member(&node, "scissor"), raster);
     raster->depth_bias = node_number(node_member(&node, "depth_bias"), raster->depth_bias, -1, 1);
     raster->slope_depth_bias =

@@ -46,12 +46,6 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
 
 /* --- samplers -------------------------------------------------------------------------------- */
 
-static void read_filter(Node *object, const char *key, GpFilter *filter)
-{
-    *filter =
-        (GpFilter)node_name(node_member(object, key), (int)*filter, gp_filter_names, GP_FILTERS);
-}
-
 /* "address": one name for both directions, or two. */
 static void read_address(Node node, GpSampler *sampler)
 {
@@ -68,10 +62,9 @@ static void read_address(Node node, GpSampler *sampler)
 
 static void read_sampler(Node *object, GpSampler *sampler)
 {
-    read_filter(object, "min", &sampler->min);
-    read_filter(object, "mag", &sampler->mag);
-    sampler->mip = (GpMipFilter)node_name(node_member(object, "mip"), (int)sampler->mip,
-                                          gp_mip_filter_names, GP_MIP_FILTERS);
+    node_enum(object, "min", gp_filter_names, GP_FILTERS, &sampler->min);
+    node_enum(object, "mag", gp_filter_names, GP_FILTERS, &sampler->mag);
+    node_enum(object, "mip", gp_mip_filter_names, GP_MIP_FILTERS, &sampler->mip);
     read_address(node_member(object, "address"), sampler);
     node_numbers(node_member(object, "border"), sampler->border, 4, 0, 1);
     sampler->lod_bias = node_number(node_member(object, "lod_bias"), 0, -16, 15);

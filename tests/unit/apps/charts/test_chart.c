@@ -195,11 +195,12 @@ static void a_run_measures_all_settings_that_go_with_the_scene_in_order(void **s
         assert_true(point->measured.error == expected[i].error);
         assert_true(point->measured.metrics[0] == 255 - expected[i].error);
         assert_true(point->measured.metrics[1] == 24);
-        assert_true(point->frames >= 5 && point->min_ms > 0 && point->min_ms <= point->ms);
+        assert_true(point->time.frames >= 5 && point->time.min_ms > 0 &&
+                    point->time.min_ms <= point->time.ms);
         assert_string_equal(point->picture, "");
     }
     assert_true(chart.points[0].best || chart.points[2].best);
-    assert_false(chart.points[4].best && chart.points[4].ms > chart.points[0].ms);
+    assert_false(chart.points[4].best && chart.points[4].time.ms > chart.points[0].time.ms);
     chart_free(&chart);
 }
 
@@ -295,12 +296,12 @@ static Chart random_chart(Random *random)
     chart.points = gp_alloc(MOST_POINTS, sizeof *chart.points);
     for (uint32_t i = 0; i < chart.count; i++) {
         ChartPoint *point = &chart.points[i];
-        point->ms = random_int(random, 1, 20);
+        point->time.ms = random_int(random, 1, 20);
         point->measured.error = random_int(random, 0, 20);
         if (random_int(random, 0, 15) == 0)
             point->measured.error = (double)NAN;
         if (random_int(random, 0, 15) == 0)
-            point->ms = (double)NAN;
+            point->time.ms = (double)NAN;
     }
     return chart;
 }
@@ -310,7 +311,7 @@ static double least_error(const Chart *chart, double ms)
 {
     double least = HUGE_VAL;
     for (uint32_t i = 0; i < chart->count; i++)
-        if (chart->points[i].ms <= ms)
+        if (chart->points[i].time.ms <= ms)
             least = fmin(least, chart->points[i].measured.error);
     return least;
 }
@@ -320,7 +321,7 @@ static double least_time(const Chart *chart, double error)
     double least = HUGE_VAL;
     for (uint32_t i = 0; i < chart->count; i++)
         if (chart->points[i].measured.error <= error)
-            least = fmin(least, chart->points[i].ms);
+            least = fmin(least, chart->points[i].time.ms);
     return least;
 }
 
@@ -335,14 +336,14 @@ static void the_front_has_the_least_error_in_its_time_and_the_least_time_for_its
         uint32_t marked = 0;
         for (uint32_t i = 0; i < chart.count; i++) {
             const ChartPoint *point = &chart.points[i];
-            bool expected = point->measured.error == least_error(&chart, point->ms) &&
-                            point->ms == least_time(&chart, point->measured.error);
+            bool expected = point->measured.error == least_error(&chart, point->time.ms) &&
+                            point->time.ms == least_time(&chart, point->measured.error);
             assert_int_equal(point->best, expected);
             marked += expected;
         }
         assert_int_equal(chart_list_best(&chart, best), marked);
         for (uint32_t i = 0; i < marked; i++)
-            assert_true(best[i]->best && (i == 0 || best[i - 1]->ms <= best[i]->ms));
+            assert_true(best[i]->best && (i == 0 || best[i - 1]->time.ms <= best[i]->time.ms));
         chart_free(&chart);
     }
 }
@@ -357,7 +358,7 @@ static void the_chosen_point_is_the_fastest_that_is_near_enough(void **state)
         const ChartPoint *chosen = chart_choose(&chart, error);
         assert_int_equal(chosen != NULL, isfinite(ms));
         if (chosen)
-            assert_true(chosen->ms == ms && chosen->measured.error <= error &&
+            assert_true(chosen->time.ms == ms && chosen->measured.error <= error &&
                         chosen->measured.error == least_error(&chart, ms));
         assert_null(chart_choose(&chart, (double)NAN));
         chart_free(&chart);

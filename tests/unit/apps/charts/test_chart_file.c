@@ -47,13 +47,13 @@ static void json_restores_every_bit(void **state)
         snprintf(point->method, sizeof point->method, "m, %u", i % 7);
         snprintf(point->options, sizeof point->options, "--n \"%u\"", i);
         snprintf(point->picture, sizeof point->picture, "%s", i % 2 ? "p.png" : "");
-        point->ms = random_double(&random);
-        point->min_ms = i % 3 ? random_double(&random) : -HUGE_VAL;
-        point->cpu_ms = i % 5 ? i : (double)NAN;
+        point->time.ms = random_double(&random);
+        point->time.min_ms = i % 3 ? random_double(&random) : -HUGE_VAL;
+        point->time.cpu_ms = i % 5 ? i : (double)NAN;
         point->measured.error = i % 4 ? random_double(&random) : HUGE_VAL;
         point->measured.metrics[0] = i % 2 ? -0.0 : 0.1;
         point->measured.metrics[1] = random_double(&random);
-        point->frames = (uint32_t)random_bits(&random);
+        point->time.frames = (uint32_t)random_bits(&random);
         point->best = i % 2;
     }
     if (chart_write(in_folder("c"), &chart, &error) ||
@@ -72,13 +72,13 @@ static void json_restores_every_bit(void **state)
         assert_string_equal(a->method, b->method);
         assert_string_equal(a->options, b->options);
         assert_string_equal(a->picture, b->picture);
-        expect_same_bits(a->ms, b->ms);
-        expect_same_bits(a->min_ms, b->min_ms);
-        expect_same_bits(a->cpu_ms, b->cpu_ms);
+        expect_same_bits(a->time.ms, b->time.ms);
+        expect_same_bits(a->time.min_ms, b->time.min_ms);
+        expect_same_bits(a->time.cpu_ms, b->time.cpu_ms);
         expect_same_bits(a->measured.error, b->measured.error);
         expect_same_bits(a->measured.metrics[0], b->measured.metrics[0]);
         expect_same_bits(a->measured.metrics[1], b->measured.metrics[1]);
-        assert_int_equal(a->frames, b->frames);
+        assert_int_equal(a->time.frames, b->time.frames);
         assert_int_equal(a->best, b->best);
     }
     chart_free(&chart);
@@ -91,13 +91,13 @@ static void csv_quotes_what_needs_it(void **state)
     ChartPoint points[] = {
         { .method = "a, b",
           .options = "--c \"d\"",
-          .ms = 0.1,
-          .min_ms = 0.5,
-          .cpu_ms = 2,
-          .frames = 7,
+          .time.ms = 0.1,
+          .time.min_ms = 0.5,
+          .time.cpu_ms = 2,
+          .time.frames = 7,
           .measured = { 1e-300, { 3, (double)NAN } },
           .best = true },
-        { .method = "plain", .options = "two\nlines", .ms = 1.0 / 3 },
+        { .method = "plain", .options = "two\nlines", .time.ms = 1.0 / 3 },
     };
     const Chart chart = { .error_name = "wrong, pixels",
                           .metrics = { "x", "y" },

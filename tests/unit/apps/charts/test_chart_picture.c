@@ -38,7 +38,7 @@ static Chart make_chart(uint32_t count, uint32_t methods)
         ChartPoint *point = &chart.points[i];
         snprintf(point->method, sizeof point->method, "%s %u", nasty, i % methods);
         snprintf(point->options, sizeof point->options, "--a %u --b %s", i, nasty);
-        point->ms = pow(1.5, i % 13) * (1 + i * 0.01);
+        point->time.ms = pow(1.5, i % 13) * (1 + i * 0.01);
         point->measured.error = i % 7 == 6 ? 0 : pow(0.5, i % 17) * (1 + i * 0.03);
         if (i % 11 == 10)
             point->measured.error =
@@ -99,7 +99,7 @@ static void a_page_of_equal_points_has_its_axes(void **state)
     (void)state;
     Chart chart = make_chart(3, 3);
     for (uint32_t i = 0; i < chart.count; i++) {
-        chart.points[i].ms = 10;
+        chart.points[i].time.ms = 10;
         chart.points[i].measured.error = 200;
     }
     chart_mark_best(&chart);
@@ -168,7 +168,7 @@ static void labels_overlap_neither_each_other_nor_the_edge(void **state)
     for (uint32_t i = 0; i < chart.count; i++) {
         ChartPoint *point = &chart.points[i];
         snprintf(point->options, sizeof point->options, "--map %u --same 1", i);
-        point->ms = pow(1.1, i % 40) * (i < 40 ? 1 : 1.5);
+        point->time.ms = pow(1.1, i % 40) * (i < 40 ? 1 : 1.5);
         point->measured.error = 1e5 * pow(0.8, i % 40) * (1 + i / 40);
     }
     chart_mark_best(&chart);

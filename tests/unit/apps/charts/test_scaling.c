@@ -89,7 +89,8 @@ static void a_run_makes_all_points_of_the_table_in_order(void **state)
         assert_string_equal(point->options, expected[i].options);
         if (expected[i].amount > 0)
             assert_true(point->amount == expected[i].amount);
-        assert_true(point->frames > 0 && point->ms >= point->min_ms && point->min_ms > 0);
+        assert_true(point->time.frames > 0 && point->time.ms >= point->time.min_ms &&
+                    point->time.min_ms > 0);
     }
     assert_string_equal(scaling.points[6].scene, "builtin:knot");
     assert_true(scaling.points[6].amount > 12);
@@ -159,14 +160,14 @@ static Scaling make_scaling(const Technique *technique)
         scaling.points[i] = (ScalingPoint){ .panel = i >= 5,
                                             .line = i == 3 || i == 4,
                                             .amount = amounts[i],
-                                            .ms = ms,
-                                            .min_ms = ms / 2,
-                                            .cpu_ms = 2 * ms,
-                                            .frames = 9 };
+                                            .time.ms = ms,
+                                            .time.min_ms = ms / 2,
+                                            .time.cpu_ms = 2 * ms,
+                                            .time.frames = 9 };
         snprintf(scaling.points[i].scene, sizeof scaling.points[i].scene, "a/mesh<%d>.ply", i);
         snprintf(scaling.points[i].options, sizeof scaling.points[i].options, "--size %d", i);
     }
-    scaling.points[4].ms = (double)NAN;
+    scaling.points[4].time.ms = (double)NAN;
     return scaling;
 }
 
