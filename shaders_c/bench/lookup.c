@@ -2,12 +2,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/lookup.h"
 
-vertex_shader(lookup_vs, NoUniforms, TexturedQuadVertex, UvVarying)
-{
-    *position = textured_quad(in, out);
-}
+textured_quad_vertex_shader(lookup_vs, NoUniforms)
 
-pixel_shader(lookup_ps, NoUniforms, UvVarying)
+    pixel_shader(lookup_ps, NoUniforms, UvVarying)
 {
     float4 place = texld(0, in->uv);
     return texldl(1, vec4(place.x, place.y, 0, 0));
@@ -20,9 +17,8 @@ pixel_shader(cut_out_ps, NoUniforms, UvVarying)
     return color;
 }
 
-program(lookup_program, lookup_vs, lookup_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, TEXTURED_QUAD_DECLARATIONS, .samplers = 1 << 0 | 1 << 1)
+program(lookup_program, lookup_vs, lookup_ps, MODEL_3_0, TEXTURED_QUAD_DECLARATIONS,
+        .samplers = 1 << 0 | 1 << 1)
 
-program(cut_out_program, lookup_vs, cut_out_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, TEXTURED_QUAD_DECLARATIONS, .samplers = 1 << 0,
-        .may_discard = true)
+program(cut_out_program, lookup_vs, cut_out_ps, MODEL_2_0, TEXTURED_QUAD_DECLARATIONS,
+        .samplers = 1 << 0, .may_discard = true)

@@ -43,7 +43,7 @@ pixel_shader(peel_next_ps, PeelUniforms, Varying)
 
 /* clang-format off */
 #define PEEL_DECLARATIONS                                                                          \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
+    MODEL_2_0,                                       \
     .inputs = { MESH_INPUTS },                                                                     \
     .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "depth", 1, GP_LINEAR_SCREEN } }
 
@@ -54,12 +54,9 @@ program(peel_next_program, peel_vs, peel_next_ps, PEEL_DECLARATIONS, .local_read
 
 /* --- putting together ------------------------------------------------------------------------- */
 
-vertex_shader(layer_vs, LayerUniforms, PointVertex, NoVarying)
-{
-    *position = rgba(in->position, 1);
-}
+clip_vertex_shader(layer_vs, LayerUniforms)
 
-pixel_shader(layer_premultiply_ps, LayerUniforms, NoVarying)
+    pixel_shader(layer_premultiply_ps, LayerUniforms, NoVarying)
 {
     float4 layer = gp_load_local(0);
     return rgba(mul(xyz(layer), layer.w), layer.w);
@@ -73,7 +70,7 @@ pixel_shader(layer_background_ps, LayerUniforms, NoVarying)
 
 /* clang-format off */
 #define LAYER_DECLARATIONS                                                                         \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
+    MODEL_2_0,                                       \
     .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
 /* clang-format on */
 

@@ -5,21 +5,13 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/slab_bits.h"
 
-typedef struct Varying {
-    flt depth;
-} Varying;
-
-typedef struct Targets {
-    float4 slab[4];
-} Targets;
-
-vertex_shader(slab_bits_vs, SlabBitsUniforms, PointVertex, Varying)
+vertex_shader(slab_bits_vs, SlabBitsUniforms, PointVertex, DepthVarying)
 {
     *position = m4x4(in->position, c->mvp);
     out->depth = position->z;
 }
 
-pixel_shader_targets(slab_bits_ps, SlabBitsUniforms, Varying, Targets)
+pixel_shader_targets(slab_bits_ps, SlabBitsUniforms, DepthVarying, SlabTargets)
 {
     flt voxel = floor_(in->depth * 256.0f);
     flt slab = floor_(voxel * (1.0f / 32)), target = slab - c->first_slab;
@@ -33,6 +25,5 @@ pixel_shader_targets(slab_bits_ps, SlabBitsUniforms, Varying, Targets)
         out->slab[i] = sel(target == (float)i, bits, 0);
 }
 
-program(slab_bits_program, slab_bits_vs, slab_bits_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
+program(slab_bits_program, slab_bits_vs, slab_bits_ps, MODEL_2_0, .inputs = { { GP_POSITION, 3 } },
         .varyings = { { "depth", 1, GP_PERSPECTIVE } }, .may_discard = true)

@@ -36,8 +36,8 @@ pixel_shader(soft_sprite_ps, SoftSpriteUniforms, SoftVarying)
     return rgba(mul(in->color, alpha), alpha);
 }
 
-program(soft_sprite_program, soft_sprite_vs, soft_sprite_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
+program(soft_sprite_program, soft_sprite_vs, soft_sprite_ps, MODEL_2_0,
+        .inputs = { { GP_POSITION, 3 } },
         .varyings = { { "sprite", 2, GP_SPRITE_COORD }, { "color", 3, GP_FLAT } },
         .may_discard = true, .writes_point_size = true)
 
@@ -63,7 +63,7 @@ pixel_shader(sheet_sprite_ps, SheetSpriteUniforms, SheetVarying)
     return rgba(mul(color, alpha), alpha);
 }
 
-program(sheet_sprite_program, sheet_sprite_vs, sheet_sprite_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
+program(sheet_sprite_program, sheet_sprite_vs, sheet_sprite_ps, MODEL_2_0,
+        .inputs = { { GP_POSITION, 3 } },
         .varyings = { { "sprite", 2, GP_SPRITE_COORD }, { "value", 1, GP_FLAT } },
         .writes_point_size = true)

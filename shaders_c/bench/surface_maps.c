@@ -29,6 +29,6 @@ pixel_shader_targets(surface_maps_ps, SurfaceMapsUniforms, Varying, Targets)
     out->light = vec4(in->depth, dp3(N, u3(c->light)), 0, 1);
 }
 
-program(surface_maps_program, surface_maps_vs, surface_maps_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS },
+program(surface_maps_program, surface_maps_vs, surface_maps_ps, MODEL_2_0,
+        .inputs = { MESH_INPUTS },
         .varyings = { SURFACE_VARYINGS, { "depth", 1, GP_LINEAR_SCREEN } })

@@ -45,8 +45,8 @@ pixel_shader(two_sided_ps, TwoSidedUniforms, SurfaceVarying)
     return shade(c, in, bcast(1));
 }
 
-program(two_sided_program, two_sided_vs, two_sided_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })
+program(two_sided_program, two_sided_vs, two_sided_ps, MODEL_2_0, .inputs = { MESH_INPUTS },
+        .varyings = { SURFACE_VARYINGS })
 
 /* --- shadows ------------------------------------------------------------------------------------ */
 
@@ -100,7 +100,7 @@ pixel_shader(pcf_ps, TwoSidedUniforms, ShadowVarying)
 
 /* clang-format off */
 #define SHADOW_DECLARATIONS                                                                        \
-    .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                                       \
+    MODEL_3_0,                                       \
     .inputs = { MESH_INPUTS },                                            \
     .varyings = { SURFACE_VARYINGS, { "light_clip", 4, GP_PERSPECTIVE } },                         \
     .samplers = 1 << 0

@@ -2,15 +2,11 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/blit.h"
 
-vertex_shader(blit_vs, NoUniforms, TexturedQuadVertex, UvVarying)
-{
-    *position = textured_quad(in, out);
-}
+textured_quad_vertex_shader(blit_vs, NoUniforms)
 
-pixel_shader(blit_ps, NoUniforms, UvVarying)
+    pixel_shader(blit_ps, NoUniforms, UvVarying)
 {
     return texld(0, in->uv);
 }
 
-program(blit_program, blit_vs, blit_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        TEXTURED_QUAD_DECLARATIONS, .samplers = 1 << 0)
+program(blit_program, blit_vs, blit_ps, MODEL_2_0, TEXTURED_QUAD_DECLARATIONS, .samplers = 1 << 0)

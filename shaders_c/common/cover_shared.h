@@ -2,7 +2,7 @@
 #ifndef SHADERS_COVER_SHARED_H
 #define SHADERS_COVER_SHARED_H
 
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 
 typedef struct CoverVertex {
     float2 corner; /* clip space */
@@ -17,6 +17,12 @@ GP_INLINE float4 cover(const CoverVertex *in, CoverVarying *out)
     out->place = vec2(in->corner.x * 0.5f + 0.5f, 0.5f - in->corner.y * 0.5f);
     return vec4(in->corner.x, in->corner.y, 0.5f, 1);
 }
+
+#define cover_vertex_shader(name, Uniforms)                                                        \
+    vertex_shader(name, Uniforms, CoverVertex, CoverVarying)                                       \
+    {                                                                                              \
+        *position = cover(in, out);                                                                \
+    }
 
 /* clang-format off */
 #define COVER_DECLARATIONS                                                                         \

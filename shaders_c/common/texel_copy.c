@@ -4,12 +4,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/texel_copy.h"
 
-vertex_shader(texel_copy_vs, NoUniforms, PointVertex, NoVarying)
-{
-    *position = rgba(in->position, 1);
-}
+clip_vertex_shader(texel_copy_vs, NoUniforms)
 
-pixel_shader(texel_copy_ps, NoUniforms, NoVarying)
+    pixel_shader(texel_copy_ps, NoUniforms, NoVarying)
 {
     return gp_load_local(0);
 }
@@ -22,7 +19,7 @@ pixel_shader(texel_complement_ps, NoUniforms, NoVarying)
 
 /* clang-format off */
 #define TEXEL_DECLARATIONS                                                                         \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
+    MODEL_2_0,                                       \
     .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
 /* clang-format on */
 

@@ -14,6 +14,24 @@ typedef struct PointVertex {
     float3 position;
 } PointVertex;
 
+typedef struct ColoredVertex {
+    float3 position;
+    float4 color;
+} ColoredVertex;
+
+typedef struct ColorVarying {
+    float4 color;
+} ColorVarying;
+
+typedef struct DepthVarying {
+    flt depth;
+} DepthVarying;
+
+/* Slabs of a volume, one in each target. */
+typedef struct SlabTargets {
+    float4 slab[4];
+} SlabTargets;
+
 /* --- meshes ----------------------------------------------------------------------------------- */
 
 typedef struct MeshVertex {
@@ -24,6 +42,10 @@ typedef struct TexturedVertex {
     float3 position, normal;
     float2 texcoord;
 } TexturedVertex;
+
+typedef struct NormalVarying {
+    float3 normal;
+} NormalVarying;
 
 /* What is lit at each pixel. */
 typedef struct SurfaceVarying {
@@ -39,7 +61,13 @@ GP_INLINE float4 mesh_surface(const float mvp[4][4], float3 world, float3 normal
     return m4x4(world, mvp);
 }
 
-/* --- quads whose corners are in clip space already -------------------------------------------- */
+/* --- what is in clip space already ------------------------------------------------------------ */
+
+#define clip_vertex_shader(name, Uniforms)                                                         \
+    vertex_shader(name, Uniforms, PointVertex, NoVarying)                                          \
+    {                                                                                              \
+        *position = rgba(in->position, 1);                                                         \
+    }
 
 typedef struct TexturedQuadVertex {
     float3 position;
@@ -50,15 +78,18 @@ typedef struct UvVarying {
     float2 uv;
 } UvVarying;
 
-GP_INLINE float4 textured_quad(const TexturedQuadVertex *in, UvVarying *out)
-{
-    out->uv = in->texcoord;
-    return rgba(in->position, 1);
-}
+#define textured_quad_vertex_shader(name, Uniforms)                                                \
+    vertex_shader(name, Uniforms, TexturedQuadVertex, UvVarying)                                   \
+    {                                                                                              \
+        *position = rgba(in->position, 1);                                                         \
+        out->uv = in->texcoord;                                                                    \
+    }
 
 /* --- declarations ----------------------------------------------------------------------------- */
 
 /* clang-format off */
+#define MODEL_2_0 .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0
+#define MODEL_3_0 .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0
 #define MESH_INPUTS      { GP_POSITION, 3 }, { GP_NORMAL, 3 }
 #define SURFACE_VARYINGS { "normal", 3, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE }
 #define TEXTURED_QUAD_DECLARATIONS                                                                 \

@@ -6,12 +6,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/deferred.h"
 
-vertex_shader(deferred_vs, DeferredUniforms, PointVertex, NoVarying)
-{
-    *position = rgba(in->position, 1);
-}
+clip_vertex_shader(deferred_vs, DeferredUniforms)
 
-pixel_shader(deferred_ps, DeferredUniforms, NoVarying)
+    pixel_shader(deferred_ps, DeferredUniforms, NoVarying)
 {
     float4 albedo = gp_load_local(0);
     float3 N = xyz(gp_load_local(1));
@@ -29,6 +26,5 @@ pixel_shader(deferred_ps, DeferredUniforms, NoVarying)
     return rgba(sel(albedo.w > 0.0f, lit_surface, u3(c->background)), 1);
 }
 
-program(deferred_program, deferred_vs, deferred_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
+program(deferred_program, deferred_vs, deferred_ps, MODEL_2_0, .inputs = { { GP_POSITION, 3 } },
         .local_reads = 1 << 0 | 1 << 1 | 1 << 2)

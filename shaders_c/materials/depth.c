@@ -19,5 +19,5 @@ pixel_shader(depth_ps, DepthUniforms, Varying)
     return rgba(sp3(sat(in->grey)), 1);
 }
 
-program(depth_program, depth_vs, depth_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { { GP_POSITION, 3 } }, .varyings = { { "grey", 1, GP_PERSPECTIVE } })
+program(depth_program, depth_vs, depth_ps, MODEL_2_0, .inputs = { { GP_POSITION, 3 } },
+        .varyings = { { "grey", 1, GP_PERSPECTIVE } })

@@ -19,5 +19,5 @@ pixel_shader_targets(gbuffer_ps, GbufferUniforms, SurfaceVarying, Targets)
     out->world = rgba(in->world, 1);
 }
 
-program(gbuffer_program, gbuffer_vs, gbuffer_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })
+program(gbuffer_program, gbuffer_vs, gbuffer_ps, MODEL_2_0, .inputs = { MESH_INPUTS },
+        .varyings = { SURFACE_VARYINGS })

@@ -26,6 +26,5 @@ pixel_shader(gouraud_ps, PhongUniforms, Varying)
     return rgba(in->color, 1);
 }
 
-program(gouraud_program, gouraud_vs, gouraud_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS },
+program(gouraud_program, gouraud_vs, gouraud_ps, MODEL_2_0, .inputs = { MESH_INPUTS },
         .varyings = { { "color", 3, GP_PERSPECTIVE } })

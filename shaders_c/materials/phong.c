@@ -23,5 +23,5 @@ pixel_shader(phong_ps, PhongUniforms, SurfaceVarying)
     return rgba(mad(sp3(highlight), c->specular, color), 1);
 }
 
-program(phong_program, phong_vs, phong_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })
+program(phong_program, phong_vs, phong_ps, MODEL_2_0, .inputs = { MESH_INPUTS },
+        .varyings = { SURFACE_VARYINGS })

@@ -5,7 +5,7 @@
  * with a perspective camera without shear, row 0 of world to clip is a multiple of its right, row 1
  * of its up, and row 3 is its forward; |row 1| is the cotangent of half the angle of view, so that
  * |row 1| * height / 2 / w is the number of pixels a world unit takes. */
-#include "pipeline/shader.h"
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/sprite.h"
 
 typedef struct Vertex {
@@ -45,8 +45,7 @@ pixel_shader(sprite_ps, SpriteUniforms, Varying)
     return rgba(mul(xyz(in->color), lambert + c->ambient), in->color.w);
 }
 
-program(sprite_program, sprite_vs, sprite_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0,
+program(sprite_program, sprite_vs, sprite_ps, MODEL_2_0,
         .inputs = { { GP_POSITION, 3 }, { GP_COLOR, 4 }, { GP_POINT_SIZE, 1 } },
         .varyings = { { "sprite", 2, GP_SPRITE_COORD },
                       { "color", 4, GP_PERSPECTIVE },

@@ -22,7 +22,7 @@ pixel_shader(textured_ps, TexturedUniforms, Varying)
     return rgba(mul(xyz(texel), light), texel.w);
 }
 
-program(textured_program, textured_vs, textured_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS, { GP_TEXCOORD0, 2 } },
+program(textured_program, textured_vs, textured_ps, MODEL_2_0,
+        .inputs = { MESH_INPUTS, { GP_TEXCOORD0, 2 } },
         .varyings = { { "uv", 2, GP_PERSPECTIVE }, { "normal", 3, GP_PERSPECTIVE } },
         .samplers = 1 << 0)

@@ -29,6 +29,6 @@ pixel_shader(textured_phong_ps, PhongUniforms, Varying)
     return rgba(mad(sp3(highlight), c->specular, color), texel.w);
 }
 
-program(textured_phong_program, textured_phong_vs, textured_phong_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { MESH_INPUTS, { GP_TEXCOORD0, 2 } },
+program(textured_phong_program, textured_phong_vs, textured_phong_ps, MODEL_2_0,
+        .inputs = { MESH_INPUTS, { GP_TEXCOORD0, 2 } },
         .varyings = { { "uv", 2, GP_PERSPECTIVE }, SURFACE_VARYINGS }, .samplers = 1 << 0)

@@ -21,5 +21,5 @@ pixel_shader(toon_ps, ToonUniforms, SurfaceVarying)
     return rgba(cmp(-rim, color, u3(c->ink)), 1);
 }
 
-program(toon_program, toon_vs, toon_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { MESH_INPUTS }, .varyings = { SURFACE_VARYINGS })
+program(toon_program, toon_vs, toon_ps, MODEL_2_0, .inputs = { MESH_INPUTS },
+        .varyings = { SURFACE_VARYINGS })

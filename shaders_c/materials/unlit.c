@@ -12,5 +12,4 @@ pixel_shader(unlit_ps, UnlitUniforms, NoVarying)
     return u4(c->color);
 }
 
-program(unlit_program, unlit_vs, unlit_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { { GP_POSITION, 3 } })
+program(unlit_program, unlit_vs, unlit_ps, MODEL_2_0, .inputs = { { GP_POSITION, 3 } })

@@ -19,6 +19,5 @@ pixel_shader(shadow_map_ps, ShadowMapUniforms, Varying)
     return sp4(in->depth.x / in->depth.y);
 }
 
-program(shadow_map_program, shadow_map_vs, shadow_map_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
-        .varyings = { { "depth", 2, GP_PERSPECTIVE } })
+program(shadow_map_program, shadow_map_vs, shadow_map_ps, MODEL_2_0,
+        .inputs = { { GP_POSITION, 3 } }, .varyings = { { "depth", 2, GP_PERSPECTIVE } })

@@ -86,9 +86,8 @@ SHADOW_PAIR(tiles, smooth, ShadowTilesUniforms, &c->shadow, MAPS, 3_0, false)
 SHADOW_PAIR(tiles, flat, ShadowTilesUniforms, &c->shadow, MAPS, 3_0, true)
 /* clang-format on */
 
-program(shadow_request_program, lit_vs, request_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, .inputs = { MESH_INPUTS }, .varyings = { LIT_VARYINGS },
-        .samplers = 1 << 1)
+program(shadow_request_program, lit_vs, request_ps, MODEL_3_0, .inputs = { MESH_INPUTS },
+        .varyings = { LIT_VARYINGS }, .samplers = 1 << 1)
 
-program(shadow_mark_program, mark_vs, mark_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, .inputs = { { GP_TEXCOORD0, 2 } }, .vertex_samplers = 1 << 0)
+program(shadow_mark_program, mark_vs, mark_ps, MODEL_3_0, .inputs = { { GP_TEXCOORD0, 2 } },
+        .vertex_samplers = 1 << 0)

@@ -2,12 +2,9 @@
 #include "shaders_c/voxel/inputs/implicit_shared.h"
 #include "shaders_c/voxel/inputs/field.h"
 
-vertex_shader(voxel_field_vs, VoxelFieldUniforms, CoverVertex, CoverVarying)
-{
-    *position = cover(in, out);
-}
+cover_vertex_shader(voxel_field_vs, VoxelFieldUniforms)
 
-GP_INLINE float4 bits_inside(GpInvocation *gp, const VoxelFieldUniforms *c, float2 place)
+    GP_INLINE float4 bits_inside(GpInvocation *gp, const VoxelFieldUniforms *c, float2 place)
 {
     float2 column = add(floor_(mul(place, c->size)), 0.5f);
     float4 sample[VOXEL_FIELD_PATCHES], value[FOURS];
@@ -30,8 +27,7 @@ pixel_shader_targets(voxel_field_corner_ps, VoxelFieldUniforms, CoverVarying, Tw
     out->any = out->all = bits_inside(gp, c, in->place);
 }
 
-program(voxel_field_program, voxel_field_vs, voxel_field_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS, .samplers = 1 << 0)
-program(voxel_field_corner_program, voxel_field_vs, voxel_field_corner_ps,
-        .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS,
+program(voxel_field_program, voxel_field_vs, voxel_field_ps, MODEL_2_0, COVER_DECLARATIONS,
         .samplers = 1 << 0)
+program(voxel_field_corner_program, voxel_field_vs, voxel_field_corner_ps, MODEL_2_0,
+        COVER_DECLARATIONS, .samplers = 1 << 0)

@@ -25,7 +25,7 @@ GP_INLINE float4 set_voxel(const VoxelPointsUniforms *c, float3 position, PointV
 
 /* clang-format off */
 #define POINT_DECLARATIONS(...)                                                                    \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0, .inputs = { __VA_ARGS__ },            \
+    MODEL_2_0, .inputs = { __VA_ARGS__ },            \
     .varyings = { { "bit", 4, GP_FLAT } }, .writes_point_size = true
 /* clang-format on */
 

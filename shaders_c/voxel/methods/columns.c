@@ -1,7 +1,6 @@
 /* Surface voxels by columns, exactly: no triangle is lost for being small or steep, and none is
  * drawn more than once, but where it reaches from slab to slab. */
 #define GP_SHADER_PAIRS
-#include "pipeline/shader.h"
 #include "shaders_c/voxel/methods/columns_shared.h"
 
 /* --- vertices --------------------------------------------------------------------------------- */
@@ -72,12 +71,12 @@ vertex_shader(voxel_sampled_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Va
 
 /* clang-format off */
 #define SPRITE_DECLARATIONS                                                                        \
-    .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                                       \
+    MODEL_3_0,                                       \
     .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },                   \
     .varyings = VOXEL_COLUMNS_VARYINGS, .writes_point_size = true, .uses_pixel = true
 
 #define RECTANGLE_DECLARATIONS                                                                     \
-    .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,                                       \
+    MODEL_3_0,                                       \
     .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 },                     \
                 { GP_TEXCOORD3, 1 } },                                                             \
     .varyings = VOXEL_COLUMNS_VARYINGS, .uses_pixel = true
@@ -128,8 +127,7 @@ pixel_shader(voxel_column_ps, VoxelColumnsUniforms, RunVarying)
     return bits_between(in->run.x, in->run.y);
 }
 
-program(voxel_touched_column_program, voxel_column_vs, voxel_column_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0,
+program(voxel_touched_column_program, voxel_column_vs, voxel_column_ps, MODEL_2_0,
         .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },
         .varyings = { { "run", 2, GP_FLAT } }, .writes_point_size = true)
 

@@ -11,6 +11,7 @@
 #ifndef SHADERS_VOXEL_METHODS_COLUMNS_SHARED_H
 #define SHADERS_VOXEL_METHODS_COLUMNS_SHARED_H
 
+#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/methods/columns.h"
 #include "shaders_c/voxel/methods/motion_shared.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"

@@ -3,17 +3,12 @@
  *        objects", Vision, Modeling and Visualization 2003; Everitt, "Interactive
  *        order-independent transparency", NVIDIA 2001 */
 #include "shaders_c/common/cover_shared.h"
-#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 #include "shaders_c/voxel/methods/layers.h"
 
 /* --- peeling ---------------------------------------------------------------------------------- */
 
-typedef struct Varying {
-    flt depth;
-} Varying;
-
-vertex_shader(voxel_peel_vs, VoxelPeelUniforms, PointVertex, Varying)
+vertex_shader(voxel_peel_vs, VoxelPeelUniforms, PointVertex, DepthVarying)
 {
     *position = m4x4(in->position, c->to_clip);
     out->depth = position->z;
@@ -21,13 +16,13 @@ vertex_shader(voxel_peel_vs, VoxelPeelUniforms, PointVertex, Varying)
 
 /* The shader's own depth goes into the depth buffer too, so that what is compared with the layer
  * before is what was stored there, bit for bit. */
-pixel_shader(voxel_peel_first_ps, VoxelPeelUniforms, Varying)
+pixel_shader(voxel_peel_first_ps, VoxelPeelUniforms, DepthVarying)
 {
     odepth(in->depth);
     return sp4(in->depth);
 }
 
-pixel_shader(voxel_peel_next_ps, VoxelPeelUniforms, Varying)
+pixel_shader(voxel_peel_next_ps, VoxelPeelUniforms, DepthVarying)
 {
     discard(in->depth <= gp_load_local(0).x);
     odepth(in->depth);
@@ -36,7 +31,7 @@ pixel_shader(voxel_peel_next_ps, VoxelPeelUniforms, Varying)
 
 /* clang-format off */
 #define PEEL_DECLARATIONS                                                                          \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,                                       \
+    MODEL_2_0,                                       \
     .inputs = { { GP_POSITION, 3 } },                                                              \
     .varyings = { { "depth", 1, GP_LINEAR_SCREEN } }
 
@@ -48,12 +43,9 @@ program(voxel_peel_next_program, voxel_peel_vs, voxel_peel_next_ps, PEEL_DECLARA
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
-vertex_shader(voxel_layer_vs, FlatTextureSlab, CoverVertex, CoverVarying)
-{
-    *position = cover(in, out);
-}
+cover_vertex_shader(voxel_layer_vs, FlatTextureSlab)
 
-pixel_shader(voxel_layer_ps, FlatTextureSlab, CoverVarying)
+    pixel_shader(voxel_layer_ps, FlatTextureSlab, CoverVarying)
 {
     flt voxel = floor_(texld(0, in->place).x * c->size) - c->base;
     return bits_between(voxel, voxel + 1.0f);
@@ -69,7 +61,7 @@ pixel_shader(voxel_between_ps, FlatTextureSlab, CoverVarying)
 
 /* clang-format off */
 #define LAYER_DECLARATIONS                                                                         \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS
+    MODEL_2_0, COVER_DECLARATIONS
 
 program(voxel_layer_program, voxel_layer_vs, voxel_layer_ps, LAYER_DECLARATIONS,
         .samplers = 1 << 0)

@@ -4,7 +4,6 @@
  *        here it turns over its own group of slabs only, and the others follow once for all
  *        fragments. */
 #include "shaders_c/common/cover_shared.h"
-#include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/methods/parity.h"
 #include "shaders_c/voxel/methods/motion_shared.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
@@ -15,10 +14,6 @@ typedef struct Varying {
     flt height; /* z above the group's floor */
 } Varying;
 
-typedef struct Targets {
-    float4 slab[4];
-} Targets;
-
 vertex_shader(voxel_parity_vs, VoxelParityUniforms, PointVertex, Varying)
 {
     float3 q = into_voxels(&c->motion, in->position);
@@ -28,7 +23,7 @@ vertex_shader(voxel_parity_vs, VoxelParityUniforms, PointVertex, Varying)
     out->height = q.z - c->floor;
 }
 
-pixel_shader_targets(voxel_parity_ps, VoxelParityUniforms, Varying, Targets)
+pixel_shader_targets(voxel_parity_ps, VoxelParityUniforms, Varying, SlabTargets)
 {
     flt below = -floor_(0.5f - in->height); /* centres below the surface */
     below = sel(below <= c->most, below, 0);
@@ -43,12 +38,9 @@ program(voxel_parity_program, voxel_parity_vs, voxel_parity_ps, .vertex_profile 
 
 /* --- all slabs -------------------------------------------------------------------------------- */
 
-vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms, CoverVertex, CoverVarying)
-{
-    *position = cover(in, out);
-}
+cover_vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms)
 
-pixel_shader(voxel_parity_resolve_ps, VoxelParityResolveUniforms, CoverVarying)
+    pixel_shader(voxel_parity_resolve_ps, VoxelParityResolveUniforms, CoverVarying)
 {
     const float scale = 1.0f / c->patches;
     float4 bits = texld(0, vec2(in->place.x, (in->place.y + c->patch) * scale));

@@ -3,18 +3,14 @@
  * source Dong et al., Pacific Graphics 2004, solid voxelization: rows are scanned voxel by voxel.
  *        DEVIATES: eight at a read, by a table; and a first pass finds how each texel's part of a
  *        row ends, so that the second needs not wait from slab to slab. */
-#include "pipeline/shader.h"
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/methods/rows.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-vertex_shader(voxel_rows_vs, VoxelRowsUniforms, CoverVertex, CoverVarying)
-{
-    *position = cover(in, out);
-}
+cover_vertex_shader(voxel_rows_vs, VoxelRowsUniforms)
 
-/* What eight voxels fill, and the state after them. */
-GP_INLINE float4 scan(GpInvocation *gp, flt byte, flt state)
+    /* What eight voxels fill, and the state after them. */
+    GP_INLINE float4 scan(GpInvocation *gp, flt byte, flt state)
 {
     return texldl(1, vec4(byte * (255.0f / 256) + 0.5f / 256, state * 0.5f + 0.25f, 0, 0));
 }
@@ -36,8 +32,8 @@ pixel_shader(voxel_row_ends_ps, VoxelRowsUniforms, CoverVarying)
     return sp4(scan(gp, here.w, state).y);
 }
 
-program(voxel_row_ends_program, voxel_rows_vs, voxel_row_ends_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1)
+program(voxel_row_ends_program, voxel_rows_vs, voxel_row_ends_ps, MODEL_3_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0 | 1 << 1)
 
 pixel_shader(voxel_rows_ps, VoxelRowsUniforms, CoverVarying)
 {
@@ -58,6 +54,5 @@ pixel_shader(voxel_rows_ps, VoxelRowsUniforms, CoverVarying)
                 keep(alpha.x, left - 24.0f));
 }
 
-program(voxel_rows_program, voxel_rows_vs, voxel_rows_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1 | 1 << 2,
-        .uses_pixel = true)
+program(voxel_rows_program, voxel_rows_vs, voxel_rows_ps, MODEL_3_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0 | 1 << 1 | 1 << 2, .uses_pixel = true)

@@ -4,10 +4,7 @@
  *        Pacific Graphics 2004: texelization, its table of 8 x 1, and four targets at once */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/voxel/methods/sheets.h"
-
-typedef struct Targets {
-    float4 slab[4];
-} Targets;
+#include "shaders_c/voxel/volume/flat_texture_shared.h"
 
 /* A fragment's place along the axis. */
 typedef struct Place {
@@ -31,14 +28,14 @@ GP_INLINE Place find_place(const VoxelSheetsUniforms *c, flt depth, float per_te
     return (Place){ sel(voxel < c->size, slab - c->first_slab, -1), voxel - slab * per_texel };
 }
 
-GP_INLINE void put_texel(Targets *out, flt target, float4 texel)
+GP_INLINE void put_texel(SlabTargets *out, flt target, float4 texel)
 {
     for (int i = 0; i < 4; i++)
         out->slab[i] = sel(target == (float)i, texel, 0);
 }
 
 /* Adds a value of up to 16 bits to its place. */
-GP_INLINE void put_value(const VoxelSheetsUniforms *c, flt depth, flt value, Targets *out)
+GP_INLINE void put_value(const VoxelSheetsUniforms *c, flt depth, flt value, SlabTargets *out)
 {
     Place place = find_place(c, depth, c->per_texel);
     flt high = floor_(value * (1.0f / 256)), low = value - 256.0f * high;
@@ -52,37 +49,30 @@ GP_INLINE void put_value(const VoxelSheetsUniforms *c, flt depth, flt value, Tar
 
 /* --- bits and densities ----------------------------------------------------------------------- */
 
-typedef struct Varying {
-    flt depth;
-} Varying;
-
-vertex_shader(voxel_place_vs, VoxelSheetsUniforms, PointVertex, Varying)
+vertex_shader(voxel_place_vs, VoxelSheetsUniforms, PointVertex, DepthVarying)
 {
     *position = place_on_patch(c, in->position, &out->depth);
 }
 
-pixel_shader_targets(voxel_bits_ps, VoxelSheetsUniforms, Varying, Targets)
+pixel_shader_targets(voxel_bits_ps, VoxelSheetsUniforms, DepthVarying, SlabTargets)
 {
     Place place = find_place(c, in->depth, 32);
     flt byte = floor_((place.voxel + 0.5f) * (1.0f / 8)), bit = place.voxel - 8.0f * byte;
     flt power = texld(0, vec2((bit + 0.5f) * (1.0f / 8), 0.5f)).x;
-    put_texel(out, place.target,
-              vec4(sel(byte == 2.0f, power, 0), sel(byte == 1.0f, power, 0),
-                   sel(byte == 0.0f, power, 0), sel(byte == 3.0f, power, 0)));
+    put_texel(out, place.target, in_byte(byte, power));
 }
 
-program(voxel_bits_program, voxel_place_vs, voxel_bits_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
-        .varyings = { { "depth", 1, GP_PERSPECTIVE } }, .samplers = 1 << 0)
+program(voxel_bits_program, voxel_place_vs, voxel_bits_ps, MODEL_2_0,
+        .inputs = { { GP_POSITION, 3 } }, .varyings = { { "depth", 1, GP_PERSPECTIVE } },
+        .samplers = 1 << 0)
 
-pixel_shader_targets(voxel_density_ps, VoxelSheetsUniforms, Varying, Targets)
+pixel_shader_targets(voxel_density_ps, VoxelSheetsUniforms, DepthVarying, SlabTargets)
 {
     put_value(c, in->depth, bcast(c->offset), out);
 }
 
-program(voxel_density_program, voxel_place_vs, voxel_density_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 } },
-        .varyings = { { "depth", 1, GP_PERSPECTIVE } })
+program(voxel_density_program, voxel_place_vs, voxel_density_ps, MODEL_2_0,
+        .inputs = { { GP_POSITION, 3 } }, .varyings = { { "depth", 1, GP_PERSPECTIVE } })
 
 /* --- what 8 and 16 bits hold: whole numbers in one or two bytes, by codes of ours --------------- */
 
@@ -109,7 +99,7 @@ GP_INLINE flt fold(flt a, flt b)
 /* The octahedron |x| + |y| + |z| = 1 laid flat: its lower half is folded out over the corners.
  * source Meyer, Suessmuth, Sussner, Stamminger and Greiner, "On floating-point normal vectors",
  *        EGSR 2010 */
-pixel_shader_targets(voxel_normals_ps, VoxelSheetsUniforms, ValueVarying, Targets)
+pixel_shader_targets(voxel_normals_ps, VoxelSheetsUniforms, ValueVarying, SlabTargets)
 {
     float3 n = in->value;
     n = mul(n, rcp(abs_(n.x) + abs_(n.y) + abs_(n.z)));
@@ -130,13 +120,13 @@ vertex_shader(voxel_colors_vs, VoxelSheetsUniforms, ValueVertex, ValueVarying)
 }
 
 /* Black is nearly so: 0 says that nothing is there. */
-pixel_shader_targets(voxel_colors_ps, VoxelSheetsUniforms, ValueVarying, Targets)
+pixel_shader_targets(voxel_colors_ps, VoxelSheetsUniforms, ValueVarying, SlabTargets)
 {
     float3 whole = floor_(add(mul(sat(in->value), u3(c->levels)), 0.5f));
     flt code = dp3(whole, u3(c->weights));
     put_value(c, in->depth, max(code, 1), out);
 }
 
-program(voxel_colors_program, voxel_colors_vs, voxel_colors_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, .inputs = { { GP_POSITION, 3 }, { GP_COLOR, 3 } },
+program(voxel_colors_program, voxel_colors_vs, voxel_colors_ps, MODEL_2_0,
+        .inputs = { { GP_POSITION, 3 }, { GP_COLOR, 3 } },
         .varyings = { { "depth", 1, GP_PERSPECTIVE }, { "value", 3, GP_PERSPECTIVE } })

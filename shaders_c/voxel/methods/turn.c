@@ -3,18 +3,14 @@
  * source Dong et al., Pacific Graphics 2004: lookup tables for places and for bits. DEVIATES:
  *        theirs is a map of every place to every place; ours has an entry for each depth, since
  *        what is left is a turn. */
-#include "pipeline/shader.h"
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/methods/turn.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-vertex_shader(voxel_turn_vs, VoxelTurnUniforms, CoverVertex, CoverVarying)
-{
-    *position = cover(in, out);
-}
+cover_vertex_shader(voxel_turn_vs, VoxelTurnUniforms)
 
-/* Texels in a row: the first one's place in the texture, and how far it is to the next. */
-typedef struct Column {
+    /* Texels in a row: the first one's place in the texture, and how far it is to the next. */
+    typedef struct Column {
     float2 start, step;
     flt part, byte; /* where in each the voxel is */
     flt left;       /* voxels of the volume from the first on: what comes after is empty */
@@ -45,19 +41,12 @@ GP_INLINE float4 read_voxel(GpInvocation *gp, const Column *column, int k)
     return sel(column->left > (float)k, texldl(0, vec4(place.x, place.y, 0, 0)), 0);
 }
 
-/* 1 in the byte's channel, 0 in the others; blue is byte 0. */
-GP_INLINE float4 byte_mask(flt byte)
-{
-    return vec4(sel(byte == 2.0f, bcast(1), 0), sel(byte == 1.0f, bcast(1), 0),
-                sel(byte == 0.0f, bcast(1), 0), sel(byte == 3.0f, bcast(1), 0));
-}
-
 pixel_shader(voxel_found_ps, VoxelTurnUniforms, CoverVarying)
 {
     float2 at = vpos();
     flt slab = whole_part(at.x, c->octets), octet = at.x - slab * c->octets;
     Column column = find_column(gp, c, octet * 8.0f, at.y, slab * 32.0f);
-    float4 mask = byte_mask(column.byte);
+    float4 mask = in_byte(column.byte, bcast(1));
     flt found[4];
     for (int b = 0; b < 4; b++) {
         found[b] = bcast(0);
@@ -67,9 +56,8 @@ pixel_shader(voxel_found_ps, VoxelTurnUniforms, CoverVarying)
     return vec4(found[0], found[1], found[2], found[3]);
 }
 
-program(voxel_found_program, voxel_turn_vs, voxel_found_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1,
-        .uses_pixel = true)
+program(voxel_found_program, voxel_turn_vs, voxel_found_ps, MODEL_3_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0 | 1 << 1, .uses_pixel = true)
 
 /* Most of a surface's volume is empty: there no bits are looked for. */
 pixel_shader(voxel_turn_bits_ps, VoxelTurnUniforms, CoverVarying)
@@ -81,7 +69,7 @@ pixel_shader(voxel_turn_bits_ps, VoxelTurnUniforms, CoverVarying)
         3, vec4((octet + 0.5f) * (1.0f / (c->octets * c->slabs)),
                 (dp2(vec2(at.x, at.y), u2(c->across)) + 0.5f) * (1.0f / c->flat.size), 0, 0));
     const flt any_of[4] = { found.x, found.y, found.z, found.w };
-    float4 mask = byte_mask(column.byte);
+    float4 mask = in_byte(column.byte, bcast(1));
     flt byte[4];
     for (int b = 0; b < 4; b++) {
         byte[b] = bcast(0);
@@ -94,21 +82,19 @@ pixel_shader(voxel_turn_bits_ps, VoxelTurnUniforms, CoverVarying)
     return vec4(byte[2], byte[1], byte[0], byte[3]);
 }
 
-program(voxel_turn_bits_program, voxel_turn_vs, voxel_turn_bits_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS,
+program(voxel_turn_bits_program, voxel_turn_vs, voxel_turn_bits_ps, MODEL_3_0, COVER_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1 | 1 << 2 | 1 << 3, .uses_pixel = true)
 
 pixel_shader(voxel_turn_bytes_ps, VoxelTurnUniforms, CoverVarying)
 {
     Column column = column_here(gp, c, texel_column(&c->flat, vpos()));
-    float4 mask = byte_mask(column.byte);
+    float4 mask = in_byte(column.byte, bcast(1));
     return vec4(dp4(read_voxel(gp, &column, 2), mask), dp4(read_voxel(gp, &column, 1), mask),
                 dp4(read_voxel(gp, &column, 0), mask), dp4(read_voxel(gp, &column, 3), mask));
 }
 
-program(voxel_turn_bytes_program, voxel_turn_vs, voxel_turn_bytes_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1,
-        .uses_pixel = true)
+program(voxel_turn_bytes_program, voxel_turn_vs, voxel_turn_bytes_ps, MODEL_3_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0 | 1 << 1, .uses_pixel = true)
 
 pixel_shader(voxel_turn_pairs_ps, VoxelTurnUniforms, CoverVarying)
 {
@@ -119,6 +105,5 @@ pixel_shader(voxel_turn_pairs_ps, VoxelTurnUniforms, CoverVarying)
                 sel(upper, first.x, first.z), sel(upper, second.w, second.y));
 }
 
-program(voxel_turn_pairs_program, voxel_turn_vs, voxel_turn_pairs_ps, .vertex_profile = GP_VS_3_0,
-        .pixel_profile = GP_PS_3_0, COVER_DECLARATIONS, .samplers = 1 << 0 | 1 << 1,
-        .uses_pixel = true)
+program(voxel_turn_pairs_program, voxel_turn_vs, voxel_turn_pairs_ps, MODEL_3_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0 | 1 << 1, .uses_pixel = true)

@@ -5,7 +5,6 @@
  * source Dong, Chen, Bao, Zhang and Peng, Pacific Graphics 2004: rendering by slicing planes;
  *        the steps are those of Amanatides and Woo, "A fast voxel traversal algorithm for ray
  *        tracing", Eurographics 1987 */
-#include "pipeline/shader.h"
 #include "shaders_c/voxel/pictures/view.h"
 #include "shaders_c/voxel/pictures/view_shared.h"
 
@@ -52,13 +51,13 @@ pixel_shader(voxel_first_two_ps, VoxelViewUniforms, Varying)
 
 /* --- voxels that let light through ------------------------------------------------------------ */
 
-GP_INLINE float4 haze(GpInvocation *gp, const VoxelViewUniforms *c, const Varying *in)
+pixel_shader(voxel_haze_ps, VoxelViewUniforms, Varying)
 {
     flt way = way_in_first(gp, c, &in->ray), alpha = 1.0f - exp_(in->fading.x * way);
     return rgba(mul(u3(c->colors[0]), alpha), alpha);
 }
 
-GP_INLINE float4 haze_of_two(GpInvocation *gp, const VoxelViewUniforms *c, const Varying *in)
+pixel_shader(voxel_haze_two_ps, VoxelViewUniforms, Varying)
 {
     Walk walk = walk_slab(&in->ray);
     flt length = way_through(&c->slices, &in->ray), seen = bcast(1); /* of what is behind */
@@ -75,16 +74,6 @@ GP_INLINE float4 haze_of_two(GpInvocation *gp, const VoxelViewUniforms *c, const
         seen = seen * passed;
     }
     return sel(near, rgba(color, 1.0f - seen), 0.0f);
-}
-
-pixel_shader(voxel_haze_ps, VoxelViewUniforms, Varying)
-{
-    return haze(gp, c, in);
-}
-
-pixel_shader(voxel_haze_two_ps, VoxelViewUniforms, Varying)
-{
-    return haze_of_two(gp, c, in);
 }
 
 /* clang-format off */

@@ -33,6 +33,13 @@ GP_INLINE float4 flat_position(const FlatTextureLayout *flat, float2 texel)
                 1);
 }
 
+/* A number in a byte's channel, 0 in the others; blue is byte 0. */
+GP_INLINE float4 in_byte(flt byte, flt number)
+{
+    return vec4(sel(byte == 2.0f, number, 0), sel(byte == 1.0f, number, 0),
+                sel(byte == 0.0f, number, 0), sel(byte == 3.0f, number, 0));
+}
+
 /* Bits below `end` of each byte of a word, plus 1: 1 to 256. */
 GP_INLINE float4 bytes_below(flt end)
 {

@@ -1,5 +1,4 @@
 /* A rectangle of a texture over the viewport. */
-#include "pipeline/shader.h"
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/volume/patch_copy.h"
 
@@ -14,5 +13,5 @@ pixel_shader(patch_copy_ps, PatchCopyUniforms, CoverVarying)
     return texld(0, in->place);
 }
 
-program(patch_copy_program, patch_copy_vs, patch_copy_ps, .vertex_profile = GP_VS_2_0,
-        .pixel_profile = GP_PS_2_0, COVER_DECLARATIONS, .samplers = 1 << 0)
+program(patch_copy_program, patch_copy_vs, patch_copy_ps, MODEL_2_0, COVER_DECLARATIONS,
+        .samplers = 1 << 0)
