@@ -114,3 +114,10 @@ GpDraw *frame_draw(Frame *frame, const GpProgram *program, const void *uniforms,
     draw->geometry = *geometry;
     return draw;
 }
+
+GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *uniforms,
+                          const GpGeometry *geometry)
+{
+    return frame_draw(frame, program, frame_copy(frame, uniforms, program->uniform_bytes),
+                      geometry);
+}

@@ -54,4 +54,8 @@ GpPass *frame_pass(Frame *frame, const char *name, GpSurface *color, GpSurface *
 GpDraw *frame_draw(Frame *frame, const GpProgram *program, const void *uniforms,
                    const GpGeometry *geometry);
 
+/* The same with a copy of the uniforms. */
+GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *uniforms,
+                          const GpGeometry *geometry);
+
 #endif

@@ -22,26 +22,15 @@ typedef struct Search {
     double reciprocal[3], low_origin[3], high_origin[3];
 } Search;
 
-void truth_triangles(const float *positions, const uint32_t *indices, uint32_t count,
-                     TruthTriangle *triangles)
-{
-    for (uint32_t i = 0; i < count; i++)
-        for (int corner = 0; corner < 3; corner++)
-            for (int k = 0; k < 3; k++)
-                triangles[i].corner[corner][k] = (double)
-                    positions[3 * (size_t)indices[3 * (size_t)i + (size_t)corner] + (size_t)k];
-}
-
 GpResult truth_scene_create(const TruthTriangle *triangles, uint32_t count, TruthScene **scene)
 {
     double extent = 0;
-    for (uint32_t i = 0; i < count; i++)
-        for (int corner = 0; corner < 3; corner++)
-            for (int k = 0; k < 3; k++) {
-                if (!isfinite(triangles[i].corner[corner][k]))
-                    return GP_ERROR_INVALID;
-                extent = fmax(extent, fabs(triangles[i].corner[corner][k]));
-            }
+    for (size_t i = 0; i < 9 * (size_t)count; i++) {
+        const double coordinate = triangles[i / 9].corner[i / 3 % 3][i % 3];
+        if (!isfinite(coordinate))
+            return GP_ERROR_INVALID;
+        extent = fmax(extent, fabs(coordinate));
+    }
     TruthScene *made = gp_alloc(1, sizeof *made);
     if (!made)
         return GP_ERROR_MEMORY;
@@ -163,27 +152,29 @@ bool truth_first_hit(const TruthScene *scene, const double origin[3], const doub
     return true;
 }
 
-bool truth_blocked(const TruthScene *scene, const double from[3], const double to[3], uint32_t skip)
+/* Whether anything is met before t = `end`. */
+static bool is_blocked(const TruthScene *scene, const double from[3], const double direction[3],
+                       double end, uint32_t skip)
 {
-    double direction[3];
-    vector_subtract(to, from, direction);
-    double length = vector_extent(direction);
-    if (length == 0)
-        return false;
     Search search = make_search(scene, from, direction);
-    search.from = nothing_at(scene, from) / length;
-    search.best.t = 1 - nothing_at(scene, to) / length;
+    search.from = nothing_at(scene, from) / vector_extent(direction);
+    search.best.t = end;
     search.skip = skip;
     search.any = true;
     return run_search(scene, &search);
 }
 
+bool truth_blocked(const TruthScene *scene, const double from[3], const double to[3], uint32_t skip)
+{
+    double direction[3];
+    vector_subtract(to, from, direction);
+    double length = vector_extent(direction);
+    return length > 0 &&
+           is_blocked(scene, from, direction, 1 - nothing_at(scene, to) / length, skip);
+}
+
 bool truth_blocked_along(const TruthScene *scene, const double from[3], const double direction[3],
                          uint32_t skip)
 {
-    Search search = make_search(scene, from, direction);
-    search.from = nothing_at(scene, from) / vector_extent(direction);
-    search.skip = skip;
-    search.any = true;
-    return run_search(scene, &search);
+    return is_blocked(scene, from, direction, HUGE_VAL, skip);
 }

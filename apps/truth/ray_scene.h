@@ -19,10 +19,6 @@ typedef struct TruthHit {
     uint32_t triangle; /* number in the scene */
 } TruthHit;
 
-/* Widens a mesh's triangles: positions 3 floats a vertex, indices 3 a triangle. */
-void truth_triangles(const float *positions, const uint32_t *indices, uint32_t count,
-                     TruthTriangle *triangles);
-
 /* Builds a scene of any number of triangles, 0 too; it keeps a copy.
  * errors GP_ERROR_INVALID (a coordinate that is not finite), GP_ERROR_MEMORY */
 GpResult truth_scene_create(const TruthTriangle *triangles, uint32_t count, TruthScene **scene);

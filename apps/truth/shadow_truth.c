@@ -1,18 +1,9 @@
 #include "apps/truth/shadow_truth.h"
 
+#include "apps/truth/triangle.h"
 #include "pipeline/base/pool.h"
 
 enum { DEFAULT_SAMPLES = 16 };
-
-static const double radians_per_degree = 3.14159265358979323846 / 180;
-
-/* A camera's axes, unit length, and half the size of its picture: at distance 1, or, of parallel
- * rays, at any. */
-typedef struct Axes {
-    double right[3], up[3], forward[3];
-    double half[2];
-    bool parallel;
-} Axes;
 
 /* What a pixel shows. */
 typedef struct Surface {
@@ -23,22 +14,9 @@ typedef struct Surface {
 typedef struct Job {
     const TruthScene *scene;
     const ShadowView *view;
-    Axes camera, frustum;
+    CameraAxes camera, frustum;
     ShadowTruth truth;
 } Job;
-
-static Axes get_axes(const Camera *camera, double aspect)
-{
-    Axes axes = { .parallel = camera->fovy == 0 };
-    vector_subtract(camera->at, camera->eye, axes.forward);
-    vector_normalize(axes.forward);
-    vector_cross(axes.forward, camera->up, axes.right);
-    vector_normalize(axes.right);
-    vector_cross(axes.right, axes.forward, axes.up);
-    axes.half[1] = axes.parallel ? camera->height / 2 : tan(camera->fovy / 2 * radians_per_degree);
-    axes.half[0] = axes.half[1] * aspect;
-    return axes;
-}
 
 /* --- the eye ---------------------------------------------------------------------------------- */
 
@@ -47,10 +25,10 @@ static void get_pixel_ray(const Job *job, uint32_t i, uint32_t j, double origin[
                           double direction[3])
 {
     const ShadowView *view = job->view;
-    const Axes *axes = &job->camera;
-    double x = axes->half[0] * ((2 * i + 1) / (double)view->width - 1);
-    double y = axes->half[1] * (1 - (2 * j + 1) / (double)view->height);
-    double *moved = axes->parallel ? origin : direction;
+    const CameraAxes *axes = &job->camera;
+    double x = axes->half_width * ((2 * i + 1) / (double)view->width - 1);
+    double y = axes->half_height * (1 - (2 * j + 1) / (double)view->height);
+    double *moved = view->camera.fovy > 0 ? direction : origin;
     for (int k = 0; k < 3; k++) {
         origin[k] = view->camera.eye[k];
         direction[k] = axes->forward[k];
@@ -62,7 +40,7 @@ static void get_pixel_ray(const Job *job, uint32_t i, uint32_t j, double origin[
 
 static bool find_surface(const Job *job, uint32_t i, uint32_t j, Surface *surface)
 {
-    double origin[3], direction[3], edge[2][3];
+    double origin[3], direction[3];
     TruthHit hit;
     get_pixel_ray(job, i, j, origin, direction);
     if (!truth_first_hit(job->scene, origin, direction, &hit) ||
@@ -72,9 +50,7 @@ static bool find_surface(const Job *job, uint32_t i, uint32_t j, Surface *surfac
     *surface = (Surface){ .triangle = hit.triangle };
     for (int k = 0; k < 3; k++)
         vector_add_scaled(surface->position, hit.share[k], triangle->corner[k], surface->position);
-    vector_subtract(triangle->corner[1], triangle->corner[0], edge[0]);
-    vector_subtract(triangle->corner[2], triangle->corner[0], edge[1]);
-    vector_cross(edge[0], edge[1], surface->normal);
+    truth_normal(triangle, surface->normal);
     if (vector_dot(surface->normal, direction) > 0)
         vector_add_scaled(surface->normal, -2, surface->normal, surface->normal);
     return true;
@@ -98,26 +74,28 @@ static bool sees_direction(const Job *job, const Surface *surface, const double 
 
 static bool in_cone(const TruthLight *light, const double position[3])
 {
-    double way[3];
+    double way[3], sine, cosine;
     vector_subtract(position, light->position, way);
+    angle_sincos(light->half_angle, &sine, &cosine);
     double along = vector_dot(way, light->axis);
     double lengths = sqrt(vector_dot(way, way) * vector_dot(light->axis, light->axis));
-    return along >= lengths * cos(light->half_angle * radians_per_degree);
+    return along >= lengths * cosine;
 }
 
 static bool sees_frustum(const Job *job, const Surface *surface)
 {
-    const Axes *axes = &job->frustum;
+    const CameraAxes *axes = &job->frustum;
     const double *eye = job->view->light.frustum.eye;
+    const bool parallel = job->view->light.frustum.fovy == 0;
     double way[3], source[3];
     vector_subtract(surface->position, eye, way);
     double depth = vector_dot(way, axes->forward);
-    double spread = axes->parallel ? 1 : depth;
-    if (depth <= 0 || fabs(vector_dot(way, axes->right)) > spread * axes->half[0] ||
-        fabs(vector_dot(way, axes->up)) > spread * axes->half[1])
+    double spread = parallel ? 1 : depth;
+    if (depth <= 0 || fabs(vector_dot(way, axes->right)) > spread * axes->half_width ||
+        fabs(vector_dot(way, axes->up)) > spread * axes->half_height)
         return false;
     vector_add_scaled(surface->position, -depth, axes->forward, source);
-    return sees_point(job, surface, axes->parallel ? source : eye);
+    return sees_point(job, surface, parallel ? source : eye);
 }
 
 /* The bits of k, less than 2^bits, behind the binary point in reverse; the centre of that cell. */
@@ -185,8 +163,8 @@ GpResult shadow_truth_cast(const TruthScene *scene, const ShadowView *view, Shad
     Job job = {
         .scene = scene,
         .view = view,
-        .camera = get_axes(&view->camera, (double)view->width / view->height),
-        .frustum = get_axes(&view->light.frustum, 1),
+        .camera = camera_axes(&view->camera, (double)view->width / view->height),
+        .frustum = camera_axes(&view->light.frustum, 1),
         .truth = { view->width, view->height, gp_alloc(pixels, sizeof *truth->visibility),
                    gp_alloc(pixels, sizeof *truth->triangle) },
     };

@@ -86,21 +86,12 @@ static void turn_below(const VoxelProbes *probes, const Grid *grid, const TruthT
 
 static void set_cube(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)
 {
-    double centre[3];
-    for (int k = 0; k < 3; k++) {
-        double low = HUGE_VAL, high = -HUGE_VAL;
-        for (uint32_t i = 0; i < count; i++) {
-            double from, to;
-            truth_bounds(&triangles[i], k, &from, &to);
-            low = fmin(low, from);
-            high = fmax(high, to);
-        }
-        probes->side = fmax(probes->side, high - low);
-        centre[k] = 0.5 * (low + high);
-    }
-    probes->side *= wider;
+    Bounds box = bounds_of_nothing;
+    for (size_t i = 0; i < 3 * (size_t)count; i++)
+        bounds_add(&box, triangles[i / 3].corner[i % 3]);
+    probes->side = bounds_longest(&box) * wider;
     for (int k = 0; k < 3; k++)
-        probes->low[k] = centre[k] - 0.5 * probes->side;
+        probes->low[k] = 0.5 * (box.low[k] + box.high[k]) - 0.5 * probes->side;
 }
 
 GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)

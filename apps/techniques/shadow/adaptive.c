@@ -34,8 +34,8 @@ static GpSurface *draw_request(const ShadowBuild *build, const ShadowLight *ligh
         const GpDraw *object = &scene->draws[i];
         ShadowTilesUniforms uniforms = { .tiles = 0 };
         shadow_set_uniforms(build, light, object, &uniforms);
-        GpDraw *draw = frame_draw(frame, &shadow_request_program,
-                                  frame_copy(frame, &uniforms, sizeof uniforms), &object->geometry);
+        GpDraw *draw =
+            frame_draw_copied(frame, &shadow_request_program, &uniforms, &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };

@@ -52,8 +52,8 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
         shadow_set_uniforms(build, light, object, &uniforms);
         if (!first)
             memcpy(uniforms.shadow.ambient, black, sizeof uniforms.shadow.ambient);
-        GpDraw *draw = frame_draw(frame, choose_program(build, light, textured),
-                                  frame_copy(frame, &uniforms, sizeof uniforms), &object->geometry);
+        GpDraw *draw = frame_draw_copied(frame, choose_program(build, light, textured), &uniforms,
+                                         &object->geometry);
         draw->name = object->name;
         draw->state.raster = object->state.raster;
         draw->state.depth = first ? nearer : same;

@@ -2,6 +2,7 @@
 #include "apps/techniques/voxel/facts.h"
 
 #include "apps/base/json.h"
+#include "apps/truth/voxel_nearest.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -11,18 +12,16 @@
 
 uint64_t voxel_odd_columns(const uint8_t *parity, uint32_t size)
 {
-    const size_t columns = (size_t)size * size;
     uint64_t count = 0;
-    for (size_t i = 0; i < columns; i++)
+    for (size_t i = 0; i < (size_t)size * size; i++)
         count += parity[i / 8] >> i % 8 & 1;
     return count;
 }
 
 uint64_t voxel_disagreements(const uint8_t *const solids[3], uint32_t size)
 {
-    const size_t bytes = voxel_bytes(size);
     uint64_t count = 0;
-    for (size_t i = 0; i < bytes; i++) {
+    for (size_t i = 0; i < voxel_bytes(size); i++) {
         unsigned differs = (solids[0][i] ^ solids[1][i]) | (solids[0][i] ^ solids[2][i]);
         count += (unsigned)__builtin_popcount(differs);
     }
@@ -42,22 +41,17 @@ GpResult voxel_facts_find(const VoxelScene *scene, VoxelFacts *facts, GpError *e
     return result ? gp_fail(error, result, "out of memory") : GP_OK;
 }
 
-/* Sets the bit of a voxel's place in the volume as it was before it was turned. */
-static void set_turned_back(size_t i, uint32_t size, int axis, uint8_t *back)
-{
-    const size_t step[3] = { 1, size, (size_t)size * size };
-    const size_t x = i % size, y = i / size % size, z = i / step[2];
-    size_t to = x * step[(axis + 1) % 3] + y * step[(axis + 2) % 3] + z * step[axis];
-    back[to / 8] = (uint8_t)(back[to / 8] | 1u << to % 8);
-}
-
-/* Bits of a volume that was made so, turned back. out back: zeroed */
+/* Bits of a volume as it was before it was turned. out back: zeroed */
 static void turn_back(const uint8_t *turned, uint32_t size, int axis, uint8_t *back)
 {
-    const size_t bytes = voxel_bytes(size);
-    for (size_t byte = 0; byte < bytes; byte++)
-        for (unsigned bits = turned[byte]; bits; bits &= bits - 1)
-            set_turned_back(8 * byte + (size_t)__builtin_ctz(bits), size, axis, back);
+    const size_t step[3] = { 1, size, (size_t)size * size }, end = size * step[2];
+    for (size_t i = 0; (i = voxel_next(turned, size, i)) < end; i++) {
+        uint32_t at[3];
+        voxel_place(i, size, at);
+        size_t to =
+            at[0] * step[(axis + 1) % 3] + at[1] * step[(axis + 2) % 3] + at[2] * step[axis];
+        back[to / 8] = (uint8_t)(back[to / 8] | 1u << to % 8);
+    }
 }
 
 static GpResult find_solid(const VoxelModel *model, uint32_t size, GpDevice *device, uint8_t *bits,

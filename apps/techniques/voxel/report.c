@@ -2,26 +2,25 @@
 
 #include "apps/techniques/voxel/facts.h"
 #include "apps/techniques/voxel/models.h"
+#include "apps/truth/voxel_nearest.h"
 
 #include <inttypes.h>
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
-/* The tight range of the bits of a volume; a loop over bytes that are not 0. */
+/* The tight range of the bits of a volume. */
 static VoxelRange range_of_bits(const uint8_t *bits, uint32_t size)
 {
     VoxelRange range = { { size, size, size }, { 0, 0, 0 } };
-    const size_t bytes = ((size_t)size * size * size + 7) / 8;
-    for (size_t byte = 0; byte < bytes; byte++)
-        for (unsigned rest = bits[byte]; rest; rest &= rest - 1) {
-            const size_t i = 8 * byte + (size_t)__builtin_ctz(rest);
-            const uint32_t at[3] = { (uint32_t)(i % size), (uint32_t)(i / size % size),
-                                     (uint32_t)(i / size / size) };
-            for (int k = 0; k < 3; k++) {
-                range.low[k] = at[k] < range.low[k] ? at[k] : range.low[k];
-                range.end[k] = at[k] + 1 > range.end[k] ? at[k] + 1 : range.end[k];
-            }
+    const size_t end = (size_t)size * size * size;
+    for (size_t i = 0; (i = voxel_next(bits, size, i)) < end; i++) {
+        uint32_t at[3];
+        voxel_place(i, size, at);
+        for (int k = 0; k < 3; k++) {
+            range.low[k] = at[k] < range.low[k] ? at[k] : range.low[k];
+            range.end[k] = at[k] + 1 > range.end[k] ? at[k] + 1 : range.end[k];
         }
+    }
     return range;
 }
 

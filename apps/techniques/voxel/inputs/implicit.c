@@ -69,8 +69,8 @@ static GpDraw *draw_polynomial(Sampling *s, uint32_t slab, bool corner, const fl
             for (int k = 0; k < POLYNOMIAL_SIDE; k++)
                 u.coefficient[k][j][i] = (float)s->function->polynomial.c[i][j][k];
     return flat_texture_draw(s->frame,
-                             corner ? &voxel_implicit_corner_program : &voxel_implicit_program,
-                             frame_copy(s->frame, &u, sizeof u), s->flat, slab);
+                             corner ? &voxel_implicit_corner_program : &voxel_implicit_program, &u,
+                             s->flat, slab);
 }
 
 static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float place[3])
@@ -87,9 +87,8 @@ static GpDraw *draw_field(Sampling *s, uint32_t slab, bool corner, const float p
         u.origin[i][0] = v.x + (corner ? place[0] : 0);
         u.origin[i][1] = v.y + (corner ? place[1] : 0);
     }
-    GpDraw *draw =
-        flat_texture_draw(s->frame, corner ? &voxel_field_corner_program : &voxel_field_program,
-                          frame_copy(s->frame, &u, sizeof u), s->flat, slab);
+    GpDraw *draw = flat_texture_draw(
+        s->frame, corner ? &voxel_field_corner_program : &voxel_field_program, &u, s->flat, slab);
     draw->textures[0].surface = s->field;
     return draw;
 }
@@ -176,14 +175,13 @@ static void draw_surface(Sampling *s)
         }
     flat_texture_pass(s->frame, "not all corners", s->flat)->color[0].clear = false;
     for (uint32_t slab = 0; slab < s->flat->slabs; slab++) {
-        GpDraw *draw = flat_texture_draw(s->frame, &texel_copy_program, NULL, s->flat, slab);
-        draw->state.blend[0].op = GP_BLEND_LOGIC_XOR;
-        draw->textures[0].surface = all;
+        GpDraw *draw = flat_texture_blend(s->frame, &texel_copy_program, all, GP_BLEND_LOGIC_XOR);
+        draw->viewport = flat_texture_patch(s->flat, slab);
     }
 }
 
-GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
-                        const FlatTexture *flat, GpError *error)
+GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, VoxelKind kind,
+                        Frame *frame, const FlatTexture *flat, GpError *error)
 {
     GP_ASSERT(flat->bits == 1);
     const bool solid = kind == VOXEL_SOLID;

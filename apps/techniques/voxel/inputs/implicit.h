@@ -22,10 +22,10 @@ VoxelBox voxel_box_of_cube(double reach, uint32_t size);
 
 /* Solid: voxels whose centres are inside. Surface: voxels of whose eight corners some are inside
  * and some are not; a surface that comes and goes between corners is not seen.
- * in     box: from the function's space to voxels; kind: VoxelKind
+ * in     box: from the function's space to voxels
  * errors GP_ERROR_INVALID: a callback's samples do not fit a texture
  * note   the callback is called here, once for each centre or corner, x fastest */
-GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, int kind, Frame *frame,
-                        const FlatTexture *flat, GpError *error);
+GpResult voxel_implicit(const VoxelFunction *function, const VoxelBox *box, VoxelKind kind,
+                        Frame *frame, const FlatTexture *flat, GpError *error);
 
 #endif

@@ -36,12 +36,12 @@ static void place_two(const VoxelPair *pair, uint32_t size, VoxelBox boxes[2])
     Bounds both = voxel_scene_bounds(first);
     const Bounds second = voxel_scene_bounds(pair->scenes[1]);
     const Similarity to = place_beside(&pair->place, &second, &both);
+    Bounds moved;
     for (int k = 0; k < 3; k++) {
-        const double low = to.scale * second.low[k] + to.offset[k];
-        const double high = to.scale * second.high[k] + to.offset[k];
-        both.low[k] = low < both.low[k] ? low : both.low[k];
-        both.high[k] = high > both.high[k] ? high : both.high[k];
+        moved.low[k] = to.scale * second.low[k] + to.offset[k];
+        moved.high[k] = to.scale * second.high[k] + to.offset[k];
     }
+    bounds_join(&both, &moved);
     boxes[0] = first->is_placed ? voxel_scene_box(first, size) : voxel_box_of(&both, size);
     boxes[1] = box_beside(&to, &boxes[0]);
 }

@@ -95,9 +95,7 @@ static void draw_grid(Frame *frame, const GpProgram *program,
     const GpGeometry grid = { .primitive = GP_POINTS,
                               .vertex_count = columns * rows,
                               .streams = { [GP_TEXCOORD0] = { uv, 0, 2, GP_FLOAT32 } } };
-    frame_draw(frame, program, frame_copy(frame, uniforms, sizeof *uniforms), &grid)
-        ->state.blend[0]
-        .op = GP_BLEND_LOGIC_OR;
+    frame_draw_copied(frame, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 
 static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *flat)
@@ -192,8 +190,7 @@ GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *bo
                                 .vertex_count = count,
                                 .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };
     flat_texture_pass(frame, "points", flat);
-    frame_draw(frame, &voxel_points_program, frame_copy(frame, &uniforms, sizeof uniforms), &points)
-        ->state.blend[0]
-        .op = GP_BLEND_LOGIC_OR;
+    frame_draw_copied(frame, &voxel_points_program, &uniforms, &points)->state.blend[0].op =
+        GP_BLEND_LOGIC_OR;
     return frame_result(frame, error);
 }

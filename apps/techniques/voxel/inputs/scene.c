@@ -150,7 +150,7 @@ static GpResult check_input(const VoxelScene *scene, const VoxelSetting *setting
     return GP_OK;
 }
 
-static bool can_twist(int method)
+static bool can_twist(VoxelMethod method)
 {
     return method == VOXEL_AUTO || method == VOXEL_CONSERVATIVE || method == VOXEL_THIN ||
            method == VOXEL_XOR;
@@ -158,7 +158,7 @@ static bool can_twist(int method)
 
 /* A twisted model is one that moves, as far as lists of triangles are concerned. */
 static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Frame *frame,
-                            VoxelModel *model, int method, GpError *error)
+                            VoxelModel *model, VoxelMethod method, GpError *error)
 {
     if (!can_twist(method))
         return gp_fail(error, GP_ERROR_INVALID,

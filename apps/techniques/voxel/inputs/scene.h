@@ -19,7 +19,7 @@ typedef enum VoxelInput {
 #define VOXEL_MOST_TWIST 1440.0
 
 typedef struct VoxelScene {
-    int input;    /* VoxelInput */
+    VoxelInput input;
     GpMesh mesh;  /* also of points */
     double twist; /* of a mesh: degrees from its floor to its top, about the centre of its volume */
     bool is_placed; /* by a scale and an offset of the user's, not by the model's box */

@@ -87,11 +87,6 @@ static const GpProgram *choose_program(const VoxelSetting *setting)
 
 /* --- directions ------------------------------------------------------------------------------- */
 
-/* The four targets: slab i of a direction is patch i / 4 of target i % 4. */
-typedef struct Targets {
-    FlatTexture of[GP_MAX_TARGETS];
-} Targets;
-
 static GpGeometry list_of(const VoxelModel *model, const VoxelSort *sort, uint32_t list)
 {
     GpGeometry geometry = voxel_model_geometry(model);
@@ -104,12 +99,12 @@ static GpGeometry list_of(const VoxelModel *model, const VoxelSort *sort, uint32
 }
 
 static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int axis, Frame *frame,
-                      const VoxelSort *sort, const Targets *targets, const GpSurface *powers)
+                      const VoxelSort *sort, const FlatTexture *targets, const GpSurface *powers)
 {
     static const char *const names[3] = { "along x", "along y", "along z" };
     GpPass *pass = frame_pass(frame, names[axis], NULL, NULL, NULL);
     for (int i = 0; i < GP_MAX_TARGETS; i++)
-        pass->color[i] = (GpColorTarget){ .surface = targets->of[i].texels, .clear = true };
+        pass->color[i] = (GpColorTarget){ .surface = targets[i].texels, .clear = true };
 
     for (uint32_t g = 0; g < sort->groups; g++) {
         GpGeometry list = list_of(model, sort, (uint32_t)axis * sort->groups + g);
@@ -117,9 +112,8 @@ static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int 
             continue;
         VoxelSheetsUniforms uniforms = describe_axis(model, setting, axis);
         uniforms.first_slab = (float)(GP_MAX_TARGETS * g);
-        GpDraw *draw = frame_draw(frame, choose_program(setting),
-                                  frame_copy(frame, &uniforms, sizeof uniforms), &list);
-        draw->viewport = flat_texture_patch(&targets->of[0], g);
+        GpDraw *draw = frame_draw_copied(frame, choose_program(setting), &uniforms, &list);
+        draw->viewport = flat_texture_patch(targets, g);
         if (setting->bits == 1)
             draw->textures[0] = voxel_texels(powers);
         for (int i = 0; i < GP_MAX_TARGETS; i++)
@@ -127,18 +121,17 @@ static void draw_axis(const VoxelModel *model, const VoxelSetting *setting, int 
     }
 }
 
-/* Puts slabs where a flat texture has them. */
-static void gather(Frame *frame, const Targets *from, const FlatTexture *to)
+/* Puts slabs where a flat texture has them: slab i is patch i / 4 of target i % 4. */
+static void gather(Frame *frame, const FlatTexture *from, const FlatTexture *to)
 {
     flat_texture_pass(frame, "gather", to);
     for (uint32_t slab = 0; slab < to->slabs; slab++) {
-        const FlatTexture *target = &from->of[slab % GP_MAX_TARGETS];
+        const FlatTexture *target = &from[slab % GP_MAX_TARGETS];
         const float width = (float)target->texels->width, height = (float)target->texels->height;
         GpViewport patch = flat_texture_patch(target, slab / GP_MAX_TARGETS);
         const PatchCopyUniforms uniforms = { { patch.x / width, patch.y / height },
                                              { patch.width / width, patch.height / height } };
-        GpDraw *draw = flat_texture_draw(frame, &patch_copy_program,
-                                         frame_copy(frame, &uniforms, sizeof uniforms), to, slab);
+        GpDraw *draw = flat_texture_draw(frame, &patch_copy_program, &uniforms, to, slab);
         draw->textures[0] = voxel_texels(target->texels);
     }
 }
@@ -153,8 +146,8 @@ VoxelDirections voxel_directions_make(const VoxelSetting *setting, Frame *frame,
     return directions;
 }
 
-void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting, int sort_by,
-                           Frame *frame, const VoxelDirections *directions)
+void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting,
+                           VoxelSortBy sort_by, Frame *frame, const VoxelDirections *directions)
 {
     const FlatTexture *z = &directions->along[2];
     const uint32_t groups = (z->slabs + GP_MAX_TARGETS - 1) / GP_MAX_TARGETS;
@@ -170,11 +163,11 @@ void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting,
 
     static const uint8_t codes[8] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     const GpSurface *powers = setting->bits == 1 ? voxel_table(frame, 8, 1, 1, codes) : NULL;
-    Targets targets;
+    FlatTexture targets[GP_MAX_TARGETS];
     for (int i = 0; i < GP_MAX_TARGETS; i++)
-        targets.of[i] = flat_texture_make_slabs(frame, setting->size, setting->bits, groups);
+        targets[i] = flat_texture_make_slabs(frame, setting->size, setting->bits, groups);
     for (int axis = setting->axes == 1 ? 2 : 0; axis < 3; axis++) {
-        draw_axis(model, setting, axis, frame, &sort, &targets, powers);
-        gather(frame, &targets, &directions->along[axis]);
+        draw_axis(model, setting, axis, frame, &sort, targets, powers);
+        gather(frame, targets, &directions->along[axis]);
     }
 }

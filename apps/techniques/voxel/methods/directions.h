@@ -23,8 +23,8 @@ VoxelDirections voxel_directions_make(const VoxelSetting *setting, Frame *frame,
  * source Dong et al., Pacific Graphics 2004: rasterization and texelization. DEVIATES: a draw is
  *        cut to the patch by its viewport, and every fourth slab lies in the same target, so that
  *        one set of four targets serves all; the print leaves open how patches are reached. */
-void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting, int sort_by,
-                           Frame *frame, const VoxelDirections *directions);
+void voxel_directions_draw(const VoxelModel *model, const VoxelSetting *setting,
+                           VoxelSortBy sort_by, Frame *frame, const VoxelDirections *directions);
 
 /* How fragments of a setting come together: bits are added as printed, or set (VOXEL_OR); densities
  * are counted, each fragment adds 1 and 255 is the most (VOXEL_ADD), or are all there is

@@ -20,8 +20,7 @@ static void draw_faces(const VoxelModel *model, uint32_t size, Frame *frame,
         DepthOnlyUniforms uniforms;
         voxel_model_view(&along, size, i % 2, uniforms.mvp);
         frame_pass(frame, names[i], NULL, faces[i], NULL);
-        GpDraw *draw = frame_draw(frame, &depth_only_program,
-                                  frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
+        GpDraw *draw = frame_draw_copied(frame, &depth_only_program, &uniforms, &geometry);
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     }
 }

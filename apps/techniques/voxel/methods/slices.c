@@ -15,7 +15,7 @@ static void color_of_bit(uint32_t bit, float color[4])
 /* Surface: the piece of the model inside the slice sets its voxels. Solid: a centre that an odd
  * number of surfaces lie in front of is inside, so all that lies in front of the slice's centres
  * turns over its bit. Depth is z / size here, so a plane's distance is in voxels. */
-static void cut(GpRasterState *raster, int kind, float size, float slice)
+static void cut(GpRasterState *raster, VoxelKind kind, float size, float slice)
 {
     if (kind == VOXEL_SOLID) {
         const float in_front[4] = { 0, 0, -size, slice + 0.5f };
@@ -37,8 +37,7 @@ void voxel_slices(const VoxelModel *model, const VoxelSetting *setting, Frame *f
         UnlitUniforms uniforms;
         voxel_model_view(model, setting->size, false, uniforms.mvp);
         color_of_bit(slice % flat->per_texel, uniforms.color);
-        GpDraw *draw = frame_draw(frame, &unlit_program,
-                                  frame_copy(frame, &uniforms, sizeof uniforms), &geometry);
+        GpDraw *draw = frame_draw_copied(frame, &unlit_program, &uniforms, &geometry);
         draw->viewport = flat_texture_patch(flat, slice / flat->per_texel);
         draw->state.blend[0].op =
             setting->kind == VOXEL_SOLID ? GP_BLEND_LOGIC_XOR : GP_BLEND_LOGIC_OR;

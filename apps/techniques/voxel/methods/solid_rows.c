@@ -77,12 +77,12 @@ VoxelDirections voxel_row_scan(const VoxelSetting *setting, Frame *frame,
     scan_rows(frame, &scan, both, &z);
 
     flat_texture_pass(frame, "both", both);
-    flat_texture_blend(frame, &texel_copy_program, x, GP_BLEND_OFF);
-    flat_texture_blend(frame, &texel_copy_program, y, GP_BLEND_LOGIC_AND);
+    flat_texture_blend(frame, &texel_copy_program, x->texels, GP_BLEND_OFF);
+    flat_texture_blend(frame, &texel_copy_program, y->texels, GP_BLEND_LOGIC_AND);
     flat_texture_pass(frame, "majority", solid); /* ((x | y) & z) | (x & y) */
-    flat_texture_blend(frame, &texel_copy_program, x, GP_BLEND_OFF);
-    flat_texture_blend(frame, &texel_copy_program, y, GP_BLEND_LOGIC_OR);
-    flat_texture_blend(frame, &texel_copy_program, &z, GP_BLEND_LOGIC_AND);
-    flat_texture_blend(frame, &texel_copy_program, both, GP_BLEND_LOGIC_OR);
+    flat_texture_blend(frame, &texel_copy_program, x->texels, GP_BLEND_OFF);
+    flat_texture_blend(frame, &texel_copy_program, y->texels, GP_BLEND_LOGIC_OR);
+    flat_texture_blend(frame, &texel_copy_program, z.texels, GP_BLEND_LOGIC_AND);
+    flat_texture_blend(frame, &texel_copy_program, both->texels, GP_BLEND_LOGIC_OR);
     return (VoxelDirections){ .along = { *x, *y, z } };
 }

@@ -19,7 +19,7 @@ typedef struct VoxelSpans {
 } VoxelSpans;
 
 typedef struct VoxelSort {
-    int by;             /* VoxelSortBy */
+    VoxelSortBy by;
     uint32_t groups;    /* along each axis, at most VOXEL_SORT_MAX_GROUPS */
     double group_depth; /* voxels */
     VoxelSpans *spans;  /* [triangle_count]; the caller's, as the indices are */

@@ -56,8 +56,7 @@ static void draw_turned(int axis, const FlatTexture *from, const VoxelTables *ta
                                    .slabs = (float)from->slabs };
     uniforms.depth[axis] = uniforms.across[1 - axis] = 1;
     uniforms.aside[axis] = uniforms.down[1 - axis] = 1;
-    GpDraw *draw = frame_draw(frame, program, frame_copy(frame, &uniforms, sizeof uniforms),
-                              &flat_texture_cover);
+    GpDraw *draw = frame_draw_copied(frame, program, &uniforms, &flat_texture_cover);
     draw->textures[0] = voxel_texels(from->texels);
     draw->textures[1] = voxel_texels(tables->places);
     if (program == &voxel_turn_bits_program) {

@@ -68,8 +68,7 @@ static void copy_slab(Frame *frame, GpSurface *const *targets, const FlatTexture
 {
     const VoxelParityResolveUniforms uniforms = { .patch = (float)(slab / TARGETS),
                                                   .patches = (float)groups };
-    GpDraw *draw = flat_texture_draw(frame, &voxel_parity_resolve_program,
-                                     frame_copy(frame, &uniforms, sizeof uniforms), flat, slab);
+    GpDraw *draw = flat_texture_draw(frame, &voxel_parity_resolve_program, &uniforms, flat, slab);
     draw->textures[0].surface = targets[slab % TARGETS];
     draw->textures[1].surface = targets[0];
 }

@@ -80,8 +80,7 @@ FlatTexture voxel_scan_slopes(Frame *frame, const FlatTexture *scan)
     const VoxelSlopesUniforms uniforms = { .scan = flat_texture_layout(scan),
                                            .slopes = flat_texture_layout(&slopes) };
     flat_texture_pass(frame, "slopes", &slopes);
-    frame_draw(frame, &voxel_slopes_program, frame_copy(frame, &uniforms, sizeof uniforms),
-               &flat_texture_cover)
+    frame_draw_copied(frame, &voxel_slopes_program, &uniforms, &flat_texture_cover)
         ->textures[0]
         .surface = scan->texels;
     return slopes;

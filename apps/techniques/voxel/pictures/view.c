@@ -82,8 +82,8 @@ static GpDraw *draw_slices(const ViewBuild *build, const GpProgram *one, const G
 {
     const VoxelViewUniforms uniforms = slices_uniforms(build);
     const GpGeometry quads = view_slices_quads(build->frame, &build->slices, nearest_first);
-    GpDraw *draw = frame_draw(build->frame, build->view->second ? two : one,
-                              frame_copy(build->frame, &uniforms, sizeof uniforms), &quads);
+    GpDraw *draw =
+        frame_draw_copied(build->frame, build->view->second ? two : one, &uniforms, &quads);
     draw->textures[0].surface = build->flat->texels;
     draw->textures[3].surface = build->blocks;
     if (build->view->second)
@@ -156,9 +156,9 @@ static void light_voxels(const ViewBuild *build, const FlatTexture *flat, const 
                                     .kind = kind };
     set_ray(build, &uniforms);
     memcpy(uniforms.color, paint->color, sizeof uniforms.color);
-    GpDraw *draw =
-        frame_draw(build->frame, smooth ? &voxel_light_smooth_program : &voxel_light_faces_program,
-                   frame_copy(build->frame, &uniforms, sizeof uniforms), &flat_texture_cover);
+    GpDraw *draw = frame_draw_copied(
+        build->frame, smooth ? &voxel_light_smooth_program : &voxel_light_faces_program, &uniforms,
+        &flat_texture_cover);
     draw->textures[0].surface = build->found;
     if (!smooth)
         return;
@@ -208,8 +208,8 @@ static GpDraw *draw_scan(const ViewBuild *build)
     }
     const GpGeometry quads = view_slices_quads(build->frame, &build->slices, false);
     const bool mixed = view->mode == VOXEL_TRANSPARENT;
-    GpDraw *draw = frame_draw(build->frame, mixed ? &voxel_scan_mixed_program : &voxel_scan_program,
-                              frame_copy(build->frame, &uniforms, sizeof uniforms), &quads);
+    GpDraw *draw = frame_draw_copied(
+        build->frame, mixed ? &voxel_scan_mixed_program : &voxel_scan_program, &uniforms, &quads);
     if (mixed) {
         draw->textures[0].surface = build->flat->texels;
         draw->textures[3].surface = build->blocks;

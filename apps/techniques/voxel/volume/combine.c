@@ -46,8 +46,8 @@ void voxel_combine(Frame *frame, const FlatTexture *a, const FlatTexture *b, Vox
     GP_ASSERT(b->texels != result->texels);
     begin_result(frame, "combine", a, b, result);
     if (!in_place)
-        flat_texture_blend(frame, &texel_copy_program, a, GP_BLEND_OFF);
-    flat_texture_blend(frame, ways[operation].program, b,
+        flat_texture_blend(frame, &texel_copy_program, a->texels, GP_BLEND_OFF);
+    flat_texture_blend(frame, ways[operation].program, b->texels,
                        a->bits == 1 ? ways[operation].bits : ways[operation].bytes);
 }
 
@@ -79,10 +79,10 @@ void voxel_collide(Frame *frame, const FlatTexture *a, const FlatTexture *b,
     for (uint32_t slab = common->low[2] / 32; slab * 32 < common->end[2]; slab++) {
         GpDraw *draw;
         if (a->texels != result->texels) {
-            draw = flat_texture_blend(frame, &texel_copy_program, a, GP_BLEND_OFF);
+            draw = flat_texture_blend(frame, &texel_copy_program, a->texels, GP_BLEND_OFF);
             cut_to_slab(&draw->state.raster, result, common, slab);
         }
-        draw = flat_texture_blend(frame, &texel_copy_program, b, GP_BLEND_LOGIC_AND);
+        draw = flat_texture_blend(frame, &texel_copy_program, b->texels, GP_BLEND_LOGIC_AND);
         cut_to_slab(&draw->state.raster, result, common, slab);
     }
 }

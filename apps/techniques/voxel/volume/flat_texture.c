@@ -63,7 +63,7 @@ GpViewport flat_texture_patch(const FlatTexture *flat, uint32_t slab)
 GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
                           const FlatTexture *flat, uint32_t slab)
 {
-    GpDraw *draw = frame_draw(frame, program, uniforms, &flat_texture_cover);
+    GpDraw *draw = frame_draw_copied(frame, program, uniforms, &flat_texture_cover);
     draw->viewport = flat_texture_patch(flat, slab);
     return draw;
 }
@@ -73,15 +73,14 @@ GpDraw *flat_texture_draw_slab(Frame *frame, const GpProgram *program, const Fla
 {
     const FlatTextureSlab uniforms = { .size = (float)flat->size,
                                        .base = (float)(slab * flat->per_texel) };
-    return flat_texture_draw(frame, program, frame_copy(frame, &uniforms, sizeof uniforms), flat,
-                             slab);
+    return flat_texture_draw(frame, program, &uniforms, flat, slab);
 }
 
-GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const FlatTexture *from,
+GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const GpSurface *from,
                            GpBlendOp op)
 {
     GpDraw *draw = frame_draw(frame, program, NULL, &flat_texture_cover);
-    draw->textures[0].surface = from->texels;
+    draw->textures[0].surface = from;
     draw->state.blend[0].op = op;
     return draw;
 }

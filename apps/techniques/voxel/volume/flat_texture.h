@@ -36,7 +36,7 @@ uint8_t *flat_texture_texel(const FlatTexture *flat, uint32_t slab, uint32_t x, 
  * by a diagonal. */
 extern const GpGeometry flat_texture_cover;
 
-/* A draw over a slab's patch. */
+/* A draw over a slab's patch; the uniforms are copied. */
 GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *uniforms,
                           const FlatTexture *flat, uint32_t slab);
 
@@ -44,8 +44,8 @@ GpDraw *flat_texture_draw(Frame *frame, const GpProgram *program, const void *un
 GpDraw *flat_texture_draw_slab(Frame *frame, const GpProgram *program, const FlatTexture *flat,
                                uint32_t slab);
 
-/* A draw over all of a flat texture of the same layout, by a program of texel_copy.h. */
-GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const FlatTexture *from,
+/* A draw over all of a flat texture, from texels of its size, by a program of texel_copy.h. */
+GpDraw *flat_texture_blend(Frame *frame, const GpProgram *program, const GpSurface *from,
                            GpBlendOp op);
 
 /* What shaders need to know of it. */

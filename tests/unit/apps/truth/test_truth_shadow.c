@@ -1,5 +1,6 @@
 /* The truth of shadows, where geometry says what it is; and the comparison with it. */
 #include "apps/truth/shadow_error.h"
+#include "apps/truth/voxel_truth.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/ball.h"
@@ -412,7 +413,8 @@ static void the_bunny_shades_the_ground(void **state)
     TruthTriangle *triangles = gp_alloc(mesh.triangle_count + 2, sizeof *triangles);
     assert_non_null(triangles);
     memcpy(triangles, model.triangles, 2 * sizeof *triangles);
-    truth_triangles(mesh.positions, mesh.indices, mesh.triangle_count, triangles + 2);
+    voxel_triangles(mesh.positions, mesh.indices, mesh.triangle_count, &(VoxelBox){ .scale = 1 },
+                    triangles + 2);
     const ShadowView view = {
         .camera = { { 0.25, 0.35, 0.40 }, { -0.0168, 0.09, -0.0014 }, { 0, 1, 0 }, 32, 0, 0.1, 3 },
         .width = 1024,
