@@ -49,7 +49,7 @@ IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-s
 COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
 LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
 WITH_OIIO ?= 1
-IO_LIBS  ?= -lOpenMeshCore -lOpenMeshTools -ljansson -lpng -lz
+IO_LIBS  ?= -ljansson -lpng -lz
 # Programs find the library of OpenImageIO beside them. By RPATH where sanitizers stand between dlopen
 # and its caller, whose RUNPATH then does not count.
 BESIDE   := $(if $(SANITIZE),-Wl$(comma)--disable-new-dtags) '-Wl,-rpath,$$ORIGIN/../lib'
@@ -88,8 +88,7 @@ CORE    := $(call object,$(filter-out $(LANES) pipeline/io/%,$(call below,pipeli
                                             $(LANES)))
 # OpenImageIO is loaded when a picture needs it: a library of its own.
 OIIO    := pipeline/io/image/oiio_library.cpp
-IO      := $(call object,$(filter-out $(OIIO), \
-                $(call below,pipeline/io,*.c) $(call below,pipeline/io,*.cpp)))
+IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)))
 SUPPORT := $(call object,$(wildcard tests/support/*.c))

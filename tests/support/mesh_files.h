@@ -32,8 +32,7 @@ void mesh_put_bits(MeshBytes *bytes, uint64_t bits, size_t size);
 void mesh_put_integer(MeshBytes *bytes, uint32_t value, size_t size);
 void mesh_put_number(MeshBytes *bytes, float value, bool is_double);
 
-/* Sixteen ways to write a PLY file; each bit is one thing that OpenMesh alone misreads or does not
- * know. */
+/* Sixteen ways to write a PLY file; each bit is one thing that not every reader knows. */
 enum {
     PLY_DOUBLES = 1,     /* coordinates of type double */
     PLY_LISTS = 2,       /* lists beside the corners, before and after them */

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Fetches the arm64 libraries that the program needs, beside the system: arm64_libraries.sh FOLDER
 #
-# jansson, libpng, OpenMesh and zlib, unpacked below FOLDER; nothing is installed, and apt's own lists stay as they
-# are. Does nothing where they are there already.
+# jansson, libpng and zlib, unpacked below FOLDER; nothing is installed, and apt's own lists stay as
+# they are. Does nothing where they are there already.
 folder=$(mkdir -p "$1" && cd "$1" && pwd) || exit 1
 [ -e "$folder/usr/include/png.h" ] && exit 0
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial" || exit 1
@@ -12,8 +12,7 @@ with_arm64() {
         -o Dir::State::lists="$folder/apt/lists" -o Dir::Cache="$folder/apt/cache" "$@"
 }
 with_arm64 update || exit 1
-(cd "$folder/apt" && with_arm64 download libjansson-dev:arm64 libopenmesh-dev:arm64 \
-    libopenmesh1:arm64 libpng-dev:arm64 libpng16-16:arm64 zlib1g-dev:arm64) || exit 1
+(cd "$folder/apt" && with_arm64 download libjansson-dev:arm64 libpng-dev:arm64 libpng16-16:arm64 zlib1g-dev:arm64) || exit 1
 for package in "$folder"/apt/*.deb; do
     dpkg-deb -x "$package" "$folder" || exit 1
 done

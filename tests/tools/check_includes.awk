@@ -60,7 +60,7 @@ function check_library(from, to)
         return
     if (to ~ /intrin\.h$|^arm_/ && !below(from, "pipeline/base/lanes"))
         complain("only pipeline/base/lanes holds intrinsics")
-    if (to ~ /^(OpenImageIO|OpenMesh)\/|^zlib\.h$/ && !below(from, "pipeline/io"))
+    if (to ~ /^OpenImageIO\/|^zlib\.h$/ && !below(from, "pipeline/io"))
         complain("only pipeline/io knows " to)
     if (to == "jansson.h" && below(from, "pipeline") && !below(from, "pipeline/io"))
         complain("the pipeline needs no library but xxhash: " to)

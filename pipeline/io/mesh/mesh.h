@@ -7,8 +7,8 @@
 /* Arrays are packed and belong to the mesh.
  *
  * Vertices are those of the file in its order, unreferenced ones included, except that
- *  - STL has no vertices, only corners: equal positions are welded (by OpenMesh, by value), and
- *    vertices are numbered by their first use;
+ *  - STL has no vertices, only corners: equal positions are welded, and vertices are numbered by
+ *    their first use; denormal coordinates count as 0 there;
  *  - OBJ corners that give one vertex different normals or texture coordinates get copies of the
  *    vertex, which are appended after all vertices of the file.
  * Triangles are in file order; a polygon v0 v1 v2 v3 .. is the fan (v0 v1 v2) (v0 v2 v3) .. */
@@ -19,8 +19,8 @@ typedef struct GpMesh {
     float *texcoords;  /* [2 * vertex_count] u v, v as in the file; NULL without */
     uint32_t *indices; /* [3 * triangle_count], all < vertex_count */
     uint32_t vertex_count, triangle_count;
-    uint32_t skipped_count; /* faces without area that OpenMesh drops: STL corners that weld, OBJ
-                               polygons with fewer than three different vertices */
+    uint32_t skipped_count; /* faces without area that are left out: STL corners that weld,
+                               OBJ polygons with fewer than three different vertices */
     bool had_normals, had_colors, had_texcoords; /* the file stored them for its vertices */
 } GpMesh;
 

@@ -1,41 +1,37 @@
 #include "pipeline/io/mesh/mesh_file.h"
 
-#include "pipeline/io/mesh/mesh_check.h"
-#include "pipeline/io/mesh/mesh_openmesh.h"
+#include "pipeline/io/mesh/mesh_formats.h"
 
 #include <string.h>
 
 typedef struct FormatEntry {
     const char *extension;
-    GpMeshFormat format;
-    GpResult (*check)(GpMeshSource *, GpError *);
+    GpResult (*read)(const char *, GpFile *, GpMeshBuilder *, GpError *);
 } FormatEntry;
 
 static const FormatEntry formats[] = {
-    { "off", GP_MESH_OFF, gp_mesh_check_off }, { "obj", GP_MESH_OBJ, gp_mesh_check_obj },
-    { "ply", GP_MESH_PLY, gp_mesh_check_ply }, { "stl", GP_MESH_STL, gp_mesh_check_stl },
-    { "om", GP_MESH_OM, gp_mesh_check_om },
+    { "off", gp_mesh_read_off }, { "obj", gp_mesh_read_obj }, { "ply", gp_mesh_read_ply },
+    { "stl", gp_mesh_read_stl }, { "om", gp_mesh_read_om },
 };
 
-static GpResult read_source(const FormatEntry *entry, unsigned flags, GpMeshSource *source,
-                            GpMesh *mesh, GpError *error)
+/* From what the file holds to what gp_mesh_read promises. */
+static GpResult finish(const char *path, unsigned flags, GpMeshBuilder *builder, GpMesh *mesh,
+                       GpError *error)
 {
-    GpResult result = entry->check(source, error);
-    if (result != GP_OK)
-        return result;
-    if (source->vertex_count == 0)
-        return gp_fail(error, GP_ERROR_FORMAT, "%s: no vertices", source->path);
-    if (source->face_count == 0 && !(flags & GP_MESH_ALLOW_POINTS))
-        return gp_fail(error, GP_ERROR_FORMAT, "%s: no faces", source->path);
+    size_t faces = builder->face_count;
+    if (builder->vertex_count == 0)
+        return gp_fail(error, GP_ERROR_FORMAT, "%s: no vertices", path);
+    if (faces == 0 && !(flags & GP_MESH_ALLOW_POINTS))
+        return gp_fail(error, GP_ERROR_FORMAT, "%s: no faces", path);
 
     GpMesh loaded;
-    result = gp_mesh_import(source, &loaded, error);
-    if (result != GP_OK)
-        return result;
-    if (loaded.triangle_count == 0 && source->face_count > 0)
-        result = gp_fail(error, GP_ERROR_FORMAT, "%s: no faces with an area", source->path);
+    if (gp_mesh_builder_finish(builder, &loaded) != GP_OK)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for the mesh", path);
+    GpResult result = GP_OK;
+    if (loaded.triangle_count == 0 && faces > 0)
+        result = gp_fail(error, GP_ERROR_FORMAT, "%s: no faces with an area", path);
     else if (gp_mesh_normals(&loaded, !loaded.had_normals) != GP_OK)
-        result = gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for normals", source->path);
+        result = gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for normals", path);
     if (result != GP_OK) {
         gp_mesh_free(&loaded);
         return result;
@@ -58,14 +54,18 @@ GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *e
         return gp_fail(error, GP_ERROR_UNSUPPORTED,
                        "%s: expected a name that ends with .off, .obj, .ply, .stl or .om", path);
 
-    GpMeshSource source = { .path = path, .reading = entry->extension, .format = entry->format };
-    GpResult result = gp_file_read(path, &source.file, error);
+    GpFile file;
+    GpResult result = gp_file_read(path, &file, error);
     if (result != GP_OK)
         return result;
-    if (source.file.size == 0)
+    GpMeshBuilder builder = { .vertex_count = 0 };
+    if (file.size == 0)
         result = gp_fail(error, GP_ERROR_FORMAT, "%s: the file is empty", path);
     else
-        result = read_source(entry, flags, &source, mesh, error);
-    gp_file_free(&source.file);
+        result = entry->read(path, &file, &builder, error);
+    gp_file_free(&file);
+    if (result == GP_OK)
+        result = finish(path, flags, &builder, mesh, error);
+    gp_mesh_builder_free(&builder);
     return result;
 }

@@ -1,9 +1,5 @@
-/* Triangle meshes from files: OFF, OBJ, PLY, STL and OM.
- *
- * OpenMesh reads the formats; its half-edge structure, which cannot hold non-manifold faces, is not
- * built, so every face of the file arrives. Before OpenMesh sees a byte, the whole file is checked
- * (mesh_check.h): its readers trust what a file says.
- */
+/* Triangle meshes from files: OFF, OBJ, PLY, STL and OM. Every face arrives, whether manifold or
+ * not. */
 #ifndef GP_IO_MESH_FILE_H
 #define GP_IO_MESH_FILE_H
 
@@ -23,8 +19,7 @@ typedef enum GpMeshFlags {
  *        ..." (truncated, impossible counts, an index out of range, a number that is none or is
  *        not finite, no vertices, no faces); GP_ERROR_UNSUPPORTED (valid, but not read here: an
  *        unknown extension, four-dimensional OFF, binary OFF ...); GP_ERROR_MEMORY
- * owns   the caller frees the mesh with gp_mesh_free
- * note   calls from several threads wait for each other: OpenMesh's readers keep state */
+ * owns   the caller frees the mesh with gp_mesh_free */
 GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *error);
 
 #endif

@@ -1,227 +1,226 @@
-#include "pipeline/io/mesh/mesh_ply.h"
-
+/* The body of a PLY file: vertices and faces with properties of any type, between what means nothing
+ * here. */
+#include "pipeline/io/mesh/mesh_formats.h"
+#include "pipeline/io/mesh/mesh_ply_header.h"
 #include "pipeline/io/mesh/mesh_text.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-static const struct {
-    const char *name, *other_name;
-    size_t size;
-} types[PLY_TYPES] = {
-    [PLY_INT8] = { .name = "char", .other_name = "int8", .size = 1 },
-    [PLY_UINT8] = { .name = "uchar", .other_name = "uint8", .size = 1 },
-    [PLY_INT16] = { .name = "short", .other_name = "int16", .size = 2 },
-    [PLY_UINT16] = { .name = "ushort", .other_name = "uint16", .size = 2 },
-    [PLY_INT32] = { .name = "int", .other_name = "int32", .size = 4 },
-    [PLY_UINT32] = { .name = "uint", .other_name = "uint32", .size = 4 },
-    [PLY_FLOAT32] = { .name = "float", .other_name = "float32", .size = 4 },
-    [PLY_FLOAT64] = { .name = "double", .other_name = "float64", .size = 8 },
-};
+typedef struct Walk {
+    const char *begin; /* of the file */
+    const PlyHeader *header;
+    GpText text;       /* next and number, in binary files next only */
+    const char *place; /* of the value read last, for messages */
+    GpMeshBuilder *mesh;
+    const PlyElement *element; /* the present one, for messages */
+    size_t item;
+} Walk;
 
-/* Names of the vertex properties in use. */
-static const struct {
-    const char *name;
-    PlyRole role;
-} vertex_names[] = {
-    { "x", PLY_X },
-    { "y", PLY_Y },
-    { "z", PLY_Z },
-    { "nx", PLY_NX },
-    { "ny", PLY_NY },
-    { "nz", PLY_NZ },
-    { "u", PLY_U },
-    { "v", PLY_V },
-    { "s", PLY_U },
-    { "t", PLY_V },
-    { "texture_u", PLY_U },
-    { "texture_v", PLY_V },
-    { "red", PLY_RED },
-    { "green", PLY_GREEN },
-    { "blue", PLY_BLUE },
-    { "alpha", PLY_ALPHA },
-    { "diffuse_red", PLY_RED },
-    { "diffuse_green", PLY_GREEN },
-    { "diffuse_blue", PLY_BLUE },
-};
-
-size_t gp_ply_size(PlyType type)
+/* "path: line 5: vertex 2: expected ..." */
+static GpResult fail(const Walk *walk, const char *expected)
 {
-    return types[type].size;
+    static const char *const names[] = { "vertex", "face", "element" };
+    bool is_ascii = walk->header->encoding == PLY_ASCII;
+    return gp_fail(walk->text.error, GP_ERROR_FORMAT, "%s: %s %zu: %s %zu: expected %s",
+                   walk->text.path, is_ascii ? "line" : "byte",
+                   is_ascii ? walk->text.number : (size_t)(walk->place - walk->begin),
+                   names[walk->element->kind], walk->item, expected);
 }
 
-static bool find_type(const GpWord *word, PlyType *type)
+static GpResult read_word(Walk *walk, PlyType type, double *value)
 {
-    for (int i = 0; i < PLY_TYPES; i++) {
-        if (gp_word_is(word, types[i].name) || gp_word_is(word, types[i].other_name)) {
-            *type = (PlyType)i;
-            return true;
-        }
-    }
-    return false;
-}
-
-static GpResult fail(const GpText *text, const char *expected)
-{
-    return gp_text_fail(text, GP_ERROR_FORMAT, "expected %s", expected);
-}
-
-static GpResult parse_format(PlyHeader *header, GpText *text)
-{
-    static const char *const names[] = { "ascii", "binary_little_endian", "binary_big_endian" };
-    GpWord word, version;
-    if (!gp_text_line(text) || !gp_text_word(text, &word) || !gp_word_is(&word, "format") ||
-        !gp_text_word(text, &word) || !gp_text_word(text, &version) || !gp_word_is(&version, "1.0"))
-        return fail(text, "'format', an encoding and '1.0'");
-    for (size_t i = 0; i < GP_COUNT(names); i++) {
-        if (gp_word_is(&word, names[i])) {
-            header->encoding = (PlyEncoding)i;
-            return GP_OK;
-        }
-    }
-    return fail(text, "ascii, binary_little_endian or binary_big_endian");
-}
-
-static GpResult parse_element(const GpMeshSource *source, PlyHeader *header, GpText *text)
-{
-    GpWord name, count;
-    int64_t number;
-    if (!gp_text_word(text, &name) || !gp_text_word(text, &count) ||
-        !gp_word_integer(&count, &number) || number < 0)
-        return fail(text, "an element's name and count");
-    if (number > GP_MESH_COUNT_MAX || number > (int64_t)source->file.size)
-        return gp_text_fail(text, GP_ERROR_FORMAT,
-                            "%lld elements are promised, but the file has %zu bytes",
-                            (long long)number, source->file.size);
-    if (header->element_count == GP_COUNT(header->element))
-        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "more than %zu elements",
-                            GP_COUNT(header->element));
-    PlyKind kind = gp_word_is(&name, "vertex") ? PLY_VERTEX
-                   : gp_word_is(&name, "face") ? PLY_FACE
-                                               : PLY_OTHER;
-    bool has_vertices = false;
-    for (size_t i = 0; i < header->element_count; i++) {
-        has_vertices |= header->element[i].kind == PLY_VERTEX;
-        if (kind != PLY_OTHER && header->element[i].kind == kind)
-            return fail(text, "one element vertex and one element face");
-    }
-    if (kind == PLY_FACE && !has_vertices)
-        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "faces before vertices");
-    header->element[header->element_count++] = (PlyElement){ .kind = kind,
-                                                             .count = (size_t)number,
-                                                             .first = header->property_count,
-                                                             .end = header->property_count };
-    return GP_OK;
-}
-
-/* Gives a property its role; the first of several of one role counts. */
-static void assign_role(PlyHeader *header, PlyKind kind, const GpWord *name, PlyProperty *property)
-{
-    if (kind == PLY_VERTEX && !property->is_list) {
-        for (size_t i = 0; i < GP_COUNT(vertex_names); i++)
-            if (gp_word_is(name, vertex_names[i].name) && !header->has[vertex_names[i].role])
-                property->role = vertex_names[i].role;
-    } else if (kind == PLY_FACE && property->is_list && !header->has[PLY_CORNERS]) {
-        if (gp_word_is(name, "vertex_indices") || gp_word_is(name, "vertex_index"))
-            property->role = PLY_CORNERS;
-    }
-    if (property->role != PLY_IGNORED)
-        header->has[property->role] = true;
-}
-
-static GpResult parse_property(PlyHeader *header, GpText *text)
-{
-    PlyProperty property = { .role = PLY_IGNORED };
     GpWord word;
-    bool is_valid = gp_text_word(text, &word);
-    property.is_list = is_valid && gp_word_is(&word, "list");
-    if (property.is_list)
-        is_valid = gp_text_word(text, &word) && find_type(&word, &property.count_type) &&
-                   property.count_type < PLY_FLOAT32 && gp_text_word(text, &word);
-    if (!is_valid || !find_type(&word, &property.type) || !gp_text_word(text, &word))
-        return fail(text, "a property's type and name");
-    if (header->element_count == 0)
-        return fail(text, "an element before its properties");
-    if (header->property_count == GP_COUNT(header->property))
-        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "more than %zu properties",
-                            GP_COUNT(header->property));
-    PlyElement *element = &header->element[header->element_count - 1];
-    assign_role(header, element->kind, &word, &property);
-    header->property[header->property_count++] = property;
-    element->end = header->property_count;
+    char shown[44], expected[96];
+    if (!gp_text_any_word(&walk->text, &word))
+        return fail(walk, "a number, but the file ends");
+    float number;
+    int64_t integer;
+    bool is_float = type >= PLY_FLOAT32;
+    if (is_float ? gp_word_number(&word, &number) : gp_word_integer(&word, &integer)) {
+        *value = is_float ? (double)number : (double)integer;
+        return GP_OK;
+    }
+    snprintf(expected, sizeof expected, "%s, found '%s'",
+             is_float ? "a finite number" : "an integer", gp_word_show(&word, shown));
+    return fail(walk, expected);
+}
+
+static double value_of_bits(PlyType type, uint64_t bits)
+{
+    union {
+        uint64_t u;
+        double d;
+    } pun = { .u = bits };
+    switch (type) {
+    case PLY_INT8:
+        return (int8_t)bits;
+    case PLY_INT16:
+        return (int16_t)bits;
+    case PLY_INT32:
+        return (int32_t)bits;
+    case PLY_FLOAT32:
+        return (double)gp_bits_float((uint32_t)bits);
+    case PLY_FLOAT64:
+        return pun.d;
+    default:
+        return (double)bits;
+    }
+}
+
+/* One value of the file; floating-point values may be anything here. */
+static GpResult read_value(Walk *walk, PlyType type, double *value)
+{
+    walk->place = walk->text.next;
+    if (walk->header->encoding == PLY_ASCII)
+        return read_word(walk, type, value);
+    size_t size = gp_ply_size(type);
+    if (size > (size_t)(walk->text.end - walk->text.next))
+        return fail(walk, "more bytes, but the file ends");
+    uint64_t bits = walk->header->encoding == PLY_BIG ? gp_load_big(walk->text.next, size)
+                                                      : gp_load_little(walk->text.next, size);
+    *value = value_of_bits(type, bits);
+    walk->text.next += size;
     return GP_OK;
 }
 
-/* A group counts only when it is complete: else its members are ignored. */
-static bool complete(PlyHeader *header, PlyRole first, PlyRole last)
+static GpResult skip_value(Walk *walk, PlyType type)
 {
-    bool all = true, any = false;
-    for (PlyRole role = first; role <= last; role++) {
-        all = all && header->has[role];
-        any = any || header->has[role];
-    }
-    if (any && !all) {
-        for (size_t i = 0; i < header->property_count; i++) {
-            if (header->property[i].role >= first && header->property[i].role <= last)
-                header->property[i].role = PLY_IGNORED;
-        }
-        for (PlyRole role = first; role <= last; role++)
-            header->has[role] = false;
-    }
-    return all;
+    GpWord word;
+    double value;
+    if (walk->header->encoding != PLY_ASCII)
+        return read_value(walk, type, &value);
+    return gp_text_any_word(&walk->text, &word) ? GP_OK : fail(walk, "a number, but the file ends");
 }
 
-static GpResult finish(PlyHeader *header, GpText *text)
+static GpResult read_length(Walk *walk, const PlyProperty *property, size_t *length)
 {
-    bool has_positions = complete(header, PLY_X, PLY_Z);
-    complete(header, PLY_NX, PLY_NZ);
-    complete(header, PLY_U, PLY_V);
-    bool has_colors = complete(header, PLY_RED, PLY_BLUE);
-    if (!has_colors)
-        complete(header, PLY_RED, PLY_ALPHA); /* alpha alone is no colour */
-    for (size_t i = 0; i < header->element_count; i++) {
-        const PlyElement *element = &header->element[i];
-        if (element->count > 0 && element->first == element->end)
-            return fail(text, "properties for every element");
-        if (element->kind == PLY_VERTEX && !has_positions)
-            return fail(text, "the vertex properties x, y and z");
-        if (element->kind == PLY_FACE && element->count > 0 && !header->has[PLY_CORNERS])
-            return fail(text, "the face property list vertex_indices");
-    }
-    return GP_OK;
-}
-
-GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *error)
-{
-    char *begin = source->file.data;
-    GpText text = gp_text_begin(source->path, begin, source->file.size, error);
-    GpWord word = { .text = NULL, .size = 0 };
-    *header = (PlyHeader){ .element_count = 0 };
-    bool is_magic = gp_text_line(&text) && gp_text_word(&text, &word) && gp_word_is(&word, "ply");
-    if (!is_magic || word.text != begin)
-        return gp_fail(error, GP_ERROR_FORMAT, "%s: line 1: expected 'ply'", source->path);
-
-    GpResult result = parse_format(header, &text);
-    while (result == GP_OK) {
-        if (!gp_text_line(&text) || !gp_text_word(&text, &word))
-            return fail(&text, "'end_header', but the file ends");
-        if (gp_word_is(&word, "end_header"))
-            break;
-        bool is_comment = gp_word_is(&word, "comment"), is_info = gp_word_is(&word, "obj_info");
-        if (gp_word_is(&word, "element"))
-            result = parse_element(source, header, &text);
-        else if (gp_word_is(&word, "property"))
-            result = parse_property(header, &text);
-        else if (!is_comment && !is_info)
-            result = fail(&text, "element, property, comment or end_header");
-        if (result == GP_OK && !is_comment && !is_info && gp_text_word(&text, &word))
-            result = fail(&text, "nothing more on this line");
-    }
-    if (result == GP_OK && text.line_end == text.end)
-        result = fail(&text, "a line end after 'end_header'");
+    double value;
+    GpResult result = read_value(walk, property->count_type, &value);
     if (result != GP_OK)
         return result;
+    double left = (double)(walk->text.end - walk->text.next);
+    size_t size = walk->header->encoding == PLY_ASCII ? 1 : gp_ply_size(property->type);
+    if (value < 0 || value * (double)size > left)
+        return fail(walk, "a list length that fits into the file");
+    *length = (size_t)value;
+    return GP_OK;
+}
 
-    header->body = text.line_end + 1;
-    header->lines = text.number;
-    return finish(header, &text);
+static GpResult skip_property(Walk *walk, const PlyProperty *property)
+{
+    size_t length = 1;
+    GpResult result = property->is_list ? read_length(walk, property, &length) : GP_OK;
+    for (size_t i = 0; i < length && result == GP_OK; i++)
+        result = skip_value(walk, property->type);
+    return result;
+}
+
+static GpResult read_corners(Walk *walk, const PlyProperty *property)
+{
+    size_t length = 0;
+    GpResult result = read_length(walk, property, &length);
+    if (result != GP_OK)
+        return result;
+    if (length < 3)
+        return fail(walk, "3 or more corners");
+    gp_mesh_begin_face(walk->mesh);
+    for (size_t i = 0; i < length; i++) {
+        double index;
+        result = read_value(walk, property->type, &index);
+        if (result != GP_OK)
+            return result;
+        if (!(index >= 0 && index < (double)walk->mesh->vertex_count) || index != floor(index)) {
+            char expected[96];
+            snprintf(expected, sizeof expected, "a vertex below %zu, but it refers to vertex %.17g",
+                     walk->mesh->vertex_count, index);
+            return fail(walk, expected);
+        }
+        gp_mesh_add_corner(walk->mesh, (uint32_t)index);
+    }
+    return GP_OK;
+}
+
+/* A colour in 256 steps, as bytes have them: integers of 0..255, or floats, which are clamped. */
+static GpResult take_color(const Walk *walk, PlyType type, double value, float *color)
+{
+    bool is_float = type >= PLY_FLOAT32;
+    if (!is_float && !(value >= 0 && value <= 255))
+        return fail(walk, "a colour in 0..255");
+    double scaled = is_float ? value * 255 + 0.5 : value;
+    unsigned char byte = (unsigned char)(scaled < 0 ? 0 : scaled > 255 ? 255 : scaled);
+    *color = (float)byte / 255.0f;
+    return GP_OK;
+}
+
+static GpResult read_vertex(Walk *walk)
+{
+    float vertex[GP_VERTEX_FLOATS] = { [PLY_ALPHA] = 1 };
+    for (size_t i = walk->element->first; i < walk->element->end; i++) {
+        const PlyProperty *property = &walk->header->property[i];
+        GpResult result;
+        double number;
+        if (property->role == PLY_IGNORED) {
+            result = skip_property(walk, property);
+        } else {
+            result = read_value(walk, property->type, &number);
+            if (result == GP_OK && !isfinite((float)number))
+                result = fail(walk, "a finite number");
+            if (result == GP_OK && property->role >= PLY_RED)
+                result = take_color(walk, property->type, number, &vertex[property->role]);
+            else if (result == GP_OK)
+                vertex[property->role] = (float)number;
+        }
+        if (result != GP_OK)
+            return result;
+    }
+    gp_mesh_add_vertex(walk->mesh, vertex);
+    return GP_OK;
+}
+
+static GpResult read_item(Walk *walk)
+{
+    GpResult result = GP_OK;
+    if (walk->element->kind == PLY_VERTEX)
+        return read_vertex(walk);
+    for (size_t i = walk->element->first; i < walk->element->end && result == GP_OK; i++) {
+        const PlyProperty *property = &walk->header->property[i];
+        result = property->role == PLY_CORNERS ? read_corners(walk, property)
+                                               : skip_property(walk, property);
+    }
+    return result;
+}
+
+GpResult gp_mesh_read_ply(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error)
+{
+    PlyHeader header;
+    GpResult result = gp_ply_header(path, file, &header, error);
+    if (result != GP_OK)
+        return result;
+    mesh->has[GP_MESH_NORMAL] = header.has[PLY_NX];
+    mesh->has[GP_MESH_TEXCOORD] = header.has[PLY_U];
+    mesh->has[GP_MESH_COLOR] = header.has[PLY_RED];
+
+    Walk walk = { .begin = file->data, .header = &header, .mesh = mesh };
+    size_t before = (size_t)(header.body - file->data);
+    walk.text = gp_text_begin(path, header.body, file->size - before, error);
+    walk.text.number = header.lines + 1;
+    for (size_t i = 0; i < header.element_count; i++) {
+        const PlyElement *element = walk.element = &header.element[i];
+        gp_mesh_builder_reserve(mesh, element->kind == PLY_VERTEX ? element->count : 0,
+                                element->kind == PLY_FACE ? element->count : 0);
+        for (walk.item = 0; walk.item < element->count; walk.item++) {
+            result = read_item(&walk);
+            if (result != GP_OK)
+                return result;
+        }
+    }
+    GpWord word;
+    bool is_ascii = header.encoding == PLY_ASCII;
+    if (is_ascii ? gp_text_any_word(&walk.text, &word) : walk.text.next < walk.text.end)
+        return gp_fail(error, GP_ERROR_FORMAT,
+                       "%s: byte %zu: expected the end of the file after its last element", path,
+                       (size_t)(walk.text.next - file->data));
+    return GP_OK;
 }

@@ -1,4 +1,4 @@
-/* Lines, words and numbers of text mesh files, for the checks (internal). */
+/* Lines, words and numbers of text mesh files, for the readers (internal). */
 #ifndef GP_IO_MESH_TEXT_H
 #define GP_IO_MESH_TEXT_H
 
@@ -40,7 +40,7 @@ bool gp_word_is(const GpWord *word, const char *text);          /* exactly */
 bool gp_word_is_any_case(const GpWord *word, const char *text); /* ASCII letters of any case */
 
 /* A decimal number, [+-] digits [. digits] [e [+-] digits], that is finite as a float. Hexadecimal,
- * nan and inf are no numbers: stream extraction would stop inside them. */
+ * nan and inf are no numbers. */
 bool gp_word_number(const GpWord *word, float *value);
 
 /* A decimal integer of magnitude below 2^62. */

@@ -250,7 +250,7 @@ static void obj_corners_with_other_attributes_become_copies(void **state)
     assert_true(mesh.texcoords[4] == 1 && mesh.texcoords[5] == 1); /* 3/3 */
     assert_true(mesh.texcoords[10] == 0 && mesh.texcoords[11] == 0);
     assert_true(mesh.normals[2] == 1 && mesh.normals[19] == 1);
-    /* Both later faces have fewer than three different vertices: OpenMesh drops them. */
+    /* Both later faces have fewer than three different vertices: skipped. */
     assert_int_equal(mesh.triangle_count, 3);
     assert_int_equal(mesh.skipped_count, 2);
     gp_mesh_free(&mesh);

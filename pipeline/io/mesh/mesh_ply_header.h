@@ -1,9 +1,9 @@
-/* The header of a PLY file (internal to the PLY check).
+/* The header of a PLY file (internal to the PLY reader).
  * source Greg Turk, "The PLY Polygon File Format", 1994 */
-#ifndef GP_IO_MESH_PLY_H
-#define GP_IO_MESH_PLY_H
+#ifndef GP_IO_MESH_PLY_HEADER_H
+#define GP_IO_MESH_PLY_HEADER_H
 
-#include "pipeline/io/mesh/mesh_check.h"
+#include "pipeline/io/file.h"
 
 typedef enum PlyType {
     PLY_INT8,
@@ -17,7 +17,7 @@ typedef enum PlyType {
     PLY_TYPES
 } PlyType;
 
-/* What a property means here. */
+/* What a property means here: for a vertex, its place in the row (mesh_builder.h). */
 typedef enum PlyRole {
     PLY_X,
     PLY_Y,
@@ -63,9 +63,9 @@ typedef struct PlyHeader {
     size_t lines;          /* of the header */
 } PlyHeader;
 
-/* Parses and checks the header of source->file.
+/* Parses and checks the header of a file.
  * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED */
-GpResult gp_ply_header(const GpMeshSource *source, PlyHeader *header, GpError *error);
+GpResult gp_ply_header(const char *path, const GpFile *file, PlyHeader *header, GpError *error);
 
 /* Bytes of one binary value. */
 size_t gp_ply_size(PlyType type);

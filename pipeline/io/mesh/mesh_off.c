@@ -1,11 +1,11 @@
 /* Object File Format, text: [ST][C][N]OFF, the counts, one vertex per line, one face per line.
- * source geomview.org "OFF Files"; OpenMesh 9's reader, which takes only this subset */
-#include "pipeline/io/mesh/mesh_check.h"
+ * source geomview.org "OFF Files", of which this is the subset that is in use */
+#include "pipeline/io/mesh/mesh_formats.h"
 #include "pipeline/io/mesh/mesh_text.h"
 
 #include <string.h>
 
-/* Comments end at the line's end; blanked, no reader trips over them. */
+/* Comments end at the line's end. */
 static void blank_comments(char *at, char *end)
 {
     for (bool in_comment = false; at < end; at++) {
@@ -15,13 +15,13 @@ static void blank_comments(char *at, char *end)
     }
 }
 
-/* Reads "[ST][C][N]OFF". The counts may follow on the same line, where OpenMesh does not look for
- * them: the white space between becomes a newline. */
-static GpResult check_keyword(GpMeshSource *source, GpText *text)
+/* "[ST][C][N]OFF"; the counts may follow on the same line. */
+static GpResult read_keyword(GpText *text, GpMeshBuilder *mesh)
 {
+    char *begin = text->next;
     GpWord word = { .text = NULL, .size = 0 };
     text->number = 1;
-    text->line_end = memchr(text->next, '\n', source->file.size);
+    text->line_end = memchr(begin, '\n', (size_t)(text->end - begin));
     if (!text->line_end)
         text->line_end = text->end;
     gp_text_word(text, &word);
@@ -35,29 +35,24 @@ static GpResult check_keyword(GpMeshSource *source, GpText *text)
         rest.size -= has[i] ? size : 0;
     }
     char shown[44];
-    if (!gp_word_is(&rest, "OFF") || word.text != source->file.data)
+    if (!gp_word_is(&rest, "OFF") || word.text != begin)
         return gp_text_fail(text, GP_ERROR_FORMAT, "expected OFF, found '%s'",
                             gp_word_show(&word, shown));
     if (has[3] || has[4])
         return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "vertices must have three dimensions");
-    source->has_texcoords = has[0];
-    source->has_colors = has[1];
-    source->has_normals = has[2];
+    mesh->has[GP_MESH_TEXCOORD] = has[0];
+    mesh->has[GP_MESH_COLOR] = has[1];
+    mesh->has[GP_MESH_NORMAL] = has[2];
 
     char *after = text->next;
     if (gp_text_word(text, &rest) && gp_word_is(&rest, "BINARY"))
         return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "binary OFF is not read");
     text->next = after;
-    if (after < text->end && *after != '\n') {
-        *after = '\n';
-        text->number = 0; /* this newline was not in the file */
-    }
     return GP_OK;
 }
 
-static GpResult check_counts(GpMeshSource *source, GpText *text)
+static GpResult read_counts(GpText *text, int64_t count[3])
 {
-    int64_t count[3] = { 0, 0, 0 };
     for (int i = 0; i < 3; i++) {
         GpWord word;
         if (!gp_text_any_word(text, &word) || !gp_word_integer(&word, &count[i]) || count[i] < 0 ||
@@ -72,8 +67,6 @@ static GpResult check_counts(GpMeshSource *source, GpText *text)
                             "%lld vertices and %lld faces are promised, but only %lld "
                             "bytes follow",
                             (long long)count[0], (long long)count[1], (long long)left);
-    source->vertex_count = (size_t)count[0];
-    source->face_count = (size_t)count[1];
     char *newline = memchr(text->next, '\n', (size_t)left);
     text->line_end = newline ? newline : text->end;
     GpWord word;
@@ -82,109 +75,103 @@ static GpResult check_counts(GpMeshSource *source, GpText *text)
     return GP_OK;
 }
 
-/* OpenMesh takes colours as integers in 0..255 where the first has no point, else as floats, and
- * finds their number by counting single spaces. */
-static bool is_color(const GpWord *words, size_t count)
+/* Integers in 0..255 where the first has no point, else floats as they are. */
+static bool read_color(const GpWord *words, size_t count, float *color)
 {
     bool is_float = memchr(words[0].text, '.', words[0].size) != NULL;
     for (size_t i = 0; i < count; i++) {
-        int64_t integer;
-        float number;
-        if (is_float ? !gp_word_number(&words[i], &number)
+        int64_t integer = 0;
+        if (is_float ? !gp_word_number(&words[i], &color[i])
                      : !gp_word_integer(&words[i], &integer) || integer < 0 || integer > 255)
             return false;
+        if (!is_float)
+            color[i] = (float)integer / 255.0f;
     }
     return true;
 }
 
-/* Writes the words of a line again with one space between them. */
-static void squeeze(char *begin, char *end, const GpWord *words, size_t count)
-{
-    char *at = begin;
-    for (size_t i = 0; i < count; i++) {
-        if (i > 0)
-            *at++ = ' ';
-        memmove(at, words[i].text, words[i].size);
-        at += words[i].size;
-    }
-    memset(at, ' ', (size_t)(end - at));
-}
-
 /* x y z [nx ny nz] [r g b [a]] [u v]; in plain OFF anything after that is for others. */
-static GpResult check_vertex(const GpMeshSource *source, GpText *text, size_t index)
+static GpResult read_vertex(GpText *text, GpMeshBuilder *mesh)
 {
-    char *begin = text->next;
     GpWord word[13];
-    size_t count = 0;
+    size_t count = 0, index = mesh->vertex_count;
     while (count < GP_COUNT(word) && gp_text_word(text, &word[count]))
         count++;
-    size_t before = source->has_normals ? 6 : 3, after = source->has_texcoords ? 2 : 0;
-    size_t least = before + (source->has_colors ? 3 : 0) + after;
-    size_t most = least + (source->has_colors ? 1 : 0);
-    bool is_open = !source->has_colors && !source->has_texcoords;
+    bool has_color = mesh->has[GP_MESH_COLOR], has_texcoord = mesh->has[GP_MESH_TEXCOORD];
+    size_t before = mesh->has[GP_MESH_NORMAL] ? 6 : 3, after = has_texcoord ? 2 : 0;
+    size_t least = before + (has_color ? 3 : 0) + after;
+    size_t most = least + (has_color ? 1 : 0);
+    bool is_open = !has_color && !has_texcoord;
     if (count < least || (count > most && !is_open))
         return gp_text_fail(text, GP_ERROR_FORMAT,
                             "vertex %zu has %zu numbers, but %zu are expected", index, count,
                             least);
+    if (is_open)
+        count = before;
     char shown[44];
-    for (size_t i = 0; i < (is_open ? before : count); i++) {
-        float number;
-        if (!gp_word_number(&word[i], &number))
+    float number[GP_VERTEX_FLOATS], vertex[GP_VERTEX_FLOATS] = { [GP_VERTEX_COLOR + 3] = 1 };
+    for (size_t i = 0; i < count; i++) {
+        if (!gp_word_number(&word[i], &number[i]))
             return gp_text_fail(text, GP_ERROR_FORMAT,
                                 "vertex %zu: expected a finite number, found '%s'", index,
                                 gp_word_show(&word[i], shown));
     }
-    if (source->has_colors && !is_color(word + before, count - before - after))
+    memcpy(vertex, number, before * sizeof(float));
+    memcpy(vertex + GP_VERTEX_TEXCOORD, number + count - after, after * sizeof(float));
+    if (has_color && !read_color(word + before, count - before - after, vertex + GP_VERTEX_COLOR))
         return gp_text_fail(text, GP_ERROR_FORMAT,
                             "vertex %zu: expected a colour of integers in 0..255 or of "
                             "numbers with decimal points",
                             index);
-    squeeze(begin, text->line_end, word, is_open ? before : count);
+    gp_mesh_add_vertex(mesh, vertex);
     return GP_OK;
 }
 
-/* n i0 .. i(n-1), then perhaps a colour, which is blanked: OpenMesh misreads it in plain OFF. */
-static GpResult check_face(const GpMeshSource *source, GpText *text, size_t index)
+/* n i0 .. i(n-1); a colour may follow, which is not used. */
+static GpResult read_face(GpText *text, GpMeshBuilder *mesh)
 {
     GpWord word = { .text = NULL, .size = 0 };
     int64_t corners;
+    size_t index = mesh->face_count;
     char shown[44];
     if (!gp_text_word(text, &word) || !gp_word_integer(&word, &corners) || corners < 3)
         return gp_text_fail(text, GP_ERROR_FORMAT,
                             "face %zu: expected 3 or more corners, found '%s'", index,
                             gp_word_show(&word, shown));
+    gp_mesh_begin_face(mesh);
     for (int64_t i = 0; i < corners; i++) {
         int64_t vertex;
         if (!gp_text_word(text, &word) || !gp_word_integer(&word, &vertex))
             return gp_text_fail(text, GP_ERROR_FORMAT,
                                 "face %zu: expected %lld vertex numbers, found '%s'", index,
                                 (long long)corners, gp_word_show(&word, shown));
-        if (vertex < 0 || vertex >= (int64_t)source->vertex_count)
+        if (vertex < 0 || vertex >= (int64_t)mesh->vertex_count)
             return gp_text_fail(text, GP_ERROR_FORMAT,
                                 "face %zu refers to vertex %lld, but there are %zu", index,
-                                (long long)vertex, source->vertex_count);
+                                (long long)vertex, mesh->vertex_count);
+        gp_mesh_add_corner(mesh, (uint32_t)vertex);
     }
-    memset(text->next, ' ', (size_t)(text->line_end - text->next));
     return GP_OK;
 }
 
-GpResult gp_mesh_check_off(GpMeshSource *source, GpError *error)
+GpResult gp_mesh_read_off(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error)
 {
-    GpText text = gp_text_begin(source->path, source->file.data, source->file.size, error);
+    GpText text = gp_text_begin(path, file->data, file->size, error);
+    int64_t count[3] = { 0, 0, 0 }; /* vertices, faces, edges */
     blank_comments(text.next, text.end);
-    GpResult result = check_keyword(source, &text);
+    GpResult result = read_keyword(&text, mesh);
     if (result == GP_OK)
-        result = check_counts(source, &text);
-    size_t count = source->vertex_count + source->face_count;
-    for (size_t i = 0; i < count && result == GP_OK; i++) {
-        bool is_vertex = i < source->vertex_count;
-        size_t index = is_vertex ? i : i - source->vertex_count;
+        result = read_counts(&text, count);
+    if (result == GP_OK)
+        gp_mesh_builder_reserve(mesh, (size_t)count[0], (size_t)count[1]);
+    for (int64_t i = 0; i < count[0] + count[1] && result == GP_OK; i++) {
+        bool is_vertex = i < count[0];
         if (!gp_text_line(&text))
-            return gp_text_fail(&text, GP_ERROR_FORMAT,
-                                "the file ends, but %s %zu of %zu is expected",
-                                is_vertex ? "vertex" : "face", index,
-                                is_vertex ? source->vertex_count : source->face_count);
-        result = is_vertex ? check_vertex(source, &text, index) : check_face(source, &text, index);
+            return gp_text_fail(
+                &text, GP_ERROR_FORMAT, "the file ends, but %s %lld of %lld is expected",
+                is_vertex ? "vertex" : "face", (long long)(is_vertex ? i : i - count[0]),
+                (long long)count[is_vertex ? 0 : 1]);
+        result = is_vertex ? read_vertex(&text, mesh) : read_face(&text, mesh);
     }
     return result;
 }
