@@ -1,12 +1,13 @@
 #include "pipeline/io/mesh/mesh_file.h"
 
+#include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_formats.h"
 
 #include <string.h>
 
 typedef struct FormatEntry {
     const char *extension;
-    GpResult (*read)(const char *, GpFile *, GpMeshBuilder *, GpError *);
+    void (*read)(GpInput *, GpMeshBuilder *);
 } FormatEntry;
 
 static const FormatEntry formats[] = {
@@ -59,11 +60,17 @@ GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *e
     if (result != GP_OK)
         return result;
     GpMeshBuilder builder = { .vertex_count = 0 };
+    GpInput input = { .path = path,
+                      .error = error,
+                      .begin = file.data,
+                      .next = file.data,
+                      .end = file.data + file.size };
     if (file.size == 0)
-        result = gp_fail(error, GP_ERROR_FORMAT, "%s: the file is empty", path);
+        input.result = gp_fail(error, GP_ERROR_FORMAT, "%s: the file is empty", path);
     else
-        result = entry->read(path, &file, &builder, error);
+        entry->read(&input, &builder);
     gp_file_free(&file);
+    result = input.result;
     if (result == GP_OK)
         result = finish(path, flags, &builder, mesh, error);
     gp_mesh_builder_free(&builder);

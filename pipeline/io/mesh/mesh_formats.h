@@ -7,20 +7,19 @@
 #ifndef GP_IO_MESH_FORMATS_H
 #define GP_IO_MESH_FORMATS_H
 
-#include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_builder.h"
+#include "pipeline/io/mesh/mesh_input.h"
 
 /* One per format.
- * in     path: for messages; file: its bytes, of which a reader may blank what means nothing
- * out    mesh: empty before, then what the file holds, also where it has no vertices or faces;
- *        after an error whatever was read until then
- * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED, GP_ERROR_MEMORY with one line in *error; memory that
- *        is short for the mesh itself is told by gp_mesh_builder_finish */
-GpResult gp_mesh_read_off(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error);
-GpResult gp_mesh_read_obj(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error);
-GpResult gp_mesh_read_ply(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error);
-GpResult gp_mesh_read_stl(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error);
-GpResult gp_mesh_read_om(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error);
+ * in     input: at the start of a file that is not empty; what means nothing may be blanked in it
+ * out    mesh: empty before, then what the file holds, also where it has no vertices or faces
+ * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED, GP_ERROR_MEMORY in input->result; memory that is
+ *        short for the mesh itself is told by gp_mesh_builder_finish */
+void gp_mesh_read_off(GpInput *input, GpMeshBuilder *mesh);
+void gp_mesh_read_obj(GpInput *input, GpMeshBuilder *mesh);
+void gp_mesh_read_ply(GpInput *input, GpMeshBuilder *mesh);
+void gp_mesh_read_stl(GpInput *input, GpMeshBuilder *mesh);
+void gp_mesh_read_om(GpInput *input, GpMeshBuilder *mesh);
 
 /* Largest count of vertices, faces or corners that a file may promise. */
 #define GP_MESH_COUNT_MAX ((int64_t)0x7fffffff)

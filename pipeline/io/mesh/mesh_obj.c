@@ -1,7 +1,6 @@
 /* Wavefront OBJ: vertices, normals, texture coordinates, polygons; the rest is passed over.
  * source Wavefront, "Object Files (.obj)", Advanced Visualizer manual, appendix B1 */
 #include "pipeline/io/mesh/mesh_formats.h"
-#include "pipeline/io/mesh/mesh_text.h"
 
 #include <string.h>
 
@@ -21,11 +20,12 @@ typedef struct Vertex {
 } Vertex;
 
 typedef struct Obj {
-    GpText text;
+    GpInput *input;
+    GpMeshBuilder *mesh;
     GpBytes values[ATTRIBUTES]; /* rows of floats, the first of zeros; a position is x y z r g b */
     int64_t total[ATTRIBUTES];  /* in the whole file */
     int64_t seen[ATTRIBUTES];   /* up to the present line: negative indices count back from here */
-    int64_t colors, faces;
+    int64_t colors;
     GpBytes vertices;               /* Vertex: those of the file, then copies */
     uint32_t (*latest)[ATTRIBUTES]; /* what faces named last for the file's vertices */
     GpBytes corners;                /* uint32_t: the file's vertices in the present face */
@@ -33,15 +33,11 @@ typedef struct Obj {
 
 static const struct {
     const char *keyword, *name;
-    size_t least, most, kept;
+    size_t least, most, kept; /* numbers */
 } attributes[ATTRIBUTES] = {
-    [POSITION] = { .keyword = "v", .name = "vertex", .least = 3, .most = 7, .kept = 6 },
-    [TEXCOORD] = { .keyword = "vt",
-                   .name = "texture coordinate",
-                   .least = 2,
-                   .most = 3,
-                   .kept = 2 },
-    [NORMAL] = { .keyword = "vn", .name = "normal", .least = 3, .most = 3, .kept = 3 },
+    [POSITION] = { "v", "vertex", 3, 7, 6 },
+    [TEXCOORD] = { "vt", "texture coordinate", 2, 3, 2 },
+    [NORMAL] = { "vn", "normal", 3, 3, 3 },
 };
 
 static const float *value_of(const Obj *obj, Attribute attribute, uint32_t number)
@@ -52,32 +48,31 @@ static const float *value_of(const Obj *obj, Attribute attribute, uint32_t numbe
 
 /* The numbers after v, vt or vn. A vertex may have a weight (4 numbers), which is ignored, or a
  * colour (6). */
-static GpResult read_numbers(Obj *obj, Attribute attribute)
+static void read_numbers(Obj *obj, Attribute attribute)
 {
     float number[8] = { 0 };
     size_t count = 0;
     GpWord word;
-    for (; gp_text_word(&obj->text, &word); count++) {
+    for (; gp_input_word(obj->input, &word); count++) {
         char shown[44];
         if (!gp_word_number(&word, &number[count < 7 ? count : 7]))
-            return gp_text_fail(&obj->text, GP_ERROR_FORMAT, "expected a finite number, found '%s'",
-                                gp_word_show(&word, shown));
+            gp_input_fail(obj->input, GP_ERROR_FORMAT, "expected a finite number, found '%s'",
+                          gp_word_show(&word, shown));
     }
     if (count < attributes[attribute].least || count > attributes[attribute].most ||
         (attribute == POSITION && count == 5))
-        return gp_text_fail(&obj->text, GP_ERROR_FORMAT, "a %s has no %zu numbers",
-                            attributes[attribute].name, count);
+        gp_input_fail(obj->input, GP_ERROR_FORMAT, "a %s has no %zu numbers",
+                      attributes[attribute].name, count);
     if (attribute == POSITION && count == 7)
-        return gp_text_fail(&obj->text, GP_ERROR_UNSUPPORTED,
-                            "a vertex with weight and colour is not read");
+        gp_input_fail(obj->input, GP_ERROR_UNSUPPORTED,
+                      "a vertex with weight and colour is not read");
     obj->colors += attribute == POSITION && count == 6;
     obj->total[attribute]++;
     gp_bytes_append(&obj->values[attribute], number, attributes[attribute].kept * sizeof(float));
-    return GP_OK;
 }
 
 /* One corner: v, v/vt, v//vn or v/vt/vn. */
-static GpResult read_corner(Obj *obj, const GpWord *corner)
+static bool read_corner(Obj *obj, const GpWord *corner)
 {
     const char *at = corner->text, *end = corner->text + corner->size;
     char shown[44];
@@ -91,22 +86,22 @@ static GpResult read_corner(Obj *obj, const GpWord *corner)
             continue;
         int64_t index;
         if (attribute >= ATTRIBUTES || !gp_word_integer(&part, &index))
-            return gp_text_fail(&obj->text, GP_ERROR_FORMAT,
-                                "face %lld: expected a corner like 1, 1/1, 1//1 or 1/1/1, "
-                                "found '%s'",
-                                (long long)obj->faces, gp_word_show(corner, shown));
+            return gp_input_fail(obj->input, GP_ERROR_FORMAT,
+                                 "face %lld: expected a corner like 1, 1/1, 1//1 or 1/1/1, "
+                                 "found '%s'",
+                                 (long long)obj->mesh->face_count, gp_word_show(corner, shown));
         int64_t absolute = index < 0 ? obj->seen[attribute] + index + 1 : index;
         if (absolute < 1 || absolute > obj->total[attribute])
-            return gp_text_fail(
-                &obj->text, GP_ERROR_FORMAT, "face %lld refers to %s %lld, but there are %lld",
-                (long long)obj->faces, attributes[attribute].name, (long long)index,
+            return gp_input_fail(
+                obj->input, GP_ERROR_FORMAT, "face %lld refers to %s %lld, but there are %lld",
+                (long long)obj->mesh->face_count, attributes[attribute].name, (long long)index,
                 (long long)(index < 0 ? obj->seen[attribute] : obj->total[attribute]));
         if (attribute == POSITION)
             vertex = (uint32_t)absolute - 1;
         obj->latest[vertex][attribute] = (uint32_t)absolute;
     }
     gp_bytes_append(&obj->corners, &vertex, sizeof vertex);
-    return GP_OK;
+    return true;
 }
 
 /* Leaves the first of each vertex among the corners; returns how many there are. */
@@ -159,89 +154,112 @@ static uint32_t settle(Obj *obj, uint32_t number)
 }
 
 /* A polygon with fewer than three different vertices has no area and is skipped. */
-static GpResult read_face(Obj *obj, GpMeshBuilder *mesh)
+static void read_face(Obj *obj)
 {
     size_t corners = 0;
     GpWord word;
     obj->corners.size = 0;
-    for (; gp_text_word(&obj->text, &word); corners++) {
-        GpResult result = read_corner(obj, &word);
-        if (result != GP_OK)
-            return result;
+    for (; gp_input_word(obj->input, &word); corners++) {
+        if (!read_corner(obj, &word))
+            return;
     }
     if (corners < 3)
-        return gp_text_fail(&obj->text, GP_ERROR_FORMAT,
-                            "face %lld has %zu corners, 3 or more are expected",
-                            (long long)obj->faces, corners);
-    obj->faces++;
-    gp_mesh_begin_face(mesh);
+        gp_input_fail(obj->input, GP_ERROR_FORMAT,
+                      "face %zu has %zu corners, 3 or more are expected", obj->mesh->face_count,
+                      corners);
+    gp_mesh_begin_face(obj->mesh);
     if (obj->corners.failed)
-        return GP_ERROR_MEMORY;
-    const uint32_t *corner = (const uint32_t *)obj->corners.data;
-    size_t different = drop_repeated((uint32_t *)obj->corners.data, corners);
+        gp_input_fail(obj->input, GP_ERROR_MEMORY, "no memory for corners");
+    if (obj->input->result != GP_OK)
+        return;
+    uint32_t *corner = (uint32_t *)obj->corners.data;
+    size_t different = drop_repeated(corner, corners);
     if (different < 3)
-        mesh->skipped_count++;
-    for (size_t i = 0; i < different && different >= 3 && !obj->vertices.failed; i++)
-        gp_mesh_add_corner(mesh, settle(obj, corner[i]));
-    return obj->vertices.failed ? GP_ERROR_MEMORY : GP_OK;
+        obj->mesh->skipped_count++;
+    for (size_t i = 0; i < different && different >= 3 && obj->input->result == GP_OK; i++) {
+        gp_mesh_add_corner(obj->mesh, settle(obj, corner[i]));
+        if (obj->vertices.failed)
+            gp_input_fail(obj->input, GP_ERROR_MEMORY, "no memory for vertices");
+    }
 }
 
 /* True where a backslash ends the present line, which holds a character that is no space. */
-static bool is_continued(const GpText *text)
+static bool is_continued(const GpInput *input)
 {
-    const char *last = text->line_end - 1;
-    while (last > text->next && (*last == '\r' || *last == ' '))
+    const char *last = input->line_end - 1;
+    while (last > input->next && (*last == '\r' || *last == ' '))
         last--;
     return *last == '\\';
 }
 
 /* First walk: the numbers. */
-static GpResult read_attributes(Obj *obj)
+static void read_attributes(Obj *obj)
 {
-    while (gp_text_line(&obj->text)) {
-        if (is_continued(&obj->text))
-            return gp_text_fail(&obj->text, GP_ERROR_UNSUPPORTED,
-                                "lines continued with \\ are not read");
+    GpInput *input = obj->input;
+    while (input->result == GP_OK && gp_input_line(input)) {
         GpWord word = { .text = NULL, .size = 0 };
-        gp_text_word(&obj->text, &word);
+        if (is_continued(input))
+            gp_input_fail(input, GP_ERROR_UNSUPPORTED, "lines continued with \\ are not read");
+        gp_input_word(input, &word);
         if (gp_word_is(&word, "vc"))
-            return gp_text_fail(&obj->text, GP_ERROR_UNSUPPORTED,
-                                "colours apart from vertices (vc) are not read");
+            gp_input_fail(input, GP_ERROR_UNSUPPORTED,
+                          "colours apart from vertices (vc) are not read");
         for (int i = 0; i < ATTRIBUTES; i++) {
-            if (!gp_word_is(&word, attributes[i].keyword))
-                continue;
-            GpResult result = read_numbers(obj, (Attribute)i);
-            if (result != GP_OK)
-                return result;
+            if (gp_word_is(&word, attributes[i].keyword))
+                read_numbers(obj, (Attribute)i);
         }
     }
-    return GP_OK;
 }
 
 /* Second walk: the faces. */
-static GpResult read_faces(Obj *obj, GpMeshBuilder *mesh)
+static void read_faces(Obj *obj)
 {
-    while (gp_text_line(&obj->text)) {
+    while (obj->input->result == GP_OK && gp_input_line(obj->input)) {
         GpWord word = { .text = NULL, .size = 0 };
-        gp_text_word(&obj->text, &word);
+        gp_input_word(obj->input, &word);
         for (int i = 0; i < ATTRIBUTES; i++)
             obj->seen[i] += gp_word_is(&word, attributes[i].keyword);
-        if (!gp_word_is(&word, "f"))
-            continue;
-        GpResult result = read_face(obj, mesh);
-        if (result != GP_OK)
-            return result;
+        if (gp_word_is(&word, "f"))
+            read_face(obj);
     }
-    return GP_OK;
+}
+
+/* Between the walks: what the numbers must be, and room for what faces name. */
+static void prepare(Obj *obj)
+{
+    GpInput *input = obj->input;
+    long long count = obj->total[POSITION], colors = obj->colors;
+    size_t size = (size_t)count * sizeof(Vertex);
+    if (input->result != GP_OK)
+        return;
+    if (count > GP_MESH_COUNT_MAX)
+        input->result =
+            gp_fail(input->error, GP_ERROR_UNSUPPORTED, "%s: more than 2^31 vertices", input->path);
+    else if (colors != 0 && colors != count)
+        input->result =
+            gp_fail(input->error, GP_ERROR_FORMAT, "%s: only %lld of %lld vertices have a colour",
+                    input->path, colors, count);
+    if (input->result != GP_OK)
+        return;
+    gp_bytes_reserve(&obj->vertices, size);
+    obj->vertices.size = size; /* unused, so all zero */
+    obj->latest = gp_alloc((size_t)count, sizeof *obj->latest);
+    if (!obj->latest || obj->vertices.failed || obj->values[POSITION].failed ||
+        obj->values[TEXCOORD].failed || obj->values[NORMAL].failed)
+        gp_input_fail(input, GP_ERROR_MEMORY, "no memory for vertices");
+    obj->mesh->has[GP_MESH_COLOR] = colors > 0;
+    obj->mesh->has[GP_MESH_TEXCOORD] = obj->total[TEXCOORD] > 0;
+    obj->mesh->has[GP_MESH_NORMAL] = obj->total[NORMAL] > 0;
 }
 
 /* Vertices that no face names are white where the others have colours, and points have normals
  * where the file has as many as vertices. */
-static void add_vertices(const Obj *obj, GpMeshBuilder *mesh)
+static void add_vertices(const Obj *obj)
 {
+    GpMeshBuilder *mesh = obj->mesh;
     const Vertex *vertices = (const Vertex *)obj->vertices.data;
     size_t count = obj->vertices.size / sizeof(Vertex), in_file = (size_t)obj->total[POSITION];
-    bool are_points = obj->faces == 0;
+    bool are_points = obj->mesh->face_count == 0;
     bool have_normals = are_points && obj->total[NORMAL] == obj->total[POSITION];
     gp_mesh_builder_reserve(mesh, count, 0);
     for (size_t i = 0; i < count; i++) {
@@ -260,48 +278,24 @@ static void add_vertices(const Obj *obj, GpMeshBuilder *mesh)
     }
 }
 
-static GpResult read_all(Obj *obj, GpMeshBuilder *mesh)
+void gp_mesh_read_obj(GpInput *input, GpMeshBuilder *mesh)
 {
-    const GpText start = obj->text;
     static const float zeros[6] = { 0 };
+    const GpInput start = *input;
+    Obj obj = { .input = input, .mesh = mesh };
     for (int i = 0; i < ATTRIBUTES; i++)
-        gp_bytes_append(&obj->values[i], zeros, attributes[i].kept * sizeof(float));
-    GpResult result = read_attributes(obj);
-    if (result != GP_OK)
-        return result;
-    int64_t count = obj->total[POSITION];
-    if (count > GP_MESH_COUNT_MAX)
-        return gp_fail(start.error, GP_ERROR_UNSUPPORTED, "%s: more than 2^31 vertices",
-                       start.path);
-    if (obj->colors != 0 && obj->colors != count)
-        return gp_fail(start.error, GP_ERROR_FORMAT, "%s: only %lld of %lld vertices have a colour",
-                       start.path, (long long)obj->colors, (long long)count);
-    gp_bytes_reserve(&obj->vertices, (size_t)count * sizeof(Vertex));
-    obj->vertices.size = (size_t)count * sizeof(Vertex); /* unused, so all zero */
-    obj->latest = gp_alloc((size_t)count, sizeof *obj->latest);
-    if (!obj->latest || obj->vertices.failed || obj->values[POSITION].failed ||
-        obj->values[TEXCOORD].failed || obj->values[NORMAL].failed)
-        return GP_ERROR_MEMORY;
-    mesh->has[GP_MESH_COLOR] = obj->colors > 0;
-    mesh->has[GP_MESH_TEXCOORD] = obj->total[TEXCOORD] > 0;
-    mesh->has[GP_MESH_NORMAL] = obj->total[NORMAL] > 0;
-    obj->text = start;
-    result = read_faces(obj, mesh);
-    if (result == GP_OK)
-        add_vertices(obj, mesh);
-    return result;
-}
-
-GpResult gp_mesh_read_obj(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error)
-{
-    Obj obj = { .text = gp_text_begin(path, file->data, file->size, error) };
-    GpResult result = read_all(&obj, mesh);
-    if (result == GP_ERROR_MEMORY)
-        gp_fail(error, result, "%s: no memory for its vertices", path);
+        gp_bytes_append(&obj.values[i], zeros, attributes[i].kept * sizeof(float));
+    read_attributes(&obj);
+    prepare(&obj);
+    if (input->result == GP_OK) {
+        *input = start;
+        read_faces(&obj);
+    }
+    if (input->result == GP_OK)
+        add_vertices(&obj);
     for (int i = 0; i < ATTRIBUTES; i++)
         gp_free(obj.values[i].data);
     gp_free(obj.vertices.data);
     gp_free(obj.corners.data);
     gp_free(obj.latest);
-    return result;
 }

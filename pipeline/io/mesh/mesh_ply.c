@@ -2,49 +2,48 @@
  * here. */
 #include "pipeline/io/mesh/mesh_formats.h"
 #include "pipeline/io/mesh/mesh_ply_header.h"
-#include "pipeline/io/mesh/mesh_text.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 typedef struct Walk {
-    const char *begin; /* of the file */
+    GpInput *input;
     const PlyHeader *header;
-    GpText text;       /* next and number, in binary files next only */
-    const char *place; /* of the value read last, for messages */
     GpMeshBuilder *mesh;
     const PlyElement *element; /* the present one, for messages */
     size_t item;
 } Walk;
 
 /* "path: line 5: vertex 2: expected ..." */
-static GpResult fail(const Walk *walk, const char *expected)
+static void fail(const Walk *walk, const char *expected)
 {
     static const char *const names[] = { "vertex", "face", "element" };
-    bool is_ascii = walk->header->encoding == PLY_ASCII;
-    return gp_fail(walk->text.error, GP_ERROR_FORMAT, "%s: %s %zu: %s %zu: expected %s",
-                   walk->text.path, is_ascii ? "line" : "byte",
-                   is_ascii ? walk->text.number : (size_t)(walk->place - walk->begin),
-                   names[walk->element->kind], walk->item, expected);
+    gp_input_fail(walk->input, GP_ERROR_FORMAT, "%s %zu: expected %s", names[walk->element->kind],
+                  walk->item, expected);
 }
 
-static GpResult read_word(Walk *walk, PlyType type, double *value)
+static bool read_word(const Walk *walk, GpWord *word)
 {
-    GpWord word;
-    char shown[44], expected[96];
-    if (!gp_text_any_word(&walk->text, &word))
-        return fail(walk, "a number, but the file ends");
+    if (gp_input_any_word(walk->input, word))
+        return true;
+    fail(walk, "a number, but the file ends");
+    return false;
+}
+
+static double value_of_word(const Walk *walk, PlyType type, const GpWord *word)
+{
     float number;
     int64_t integer;
-    bool is_float = type >= PLY_FLOAT32;
-    if (is_float ? gp_word_number(&word, &number) : gp_word_integer(&word, &integer)) {
-        *value = is_float ? (double)number : (double)integer;
-        return GP_OK;
-    }
+    char shown[44], expected[96];
+    if (type >= PLY_FLOAT32 && gp_word_number(word, &number))
+        return (double)number;
+    if (type < PLY_FLOAT32 && gp_word_integer(word, &integer))
+        return (double)integer;
     snprintf(expected, sizeof expected, "%s, found '%s'",
-             is_float ? "a finite number" : "an integer", gp_word_show(&word, shown));
-    return fail(walk, expected);
+             type >= PLY_FLOAT32 ? "a finite number" : "an integer", gp_word_show(word, shown));
+    fail(walk, expected);
+    return 0;
 }
 
 static double value_of_bits(PlyType type, uint64_t bits)
@@ -69,158 +68,122 @@ static double value_of_bits(PlyType type, uint64_t bits)
     }
 }
 
-/* One value of the file; floating-point values may be anything here. */
-static GpResult read_value(Walk *walk, PlyType type, double *value)
-{
-    walk->place = walk->text.next;
-    if (walk->header->encoding == PLY_ASCII)
-        return read_word(walk, type, value);
-    size_t size = gp_ply_size(type);
-    if (size > (size_t)(walk->text.end - walk->text.next))
-        return fail(walk, "more bytes, but the file ends");
-    uint64_t bits = walk->header->encoding == PLY_BIG ? gp_load_big(walk->text.next, size)
-                                                      : gp_load_little(walk->text.next, size);
-    *value = value_of_bits(type, bits);
-    walk->text.next += size;
-    return GP_OK;
-}
-
-static GpResult skip_value(Walk *walk, PlyType type)
+/* One value of the file; floating-point values may be anything here. After a fault, 0. */
+static double read_value(const Walk *walk, PlyType type)
 {
     GpWord word;
-    double value;
-    if (walk->header->encoding != PLY_ASCII)
-        return read_value(walk, type, &value);
-    return gp_text_any_word(&walk->text, &word) ? GP_OK : fail(walk, "a number, but the file ends");
+    if (walk->header->encoding == PLY_ASCII)
+        return read_word(walk, &word) ? value_of_word(walk, type, &word) : 0;
+    size_t size = gp_ply_size(type);
+    const char *bytes = gp_input_take(walk->input, size);
+    if (!bytes)
+        fail(walk, "more bytes, but the file ends");
+    else if (walk->header->encoding == PLY_BIG)
+        return value_of_bits(type, gp_load_big(bytes, size));
+    else
+        return value_of_bits(type, gp_load_little(bytes, size));
+    return 0;
 }
 
-static GpResult read_length(Walk *walk, const PlyProperty *property, size_t *length)
+static size_t read_length(const Walk *walk, const PlyProperty *property)
 {
-    double value;
-    GpResult result = read_value(walk, property->count_type, &value);
-    if (result != GP_OK)
-        return result;
-    double left = (double)(walk->text.end - walk->text.next);
+    double value = read_value(walk, property->count_type);
+    double left = (double)(walk->input->end - walk->input->next);
     size_t size = walk->header->encoding == PLY_ASCII ? 1 : gp_ply_size(property->type);
-    if (value < 0 || value * (double)size > left)
-        return fail(walk, "a list length that fits into the file");
-    *length = (size_t)value;
-    return GP_OK;
+    if (value >= 0 && value * (double)size <= left)
+        return (size_t)value;
+    fail(walk, "a list length that fits into the file");
+    return 0;
 }
 
-static GpResult skip_property(Walk *walk, const PlyProperty *property)
+static void skip_property(const Walk *walk, const PlyProperty *property)
 {
-    size_t length = 1;
-    GpResult result = property->is_list ? read_length(walk, property, &length) : GP_OK;
-    for (size_t i = 0; i < length && result == GP_OK; i++)
-        result = skip_value(walk, property->type);
-    return result;
-}
-
-static GpResult read_corners(Walk *walk, const PlyProperty *property)
-{
-    size_t length = 0;
-    GpResult result = read_length(walk, property, &length);
-    if (result != GP_OK)
-        return result;
-    if (length < 3)
-        return fail(walk, "3 or more corners");
-    gp_mesh_begin_face(walk->mesh);
-    for (size_t i = 0; i < length; i++) {
-        double index;
-        result = read_value(walk, property->type, &index);
-        if (result != GP_OK)
-            return result;
-        if (!(index >= 0 && index < (double)walk->mesh->vertex_count) || index != floor(index)) {
-            char expected[96];
-            snprintf(expected, sizeof expected, "a vertex below %zu, but it refers to vertex %.17g",
-                     walk->mesh->vertex_count, index);
-            return fail(walk, expected);
-        }
-        gp_mesh_add_corner(walk->mesh, (uint32_t)index);
+    GpWord word;
+    size_t length = property->is_list ? read_length(walk, property) : 1;
+    for (size_t i = 0; i < length && walk->input->result == GP_OK; i++) {
+        if (walk->header->encoding == PLY_ASCII)
+            read_word(walk, &word);
+        else
+            read_value(walk, property->type);
     }
-    return GP_OK;
+}
+
+static void read_corners(const Walk *walk, const PlyProperty *property)
+{
+    size_t length = read_length(walk, property), count = walk->mesh->vertex_count;
+    if (length < 3)
+        fail(walk, "3 or more corners");
+    gp_mesh_begin_face(walk->mesh);
+    for (size_t i = 0; i < length && walk->input->result == GP_OK; i++) {
+        double index = read_value(walk, property->type);
+        if (index >= 0 && index < (double)count && index == floor(index)) {
+            gp_mesh_add_corner(walk->mesh, (uint32_t)index);
+            continue;
+        }
+        char expected[96];
+        snprintf(expected, sizeof expected, "a vertex below %zu, but it refers to vertex %.17g",
+                 count, index);
+        fail(walk, expected);
+    }
 }
 
 /* A colour in 256 steps, as bytes have them: integers of 0..255, or floats, which are clamped. */
-static GpResult take_color(const Walk *walk, PlyType type, double value, float *color)
+static float color_of(const Walk *walk, PlyType type, double value)
 {
     bool is_float = type >= PLY_FLOAT32;
     if (!is_float && !(value >= 0 && value <= 255))
-        return fail(walk, "a colour in 0..255");
+        fail(walk, "a colour in 0..255");
     double scaled = is_float ? value * 255 + 0.5 : value;
     unsigned char byte = (unsigned char)(scaled < 0 ? 0 : scaled > 255 ? 255 : scaled);
-    *color = (float)byte / 255.0f;
-    return GP_OK;
+    return (float)byte / 255.0f;
 }
 
-static GpResult read_vertex(Walk *walk)
+static void read_item(const Walk *walk)
 {
     float vertex[GP_VERTEX_FLOATS] = { [PLY_ALPHA] = 1 };
     for (size_t i = walk->element->first; i < walk->element->end; i++) {
         const PlyProperty *property = &walk->header->property[i];
-        GpResult result;
-        double number;
-        if (property->role == PLY_IGNORED) {
-            result = skip_property(walk, property);
-        } else {
-            result = read_value(walk, property->type, &number);
-            if (result == GP_OK && !isfinite((float)number))
-                result = fail(walk, "a finite number");
-            if (result == GP_OK && property->role >= PLY_RED)
-                result = take_color(walk, property->type, number, &vertex[property->role]);
-            else if (result == GP_OK)
-                vertex[property->role] = (float)number;
+        if (property->role == PLY_CORNERS)
+            read_corners(walk, property);
+        else if (property->role == PLY_IGNORED)
+            skip_property(walk, property);
+        if (property->role >= PLY_VERTEX_ROLES)
+            continue;
+        double value = read_value(walk, property->type);
+        if (!isfinite((float)value)) {
+            fail(walk, "a finite number");
+            return;
         }
-        if (result != GP_OK)
-            return result;
+        vertex[property->role] =
+            property->role >= PLY_RED ? color_of(walk, property->type, value) : (float)value;
     }
-    gp_mesh_add_vertex(walk->mesh, vertex);
-    return GP_OK;
-}
-
-static GpResult read_item(Walk *walk)
-{
-    GpResult result = GP_OK;
     if (walk->element->kind == PLY_VERTEX)
-        return read_vertex(walk);
-    for (size_t i = walk->element->first; i < walk->element->end && result == GP_OK; i++) {
-        const PlyProperty *property = &walk->header->property[i];
-        result = property->role == PLY_CORNERS ? read_corners(walk, property)
-                                               : skip_property(walk, property);
-    }
-    return result;
+        gp_mesh_add_vertex(walk->mesh, vertex);
 }
 
-GpResult gp_mesh_read_ply(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error)
+void gp_mesh_read_ply(GpInput *input, GpMeshBuilder *mesh)
 {
     PlyHeader header;
-    GpResult result = gp_ply_header(path, file, &header, error);
-    if (result != GP_OK)
-        return result;
+    if (!gp_ply_header(input, &header))
+        return;
     mesh->has[GP_MESH_NORMAL] = header.has[PLY_NX];
     mesh->has[GP_MESH_TEXCOORD] = header.has[PLY_U];
     mesh->has[GP_MESH_COLOR] = header.has[PLY_RED];
-
-    Walk walk = { .begin = file->data, .header = &header, .mesh = mesh };
-    size_t before = (size_t)(header.body - file->data);
-    walk.text = gp_text_begin(path, header.body, file->size - before, error);
-    walk.text.number = header.lines + 1;
+    bool is_ascii = header.encoding == PLY_ASCII;
+    input->number = is_ascii ? input->number + 1 : 0;
+    Walk walk = { .input = input, .header = &header, .mesh = mesh };
     for (size_t i = 0; i < header.element_count; i++) {
         const PlyElement *element = walk.element = &header.element[i];
         gp_mesh_builder_reserve(mesh, element->kind == PLY_VERTEX ? element->count : 0,
                                 element->kind == PLY_FACE ? element->count : 0);
-        for (walk.item = 0; walk.item < element->count; walk.item++) {
-            result = read_item(&walk);
-            if (result != GP_OK)
-                return result;
-        }
+        for (walk.item = 0; walk.item < element->count && input->result == GP_OK; walk.item++)
+            read_item(&walk);
     }
     GpWord word;
-    bool is_ascii = header.encoding == PLY_ASCII;
-    if (is_ascii ? gp_text_any_word(&walk.text, &word) : walk.text.next < walk.text.end)
-        return gp_fail(error, GP_ERROR_FORMAT,
-                       "%s: byte %zu: expected the end of the file after its last element", path,
-                       (size_t)(walk.text.next - file->data));
-    return GP_OK;
+    bool is_left = is_ascii ? gp_input_any_word(input, &word) : input->next < input->end;
+    input->number = 0;
+    input->place = input->next;
+    if (is_left)
+        gp_input_fail(input, GP_ERROR_FORMAT,
+                      "expected the end of the file after its last element");
 }

@@ -1,7 +1,6 @@
 #include "pipeline/io/mesh/mesh_ply_header.h"
 
 #include "pipeline/io/mesh/mesh_formats.h"
-#include "pipeline/io/mesh/mesh_text.h"
 
 #include <string.h>
 
@@ -19,30 +18,20 @@ static const struct {
     [PLY_FLOAT64] = { .name = "double", .other_name = "float64", .size = 8 },
 };
 
-/* Names of the vertex properties in use. */
-static const struct {
-    const char *name;
-    PlyRole role;
-} vertex_names[] = {
-    { "x", PLY_X },
-    { "y", PLY_Y },
-    { "z", PLY_Z },
-    { "nx", PLY_NX },
-    { "ny", PLY_NY },
-    { "nz", PLY_NZ },
-    { "u", PLY_U },
-    { "v", PLY_V },
-    { "s", PLY_U },
-    { "t", PLY_V },
-    { "texture_u", PLY_U },
-    { "texture_v", PLY_V },
-    { "red", PLY_RED },
-    { "green", PLY_GREEN },
-    { "blue", PLY_BLUE },
-    { "alpha", PLY_ALPHA },
-    { "diffuse_red", PLY_RED },
-    { "diffuse_green", PLY_GREEN },
-    { "diffuse_blue", PLY_BLUE },
+/* Names of the vertex properties in use, by role. */
+static const char *const vertex_names[PLY_VERTEX_ROLES][3] = {
+    [PLY_X] = { "x" },
+    [PLY_Y] = { "y" },
+    [PLY_Z] = { "z" },
+    [PLY_NX] = { "nx" },
+    [PLY_NY] = { "ny" },
+    [PLY_NZ] = { "nz" },
+    [PLY_U] = { "u", "s", "texture_u" },
+    [PLY_V] = { "v", "t", "texture_v" },
+    [PLY_RED] = { "red", "diffuse_red" },
+    [PLY_GREEN] = { "green", "diffuse_green" },
+    [PLY_BLUE] = { "blue", "diffuse_blue" },
+    [PLY_ALPHA] = { "alpha" },
 };
 
 size_t gp_ply_size(PlyType type)
@@ -61,41 +50,41 @@ static bool find_type(const GpWord *word, PlyType *type)
     return false;
 }
 
-static GpResult fail(const GpText *text, const char *expected)
+static bool fail(GpInput *input, const char *expected)
 {
-    return gp_text_fail(text, GP_ERROR_FORMAT, "expected %s", expected);
+    return gp_input_fail(input, GP_ERROR_FORMAT, "expected %s", expected);
 }
 
-static GpResult parse_format(PlyHeader *header, GpText *text)
+static bool parse_format(PlyHeader *header, GpInput *input)
 {
     static const char *const names[] = { "ascii", "binary_little_endian", "binary_big_endian" };
     GpWord word, version;
-    if (!gp_text_line(text) || !gp_text_word(text, &word) || !gp_word_is(&word, "format") ||
-        !gp_text_word(text, &word) || !gp_text_word(text, &version) || !gp_word_is(&version, "1.0"))
-        return fail(text, "'format', an encoding and '1.0'");
+    if (!gp_input_line(input) || !gp_input_word(input, &word) || !gp_word_is(&word, "format") ||
+        !gp_input_word(input, &word) || !gp_input_word(input, &version) ||
+        !gp_word_is(&version, "1.0"))
+        return fail(input, "'format', an encoding and '1.0'");
     for (size_t i = 0; i < GP_COUNT(names); i++) {
-        if (gp_word_is(&word, names[i])) {
-            header->encoding = (PlyEncoding)i;
-            return GP_OK;
-        }
+        header->encoding = (PlyEncoding)i;
+        if (gp_word_is(&word, names[i]))
+            return true;
     }
-    return fail(text, "ascii, binary_little_endian or binary_big_endian");
+    return fail(input, "ascii, binary_little_endian or binary_big_endian");
 }
 
-static GpResult parse_element(const GpFile *file, PlyHeader *header, GpText *text)
+static bool parse_element(PlyHeader *header, GpInput *input)
 {
     GpWord name, count;
     int64_t number;
-    if (!gp_text_word(text, &name) || !gp_text_word(text, &count) ||
+    if (!gp_input_word(input, &name) || !gp_input_word(input, &count) ||
         !gp_word_integer(&count, &number) || number < 0)
-        return fail(text, "an element's name and count");
-    if (number > GP_MESH_COUNT_MAX || number > (int64_t)file->size)
-        return gp_text_fail(text, GP_ERROR_FORMAT,
-                            "%lld elements are promised, but the file has %zu bytes",
-                            (long long)number, file->size);
+        return fail(input, "an element's name and count");
+    if (number > GP_MESH_COUNT_MAX || number > input->end - input->begin)
+        return gp_input_fail(input, GP_ERROR_FORMAT,
+                             "%lld elements are promised, but the file has %zu bytes",
+                             (long long)number, (size_t)(input->end - input->begin));
     if (header->element_count == GP_COUNT(header->element))
-        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "more than %zu elements",
-                            GP_COUNT(header->element));
+        return gp_input_fail(input, GP_ERROR_UNSUPPORTED, "more than %zu elements",
+                             GP_COUNT(header->element));
     PlyKind kind = gp_word_is(&name, "vertex") ? PLY_VERTEX
                    : gp_word_is(&name, "face") ? PLY_FACE
                                                : PLY_OTHER;
@@ -103,53 +92,52 @@ static GpResult parse_element(const GpFile *file, PlyHeader *header, GpText *tex
     for (size_t i = 0; i < header->element_count; i++) {
         has_vertices |= header->element[i].kind == PLY_VERTEX;
         if (kind != PLY_OTHER && header->element[i].kind == kind)
-            return fail(text, "one element vertex and one element face");
+            return fail(input, "one element vertex and one element face");
     }
     if (kind == PLY_FACE && !has_vertices)
-        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "faces before vertices");
+        return gp_input_fail(input, GP_ERROR_UNSUPPORTED, "faces before vertices");
     header->element[header->element_count++] = (PlyElement){ .kind = kind,
                                                              .count = (size_t)number,
                                                              .first = header->property_count,
                                                              .end = header->property_count };
-    return GP_OK;
+    return true;
 }
 
-/* Gives a property its role; the first of several of one role counts. */
-static void assign_role(PlyHeader *header, PlyKind kind, const GpWord *name, PlyProperty *property)
+/* What a property means; the first of several of one role counts. */
+static PlyRole find_role(const PlyHeader *header, PlyKind kind, const GpWord *name, bool is_list)
 {
-    if (kind == PLY_VERTEX && !property->is_list) {
-        for (size_t i = 0; i < GP_COUNT(vertex_names); i++)
-            if (gp_word_is(name, vertex_names[i].name) && !header->has[vertex_names[i].role])
-                property->role = vertex_names[i].role;
-    } else if (kind == PLY_FACE && property->is_list && !header->has[PLY_CORNERS]) {
-        if (gp_word_is(name, "vertex_indices") || gp_word_is(name, "vertex_index"))
-            property->role = PLY_CORNERS;
+    for (PlyRole role = 0; kind == PLY_VERTEX && !is_list && role < PLY_VERTEX_ROLES; role++) {
+        for (size_t i = 0; i < GP_COUNT(vertex_names[0]) && vertex_names[role][i]; i++)
+            if (gp_word_is(name, vertex_names[role][i]))
+                return header->has[role] ? PLY_IGNORED : role;
     }
-    if (property->role != PLY_IGNORED)
-        header->has[property->role] = true;
+    bool are_corners = kind == PLY_FACE && is_list && !header->has[PLY_CORNERS] &&
+                       (gp_word_is(name, "vertex_indices") || gp_word_is(name, "vertex_index"));
+    return are_corners ? PLY_CORNERS : PLY_IGNORED;
 }
 
-static GpResult parse_property(PlyHeader *header, GpText *text)
+static bool parse_property(PlyHeader *header, GpInput *input)
 {
     PlyProperty property = { .role = PLY_IGNORED };
     GpWord word;
-    bool is_valid = gp_text_word(text, &word);
+    bool is_valid = gp_input_word(input, &word);
     property.is_list = is_valid && gp_word_is(&word, "list");
     if (property.is_list)
-        is_valid = gp_text_word(text, &word) && find_type(&word, &property.count_type) &&
-                   property.count_type < PLY_FLOAT32 && gp_text_word(text, &word);
-    if (!is_valid || !find_type(&word, &property.type) || !gp_text_word(text, &word))
-        return fail(text, "a property's type and name");
+        is_valid = gp_input_word(input, &word) && find_type(&word, &property.count_type) &&
+                   property.count_type < PLY_FLOAT32 && gp_input_word(input, &word);
+    if (!is_valid || !find_type(&word, &property.type) || !gp_input_word(input, &word))
+        return fail(input, "a property's type and name");
     if (header->element_count == 0)
-        return fail(text, "an element before its properties");
+        return fail(input, "an element before its properties");
     if (header->property_count == GP_COUNT(header->property))
-        return gp_text_fail(text, GP_ERROR_UNSUPPORTED, "more than %zu properties",
-                            GP_COUNT(header->property));
+        return gp_input_fail(input, GP_ERROR_UNSUPPORTED, "more than %zu properties",
+                             GP_COUNT(header->property));
     PlyElement *element = &header->element[header->element_count - 1];
-    assign_role(header, element->kind, &word, &property);
+    property.role = find_role(header, element->kind, &word, property.is_list);
+    header->has[property.role] = true;
     header->property[header->property_count++] = property;
     element->end = header->property_count;
-    return GP_OK;
+    return true;
 }
 
 /* A group counts only when it is complete: else its members are ignored. */
@@ -171,7 +159,7 @@ static bool complete(PlyHeader *header, PlyRole first, PlyRole last)
     return all;
 }
 
-static GpResult finish(PlyHeader *header, GpText *text)
+static bool finish(PlyHeader *header, GpInput *input)
 {
     bool has_positions = complete(header, PLY_X, PLY_Z);
     complete(header, PLY_NX, PLY_NZ);
@@ -182,47 +170,45 @@ static GpResult finish(PlyHeader *header, GpText *text)
     for (size_t i = 0; i < header->element_count; i++) {
         const PlyElement *element = &header->element[i];
         if (element->count > 0 && element->first == element->end)
-            return fail(text, "properties for every element");
+            return fail(input, "properties for every element");
         if (element->kind == PLY_VERTEX && !has_positions)
-            return fail(text, "the vertex properties x, y and z");
+            return fail(input, "the vertex properties x, y and z");
         if (element->kind == PLY_FACE && element->count > 0 && !header->has[PLY_CORNERS])
-            return fail(text, "the face property list vertex_indices");
+            return fail(input, "the face property list vertex_indices");
     }
-    return GP_OK;
+    return true;
 }
 
-GpResult gp_ply_header(const char *path, const GpFile *file, PlyHeader *header, GpError *error)
+bool gp_ply_header(GpInput *input, PlyHeader *header)
 {
-    char *begin = file->data;
-    GpText text = gp_text_begin(path, begin, file->size, error);
     GpWord word = { .text = NULL, .size = 0 };
     *header = (PlyHeader){ .element_count = 0 };
-    bool is_magic = gp_text_line(&text) && gp_text_word(&text, &word) && gp_word_is(&word, "ply");
-    if (!is_magic || word.text != begin)
-        return gp_fail(error, GP_ERROR_FORMAT, "%s: line 1: expected 'ply'", path);
-
-    GpResult result = parse_format(header, &text);
-    while (result == GP_OK) {
-        if (!gp_text_line(&text) || !gp_text_word(&text, &word))
-            return fail(&text, "'end_header', but the file ends");
+    bool is_magic = gp_input_line(input) && gp_input_word(input, &word) && gp_word_is(&word, "ply");
+    if (!is_magic || word.text != input->begin) {
+        input->number = 1;
+        return fail(input, "'ply'");
+    }
+    bool is_valid = parse_format(header, input);
+    while (is_valid) {
+        if (!gp_input_line(input) || !gp_input_word(input, &word))
+            return fail(input, "'end_header', but the file ends");
         if (gp_word_is(&word, "end_header"))
             break;
-        bool is_comment = gp_word_is(&word, "comment"), is_info = gp_word_is(&word, "obj_info");
+        if (gp_word_is(&word, "comment") || gp_word_is(&word, "obj_info"))
+            continue;
         if (gp_word_is(&word, "element"))
-            result = parse_element(file, header, &text);
+            is_valid = parse_element(header, input);
         else if (gp_word_is(&word, "property"))
-            result = parse_property(header, &text);
-        else if (!is_comment && !is_info)
-            result = fail(&text, "element, property, comment or end_header");
-        if (result == GP_OK && !is_comment && !is_info && gp_text_word(&text, &word))
-            result = fail(&text, "nothing more on this line");
+            is_valid = parse_property(header, input);
+        else
+            is_valid = fail(input, "element, property, comment or end_header");
+        if (is_valid && gp_input_word(input, &word))
+            is_valid = fail(input, "nothing more on this line");
     }
-    if (result == GP_OK && text.line_end == text.end)
-        result = fail(&text, "a line end after 'end_header'");
-    if (result != GP_OK)
-        return result;
-
-    header->body = text.line_end + 1;
-    header->lines = text.number;
-    return finish(header, &text);
+    if (is_valid && input->line_end == input->end)
+        is_valid = fail(input, "a line end after 'end_header'");
+    if (!is_valid)
+        return false;
+    input->next = input->line_end + 1;
+    return finish(header, input);
 }

@@ -3,7 +3,7 @@
 #ifndef GP_IO_MESH_PLY_HEADER_H
 #define GP_IO_MESH_PLY_HEADER_H
 
-#include "pipeline/io/file.h"
+#include "pipeline/io/mesh/mesh_input.h"
 
 typedef enum PlyType {
     PLY_INT8,
@@ -58,14 +58,12 @@ typedef struct PlyHeader {
     PlyElement element[16];
     PlyProperty property[128];
     size_t element_count, property_count;
-    bool has[PLY_IGNORED]; /* roles that occur; incomplete groups are already made PLY_IGNORED */
-    char *body;            /* first byte after the header */
-    size_t lines;          /* of the header */
+    bool
+        has[PLY_IGNORED + 1]; /* roles that occur; incomplete groups are already made PLY_IGNORED */
 } PlyHeader;
 
-/* Parses and checks the header of a file.
- * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED */
-GpResult gp_ply_header(const char *path, const GpFile *file, PlyHeader *header, GpError *error);
+/* Parses and checks the header and leaves input after it; false after a fault. */
+bool gp_ply_header(GpInput *input, PlyHeader *header);
 
 /* Bytes of one binary value. */
 size_t gp_ply_size(PlyType type);

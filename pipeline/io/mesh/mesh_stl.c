@@ -1,7 +1,6 @@
 /* Stereolithography, text and binary.
  * source 3D Systems, "StereoLithography Interface Specification", 1989 */
 #include "pipeline/io/mesh/mesh_formats.h"
-#include "pipeline/io/mesh/mesh_text.h"
 
 #include <float.h>
 #include <math.h>
@@ -39,7 +38,7 @@ static uint32_t weld_corner(Weld *weld, const float position[3])
     make_key(position, key);
     uint64_t hash = ((key[0] * MULTIPLIER + key[1]) * MULTIPLIER + key[2]) * MULTIPLIER >> 32;
     size_t at = (size_t)hash & (weld->slot_count - 1);
-    for (; weld->slots[at] != 0; at = (at + 1) & (weld->slot_count - 1)) {
+    for (; known && weld->slots[at] != 0; at = (at + 1) & (weld->slot_count - 1)) {
         make_key(known + 3 * (size_t)(weld->slots[at] - 1), other);
         if (memcmp(key, other, sizeof key) == 0)
             return weld->slots[at] - 1;
@@ -51,51 +50,54 @@ static uint32_t weld_corner(Weld *weld, const float position[3])
 }
 
 /* A facet whose corners weld has no area and is skipped; its vertices stay. */
-static GpResult add_facet(Weld *weld, const float corners[9])
+static bool add_facet(Weld *weld, const float corners[9])
 {
     GpMeshBuilder *mesh = weld->mesh;
     uint32_t corner[3];
     for (size_t i = 0; i < 3; i++)
         corner[i] = weld_corner(weld, corners + 3 * i);
-    if (mesh->values[GP_MESH_POSITION].failed)
-        return GP_ERROR_MEMORY; /* nothing is left to compare with */
     gp_mesh_begin_face(mesh);
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
         mesh->skipped_count++;
-        return GP_OK;
+    } else {
+        for (size_t i = 0; i < 3; i++)
+            gp_mesh_add_corner(mesh, corner[i]);
     }
-    for (size_t i = 0; i < 3; i++)
-        gp_mesh_add_corner(mesh, corner[i]);
-    return GP_OK;
+    /* Without positions nothing is left to compare with. */
+    return !mesh->values[GP_MESH_POSITION].failed;
 }
 
-static GpResult read_binary(Weld *weld, const char *path, const GpFile *file, GpError *error)
+static void read_binary(Weld *weld, GpInput *input)
 {
-    const char *data = file->data;
-    if (file->size < HEADER_SIZE)
-        return gp_fail(error, GP_ERROR_FORMAT,
-                       "%s: byte 0: expected 'solid' or a header of 84 bytes, but there are %zu",
-                       path, file->size);
-    size_t count = gp_load_little(data + 80, 4);
-    if (HEADER_SIZE + FACET_SIZE * count != file->size)
-        return gp_fail(error, GP_ERROR_FORMAT,
-                       "%s: byte 80: %zu triangles need %zu bytes, but the file has %zu", path,
-                       count, HEADER_SIZE + FACET_SIZE * count, file->size);
+    size_t size = (size_t)(input->end - input->begin);
+    input->number = 0;
+    const char *header = gp_input_take(input, HEADER_SIZE);
+    if (!header) {
+        gp_input_fail(input, GP_ERROR_FORMAT,
+                      "expected 'solid' or a header of 84 bytes, but there are %zu", size);
+        return;
+    }
+    size_t count = gp_load_little(header + 80, 4);
+    input->place = header + 80;
+    if (HEADER_SIZE + FACET_SIZE * count != size) {
+        gp_input_fail(input, GP_ERROR_FORMAT, "%zu triangles need %zu bytes, but the file has %zu",
+                      count, HEADER_SIZE + FACET_SIZE * count, size);
+        return;
+    }
     gp_mesh_builder_reserve(weld->mesh, count / 2, count); /* a closed mesh has half as many */
-    GpResult result = GP_OK;
-    for (size_t face = 0; face < count && result == GP_OK; face++) {
+    for (size_t face = 0; face < count && input->result == GP_OK; face++) {
+        const char *facet = gp_input_take(input, FACET_SIZE);
         float corners[9];
         for (size_t i = 0; i < 9; i++) {
-            size_t at = HEADER_SIZE + FACET_SIZE * face + 12 + 4 * i;
-            corners[i] = gp_bits_float((uint32_t)gp_load_little(data + at, 4));
+            input->place = facet + 12 + 4 * i;
+            corners[i] = gp_bits_float((uint32_t)gp_load_little(input->place, 4));
             if (!isfinite(corners[i]))
-                return gp_fail(error, GP_ERROR_FORMAT,
-                               "%s: byte %zu: corner %zu of face %zu is not finite", path, at,
-                               i / 3, face);
+                gp_input_fail(input, GP_ERROR_FORMAT, "corner %zu of face %zu is not finite", i / 3,
+                              face);
         }
-        result = add_facet(weld, corners);
+        if (input->result == GP_OK && !add_facet(weld, corners))
+            gp_input_fail(input, GP_ERROR_MEMORY, "no memory for vertices");
     }
-    return result;
 }
 
 /* The lines of a facet: a star stands for a finite number, a question mark for anything (facet
@@ -108,7 +110,7 @@ static const char *const facet_lines[] = {
 enum { FIRST_CORNER = 2, LAST_CORNER = 4 }; /* of facet_lines */
 
 /* Keywords may have any case. The numbers in place of the stars go to number. */
-static bool line_matches(GpText *text, const char *pattern, float *number)
+static bool line_matches(GpInput *input, const char *pattern, float *number)
 {
     GpWord word = { .text = NULL, .size = 0 };
     bool matches = true;
@@ -117,79 +119,77 @@ static bool line_matches(GpText *text, const char *pattern, float *number)
         size_t length = strcspn(pattern, " ");
         memcpy(expected, pattern, length);
         pattern += length + (pattern[length] == ' ');
-        matches = gp_text_word(text, &word);
+        matches = gp_input_word(input, &word);
         if (matches && *expected == '*')
             matches = gp_word_number(&word, number++);
         else if (matches && *expected != '?')
             matches = gp_word_is_any_case(&word, expected);
     }
-    return matches && !gp_text_word(text, &word);
+    return matches && !gp_input_word(input, &word);
 }
 
 /* "solid name" and "endsolid name" */
-static bool take_bracket(GpText *text, const char *keyword)
+static bool take_bracket(GpInput *input, const char *keyword)
 {
-    char *begin = text->next;
+    char *begin = input->next;
     GpWord word = { .text = NULL, .size = 0 };
-    gp_text_word(text, &word);
+    gp_input_word(input, &word);
     if (gp_word_is_any_case(&word, keyword))
         return true;
-    text->next = begin;
+    input->next = begin;
     return false;
 }
 
-static GpResult read_text(Weld *weld, GpText text)
+static void read_text(Weld *weld, GpInput *input)
 {
     float corners[9] = { 0 };
     bool is_open = false;     /* between solid and endsolid */
     size_t line = 0;          /* of facet_lines, next to come */
     size_t previous_line = 0; /* of the file */
-    while (gp_text_line(&text)) {
-        bool follows = text.number == previous_line + 1 || line == 0;
-        previous_line = text.number;
-        if (line == 0 && take_bracket(&text, is_open ? "endsolid" : "solid")) {
+    while (input->result == GP_OK && gp_input_line(input)) {
+        bool follows = input->number == previous_line + 1 || line == 0;
+        previous_line = input->number;
+        if (line == 0 && take_bracket(input, is_open ? "endsolid" : "solid")) {
             is_open = !is_open;
             continue;
         }
         bool is_corner = line >= FIRST_CORNER && line <= LAST_CORNER;
         float *number = corners + (is_corner ? 3 * (line - FIRST_CORNER) : 0);
-        if (!is_open || !follows || !line_matches(&text, facet_lines[line], number))
-            return gp_text_fail(&text, GP_ERROR_FORMAT, "face %zu: expected '%s'",
-                                weld->mesh->face_count, is_open ? facet_lines[line] : "solid");
+        if (!is_open || !follows || !line_matches(input, facet_lines[line], number))
+            gp_input_fail(input, GP_ERROR_FORMAT, "face %zu: expected '%s'", weld->mesh->face_count,
+                          is_open ? facet_lines[line] : "solid");
         line = (line + 1) % GP_COUNT(facet_lines);
-        if (line == 0 && add_facet(weld, corners) != GP_OK)
-            return GP_ERROR_MEMORY;
+        if (line == 0 && !add_facet(weld, corners))
+            gp_input_fail(input, GP_ERROR_MEMORY, "no memory for vertices");
     }
     if (is_open)
-        return gp_text_fail(&text, GP_ERROR_FORMAT, "the file ends inside a solid, after %zu faces",
-                            weld->mesh->face_count);
-    return GP_OK;
+        gp_input_fail(input, GP_ERROR_FORMAT, "the file ends inside a solid, after %zu faces",
+                      weld->mesh->face_count);
 }
 
 /* Binary files may start with "solid" too; their size gives them away. */
-static bool is_text(const GpFile *file, GpText text)
+static bool is_text(GpInput input)
 {
-    if (file->size >= HEADER_SIZE &&
-        HEADER_SIZE + FACET_SIZE * gp_load_little(file->data + 80, 4) == file->size)
+    size_t size = (size_t)(input.end - input.begin);
+    if (size >= HEADER_SIZE &&
+        HEADER_SIZE + FACET_SIZE * gp_load_little(input.begin + 80, 4) == size)
         return false;
     GpWord word = { .text = NULL, .size = 0 };
-    gp_text_any_word(&text, &word);
+    gp_input_any_word(&input, &word);
     return gp_word_is_any_case(&word, "solid");
 }
 
-GpResult gp_mesh_read_stl(const char *path, GpFile *file, GpMeshBuilder *mesh, GpError *error)
+void gp_mesh_read_stl(GpInput *input, GpMeshBuilder *mesh)
 {
-    GpText text = gp_text_begin(path, file->data, file->size, error);
     Weld weld = { .mesh = mesh, .slot_count = 64 };
-    while (weld.slot_count <= file->size / FACET_SIZE * 3 * 2)
+    while (weld.slot_count <= (size_t)(input->end - input->begin) / FACET_SIZE * 3 * 2)
         weld.slot_count *= 2;
     weld.slots = gp_alloc(weld.slot_count, sizeof(uint32_t));
-    GpResult result = GP_ERROR_MEMORY;
-    if (weld.slots)
-        result =
-            is_text(file, text) ? read_text(&weld, text) : read_binary(&weld, path, file, error);
-    if (result == GP_ERROR_MEMORY)
-        gp_fail(error, result, "%s: no memory to weld corners", path);
+    if (!weld.slots)
+        gp_input_fail(input, GP_ERROR_MEMORY, "no memory for vertices");
+    else if (is_text(*input))
+        read_text(&weld, input);
+    else
+        read_binary(&weld, input);
     gp_free(weld.slots);
-    return result;
 }

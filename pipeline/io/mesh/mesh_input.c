@@ -1,10 +1,11 @@
-#include "pipeline/io/mesh/mesh_text.h"
+#include "pipeline/io/mesh/mesh_input.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 static bool is_space(char c)
 {
@@ -23,61 +24,71 @@ static char *skip_space(char *at, const char *end)
     return at;
 }
 
-GpText gp_text_begin(const char *path, char *data, size_t size, GpError *error)
+bool gp_input_fail(GpInput *input, GpResult result, const char *format, ...)
 {
-    return (GpText){ .path = path, .error = error, .next = data, .end = data + size };
-}
-
-GpResult gp_text_fail(const GpText *text, GpResult result, const char *format, ...)
-{
+    if (input->result != GP_OK)
+        return false;
     char reason[400];
     va_list args;
     va_start(args, format);
     vsnprintf(reason, sizeof reason, format, args);
     va_end(args);
-    return gp_fail(text->error, result, "%s: line %zu: %s", text->path, text->number, reason);
-}
-
-bool gp_text_line(GpText *text)
-{
-    if (text->line_end)
-        text->next = text->line_end < text->end ? text->line_end + 1 : text->end;
-    while (text->next < text->end) {
-        char *newline = memchr(text->next, '\n', (size_t)(text->end - text->next));
-        text->line_end = newline ? newline : text->end;
-        text->number++;
-        char *first = skip_space(text->next, text->line_end);
-        if (first < text->line_end && *first != '#')
-            return true;
-        text->next = newline ? newline + 1 : text->end;
-    }
-    text->line_end = text->end;
+    bool has_lines = input->number > 0;
+    input->result =
+        gp_fail(input->error, result, "%s: %s %zu: %s", input->path, has_lines ? "line" : "byte",
+                has_lines ? input->number : (size_t)(input->place - input->begin), reason);
     return false;
 }
 
-static bool word_before(GpText *text, char *end, GpWord *word)
+const char *gp_input_take(GpInput *input, size_t size)
 {
-    char *first = skip_space(text->next, end);
+    input->place = input->next;
+    if (size > (size_t)(input->end - input->next))
+        return NULL;
+    input->next += size;
+    return input->place;
+}
+
+bool gp_input_line(GpInput *input)
+{
+    if (input->line_end)
+        input->next = input->line_end < input->end ? input->line_end + 1 : input->end;
+    while (input->next < input->end) {
+        char *newline = memchr(input->next, '\n', (size_t)(input->end - input->next));
+        input->line_end = newline ? newline : input->end;
+        input->number++;
+        char *first = skip_space(input->next, input->line_end);
+        if (first < input->line_end && *first != '#')
+            return true;
+        input->next = newline ? newline + 1 : input->end;
+    }
+    input->line_end = input->end;
+    return false;
+}
+
+static bool word_before(GpInput *input, char *end, GpWord *word)
+{
+    char *first = skip_space(input->next, end);
     char *last = first;
     while (last < end && !is_space(*last))
         last++;
     *word = (GpWord){ .text = first, .size = (size_t)(last - first) };
-    text->next = last;
+    input->next = last;
     return last > first;
 }
 
-bool gp_text_word(GpText *text, GpWord *word)
+bool gp_input_word(GpInput *input, GpWord *word)
 {
-    return word_before(text, text->line_end, word);
+    return word_before(input, input->line_end, word);
 }
 
-bool gp_text_any_word(GpText *text, GpWord *word)
+bool gp_input_any_word(GpInput *input, GpWord *word)
 {
-    for (; text->next < text->end && is_space(*text->next); text->next++) {
-        if (*text->next == '\n')
-            text->number++;
+    for (; input->next < input->end && is_space(*input->next); input->next++) {
+        if (*input->next == '\n')
+            input->number++;
     }
-    return word_before(text, text->end, word);
+    return word_before(input, input->end, word);
 }
 
 bool gp_word_is(const GpWord *word, const char *text)
@@ -85,20 +96,9 @@ bool gp_word_is(const GpWord *word, const char *text)
     return word->size == strlen(text) && memcmp(word->text, text, word->size) == 0;
 }
 
-static char lower(char c)
-{
-    return (char)(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-}
-
 bool gp_word_is_any_case(const GpWord *word, const char *text)
 {
-    if (word->size != strlen(text))
-        return false;
-    for (size_t i = 0; i < word->size; i++) {
-        if (lower(word->text[i]) != lower(text[i]))
-            return false;
-    }
-    return true;
+    return word->size == strlen(text) && strncasecmp(word->text, text, word->size) == 0;
 }
 
 /* The grammar first: strtof also takes nan, inf and hexadecimal. */

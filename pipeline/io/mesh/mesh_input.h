@@ -1,6 +1,6 @@
-/* Lines, words and numbers of text mesh files, for the readers (internal). */
-#ifndef GP_IO_MESH_TEXT_H
-#define GP_IO_MESH_TEXT_H
+/* Lines, words, numbers and bytes of mesh files, for their readers (internal). */
+#ifndef GP_IO_MESH_INPUT_H
+#define GP_IO_MESH_INPUT_H
 
 #include "pipeline/base/base.h"
 
@@ -11,30 +11,34 @@ typedef struct GpWord {
     size_t size;
 } GpWord;
 
-/* Walks through a text. */
-typedef struct GpText {
+/* Walks through a file, by lines and words or by bytes. The first fault is kept: readers go on with
+ * whatever they have and look at result before it matters. */
+typedef struct GpInput {
     const char *path; /* for messages, which go to error */
     GpError *error;
-    char *next, *end; /* what was not yet walked over */
-    char *line_end;   /* end of the present line, without its newline */
-    size_t number;    /* of the present line, from 1 */
-} GpText;
+    GpResult result;
+    char *begin, *next, *end; /* next: what was not yet walked over */
+    char *line_end;           /* end of the present line, without its newline */
+    size_t number;            /* of the present line, from 1; 0 in bytes: place counts instead */
+    const char *place;        /* of the bytes taken last */
+} GpInput;
 
-GpText gp_text_begin(const char *path, char *data, size_t size, GpError *error);
-
-/* "path: line 12: ..". returns result */
-GpResult gp_text_fail(const GpText *text, GpResult result, const char *format, ...)
+/* "path: line 12: .." or "path: byte 34: ..", unless there was a fault before. returns false */
+bool gp_input_fail(GpInput *input, GpResult result, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* The next size bytes; NULL where there are fewer. */
+const char *gp_input_take(GpInput *input, size_t size);
 
 /* Steps to the next line that holds more than white space, comments excluded: a line whose first
  * word starts with '#'. False at the end of the text. */
-bool gp_text_line(GpText *text);
+bool gp_input_line(GpInput *input);
 
 /* Next word of the present line; false at its end. */
-bool gp_text_word(GpText *text, GpWord *word);
+bool gp_input_word(GpInput *input, GpWord *word);
 
 /* Next word of the text across lines, for formats where lines mean nothing; false at the end. */
-bool gp_text_any_word(GpText *text, GpWord *word);
+bool gp_input_any_word(GpInput *input, GpWord *word);
 
 bool gp_word_is(const GpWord *word, const char *text);          /* exactly */
 bool gp_word_is_any_case(const GpWord *word, const char *text); /* ASCII letters of any case */
