@@ -106,65 +106,50 @@ GpResult chart_write(const char *path, const Chart *chart, GpError *error)
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-static void read_string(const Node *node, char *text, size_t size)
+static void read_text(Node node, char *text, size_t size)
 {
-    node_require(node);
-    const char *found = node_string(*node, "");
+    node_require(&node);
+    const char *found = node_string(node, "");
     if (strlen(found) >= size)
-        node_fail(node, GP_ERROR_FORMAT, "expected at most %zu bytes", size - 1);
+        node_fail(&node, GP_ERROR_FORMAT, "expected at most %zu bytes", size - 1);
     else
         strcpy(text, found);
 }
 
-static void read_text(Node *object, const char *key, char *text, size_t size)
+static long read_integer(Node node, long high)
 {
-    Node node = node_member(object, key);
-    read_string(&node, text, size);
-}
-
-static long read_integer(Node *object, const char *key, long high)
-{
-    Node node = node_member(object, key);
     node_require(&node);
     return node_integer(node, 0, 0, high);
 }
 
 /* A number, or one of the words that json_number writes. */
-static double read_value(const Node *node)
+static double read_number(Node node)
 {
     static const char *const words[] = { "nan", "inf", "-inf" };
     static const double values[] = { (double)NAN, HUGE_VAL, -HUGE_VAL };
-    node_require(node);
-    if (!json_is_string(node->value))
-        return node_double(*node, 0, -HUGE_VAL, HUGE_VAL);
-    return values[node_name(*node, 0, words, GP_COUNT(words))];
-}
-
-static double read_number(Node *object, const char *key)
-{
-    Node node = node_member(object, key);
-    return read_value(&node);
+    node_require(&node);
+    if (!json_is_string(node.value))
+        return node_double(node, 0, -HUGE_VAL, HUGE_VAL);
+    return values[node_name(node, 0, words, GP_COUNT(words))];
 }
 
 static void read_point(Node node, ChartPoint *point, int metric_count)
 {
-    read_text(&node, "method", point->method, sizeof point->method);
-    read_text(&node, "options", point->options, sizeof point->options);
-    read_text(&node, "picture", point->picture, sizeof point->picture);
-    point->time.ms = read_number(&node, "ms");
-    point->time.min_ms = read_number(&node, "min_ms");
-    point->time.cpu_ms = read_number(&node, "cpu_ms");
-    point->time.frames = (uint32_t)read_integer(&node, "frames", UINT32_MAX);
-    point->measured.error = read_number(&node, "error");
+    read_text(node_member(&node, "method"), point->method, sizeof point->method);
+    read_text(node_member(&node, "options"), point->options, sizeof point->options);
+    read_text(node_member(&node, "picture"), point->picture, sizeof point->picture);
+    point->time.ms = read_number(node_member(&node, "ms"));
+    point->time.min_ms = read_number(node_member(&node, "min_ms"));
+    point->time.cpu_ms = read_number(node_member(&node, "cpu_ms"));
+    point->time.frames = (uint32_t)read_integer(node_member(&node, "frames"), UINT32_MAX);
+    point->measured.error = read_number(node_member(&node, "error"));
     Node metrics = node_member(&node, "metrics"), best = node_member(&node, "best");
     node_require(&best);
     point->best = node_bool(best, false);
     if (node_length(metrics, TECHNIQUE_MAX_METRICS) != (size_t)metric_count)
         node_fail(&metrics, GP_ERROR_FORMAT, "expected %d numbers", metric_count);
-    for (int i = 0; i < metric_count; i++) {
-        Node metric = node_element(&metrics, (size_t)i);
-        point->measured.metrics[i] = read_value(&metric);
-    }
+    for (int i = 0; i < metric_count; i++)
+        point->measured.metrics[i] = read_number(node_element(&metrics, (size_t)i));
     node_close(&node);
 }
 
@@ -183,22 +168,20 @@ static void read_points(const Node *points, Chart *chart)
 
 static void read_chart(Node root, Chart *chart)
 {
-    read_text(&root, "technique", chart->technique, sizeof chart->technique);
-    read_text(&root, "title", chart->title, sizeof chart->title);
-    read_text(&root, "scene", chart->scene, sizeof chart->scene);
-    read_text(&root, "error_name", chart->error_name, sizeof chart->error_name);
-    read_text(&root, "machine", chart->machine, sizeof chart->machine);
-    read_text(&root, "isa", chart->isa, sizeof chart->isa);
-    chart->threads = (int)read_integer(&root, "threads", INT32_MAX);
-    chart->width = (uint32_t)read_integer(&root, "width", UINT32_MAX);
-    chart->height = (uint32_t)read_integer(&root, "height", UINT32_MAX);
+    read_text(node_member(&root, "technique"), chart->technique, sizeof chart->technique);
+    read_text(node_member(&root, "title"), chart->title, sizeof chart->title);
+    read_text(node_member(&root, "scene"), chart->scene, sizeof chart->scene);
+    read_text(node_member(&root, "error_name"), chart->error_name, sizeof chart->error_name);
+    read_text(node_member(&root, "machine"), chart->machine, sizeof chart->machine);
+    read_text(node_member(&root, "isa"), chart->isa, sizeof chart->isa);
+    chart->threads = (int)read_integer(node_member(&root, "threads"), INT32_MAX);
+    chart->width = (uint32_t)read_integer(node_member(&root, "width"), UINT32_MAX);
+    chart->height = (uint32_t)read_integer(node_member(&root, "height"), UINT32_MAX);
     Node metrics = node_member(&root, "metrics"), points = node_member(&root, "points");
     node_require(&metrics);
     chart->metric_count = (int)node_length(metrics, TECHNIQUE_MAX_METRICS);
-    for (int i = 0; i < chart->metric_count; i++) {
-        Node metric = node_element(&metrics, (size_t)i);
-        read_string(&metric, chart->metrics[i], sizeof chart->metrics[i]);
-    }
+    for (int i = 0; i < chart->metric_count; i++)
+        read_text(node_element(&metrics, (size_t)i), chart->metrics[i], sizeof chart->metrics[i]);
     read_points(&points, chart);
     node_close(&root);
 }

@@ -90,28 +90,12 @@ static const CommandSyntax syntax = {
     .check = check,
 };
 
-/* --- measuring ----------------------------------------------------------------------------------- */
-
 typedef struct Times {
-    double setup_ms, first_ms;
+    double setup_ms;
     Timing frames;  /* after the first */
     double others;  /* processors that other processes kept busy; negative: unknown */
     double peak_mb; /* memory in use at most, less what was before the case: its data count */
 } Times;
-
-/* Draws the first frame, then others until both the time is over and there are enough, but at most
- * twice the time. Where the first alone takes as long, it stands for all. */
-static GpResult measure(GpDevice *device, const GpList *list, double seconds, double *each,
-                        RunStatistics *statistics, Times *times, GpError *error)
-{
-    const TimingPlan plan = { .seconds = seconds,
-                              .least_frames = MIN_FRAMES,
-                              .most_seconds = 2 * seconds };
-    GpResult result = run_first(device, list, statistics, error);
-    times->first_ms = statistics->first_ms;
-    return result ? result
-                  : timing_run(device, list, &plan, each, statistics, &times->frames, error);
-}
 
 /* --- results ------------------------------------------------------------------------------------- */
 
@@ -173,7 +157,7 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
         "{s:s, s:s, s:i, s:i, s:i, s:f, s:f, s:f, s:f, s:s, s:I, s:f}", "case", drawn->name,
         "renderer", "glasspipe", "threads", statistics->threads, "width", (int)width, "height",
         (int)height, "ms", times->frames.ms, "min_ms", times->frames.min_ms, "cpu_ms",
-        times->frames.cpu_ms, "first_ms", times->first_ms, "hash", digits, "frames",
+        times->frames.cpu_ms, "first_ms", statistics->first_ms, "hash", digits, "frames",
         (json_int_t)times->frames.frames, "setup_ms", times->setup_ms);
     if (drawn->screens > 0)
         json_object_set_new(object, "mpix", json_real(drawn->screens * megapixels));
@@ -212,9 +196,12 @@ static int show_picture(const Bench *bench, const BenchCase *drawn, const Frame 
     return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
 }
 
-/* One device for each case, so that cases do not inherit memory from each other. */
+/* One device for each case, so that cases do not inherit memory from each other. Draws the first frame,
+ * then others until both the time is over and there are enough, but at most twice the time. Where the
+ * first alone takes as long, it stands for all. */
 static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 {
+    const TimingPlan plan = { bench->seconds, MIN_FRAMES, 2 * bench->seconds };
     Frame frame = { .color = NULL };
     GpError error = { "" };
     machine_reset_peak();
@@ -230,8 +217,10 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
     int code = options_device(&bench->options, NULL, &device);
     if (!code) {
         MachineLoad load = machine_load_begin();
-        GpResult result =
-            measure(device, &frame.list, bench->seconds, each, &statistics, &times, &error);
+        GpResult result = run_first(device, &frame.list, &statistics, &error);
+        if (!result)
+            result =
+                timing_run(device, &frame.list, &plan, each, &statistics, &times.frames, &error);
         times.others = machine_others(&load);
         times.peak_mb = machine_peak_mb() - before_mb;
         code = result ? report(exit_of_run(result), "%s: %s", drawn->name, error.text)

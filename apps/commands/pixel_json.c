@@ -20,16 +20,18 @@ static json_t *clear_event(const GpTraceEvent *event)
     return object;
 }
 
-static json_t *vertex_event(const GpTraceVertex *vertex)
+static json_t *vertex_event(const GpTraceEvent *event)
 {
+    const GpTraceVertex *vertex = &event->vertex;
     return json_pack("{s:I, s:o, s:o, s:o}", "vertex", (json_int_t)vertex->vertex, "inputs",
                      json_floats(vertex->inputs, vertex->input_components), "clip",
                      json_floats(vertex->clip, 4), "varyings",
                      json_floats(vertex->varyings, vertex->varying_components));
 }
 
-static json_t *clip_event(const GpTraceClip *clip)
+static json_t *clip_event(const GpTraceEvent *event)
 {
+    const GpTraceClip *clip = &event->clip;
     json_t *corners = json_array();
     for (int i = 0; i < 3; i++)
         json_array_append_new(corners, json_floats(clip->clip[i], 4));
@@ -37,8 +39,9 @@ static json_t *clip_event(const GpTraceClip *clip)
                      clip->corners);
 }
 
-static json_t *setup_event(const GpTraceSetup *setup)
+static json_t *setup_event(const GpTraceEvent *event)
 {
+    const GpTraceSetup *setup = &event->setup;
     return json_pack("{s:[iii], s:[iii], s:o, s:o, s:I, s:b, s:o}", "x", setup->x[0], setup->x[1],
                      setup->x[2], "y", setup->y[0], setup->y[1], setup->y[2], "z",
                      json_floats(setup->z, 3), "rw", json_floats(setup->rw, 3), "area2",
@@ -46,22 +49,25 @@ static json_t *setup_event(const GpTraceSetup *setup)
                      json_text(setup->reason));
 }
 
-static json_t *raster_event(const GpTraceRaster *raster)
+static json_t *raster_event(const GpTraceEvent *event)
 {
+    const GpTraceRaster *raster = &event->raster;
     return json_pack("{s:[III], s:b}", "edge", (json_int_t)raster->edge[0],
                      (json_int_t)raster->edge[1], (json_int_t)raster->edge[2], "front",
                      raster->front);
 }
 
-static json_t *interpolate_event(const GpTraceInterpolate *interpolate)
+static json_t *interpolate_event(const GpTraceEvent *event)
 {
+    const GpTraceInterpolate *interpolate = &event->interpolate;
     return json_pack("{s:o, s:o, s:o}", "barycentric", json_floats(interpolate->barycentric, 3),
                      "depth", json_number((double)interpolate->depth), "varyings",
                      json_floats(interpolate->varyings, interpolate->components));
 }
 
-static json_t *texture_event(const GpTraceTexture *texture)
+static json_t *texture_event(const GpTraceEvent *event)
 {
+    const GpTraceTexture *texture = &event->texture;
     json_t *texels = json_array();
     for (int i = 0; i < texture->report.count; i++) {
         const GpTexelUse *texel = &texture->report.texel[i];
@@ -80,8 +86,9 @@ static json_t *texture_event(const GpTraceTexture *texture)
                      json_floats(texture->texel, 4));
 }
 
-static json_t *pixel_event(const GpTracePixel *pixel)
+static json_t *pixel_event(const GpTraceEvent *event)
 {
+    const GpTracePixel *pixel = &event->pixel;
     json_t *colors = json_array();
     for (int i = 0; i < pixel->targets; i++)
         json_array_append_new(colors, json_floats(pixel->color[i], 4));
@@ -89,8 +96,9 @@ static json_t *pixel_event(const GpTracePixel *pixel)
                      "killed", pixel->killed);
 }
 
-static json_t *test_event(const GpTraceTest *test)
+static json_t *test_event(const GpTraceEvent *event)
 {
+    const GpTraceTest *test = &event->test;
     json_t *object =
         json_pack("{s:s, s:s, s:o, s:o, s:b}", "unit", test->unit, "compare",
                   gp_compare_names[test->compare], "incoming", json_number(test->incoming),
@@ -104,8 +112,9 @@ static json_t *test_event(const GpTraceTest *test)
     return object;
 }
 
-static json_t *output_event(const GpTraceOutput *output)
+static json_t *output_event(const GpTraceEvent *event)
 {
+    const GpTraceOutput *output = &event->output;
     const GpBlend *blend = &output->blend;
     bool separate = blend->alpha_op != GP_BLEND_OFF;
     json_t *state = json_pack(
@@ -120,36 +129,15 @@ static json_t *output_event(const GpTraceOutput *output)
                      json_floats(output->destination, 4), "result", json_floats(output->result, 4));
 }
 
-static json_t *members(const GpTraceEvent *event)
-{
-    switch (event->kind) {
-    case GP_TRACE_CLEAR:
-        return clear_event(event);
-    case GP_TRACE_VERTEX:
-        return vertex_event(&event->vertex);
-    case GP_TRACE_CLIP:
-        return clip_event(&event->clip);
-    case GP_TRACE_SETUP:
-        return setup_event(&event->setup);
-    case GP_TRACE_RASTER:
-        return raster_event(&event->raster);
-    case GP_TRACE_INTERPOLATE:
-        return interpolate_event(&event->interpolate);
-    case GP_TRACE_TEXTURE:
-        return texture_event(&event->texture);
-    case GP_TRACE_PIXEL:
-        return pixel_event(&event->pixel);
-    case GP_TRACE_TEST:
-        return test_event(&event->test);
-    case GP_TRACE_OUTPUT:
-        return output_event(&event->output);
-    default:
-        return json_object();
-    }
-}
-
 json_t *pixel_json_event(const GpTraceEvent *event)
 {
+    static json_t *(*const members[GP_TRACE_KINDS])(const GpTraceEvent *) = {
+        [GP_TRACE_CLEAR] = clear_event,     [GP_TRACE_VERTEX] = vertex_event,
+        [GP_TRACE_CLIP] = clip_event,       [GP_TRACE_SETUP] = setup_event,
+        [GP_TRACE_RASTER] = raster_event,   [GP_TRACE_INTERPOLATE] = interpolate_event,
+        [GP_TRACE_TEXTURE] = texture_event, [GP_TRACE_PIXEL] = pixel_event,
+        [GP_TRACE_TEST] = test_event,       [GP_TRACE_OUTPUT] = output_event,
+    };
     json_t *object = json_pack("{s:s, s:I, s:o}", "kind", gp_trace_kind_names[event->kind], "pass",
                                (json_int_t)event->pass, "pass_name", json_text(event->pass_name));
     if (event->kind != GP_TRACE_CLEAR) {
@@ -158,7 +146,7 @@ json_t *pixel_json_event(const GpTraceEvent *event)
         json_object_set_new(object, "primitive", json_integer(event->primitive));
         json_object_set_new(object, "program", json_text(event->program_name));
     }
-    json_t *rest = members(event);
+    json_t *rest = members[event->kind](event);
     json_object_update(object, rest);
     json_decref(rest);
     return object;

@@ -103,17 +103,15 @@ static const Entry programs[] = {
 };
 /* clang-format on */
 
-static const Entry *find_program(const Node *node, const char *name)
+static const Entry *find_program(Node node, const char *fallback)
 {
-    char list[240] = "";
-    for (size_t i = 0; i < GP_COUNT(programs); i++) {
-        if (strcmp(programs[i].name, name) == 0)
-            return &programs[i];
-        strncat(list, i ? ", " : "", sizeof list - strlen(list) - 1);
-        strncat(list, programs[i].name, sizeof list - strlen(list) - 1);
+    const char *names[GP_COUNT(programs)];
+    int number = 0;
+    for (int i = 0; i < (int)GP_COUNT(programs); i++) {
+        names[i] = programs[i].name;
+        number = strcmp(names[i], fallback) == 0 ? i : number;
     }
-    node_fail(node, GP_ERROR_FORMAT, "expected one of %s", list);
-    return NULL;
+    return &programs[node_name(node, number, names, GP_COUNT(programs))];
 }
 
 /* Direction towards the first light. */
@@ -177,9 +175,9 @@ static void read_uniform(const Uniform *u, Node *material, Given *given, char *u
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,
                          GpDraw *draw)
 {
-    Node program_node = node_member(&node, "program"), textures = node_member(&node, "textures");
-    const Entry *entry = find_program(&program_node, node_string(program_node, program));
-    char *uniforms = entry ? frame_alloc(loader->frame, 1, entry->program->uniform_bytes) : NULL;
+    Node textures = node_member(&node, "textures");
+    const Entry *entry = find_program(node_member(&node, "program"), program);
+    char *uniforms = frame_alloc(loader->frame, 1, entry->program->uniform_bytes);
     if (!uniforms)
         return;
     Given given = given_by(view);

@@ -15,14 +15,6 @@ enum {
 
 /* --- where geometry comes from --------------------------------------------------------------- */
 
-/* Reads row `index` of an array of arrays of `count` numbers. */
-static void read_row(const Node *rows, size_t index, float *values, int count)
-{
-    Node row = node_element(rows, index);
-    node_require(&row);
-    node_numbers(row, values, count, -FAR, FAR);
-}
-
 static void read_triangles(const Node *triangles, Shape *shape)
 {
     for (uint32_t i = 0; i < shape->index_count / 3; i++) {
@@ -37,42 +29,38 @@ static void read_triangles(const Node *triangles, Shape *shape)
     }
 }
 
+/* Reads rows of numbers into one member of the vertices; there is none, or a row for each. */
+static void read_rows(Node rows, int count, size_t offset, Shape *shape)
+{
+    if (node_exists(&rows) && node_length(rows, MAX_INLINE) != shape->vertex_count)
+        node_fail(&rows, GP_ERROR_FORMAT, "expected one row for each position");
+    for (uint32_t i = 0; i < shape->vertex_count && node_exists(&rows); i++) {
+        Node row = node_element(&rows, i);
+        node_require(&row);
+        node_numbers(row, (void *)((char *)&shape->vertices[i] + offset), count, -FAR, FAR);
+    }
+}
+
 /* A mesh that stands in the scene file: positions and triangles, and normals, texcoords and colors
  * of each vertex where they are given. */
 static void read_inline(Node node, Shape *shape)
 {
     Node positions = node_member(&node, "positions"), triangles = node_member(&node, "triangles");
-    Node normals = node_member(&node, "normals"), texcoords = node_member(&node, "texcoords");
-    Node colors = node_member(&node, "colors");
+    Node normals = node_member(&node, "normals");
     node_require(&positions);
     node_require(&triangles);
     size_t vertices = node_length(positions, MAX_INLINE);
     size_t faces = node_length(triangles, MAX_INLINE);
-    const Node *optional[] = { &normals, &texcoords, &colors };
-    for (size_t i = 0; i < GP_COUNT(optional); i++)
-        if (node_exists(optional[i]) && node_length(*optional[i], MAX_INLINE) != vertices)
-            node_fail(optional[i], GP_ERROR_FORMAT, "expected one row for each position");
-    node_close(&node);
-    if (node.reader->result || vertices == 0 || faces == 0) {
+    if (vertices == 0 || faces == 0)
         node_fail(&node, GP_ERROR_FORMAT, "no vertices or no triangles");
-        return;
-    }
-    GpResult result = shape_alloc(shape, (uint32_t)vertices, (uint32_t)faces * 3);
-    if (result) {
-        node_fail(&node, result, "no memory");
-        return;
-    }
+    else if (shape_alloc(shape, (uint32_t)vertices, (uint32_t)faces * 3))
+        node_fail(&node, GP_ERROR_MEMORY, "no memory");
     read_triangles(&triangles, shape);
-    for (size_t i = 0; i < vertices; i++) {
-        ShapeVertex *vertex = &shape->vertices[i];
-        read_row(&positions, i, vertex->position, 3);
-        if (node_exists(&normals))
-            read_row(&normals, i, vertex->normal, 3);
-        if (node_exists(&texcoords))
-            read_row(&texcoords, i, vertex->texcoord, 2);
-        if (node_exists(&colors))
-            read_row(&colors, i, vertex->color, 4);
-    }
+    read_rows(positions, 3, offsetof(ShapeVertex, position), shape);
+    read_rows(normals, 3, offsetof(ShapeVertex, normal), shape);
+    read_rows(node_member(&node, "texcoords"), 2, offsetof(ShapeVertex, texcoord), shape);
+    read_rows(node_member(&node, "colors"), 4, offsetof(ShapeVertex, color), shape);
+    node_close(&node);
     if (!node_exists(&normals))
         shape_compute_normals(shape);
 }

@@ -35,11 +35,10 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
         return NULL;
     }
     surface = arena_own_surface(&loader->frame->arena, surface);
-    const SceneImage image = { loader->images, name, surface, srgb, mips };
-    SceneImage *kept = frame_alloc(loader->frame, 1, sizeof *kept);
-    if (kept) {
-        *kept = image;
-        loader->images = kept;
+    SceneImage *image = frame_alloc(loader->frame, 1, sizeof *image);
+    if (image) {
+        *image = (SceneImage){ loader->images, name, surface, srgb, mips };
+        loader->images = image;
     }
     return surface;
 }
