@@ -13,16 +13,16 @@ enum {
 
 static const uint64_t MULTIPLIER = 0x9e3779b97f4a7c15u; /* of the hash: the golden ratio */
 
-/* Corners become vertices by a hash table of vertex numbers + 1 with linear probing. */
+/* Corners become vertices by a hash table of vertex numbers + 1 with linear probing. Its size is a
+ * power of two and more than twice the corners that a file of this size can have. */
 typedef struct Weld {
     GpMeshBuilder *mesh;
     uint32_t *slots;
-    size_t
-        slot_count; /* a power of two, more than twice the corners that a file of this size has */
+    size_t slot_count;
 } Weld;
 
-/* What is welded has equal keys: the bits of a coordinate, where anything that is no normal number
- * counts as 0. */
+/* What is welded has equal keys: the bits of coordinates, where nothing up to the smallest normal
+ * number differs from 0. */
 static void make_key(const float position[3], uint32_t key[3])
 {
     for (int i = 0; i < 3; i++)

@@ -194,6 +194,24 @@ static void stl_corners_are_welded_and_flat_faces_skipped(void **state)
     }
 }
 
+static void stl_corners_weld_across_the_sign_of_zero(void **state)
+{
+    (void)state;
+    GpMesh mesh;
+    assert_reads(put_text("a.stl", "solid\n"
+                                   "facet normal 0 0 1\nouter loop\nvertex 0 0 -0\nvertex 1 0 0\n"
+                                   "vertex 0 1 0\nendloop\nendfacet\n"
+                                   "facet normal 0 0 1\nouter loop\nvertex 0 1 1e-40\n"
+                                   "vertex 1 -0 0\nvertex 1 1 1e-20\nendloop\nendfacet\n"
+                                   "endsolid\n"),
+                 &mesh);
+    static const uint32_t indices[6] = { 0, 1, 2, 2, 1, 3 };
+    assert_int_equal(mesh.vertex_count, 4);
+    assert_memory_equal(mesh.indices, indices, sizeof indices);
+    assert_true(signbit(mesh.positions[2])); /* the first corner's own bits stay */
+    gp_mesh_free(&mesh);
+}
+
 static void om_of_both_generations_gives_the_pyramid(void **state)
 {
     (void)state;
@@ -266,6 +284,32 @@ static void obj_colours_follow_their_vertices(void **state)
     assert_true(mesh.had_colors);
     assert_memory_equal(mesh.colors, colors, sizeof colors);
     gp_mesh_free(&mesh);
+}
+
+static void obj_vertices_that_no_face_names_are_white(void **state)
+{
+    (void)state;
+    GpMesh mesh;
+    assert_reads(put_text("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 .5 0\nv 0 1 0 0 0 .25\n"
+                                   "v 9 9 9 0 0 0\nf 1 2 3\n"),
+                 &mesh);
+    assert_true(mesh.colors[9] == 0 && mesh.colors[12] == 1 && mesh.colors[13] == 1);
+    gp_mesh_free(&mesh);
+}
+
+static void obj_points_have_colours_and_a_normal_each(void **state)
+{
+    (void)state;
+    static const char *const files[] = { "v 0 0 0 1 .5 0\nv 1 0 0 0 0 0\nvn 1 0 0\nvn 0 1 0\n",
+                                         "v 0 0 0 1 .5 0\nv 1 0 0 0 0 0\nvn 1 0 0\n" };
+    for (size_t i = 0; i < GP_COUNT(files); i++) {
+        GpMesh mesh;
+        const char *path = put_text("a.obj", files[i]);
+        assert_int_equal(gp_mesh_read(path, GP_MESH_ALLOW_POINTS, &mesh, &error), GP_OK);
+        assert_true(mesh.colors[1] == 0.5f && mesh.colors[4] == 0);
+        assert_true(mesh.normals[0] == (i == 0) && mesh.normals[4] == (i == 0)); /* else 0 0 1 */
+        gp_mesh_free(&mesh);
+    }
 }
 
 /* Opening a pipe that nobody writes to waits for ever: the alarm would end this program. */
@@ -403,10 +447,13 @@ int main(void)
         TEST(ply_header_white_space_does_not_shift_the_body),
         TEST(ply_attributes_are_read_in_any_order_and_type),
         TEST(stl_corners_are_welded_and_flat_faces_skipped),
+        TEST(stl_corners_weld_across_the_sign_of_zero),
         TEST(om_of_both_generations_gives_the_pyramid),
         TEST(non_manifold_duplicate_and_flat_faces_are_kept),
         TEST(obj_corners_with_other_attributes_become_copies),
         TEST(obj_colours_follow_their_vertices),
+        TEST(obj_vertices_that_no_face_names_are_white),
+        TEST(obj_points_have_colours_and_a_normal_each),
         TEST(obj_material_files_are_not_opened),
         TEST(normals_are_the_area_weighted_sum),
         TEST(tiny_and_huge_triangles_have_normals),
