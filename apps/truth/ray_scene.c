@@ -96,8 +96,8 @@ static bool meets_box(const Search *search, const TruthNode *node)
 {
     double enter = search->from, leave = search->best.t;
     for (int i = 0; i < 3; i++) {
-        double low = (node->low[i] - search->low_origin[i]) * search->reciprocal[i];
-        double high = (node->high[i] - search->high_origin[i]) * search->reciprocal[i];
+        double low = (node->box.low[i] - search->low_origin[i]) * search->reciprocal[i];
+        double high = (node->box.high[i] - search->high_origin[i]) * search->reciprocal[i];
         double first = search->reciprocal[i] < 0 ? high : low;
         double last = search->reciprocal[i] < 0 ? low : high;
         enter = first > enter ? first : enter;

@@ -1,7 +1,5 @@
 #include "apps/truth/ray_tree.h"
 
-#include "apps/base/bounds.h"
-
 enum {
     BINS = 16,
     /* Below this depth lists are halved, which takes 32 more levels at most. */
@@ -110,14 +108,9 @@ static void build(Builder *builder, uint32_t node, uint32_t first, uint32_t coun
 {
     TruthNode *made = &builder->nodes[node];
     Item *items = builder->items + first;
-    Bounds box = bounds_of_nothing;
+    *made = (TruthNode){ .box = bounds_of_nothing, .first = first, .count = count };
     for (uint32_t i = 0; i < count; i++)
-        bounds_join(&box, &items[i].box);
-    *made = (TruthNode){ .first = first, .count = count };
-    for (int i = 0; i < 3; i++) {
-        made->low[i] = box.low[i];
-        made->high[i] = box.high[i];
-    }
+        bounds_join(&made->box, &items[i].box);
     if (count <= TRUTH_LEAF_SIZE)
         return;
     uint32_t low = divide(items, count, depth, &made->axis);

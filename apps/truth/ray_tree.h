@@ -2,8 +2,9 @@
 #ifndef APPS_TRUTH_RAY_TREE_H
 #define APPS_TRUTH_RAY_TREE_H
 
-#include "pipeline/base/base.h"
+#include "apps/base/bounds.h"
 #include "apps/truth/ray_triangle.h"
+#include "pipeline/base/base.h"
 
 enum {
     TRUTH_LEAF_SIZE = 4,
@@ -11,7 +12,7 @@ enum {
 };
 
 typedef struct TruthNode {
-    double low[3], high[3];
+    Bounds box;
     uint32_t first; /* a leaf's first place in the order; else the child on the low side, the other
                        is the next one */
     uint32_t count; /* of a leaf's triangles; 0: two children */

@@ -61,8 +61,7 @@ GpResult voxel_distance_make(const TruthTriangle *triangles, uint32_t count,
         for (uint32_t i = 0; i < count; i++)
             made.triangles[i] = triangles[order[i]];
         spread(made.triangles, count, made.points);
-        for (int k = 0; k < 3; k++)
-            made.longest = fmax(made.longest, made.nodes[0].high[k] - made.nodes[0].low[k]);
+        made.longest = bounds_longest(&made.nodes[0].box);
         *distance = made;
     }
     gp_free(order);
@@ -103,11 +102,11 @@ static double to_voxels(const VoxelDistance *distance, const VoxelBox *space,
 
 /* --- from voxels to the model ------------------------------------------------------------------ */
 
-static double square_to_box(const TruthNode *node, const double point[3])
+static double square_to_box(const Bounds *box, const double point[3])
 {
     double square = 0;
     for (int k = 0; k < 3; k++) {
-        double off = fmax(fmax(node->low[k] - point[k], point[k] - node->high[k]), 0);
+        double off = fmax(fmax(box->low[k] - point[k], point[k] - box->high[k]), 0);
         square += off * off;
     }
     return square;
@@ -124,7 +123,8 @@ static void look_into(const VoxelDistance *distance, const TruthNode *node, cons
         return;
     }
     const TruthNode *child = &distance->nodes[node->first];
-    const double apart[2] = { square_to_box(&child[0], point), square_to_box(&child[1], point) };
+    const double apart[2] = { square_to_box(&child[0].box, point),
+                              square_to_box(&child[1].box, point) };
     const int near = apart[1] < apart[0];
     if (apart[near] < *square)
         look_into(distance, &child[near], point, square);

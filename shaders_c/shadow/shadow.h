@@ -38,18 +38,15 @@ typedef struct ShadowUniforms {
  * soft, as plain but in an area as wide as the penumbra; cube, hardware from a map of all that is
  * around a light. What is turned away from the light is dark: smooth by its normals, flat by its
  * triangles. */
-#define SHADOW_PROGRAM_PAIR(form)                                                                  \
-    extern const GpProgram shadow_##form##_program, shadow_##form##_textured_program
+#define SHADOW_PROGRAMS(form)                                                                      \
+    extern const GpProgram shadow_##form##_smooth_program,                                         \
+        shadow_##form##_smooth_textured_program, shadow_##form##_flat_program,                     \
+        shadow_##form##_flat_textured_program
 
-SHADOW_PROGRAM_PAIR(plain_nearest_smooth);
-SHADOW_PROGRAM_PAIR(plain_nearest_flat);
-SHADOW_PROGRAM_PAIR(plain_bilinear_smooth);
-SHADOW_PROGRAM_PAIR(plain_bilinear_flat);
-SHADOW_PROGRAM_PAIR(hardware_smooth);
-SHADOW_PROGRAM_PAIR(hardware_flat);
-SHADOW_PROGRAM_PAIR(soft_smooth);
-SHADOW_PROGRAM_PAIR(soft_flat);
-SHADOW_PROGRAM_PAIR(cube_smooth);
-SHADOW_PROGRAM_PAIR(cube_flat);
+SHADOW_PROGRAMS(plain_nearest);
+SHADOW_PROGRAMS(plain_bilinear);
+SHADOW_PROGRAMS(hardware);
+SHADOW_PROGRAMS(soft);
+SHADOW_PROGRAMS(cube);
 
 #endif

@@ -30,7 +30,6 @@ extern const GpProgram shadow_request_program;
 /* GP_TEXCOORD0: the centre of a pixel of the request's picture. White. */
 extern const GpProgram shadow_mark_program;
 
-SHADOW_PROGRAM_PAIR(tiles_smooth);
-SHADOW_PROGRAM_PAIR(tiles_flat);
+SHADOW_PROGRAMS(tiles);
 
 #endif

@@ -162,14 +162,13 @@ static void set_light(const ShadowBuild *build, const ShadowLight *light, Shadow
         matrix_round(clip, uniforms->map);
     else
         map_matrix(build, light, uniforms->map);
+    vector_subtract(source->at, source->position, axis);
+    vector_normalize(axis);
     for (int k = 0; k < 3; k++) {
         uniforms->light[k] = (float)source->position[k];
         uniforms->color[k] = source->color[k];
-        axis[k] = source->at[k] - source->position[k];
-    }
-    vector_normalize(axis);
-    for (int k = 0; k < 3; k++)
         uniforms->axis[k] = (float)axis[k];
+    }
     double sine, cosine = -2;
     if (source->cone > 0)
         angle_sincos(source->cone, &sine, &cosine);

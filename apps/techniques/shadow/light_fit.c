@@ -186,9 +186,7 @@ static Seen look(const Scene *scene, const SceneLight *light, double eye[4][4], 
     frustum_planes(map, planes + 6);
     for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
         Bounds box = draw_bounds(&scene->list.passes[0].draws[i]);
-        double size = 0;
-        for (int k = 0; k < 3; k++)
-            size = fmax(size, fmax(fabs(box.low[k]), fabs(box.high[k])));
+        double size = fmax(vector_extent(box.low), vector_extent(box.high));
         box_planes(&box, planes + 12);
         add_body(&seen, planes, 1e-9 * size, eye, clip);
     }
@@ -211,8 +209,7 @@ typedef struct Crossing {
 static Crossing find_crossing(const Scene *scene, double clip[4][4], const double centre[3])
 {
     double forward[3], step[2][3], ray[3], across[3];
-    for (int k = 0; k < 3; k++)
-        forward[k] = scene->camera.at[k] - scene->camera.eye[k];
+    vector_subtract(scene->camera.at, scene->camera.eye, forward);
     vector_normalize(forward);
     double w = row_times(clip[3], centre);
     for (int k = 0; k < 2; k++) {

@@ -30,16 +30,13 @@ static Camera aim(const Scene *scene, const SceneLight *light, int face)
     }
     /* A wall of rays over the ball around the scene's box. */
     Bounds box = scene_bounds(scene);
-    double centre[3], size[3];
-    for (int k = 0; k < 3; k++) {
-        centre[k] = 0.5 * (box.low[k] + box.high[k]);
-        size[k] = box.high[k] - box.low[k];
-    }
+    double size[3];
+    vector_subtract(box.high, box.low, size);
     double radius = 0.5 * sqrt(vector_dot(size, size)) * 1.001;
     camera.fovy = 0;
     camera.height = shadow->height > 0 ? shadow->height : 2 * radius;
     for (int k = 0; k < 3; k++) {
-        camera.at[k] = light->aims ? light->at[k] : centre[k];
+        camera.at[k] = light->aims ? light->at[k] : 0.5 * (box.low[k] + box.high[k]);
         camera.eye[k] = camera.at[k] + 2 * radius * light->position[k];
     }
     return camera;
@@ -49,8 +46,7 @@ static Camera aim(const Scene *scene, const SceneLight *light, int face)
 static void straighten(Camera *camera)
 {
     double forward[3], right[3];
-    for (int k = 0; k < 3; k++)
-        forward[k] = camera->at[k] - camera->eye[k];
+    vector_subtract(camera->at, camera->eye, forward);
     vector_cross(forward, camera->up, right);
     if (vector_dot(right, right) >
         1e-12 * vector_dot(forward, forward) * vector_dot(camera->up, camera->up))

@@ -12,9 +12,11 @@ static const GpBlend added = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE 
 
 /* --- the picture ------------------------------------------------------------------------------ */
 
-#define PAIR(form)                                                                                 \
+/* By facing, then without and with a texture. */
+#define PROGRAMS(form)                                                                             \
     {                                                                                              \
-        &shadow_##form##_program, &shadow_##form##_textured_program                                \
+        { &shadow_##form##_smooth_program, &shadow_##form##_smooth_textured_program },             \
+            { &shadow_##form##_flat_program, &shadow_##form##_flat_textured_program },             \
     }
 
 static const GpProgram *choose_program(const ShadowBuild *build, const ShadowLight *light,
@@ -22,13 +24,13 @@ static const GpProgram *choose_program(const ShadowBuild *build, const ShadowLig
 {
     const ShadowSetting *setting = build->setting;
     static const GpProgram *const plain[][2][2] = {
-        [SHADOW_NEAREST] = { PAIR(plain_nearest_smooth), PAIR(plain_nearest_flat) },
-        [SHADOW_BILINEAR] = { PAIR(plain_bilinear_smooth), PAIR(plain_bilinear_flat) },
-        [SHADOW_SOFT] = { PAIR(soft_smooth), PAIR(soft_flat) },
+        [SHADOW_NEAREST] = PROGRAMS(plain_nearest),
+        [SHADOW_BILINEAR] = PROGRAMS(plain_bilinear),
+        [SHADOW_SOFT] = PROGRAMS(soft),
     };
-    static const GpProgram *const hardware[2][2] = { PAIR(hardware_smooth), PAIR(hardware_flat) };
-    static const GpProgram *const cube[2][2] = { PAIR(cube_smooth), PAIR(cube_flat) };
-    static const GpProgram *const tiles[2][2] = { PAIR(tiles_smooth), PAIR(tiles_flat) };
+    static const GpProgram *const hardware[2][2] = PROGRAMS(hardware);
+    static const GpProgram *const cube[2][2] = PROGRAMS(cube);
+    static const GpProgram *const tiles[2][2] = PROGRAMS(tiles);
     if (light->atlas)
         return tiles[setting->facing][textured];
     if (light->cube)

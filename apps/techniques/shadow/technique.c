@@ -142,8 +142,7 @@ static GpResult collect_triangles(const Scene *scene, TruthScene **made)
 static void set_square(const SceneLight *light, TruthLight *truth)
 {
     double forward[3], right[3], up[3];
-    for (int k = 0; k < 3; k++)
-        forward[k] = light->at[k] - light->position[k];
+    vector_subtract(light->at, light->position, forward);
     vector_cross(forward, light->shadow.up, right);
     vector_cross(right, forward, up);
     vector_normalize(right);
@@ -165,8 +164,7 @@ static TruthLight true_light(const SceneLight *light)
         truth.kind = TRUTH_CONE;
     memcpy(truth.position, light->position, sizeof truth.position);
     memcpy(truth.towards, light->position, sizeof truth.towards);
-    for (int k = 0; k < 3; k++)
-        truth.axis[k] = light->at[k] - light->position[k];
+    vector_subtract(light->at, light->position, truth.axis);
     if (light->size > 0)
         set_square(light, &truth);
     return truth;
