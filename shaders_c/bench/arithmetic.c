@@ -87,8 +87,7 @@ pixel_shader(mandelbrot_ps, ArithmeticUniforms, UvVarying)
 
 /* clang-format off */
 #define ARITHMETIC_DECLARATIONS                                                                    \
-    .vertex_profile = GP_VS_3_SW, .pixel_profile = GP_PS_3_SW,                                     \
-    TEXTURED_QUAD_DECLARATIONS
+    .vertex_profile = GP_VS_3_SW, .pixel_profile = GP_PS_3_SW, TEXTURED_QUAD_DECLARATIONS
 /* clang-format on */
 
 program(mad_loop_program, arithmetic_vs, mad_loop_ps, ARITHMETIC_DECLARATIONS)

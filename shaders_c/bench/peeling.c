@@ -43,8 +43,7 @@ pixel_shader(peel_next_ps, PeelUniforms, Varying)
 
 /* clang-format off */
 #define PEEL_DECLARATIONS                                                                          \
-    MODEL_2_0,                                       \
-    .inputs = { MESH_INPUTS },                                                                     \
+    MODEL_2_0, .inputs = { MESH_INPUTS },                                                          \
     .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "depth", 1, GP_LINEAR_SCREEN } }
 
 program(peel_first_program, peel_vs, peel_first_ps, PEEL_DECLARATIONS)
@@ -69,9 +68,7 @@ pixel_shader(layer_background_ps, LayerUniforms, NoVarying)
 }
 
 /* clang-format off */
-#define LAYER_DECLARATIONS                                                                         \
-    MODEL_2_0,                                       \
-    .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
+#define LAYER_DECLARATIONS MODEL_2_0, .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
 /* clang-format on */
 
 program(layer_premultiply_program, layer_vs, layer_premultiply_ps, LAYER_DECLARATIONS)

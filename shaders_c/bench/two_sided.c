@@ -100,10 +100,8 @@ pixel_shader(pcf_ps, TwoSidedUniforms, ShadowVarying)
 
 /* clang-format off */
 #define SHADOW_DECLARATIONS                                                                        \
-    MODEL_3_0,                                       \
-    .inputs = { MESH_INPUTS },                                            \
-    .varyings = { SURFACE_VARYINGS, { "light_clip", 4, GP_PERSPECTIVE } },                         \
-    .samplers = 1 << 0
+    MODEL_3_0, .inputs = { MESH_INPUTS },                                                          \
+    .varyings = { SURFACE_VARYINGS, { "light_clip", 4, GP_PERSPECTIVE } }, .samplers = 1 << 0
 /* clang-format on */
 
 program(two_sided_compare_program, shadow_vs, compare_ps, SHADOW_DECLARATIONS)

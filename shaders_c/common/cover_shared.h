@@ -26,8 +26,7 @@ GP_INLINE float4 cover(const CoverVertex *in, CoverVarying *out)
 
 /* clang-format off */
 #define COVER_DECLARATIONS                                                                         \
-    .inputs = { { GP_POSITION, 2 } },                                                              \
-    .varyings = { { "place", 2, GP_LINEAR_SCREEN } }
+    .inputs = { { GP_POSITION, 2 } }, .varyings = { { "place", 2, GP_LINEAR_SCREEN } }
 /* clang-format on */
 
 #endif

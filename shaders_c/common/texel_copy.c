@@ -18,9 +18,7 @@ pixel_shader(texel_complement_ps, NoUniforms, NoVarying)
 }
 
 /* clang-format off */
-#define TEXEL_DECLARATIONS                                                                         \
-    MODEL_2_0,                                       \
-    .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
+#define TEXEL_DECLARATIONS MODEL_2_0, .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
 /* clang-format on */
 
 program(texel_copy_program, texel_copy_vs, texel_copy_ps, TEXEL_DECLARATIONS)

@@ -50,13 +50,13 @@ static VoxelTruthKind truth_of(const VoxelSetting *setting)
 }
 
 /* The voxels of a flat texture that are not 0, as bits. NULL without memory; the caller frees them. */
-static uint8_t *bits_of(const FlatTexture *sheet)
+static uint8_t *bits_of(const FlatTexture *flat)
 {
-    const size_t count = (size_t)sheet->size * sheet->size * sheet->size, each = sheet->bits / 8;
-    uint8_t *voxels = gp_alloc(flat_texture_bytes(sheet), 1);
+    const size_t count = (size_t)flat->size * flat->size * flat->size, each = flat->bits / 8;
+    uint8_t *voxels = gp_alloc(flat_texture_bytes(flat), 1);
     if (voxels)
-        flat_texture_read(sheet, voxels);
-    if (!voxels || sheet->bits == 1)
+        flat_texture_read(flat, voxels);
+    if (!voxels || flat->bits == 1)
         return voxels;
     uint8_t *bits = gp_alloc((count + 7) / 8, 1);
     for (size_t i = 0; bits && i < count; i++)
@@ -158,16 +158,15 @@ static const TechniqueSlope triangle_slopes[] = { { 1, "as their number" }, { .n
 static const char *const scaling_text[] = {
     "Two costs add up. The volume is cleared and stored, whatever is in it: at one bit a voxel a "
     "volume of N voxels a side is N^3/8 bytes, 32 KB at 64 and 16 MB at 512. The triangles come "
-    "one "
-    "by one: each is transformed, set up and brought to its tiles, which costs the same however "
-    "small it is, so that a smaller volume makes no triangle cheaper that is smaller than a voxel "
-    "already. Larger ones cost by the columns of voxels that they cross: as the square of N.",
+    "one by one: each is transformed, set up and brought to its tiles, which costs the same "
+    "however small it is, so that a smaller volume makes no triangle cheaper that is smaller than "
+    "a voxel already. Larger ones cost by the columns of voxels that they cross: as the square of "
+    "N.",
     "Surfaces, conservative and thin, are mostly triangles: their time rises by no more than the "
     "side. The solid draws up to 128 layers of voxels at once into targets of their own and copies "
     "the whole volume out of them: little at first, towards the cube of N in the end. So does the "
     "printed method, and sooner: it draws three volumes, gathers their slabs, and turns two of "
-    "them "
-    "by a lookup for every voxel.",
+    "them by a lookup for every voxel.",
     "With more triangles no line rises as steeply as their number, for the volume's share is the "
     "same for all: least with the printed method, whose volume costs most. Thin surfaces hardly "
     "rise at all: the lists, made once for a model that stands still, leave out triangles so small "

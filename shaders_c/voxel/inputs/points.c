@@ -25,8 +25,8 @@ GP_INLINE float4 set_voxel(const VoxelPointsUniforms *c, float3 position, PointV
 
 /* clang-format off */
 #define POINT_DECLARATIONS(...)                                                                    \
-    MODEL_2_0, .inputs = { __VA_ARGS__ },            \
-    .varyings = { { "bit", 4, GP_FLAT } }, .writes_point_size = true
+    MODEL_2_0, .inputs = { __VA_ARGS__ }, .varyings = { { "bit", 4, GP_FLAT } },                   \
+    .writes_point_size = true
 /* clang-format on */
 
 /* --- given ------------------------------------------------------------------------------------ */

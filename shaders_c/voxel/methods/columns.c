@@ -70,15 +70,12 @@ vertex_shader(voxel_sampled_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Va
 }
 
 /* clang-format off */
+#define TRIANGLE_INPUTS { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 }
 #define SPRITE_DECLARATIONS                                                                        \
-    MODEL_3_0,                                       \
-    .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },                   \
-    .varyings = VOXEL_COLUMNS_VARYINGS, .writes_point_size = true, .uses_pixel = true
-
+    MODEL_3_0, .inputs = { TRIANGLE_INPUTS }, .varyings = VOXEL_COLUMNS_VARYINGS,                  \
+    .writes_point_size = true, .uses_pixel = true
 #define RECTANGLE_DECLARATIONS                                                                     \
-    MODEL_3_0,                                       \
-    .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 },                     \
-                { GP_TEXCOORD3, 1 } },                                                             \
+    MODEL_3_0, .inputs = { TRIANGLE_INPUTS, { GP_TEXCOORD3, 1 } },                                 \
     .varyings = VOXEL_COLUMNS_VARYINGS, .uses_pixel = true
 /* clang-format on */
 
@@ -103,7 +100,6 @@ pixel_shader(voxel_touched_ps, VoxelColumnsUniforms, Varying)
 }
 
 program(voxel_touched_program, voxel_touched_vs, voxel_touched_ps, SPRITE_DECLARATIONS)
-
 program(voxel_touched_rectangle_program, voxel_touched_rectangle_vs, voxel_touched_ps,
         RECTANGLE_DECLARATIONS)
 
@@ -128,8 +124,8 @@ pixel_shader(voxel_column_ps, VoxelColumnsUniforms, RunVarying)
 }
 
 program(voxel_touched_column_program, voxel_column_vs, voxel_column_ps, MODEL_2_0,
-        .inputs = { { GP_TEXCOORD0, 3 }, { GP_TEXCOORD1, 3 }, { GP_TEXCOORD2, 3 } },
-        .varyings = { { "run", 2, GP_FLAT } }, .writes_point_size = true)
+        .inputs = { TRIANGLE_INPUTS }, .varyings = { { "run", 2, GP_FLAT } },
+        .writes_point_size = true)
 
 /* --- voxels that lines through centres meet --------------------------------------------------- */
 
@@ -213,6 +209,5 @@ pixel_shader(voxel_sampled_ps, VoxelColumnsUniforms, Varying)
 }
 
 program(voxel_sampled_program, voxel_sampled_vs, voxel_sampled_ps, SPRITE_DECLARATIONS)
-
 program(voxel_sampled_rectangle_program, voxel_sampled_rectangle_vs, voxel_sampled_ps,
         RECTANGLE_DECLARATIONS)

@@ -31,9 +31,7 @@ pixel_shader(voxel_peel_next_ps, VoxelPeelUniforms, DepthVarying)
 
 /* clang-format off */
 #define PEEL_DECLARATIONS                                                                          \
-    MODEL_2_0,                                       \
-    .inputs = { { GP_POSITION, 3 } },                                                              \
-    .varyings = { { "depth", 1, GP_LINEAR_SCREEN } }
+    MODEL_2_0, .inputs = { { GP_POSITION, 3 } }, .varyings = { { "depth", 1, GP_LINEAR_SCREEN } }
 
 program(voxel_peel_first_program, voxel_peel_vs, voxel_peel_first_ps, PEEL_DECLARATIONS,
         .writes_depth = true)
@@ -60,8 +58,7 @@ pixel_shader(voxel_between_ps, FlatTextureSlab, CoverVarying)
 }
 
 /* clang-format off */
-#define LAYER_DECLARATIONS                                                                         \
-    MODEL_2_0, COVER_DECLARATIONS
+#define LAYER_DECLARATIONS MODEL_2_0, COVER_DECLARATIONS
 
 program(voxel_layer_program, voxel_layer_vs, voxel_layer_ps, LAYER_DECLARATIONS,
         .samplers = 1 << 0)

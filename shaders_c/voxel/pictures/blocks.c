@@ -52,8 +52,7 @@ pixel_shader(voxel_blocks_ps, VoxelBlocksUniforms, NoVarying)
 
 /* clang-format off */
 #define BLOCKS_DECLARATIONS                                                                        \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { { GP_POSITION, 3 } }
+    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0, .inputs = { { GP_POSITION, 3 } }
 
 program(voxel_block_rows_program, voxel_blocks_vs, voxel_block_rows_ps, BLOCKS_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 1, .uses_pixel = true)

@@ -176,8 +176,7 @@ pixel_shader(voxel_light_smooth_ps, VoxelLightUniforms, Varying)
 
 /* clang-format off */
 #define LIGHT_DECLARATIONS                                                                         \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { { GP_POSITION, 3 } },                                                              \
+    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0, .inputs = { { GP_POSITION, 3 } },     \
     .varyings = { { "origin", 3, GP_PERSPECTIVE }, { "way", 3, GP_PERSPECTIVE } }
 
 program(voxel_light_faces_program, voxel_light_vs, voxel_light_faces_ps, LIGHT_DECLARATIONS,

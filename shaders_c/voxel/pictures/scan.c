@@ -104,8 +104,7 @@ pixel_shader(voxel_scan_mixed_ps, VoxelScanUniforms, Varying)
 
 /* clang-format off */
 #define SCAN_DECLARATIONS                                                                          \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { SLAB_INPUTS },                                                                     \
+    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0, .inputs = { SLAB_INPUTS },            \
     .varyings = { SLAB_VARYINGS, { "centre", 1, GP_FLAT }, { "fading", 1, GP_FLAT } }
 
 program(voxel_scan_program, voxel_scan_vs, voxel_scan_ps, SCAN_DECLARATIONS,

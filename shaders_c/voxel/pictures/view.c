@@ -78,8 +78,8 @@ pixel_shader(voxel_haze_two_ps, VoxelViewUniforms, Varying)
 
 /* clang-format off */
 #define SLICE_DECLARATIONS                                                                         \
-    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0,                                       \
-    .inputs = { SLAB_INPUTS }, .varyings = { SLAB_VARYINGS, { "fading", 3, GP_FLAT } }
+    .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_3_0, .inputs = { SLAB_INPUTS },            \
+    .varyings = { SLAB_VARYINGS, { "fading", 3, GP_FLAT } }
 
 program(voxel_first_program, voxel_view_vs, voxel_first_ps, SLICE_DECLARATIONS,
         .samplers = 1 << 0 | 1 << 3, .may_discard = true)
