@@ -2,6 +2,7 @@
  * the plain method's four compares and the hardware's filter are not the same, to the last bit. */
 #include "apps/techniques/shadow/technique.h"
 #include "apps/techniques/shadow/shadow.h"
+#include "pipeline/units/texture.h"
 #include "tests/support/devices.h"
 #include "tests/support/technique_case.h"
 #include "tests/support/unit.h"
