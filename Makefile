@@ -42,7 +42,7 @@ SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all \
 COMMON   := $(OPT) -g -fPIC -pthread -I. $(MODEL) $(WARNINGS) $(SANITIZER) -MMD -MP
 # The hash is compiled in from xxhash's header: no library to find at run time.
 COMMON   += -DXXH_INLINE_ALL
-ALL_C    := $(CC) -std=gnu11 $(COMMON) $(CPPFLAGS) $(CFLAGS)
+ALL_C    := $(CC) -std=gnu11 -Werror=implicit-function-declaration $(COMMON) $(CPPFLAGS) $(CFLAGS)
 ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
 # Libraries' own headers are not ours to warn about.
 IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
