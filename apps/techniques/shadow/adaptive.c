@@ -30,17 +30,8 @@ static GpSurface *draw_request(const ShadowBuild *build, const ShadowLight *ligh
     uint32_t height = (build->scene->picture->height + REQUEST_SHARE - 1) / REQUEST_SHARE;
     GpSurface *request = frame_surface(frame, GP_R32F, width, height, 1);
     frame_pass(frame, "request", request, frame_surface(frame, GP_D32F, width, height, 1), nothing);
-    for (uint32_t i = 0; i < scene->draw_count; i++) {
-        const GpDraw *object = &scene->draws[i];
-        ShadowTilesUniforms uniforms = { .tiles = 0 };
-        shadow_set_uniforms(build, light, object, &uniforms);
-        GpDraw *draw =
-            frame_draw_copied(frame, &shadow_request_program, &uniforms, &object->geometry);
-        draw->name = object->name;
-        draw->state.raster = object->state.raster;
-        draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
-        draw->textures[1] = (GpTexture){ light->map, shadow_map_sampler(build->setting) };
-    }
+    for (uint32_t i = 0; i < scene->draw_count; i++)
+        shadow_draw_object(build, light, &scene->draws[i], &shadow_request_program, true);
     return request;
 }
 

@@ -208,15 +208,23 @@ static void set_surface(const GpDraw *draw, ShadowUniforms *uniforms)
     uniforms->shininess = material->shininess;
 }
 
-void shadow_set_uniforms(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,
-                         ShadowTilesUniforms *uniforms)
+GpDraw *shadow_draw_object(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,
+                           const GpProgram *program, bool has_ambient)
 {
-    set_surface(object, &uniforms->shadow);
-    set_light(build, light, &uniforms->shadow);
-    uniforms->tiles = SHADOW_TILES;
-    if (!light->atlas)
-        return;
-    uniforms->inset = 0.5f / (float)light->tile;
-    uniforms->atlas_tiles[0] = 1 / (float)light->columns;
-    uniforms->atlas_tiles[1] = 1 / (float)light->rows;
+    ShadowTilesUniforms uniforms = { .tiles = SHADOW_TILES };
+    set_surface(object, &uniforms.shadow);
+    set_light(build, light, &uniforms.shadow);
+    if (!has_ambient)
+        memset(uniforms.shadow.ambient, 0, sizeof uniforms.shadow.ambient);
+    if (light->atlas) {
+        uniforms.inset = 0.5f / (float)light->tile;
+        uniforms.atlas_tiles[0] = 1 / (float)light->columns;
+        uniforms.atlas_tiles[1] = 1 / (float)light->rows;
+    }
+    GpDraw *draw = frame_draw_copied(build->frame, program, &uniforms, &object->geometry);
+    draw->name = object->name;
+    draw->state.raster = object->state.raster;
+    draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
+    draw->textures[1] = (GpTexture){ light->map, shadow_map_sampler(build->setting) };
+    return draw;
 }

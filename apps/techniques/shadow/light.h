@@ -38,8 +38,9 @@ ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source);
 void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object,
                         const void *clip, const GpViewport *viewport, bool scissor);
 
-/* What the light and an object's material are to the programs. */
-void shadow_set_uniforms(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,
-                         ShadowTilesUniforms *uniforms);
+/* An object as the eye sees it under the light, by a program of shadow.h or shadow_tiles.h: a draw of
+ * the present pass, with the light's map in slot 1. */
+GpDraw *shadow_draw_object(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,
+                           const GpProgram *program, bool has_ambient);
 
 #endif

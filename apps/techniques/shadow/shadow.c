@@ -3,10 +3,6 @@
 #include "apps/techniques/shadow/adaptive.h"
 #include "shaders_c/materials/textured_phong.h"
 
-#include <string.h>
-
-static const float black[4] = { 0 };
-static const GpDepthState nearer = { .test = GP_LESS, .write = true };
 static const GpDepthState same = { .test = GP_EQUAL };
 static const GpBlend added = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 
@@ -50,19 +46,13 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
         bool textured = object->program == &textured_phong_program;
-        ShadowTilesUniforms uniforms = { .tiles = 0 };
-        shadow_set_uniforms(build, light, object, &uniforms);
-        if (!first)
-            memcpy(uniforms.shadow.ambient, black, sizeof uniforms.shadow.ambient);
-        GpDraw *draw = frame_draw_copied(frame, choose_program(build, light, textured), &uniforms,
-                                         &object->geometry);
-        draw->name = object->name;
-        draw->state.raster = object->state.raster;
-        draw->state.depth = first ? nearer : same;
-        if (!first)
+        GpDraw *draw =
+            shadow_draw_object(build, light, object, choose_program(build, light, textured), first);
+        if (!first) {
+            draw->state.depth = same;
             draw->state.blend[0] = added;
+        }
         draw->textures[0] = object->textures[0];
-        draw->textures[1] = (GpTexture){ light->map, shadow_map_sampler(build->setting) };
         if (!light->atlas)
             continue;
         draw->textures[2] =
