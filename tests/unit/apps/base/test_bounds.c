@@ -54,10 +54,10 @@ static void an_orbit_has_all_of_the_box_in_the_picture(void **state)
 {
     (void)state;
     static const Bounds box = { { 10, -20, 30 }, { 40, 60, 35 } };
-    for (int up = ORBIT_UP_Y; up <= ORBIT_DOWN_Z; up++)
+    for (OrbitUp up = ORBIT_UP_Y; up <= ORBIT_DOWN_Z; up++)
         for (double azimuth = -180; azimuth < 180; azimuth += 33)
             for (double aspect = 0.5; aspect < 3; aspect *= 2) {
-                Orbit orbit = { azimuth, azimuth / 3, (OrbitUp)up, 1 };
+                Orbit orbit = { azimuth, azimuth / 3, up, 1 };
                 Camera camera = orbit_camera(&orbit, &box, aspect, 1e-3);
                 const double fits = farthest_corner(&camera, &box, aspect);
                 assert_true(fits > 0.9 && fits < 1);

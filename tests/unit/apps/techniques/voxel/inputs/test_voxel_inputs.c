@@ -19,7 +19,7 @@ static const char heart[] = "(x^2 + 9/4 y^2 + z^2 - 1)^3 = x^2 z^3 + 9/80 y^2z^3
 typedef struct Implicit {
     VoxelFunction function;
     double reach;
-    int kind;
+    VoxelKind kind;
 } Implicit;
 
 static void append_implicit(const void *context, Frame *frame, const FlatTexture *flat)
@@ -94,7 +94,7 @@ static void polynomials_have_the_signs_of_double(void **state)
         { "z = 0.03", 1, 32 },
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++)
-        for (int kind = VOXEL_SURFACE; kind <= VOXEL_SOLID; kind++) {
+        for (VoxelKind kind = VOXEL_SURFACE; kind <= VOXEL_SOLID; kind++) {
             Implicit f = { .reach = cases[i].reach, .kind = kind };
             assert_int_equal(voxel_function_parse(cases[i].text, &f.function, NULL), GP_OK);
             const uint64_t set = check_implicit(&f, cases[i].size, 1e-4, false);
@@ -145,7 +145,7 @@ static void callbacks_keep_every_sign(void **state)
     (void)state;
     double level = 0.2;
     for (uint32_t size = 31; size <= 48; size += 17)
-        for (int kind = VOXEL_SURFACE; kind <= VOXEL_SOLID; kind++) {
+        for (VoxelKind kind = VOXEL_SURFACE; kind <= VOXEL_SOLID; kind++) {
             const Implicit sines = { { .evaluate = gyroid, .user = &level },
                                      .reach = 5,
                                      .kind = kind };
@@ -252,7 +252,7 @@ static void every_device_draws_the_same_bits(void **state)
 {
     (void)state;
     double level = 0;
-    for (int kind = VOXEL_SURFACE; kind <= VOXEL_SOLID; kind++) {
+    for (VoxelKind kind = VOXEL_SURFACE; kind <= VOXEL_SOLID; kind++) {
         Implicit f = { .reach = 1.5, .kind = kind };
         assert_int_equal(voxel_function_parse(heart, &f.function, NULL), GP_OK);
         assert_true(check_implicit(&f, 33, 1e-4, true) > 500);

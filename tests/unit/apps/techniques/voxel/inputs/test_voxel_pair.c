@@ -43,7 +43,7 @@ static void the_second_lies_where_it_is_put(void **state)
     (void)state;
     static const struct {
         VoxelPlace place;
-        int combine;
+        VoxelCombine combine;
         uint64_t voxels;
     } cases[] = {
         { { 0, { 0.5, 0, 0 } }, VOXEL_UNION, 12 * 8 * 8 },
@@ -87,7 +87,7 @@ static void results_are_what_their_models_have(void **state)
     open_scene("builtin:knot", &a);
     for (size_t i = 0; i < GP_COUNT(others); i++) {
         open_scene(others[i], &b);
-        for (int combine = VOXEL_UNION; combine <= VOXEL_TOUCHING; combine++) {
+        for (VoxelCombine combine = VOXEL_UNION; combine <= VOXEL_TOUCHING; combine++) {
             const VoxelPair pair = { .scenes = { &a, &b },
                                      .names = { "a", "b" },
                                      .place = { 0, { 0.1, 0, 0.05 } },
@@ -166,7 +166,7 @@ static void what_cannot_be_combined_is_refused(void **state)
     (void)state;
     static const struct {
         VoxelSetting setting;
-        int combine;
+        VoxelCombine combine;
         double twist;
         const char *part;
     } cases[] = {

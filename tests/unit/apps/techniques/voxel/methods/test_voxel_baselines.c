@@ -20,7 +20,7 @@ typedef void Method(const VoxelModel *, const VoxelSetting *, Frame *, const Fla
 typedef struct Drawing {
     Method *method;
     const VoxelModel *model;
-    int kind;
+    VoxelKind kind;
 } Drawing;
 
 static void append(const void *context, Frame *frame, const FlatTexture *flat)
@@ -30,7 +30,7 @@ static void append(const void *context, Frame *frame, const FlatTexture *flat)
     d->method(d->model, &setting, frame, flat);
 }
 
-static void draw(Method *method, const VoxelCase *c, int kind, uint8_t *bits)
+static void draw(Method *method, const VoxelCase *c, VoxelKind kind, uint8_t *bits)
 {
     const Drawing drawing = { method, &c->model, kind };
     voxel_run(append, &drawing, c->size, false, bits);
@@ -273,7 +273,7 @@ typedef struct Boxes {
 } Boxes;
 
 /* Corner k of a box is at its far side along axis i where bit i of k is set. */
-static uint64_t count_boxes(const Boxes *boxes, Method *method, int kind)
+static uint64_t count_boxes(const Boxes *boxes, Method *method, VoxelKind kind)
 {
     static const uint8_t corner[BOX_TRIANGLES][3] = { { 0, 2, 1 }, { 1, 2, 3 }, { 0, 1, 4 },
                                                       { 1, 5, 4 }, { 0, 4, 2 }, { 2, 4, 6 },
@@ -339,7 +339,7 @@ static void every_device_draws_the_same_bits(void **state)
     (void)state;
     static const struct {
         Method *method;
-        int kind;
+        VoxelKind kind;
     } cases[] = {
         { voxel_slices, VOXEL_SURFACE },        { voxel_slices, VOXEL_SOLID },
         { voxel_layered_depth, VOXEL_SURFACE }, { voxel_layered_depth, VOXEL_SOLID },

@@ -23,7 +23,8 @@ static void sampled(const VoxelCase *subject, uint32_t size, double margin, uint
 }
 
 /* All that is certain is there, and nothing that is certainly not. Returns the voxels. */
-static uint64_t check_between(const VoxelCase *subject, const char *name, uint32_t size, int method)
+static uint64_t check_between(const VoxelCase *subject, const char *name, uint32_t size,
+                              VoxelMethod method)
 {
     Truth *truth = method == VOXEL_THIN ? sampled : touched;
     const VoxelSetting setting = { .size = size, .bits = 1, .method = method };

@@ -44,7 +44,7 @@ typedef struct Certainty {
     uint8_t certain[BYTES], possible[BYTES];
 } Certainty;
 
-static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, int method,
+static void find_bounds(const VoxelCase *c, const VoxelMotion *motion, VoxelMethod method,
                         Certainty *bounds)
 {
     static uint8_t near[BYTES];

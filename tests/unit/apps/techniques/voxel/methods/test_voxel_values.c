@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-static VoxelSetting with_value(uint32_t size, uint32_t bits, int value, int blend)
+static VoxelSetting with_value(uint32_t size, uint32_t bits, VoxelValue value, VoxelBlend blend)
 {
     return (VoxelSetting){ .method = VOXEL_SHEETS,
                            .size = size,
@@ -33,7 +33,7 @@ static void values_are_where_bits_are(void **state)
     static const uint32_t sizes[] = { 32, 45, 64 };
     for (size_t i = 0; i < GP_COUNT(sizes); i++)
         for (uint32_t bits = 8; bits <= 16; bits += 8)
-            for (int value = VOXEL_DENSITY; value <= VOXEL_COLOR; value++) {
+            for (VoxelValue value = VOXEL_DENSITY; value <= VOXEL_COLOR; value++) {
                 const uint32_t size = sizes[i];
                 VoxelCase given = voxel_case_open("torus", 0.5, size);
                 VoxelSetting setting = with_value(size, 1, VOXEL_DENSITY, VOXEL_OR);

@@ -166,11 +166,11 @@ static void what_two_have_in_common_is_red(void **state)
 {
     (void)state;
     for (int touching = 0; touching < 2; touching++)
-        for (int look = VOXEL_OPAQUE; look <= VOXEL_TRANSPARENT; look++) {
+        for (VoxelViewMode look = VOXEL_OPAQUE; look <= VOXEL_TRANSPARENT; look++) {
             VoxelPicture picture = voxel_option_defaults.picture;
             picture.width = picture.height = 64;
             picture.shows_both = true;
-            picture.look = (VoxelViewMode)look;
+            picture.look = look;
             const uint32_t first = touching ? 10 : 12;
             const VoxelRange boxes[2] = { { { 4, 4, 4 }, { 12, 20, 20 } },
                                           { { first, 4, 4 }, { 20, 20, 20 } } };
@@ -248,9 +248,9 @@ static void a_model_is_seen_in_a_scan(void **state)
 
     for (int i = 0; i < SAMPLES; i++)
         bytes[i] = ball_sample(i);
-    for (int look = VOXEL_OPAQUE; look <= VOXEL_TRANSPARENT; look++)
-        assert_true(hash_of_scan(GP_VOLUME_U8, bytes, true, (VoxelViewMode)look) !=
-                    hash_of_scan(GP_VOLUME_U8, bytes, false, (VoxelViewMode)look));
+    for (VoxelViewMode look = VOXEL_OPAQUE; look <= VOXEL_TRANSPARENT; look++)
+        assert_true(hash_of_scan(GP_VOLUME_U8, bytes, true, look) !=
+                    hash_of_scan(GP_VOLUME_U8, bytes, false, look));
 }
 
 int main(void)
