@@ -43,7 +43,7 @@ GpResult bench_build_points(const BenchCase *bench, Frame *frame, GpError *error
 
     frame->color = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "points", frame->color, NULL, bench_black);
-    GpDraw *draw = bench_draw(frame, &soft_sprite_program, &uniforms, sizeof uniforms, &points);
+    GpDraw *draw = frame_draw_copied(frame, &soft_sprite_program, &uniforms, &points);
     draw->state.blend[0] = bench_blend_add;
     return frame_result(frame, error);
 }

@@ -57,7 +57,7 @@ const BenchCase *bench_case_find(const char *name)
 
 void bench_picture_size(const Frame *frame, uint32_t *width, uint32_t *height)
 {
-    const GpSurface *picture = frame->color ? frame->color : frame->depth;
+    const GpSurface *picture = frame_picture(frame);
     *width = picture->width;
     *height = picture->height;
 }

@@ -41,12 +41,6 @@ GpPass *bench_pass(Frame *frame, const char *name, GpFormat format)
     return frame_pass(frame, name, frame->color, frame->depth, bench_background);
 }
 
-GpDraw *bench_draw(Frame *frame, const GpProgram *program, const void *uniforms, size_t bytes,
-                   const GpGeometry *geometry)
-{
-    return frame_draw(frame, program, frame_copy(frame, uniforms, bytes), geometry);
-}
-
 /* --- quads --------------------------------------------------------------------------------------- */
 
 void bench_corner_color(int quad, int corner, BenchCorner *out)

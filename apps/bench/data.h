@@ -15,10 +15,6 @@ void bench_matrix(const Camera *camera, double world[4][4], float clip[4][4]);
 /* A pass that clears the frame's picture, of this format, and its depth buffer, which it makes. */
 GpPass *bench_pass(Frame *frame, const char *name, GpFormat format);
 
-/* As frame_draw, with a copy of the uniforms. */
-GpDraw *bench_draw(Frame *frame, const GpProgram *program, const void *uniforms, size_t bytes,
-                   const GpGeometry *geometry);
-
 /* --- full-screen quads --------------------------------------------------------------------------- */
 
 /* A corner comes with its position in clip space: x and y -1 or 1, z 1/2. */

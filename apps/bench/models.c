@@ -57,7 +57,7 @@ GpResult bench_build_depth(const BenchCase *bench, Frame *frame, GpError *error)
     bench_matrix(camera_of(bench), world, uniforms.mvp);
     frame->depth = frame_surface(frame, GP_D32F, BENCH_SIZE, BENCH_SIZE, 1);
     frame_pass(frame, "depth", NULL, frame->depth, NULL);
-    bench_draw(frame, &depth_only_program, &uniforms, sizeof uniforms, &geometry)->state.depth =
+    frame_draw_copied(frame, &depth_only_program, &uniforms, &geometry)->state.depth =
         bench_depth_less;
     return frame_result(frame, error);
 }
@@ -86,7 +86,7 @@ GpResult bench_build_lit(const BenchCase *bench, Frame *frame, GpError *error)
         return result;
     TwoSidedUniforms uniforms = lit_by(camera_of(bench), world);
     bench_pass(frame, "lit", GP_A8R8G8B8);
-    GpDraw *draw = bench_draw(frame, &two_sided_program, &uniforms, sizeof uniforms, &geometry);
+    GpDraw *draw = frame_draw_copied(frame, &two_sided_program, &uniforms, &geometry);
     draw->state.depth = bench_depth_less;
     if (bench->variant == MODEL_BUNNY_CULLED)
         draw->state.raster.cull = GP_CULL_CW; /* outsides turn counter-clockwise */
@@ -108,7 +108,7 @@ GpResult bench_build_maps(const BenchCase *bench, Frame *frame, GpError *error)
         pass->color[i] = pass->color[0];
         pass->color[i].surface = frame_surface(frame, GP_A32B32G32R32F, BENCH_SIZE, BENCH_SIZE, 1);
     }
-    bench_draw(frame, &surface_maps_program, &uniforms, sizeof uniforms, &bunny)->state.depth =
+    frame_draw_copied(frame, &surface_maps_program, &uniforms, &bunny)->state.depth =
         bench_depth_less;
     return frame_result(frame, error);
 }
@@ -198,7 +198,7 @@ GpResult bench_build_small(const BenchCase *bench, Frame *frame, GpError *error)
                                     .ambient = BENCH_AMBIENT };
         camera_matrix(&small_camera, 1, uniforms.mvp);
         place_small(i, uniforms.place);
-        bench_draw(frame, &placed_program, &uniforms, sizeof uniforms, &torus)->state.depth =
+        frame_draw_copied(frame, &placed_program, &uniforms, &torus)->state.depth =
             bench_depth_less;
     }
     return frame_result(frame, error);
@@ -218,7 +218,7 @@ GpResult bench_build_slabs(const BenchCase *bench, Frame *frame, GpError *error)
         SlabBitsUniforms uniforms = { .first_slab = (float)(4 * half) };
         camera_matrix(&voxel_camera, 1, uniforms.mvp);
         GpPass *pass = frame_pass(frame, half ? "slabs 4 to 7" : "slabs 0 to 3", NULL, NULL, NULL);
-        GpDraw *draw = bench_draw(frame, &slab_bits_program, &uniforms, sizeof uniforms, &torus);
+        GpDraw *draw = frame_draw_copied(frame, &slab_bits_program, &uniforms, &torus);
         for (int i = 0; i < GP_MAX_TARGETS; i++) {
             GpSurface *slab =
                 frame_surface(frame, GP_A8R8G8B8, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);

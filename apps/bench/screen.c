@@ -36,7 +36,7 @@ GpResult bench_build_fill(const BenchCase *bench, Frame *frame, GpError *error)
         return frame_result(frame, error);
 
     GpGeometry quads = bench_quads(frame, FILL_QUADS, GP_COLOR, bench_corner_color);
-    GpDraw *draw = bench_draw(frame, &scaled_color_program, &uniforms, sizeof uniforms, &quads);
+    GpDraw *draw = frame_draw_copied(frame, &scaled_color_program, &uniforms, &quads);
     if (fills[i].blend)
         draw->state.blend[0] = *fills[i].blend;
     return frame_result(frame, error);

@@ -35,7 +35,7 @@ static GpResult draw_first(const Run *run, const char *options, Frame *frame,
 static void describe_frame(Chart *chart, bool is_picture, const Frame *frame,
                            const RunStatistics *statistics)
 {
-    const GpSurface *picture = frame->color ? frame->color : frame->depth;
+    const GpSurface *picture = frame_picture(frame);
     chart->width = is_picture ? picture->width : 0;
     chart->height = is_picture ? picture->height : 0;
     chart->threads = statistics->threads;
@@ -142,8 +142,7 @@ static GpResult write_picture(const Run *run, ChartPoint *point, const char *nam
     snprintf(path, sizeof path, "%s/%s", run->job->folder, name);
     GpResult result = draw_first(run, point->options, &frame, &statistics, &goes, run->error);
     if (!result)
-        result =
-            picture_write_surface(path, frame.color ? frame.color : frame.depth, true, run->error);
+        result = picture_write_surface(path, frame_picture(&frame), true, run->error);
     frame_free(&frame);
     if (!result)
         snprintf(point->picture, sizeof point->picture, "%s", name);

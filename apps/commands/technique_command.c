@@ -228,7 +228,7 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const 
                       .path = args->output,
                       .device = device,
                       .list = &frame->list,
-                      .surface = frame->color ? frame->color : frame->depth,
+                      .surface = frame_picture(frame),
                       .opaque = true };
     GpResult result = run_first(device, &frame->list, &output.statistics, &error);
     if (result)

@@ -32,6 +32,12 @@ typedef struct Frame {
 /* Frees all that was made for it, and zeroes it; a zeroed one is fine. */
 void frame_free(Frame *frame);
 
+/* What a frame shows: its colour, or its depth where it has none. */
+static inline GpSurface *frame_picture(const Frame *frame)
+{
+    return frame->color ? frame->color : frame->depth;
+}
+
 /* Whether all memory was there. errors GP_ERROR_MEMORY */
 GpResult frame_result(const Frame *frame, GpError *error);
 
