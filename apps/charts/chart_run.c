@@ -25,9 +25,14 @@ typedef struct Run {
 static GpResult draw_first(const Run *run, const char *options, Frame *frame,
                            RunStatistics *statistics, bool *goes, GpError *error)
 {
+    const Technique *technique = run->job->technique;
     GpDevice *device = run->job->device;
-    GpResult result =
-        technique_build(run->job->technique, run->scene, options, device, frame, error);
+    void *setting;
+    GpResult result = technique_setting(technique, options, &setting, error);
+    if (result)
+        return result; /* the sweep is wrong, not the scene */
+    result = technique->build(run->scene, setting, device, frame, error);
+    gp_free(setting);
     *goes = result != GP_ERROR_INVALID;
     return result ? result : run_first(device, &frame->list, statistics, error);
 }

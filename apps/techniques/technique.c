@@ -10,16 +10,29 @@ GpResult technique_open(const Technique *technique, const char *path, uint32_t w
     return technique->open(&input, scene, error);
 }
 
+GpResult technique_setting(const Technique *technique, const char *options, void **setting,
+                           GpError *error)
+{
+    void *parsed = gp_alloc(1, technique->setting_bytes);
+    if (!parsed)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    memcpy(parsed, technique->defaults, technique->setting_bytes);
+    GpResult result = setting_parse(technique->settings, parsed, options, error);
+    if (result)
+        gp_free(parsed);
+    else
+        *setting = parsed;
+    return result;
+}
+
 GpResult technique_build(const Technique *technique, void *scene, const char *options,
                          GpDevice *device, Frame *frame, GpError *error)
 {
-    void *setting = gp_alloc(1, technique->setting_bytes);
-    if (!setting)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    memcpy(setting, technique->defaults, technique->setting_bytes);
-    GpResult result = setting_parse(technique->settings, setting, options, error);
-    if (!result)
-        result = technique->build(scene, setting, device, frame, error);
+    void *setting;
+    GpResult result = technique_setting(technique, options, &setting, error);
+    if (result)
+        return result;
+    result = technique->build(scene, setting, device, frame, error);
     gp_free(setting);
     return result;
 }

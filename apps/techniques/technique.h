@@ -148,7 +148,12 @@ typedef struct Technique {
 GpResult technique_open(const Technique *technique, const char *path, uint32_t width,
                         uint32_t height, void **scene, GpError *error);
 
-/* Builds the frame of a setting that is given as a text of options, on top of the defaults.
+/* A setting from a text of options, on top of the defaults.
+ * errors those of setting_parse, GP_ERROR_MEMORY. owns: the caller, until gp_free */
+GpResult technique_setting(const Technique *technique, const char *options, void **setting,
+                           GpError *error);
+
+/* Builds the frame of such a setting.
  * in   frame: zeroed. errors those of setting_parse and build, GP_ERROR_MEMORY; *frame is then empty */
 GpResult technique_build(const Technique *technique, void *scene, const char *options,
                          GpDevice *device, Frame *frame, GpError *error);

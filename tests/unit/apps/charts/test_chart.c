@@ -159,6 +159,26 @@ static GpResult run(const char *scene, uint32_t width, uint32_t height, const ch
     return result;
 }
 
+static void a_sweep_that_is_no_setting_fails_and_is_not_left_out(void **state)
+{
+    (void)state;
+    static const TechniqueSweep sweep[] = { { "plain", "--method plain" },
+                                            { "wrong", "--colour 1" },
+                                            { .method = NULL } };
+    Experiment experiment = light_experiments[0];
+    experiment.sweep = sweep;
+    GpDevice *device = two_threads();
+    const ChartJob job = { .technique = &light,
+                           .experiment = &experiment,
+                           .scene = "scenes/light.json",
+                           .device = device };
+    Chart chart = { .points = NULL };
+    GpError error = { "" };
+    assert_int_equal(chart_run(&job, &chart, &error), GP_ERROR_INVALID);
+    assert_non_null(strstr(error.text, "--colour"));
+    gp_device_destroy(&device);
+}
+
 static void a_run_measures_all_settings_that_go_with_the_scene_in_order(void **state)
 {
     (void)state;
@@ -385,6 +405,7 @@ static void files_are_called_after_technique_and_scene(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_sweep_that_is_no_setting_fails_and_is_not_left_out),
         cmocka_unit_test(a_run_measures_all_settings_that_go_with_the_scene_in_order),
         cmocka_unit_test_setup_teardown(pictures_are_of_the_front_and_older_ones_go, folder_set_up,
                                         folder_tear_down),
