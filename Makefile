@@ -116,7 +116,7 @@ KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/
 
 .PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
 all: program $(CORE_SO) $(CORE_A)
-program: $(PROGRAM) $(OIIO_SO)
+program: $(PROGRAM)
 
 # --- packages -------------------------------------------------------------------------------------
 
@@ -211,7 +211,7 @@ $(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/base/base.c
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
 
-$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(OIIO_SO)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
