@@ -4,6 +4,7 @@
 
 #include "pipeline/io/image/image_file.h"
 #include "tests/support/folder.h"
+#include "tests/support/random.h"
 
 static GpError error;
 
@@ -24,11 +25,45 @@ static inline size_t image_bytes(const GpImage *image)
            gp_image_sample_size(image->type);
 }
 
+/* A picture of random bits; floats are kept from being signalling NaNs only. */
+static inline GpImage random_image(uint32_t width, uint32_t height, uint32_t channels,
+                                   GpImageType type, uint64_t number)
+{
+    Random seed = { number };
+    GpImage image = { .width = width, .height = height, .channels = channels, .type = type };
+    image.data = gp_alloc(image_bytes(&image), 1);
+    assert_non_null(image.data);
+    for (size_t i = 0; i < image_bytes(&image); i++)
+        ((uint8_t *)image.data)[i] = (uint8_t)random_word(&seed);
+    size_t samples = image_bytes(&image) / gp_image_sample_size(type);
+    for (size_t i = 0; i < samples; i++) {
+        if (type == GP_IMAGE_F32 && (((uint32_t *)image.data)[i] & 0x7f800000u) == 0x7f800000u)
+            ((uint32_t *)image.data)[i] |= 0x00400000u;
+        if (type == GP_IMAGE_F16 && (((uint16_t *)image.data)[i] & 0x7c00u) == 0x7c00u)
+            ((uint16_t *)image.data)[i] |= 0x0200u;
+    }
+    return image;
+}
+
 static inline void assert_reads(const char *path, GpImage *image)
 {
     GpResult result = gp_image_read(path, image, &error);
     if (result != GP_OK)
         fail_msg("%s", error.text);
 }
+
+static const struct {
+    const char *name;
+    GpImageType type;
+    uint32_t channels;
+} writable[] = {
+    { "a.png", GP_IMAGE_U8, 1 },  { "a.png", GP_IMAGE_U8, 2 },  { "a.png", GP_IMAGE_U8, 3 },
+    { "a.png", GP_IMAGE_U8, 4 },  { "a.png", GP_IMAGE_U16, 1 }, { "a.png", GP_IMAGE_U16, 2 },
+    { "a.png", GP_IMAGE_U16, 3 }, { "a.png", GP_IMAGE_U16, 4 }, { "a.exr", GP_IMAGE_F16, 1 },
+    { "a.exr", GP_IMAGE_F16, 3 }, { "a.exr", GP_IMAGE_F16, 4 }, { "a.exr", GP_IMAGE_F32, 1 },
+    { "a.exr", GP_IMAGE_F32, 2 }, { "a.exr", GP_IMAGE_F32, 3 }, { "a.exr", GP_IMAGE_F32, 4 },
+    { "a.pfm", GP_IMAGE_F32, 1 }, { "a.pfm", GP_IMAGE_F32, 3 }, { "a.ppm", GP_IMAGE_U8, 3 },
+    { "a.PPM", GP_IMAGE_U16, 3 }, { "a.pgm", GP_IMAGE_U8, 1 },  { "a.pgm", GP_IMAGE_U16, 1 },
+};
 
 #endif
