@@ -134,7 +134,9 @@ static double get_visibility(const Job *job, const Surface *surface)
     case TRUTH_DIRECTIONAL:
         return sees_direction(job, surface, light->towards);
     case TRUTH_AREA:
-        return seen_of_area(job, surface);
+        return light->half_angle > 0 && !in_cone(light, surface->position)
+                   ? 0
+                   : seen_of_area(job, surface);
     case TRUTH_POINT:
         break;
     }

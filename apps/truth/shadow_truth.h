@@ -15,7 +15,9 @@ typedef enum TruthLightKind {
     TRUTH_FRUSTUM,     /* frustum: a point, or a wall of parallel rays, that lights what a camera
                           with a square picture sees; near and far do not matter */
     TRUTH_DIRECTIONAL, /* towards */
-    TRUTH_AREA         /* position, side, samples: a parallelogram that shines to both sides */
+    TRUTH_AREA         /* position, side, samples: a parallelogram that shines to both sides; with a
+                          half_angle and an axis, into a cone about its centre: what is beside that
+                          is dark, and its edge sharp, as where a lamp is shaded far before it */
 } TruthLightKind;
 
 /* Fields that the kind does not name are ignored. */
@@ -23,7 +25,7 @@ typedef struct TruthLight {
     TruthLightKind kind;
     double position[3]; /* of an area light: its centre */
     double axis[3];     /* out of the light, any length */
-    double half_angle;  /* degrees, between axis and side, below 90 */
+    double half_angle;  /* degrees, between axis and side, below 90; 0, of an area: no cone */
     Camera frustum;
     double towards[3];    /* from the scene to the light, any length */
     double side[2][3];    /* the whole sides of the parallelogram */

@@ -81,6 +81,13 @@ static const char no_duel[] = ALONG("[6, 20, 14]", "52");
 static const char sheet_between_samples[] = SHEET_AT("0.28125");
 static const char sheet_on_samples[] = SHEET_AT("0.25");
 
+/* A bare floor in the cone of a light, a point or a square. */
+#define IN_CONE(size)                                                                              \
+    "{" VIEW "'lights': [{'position': [-1, 3, 1], 'at': [0, 0, 0], 'cone': 15" size "}], "         \
+    "'objects': [" FLOOR "]}"
+static const char cone[] = IN_CONE("");
+static const char cone_with_size[] = IN_CONE(", 'size': 0.6");
+
 /* --- tables ----------------------------------------------------------------------------------- */
 
 static const TechniqueCase biases[] = {
@@ -137,6 +144,9 @@ static const TechniqueCase places[] = {
     { "beside the map, printed", edge, "--fit light --outside printed", "acne", 800, 1500 },
     { "beside the map, lit", edge, "--fit light --outside lit", "acne", 0, 20 },
     { "a caster that is cut", edge, "--fit light --outside lit", "leak", 60, 200 },
+
+    { "a cone's edge", cone, "", "error", 0, 4 },
+    { "... of a light with a size", cone_with_size, "", "error", 0, 4 },
 
     { "in a box before the near plane", box, "--fit light", "leak", 38000, 43000 },
     { "in a box behind it", box, "--fit casters", "leak", 0, 3000 },
