@@ -83,7 +83,7 @@ int output_json(json_t *value)
 {
     if (!value)
         return report(EXIT_INTERNAL, "out of memory");
-    json_dumpf(value, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(9));
+    json_dumpf(value, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(15));
     putchar('\n');
     json_decref(value);
     return EXIT_DONE;

@@ -27,8 +27,8 @@ typedef struct SceneLight {
     bool directional;
     bool aims;    /* looks at `at`; else it shines to all sides */
     double at[3]; /* world */
-    double cone;  /* degrees from the centre of its cone to the edge, about `position`; 0: no edge */
-    double size;  /* side of the square that shines, across its aim; 0: a point */
+    double cone; /* degrees from the centre of its cone to the edge, about `position`; 0: no edge */
+    double size; /* side of the square that shines, across its aim; 0: a point */
     float color[3];
     float range; /* world units; 0: no end. Only programs that have many lights look at it */
     SceneShadow shadow;

@@ -118,9 +118,11 @@ GpResult voxel_models_volume(const Frame *frame, GpVolume *volume, GpError *erro
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     flat_texture_read(texture, voxels);
     *volume = (GpVolume){ .type = types[texture->bits], .data = voxels };
+    const VoxelBox *box = &made->pair.boxes[0];
     for (int k = 0; k < 3; k++) {
         volume->dims[k] = texture->size;
-        volume->spacing[k] = 1 / made->pair.box.scale;
+        volume->spacing[k] = 1 / box->scale;
+        volume->origin[k] = (0.5 - box->offset[k]) / box->scale;
     }
     return GP_OK;
 }

@@ -24,6 +24,19 @@ static VoxelRange range_of_bits(const uint8_t *bits, uint32_t size)
     return range;
 }
 
+/* Where a volume lies: voxels = scale * position + offset, in each model's own space. */
+static void tell_places(const VoxelPair *pair, const VoxelPairMade *made, json_t *members)
+{
+    static const char *const names[] = { "transform", "with_transform" };
+    for (int i = 0; i < 2 && pair->scenes[i]; i++) {
+        const VoxelBox *box = &made->boxes[i];
+        const double *offset = box->offset;
+        json_object_set_new(members, names[i],
+                            json_pack("{s:f, s:[f, f, f]}", "scale", box->scale, "offset",
+                                      offset[0], offset[1], offset[2]));
+    }
+}
+
 /* Where the voxels of two models' touching are: the first and the last along each axis. */
 static GpResult tell_range(const Frame *frame, TechniqueReport *report, GpError *error)
 {
@@ -58,6 +71,7 @@ static GpResult tell_voxels(const VoxelPair *pair, const Frame *frame, Technique
     text_add(&report->lines, "%s %" PRIu64 "\n", name, voxels);
     json_object_set_new(report->members, name, json_integer((json_int_t)voxels));
     json_object_set_new(report->members, "triangles", json_integer((json_int_t)triangles));
+    tell_places(pair, &made->pair, report->members);
     return touching && voxels ? tell_range(frame, report, error) : GP_OK;
 }
 

@@ -21,6 +21,7 @@ typedef struct GpVolume {
     uint32_t dims[3]; /* samples along x, y, z; 1..GP_VOLUME_MAX_SIDE */
     GpVolumeType type;
     double spacing[3]; /* from sample to sample, above 0; 1 where a file does not say */
+    double origin[3];  /* where sample (0, 0, 0) is, the centre of its cell; 0 likewise */
     void *data;        /* [gp_volume_bytes], in the machine's byte order */
 } GpVolume;
 

@@ -93,20 +93,39 @@ static GpResult read_spacings(Header *header, const char *value)
     return GP_OK;
 }
 
+/* "(1,0,0)". returns what follows; NULL: it is none */
+static const char *read_vector(const char *at, double vector[3])
+{
+    int used = 0;
+    if (sscanf(at, " (%lf ,%lf ,%lf )%n", &vector[0], &vector[1], &vector[2], &used) != 3 || !used)
+        return NULL;
+    return at + used;
+}
+
 /* Where steps along each axis lead in space: "(1,0,0) (0,1,0) (0,0,2)". Only their lengths matter
  * here. */
 static GpResult read_directions(Header *header, const char *value)
 {
     const char *at = value;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3 && at; k++) {
         double step[3];
-        int used = 0;
-        if (sscanf(at, " (%lf ,%lf ,%lf )%n", &step[0], &step[1], &step[2], &used) != 3 || !used ||
-            !set_spacing(header, k,
-                         sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2])))
-            return refuse(header, GP_ERROR_FORMAT, "three vectors (x,y,z) with some length", value);
-        at += used;
+        at = read_vector(at, step);
+        if (at && !set_spacing(header, k,
+                               sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2])))
+            at = NULL;
     }
+    if (!at)
+        return refuse(header, GP_ERROR_FORMAT, "three vectors (x,y,z) with some length", value);
+    return GP_OK;
+}
+
+static GpResult read_origin(Header *header, const char *value)
+{
+    double *origin = header->source->volume.origin;
+    const char *end = read_vector(value, origin);
+    if (!end || end[strspn(end, " \t")] || !isfinite(origin[0]) || !isfinite(origin[1]) ||
+        !isfinite(origin[2]))
+        return refuse(header, GP_ERROR_FORMAT, "a place (x,y,z)", value);
     return GP_OK;
 }
 
@@ -135,6 +154,7 @@ static const struct {
     { "endian", "endian", false, read_endian },
     { "spacings", "spacings", false, read_spacings },
     { "space directions", "space directions", false, read_directions },
+    { "space origin", "space origin", false, read_origin },
     { "line skip", "lineskip", false, read_skip },
     { "byte skip", "byteskip", false, read_skip },
     { "data file", "datafile", false, refuse_data_file },
@@ -228,8 +248,10 @@ GpResult gp_volume_parse_nrrd(GpVolumeSource *source, GpError *error)
 
 /* --- writing ---------------------------------------------------------------------------------- */
 
+/* Samples stand for cells, and a place is that of a cell's centre, as the format has it. */
 static int write_header(const GpVolume *volume, char *text, size_t size)
 {
+    const double *step = volume->spacing, *origin = volume->origin;
     static const char *const names[] = { [GP_VOLUME_BITS] = "uint8",
                                          [GP_VOLUME_U8] = "uint8",
                                          [GP_VOLUME_U16] = "uint16",
@@ -239,12 +261,16 @@ static int write_header(const GpVolume *volume, char *text, size_t size)
                     "NRRD0004\n"
                     "type: %s\n"
                     "dimension: 3\n"
+                    "space dimension: 3\n"
                     "sizes: %u %u %u\n"
-                    "spacings: %.17g %.17g %.17g\n"
+                    "space directions: (%.17g,0,0) (0,%.17g,0) (0,0,%.17g)\n"
+                    "centerings: cell cell cell\n"
+                    "kinds: domain domain domain\n"
+                    "space origin: (%.17g,%.17g,%.17g)\n"
                     "endian: little\n"
                     "encoding: gzip\n\n",
-                    names[volume->type], volume->dims[0], volume->dims[1], volume->dims[2],
-                    volume->spacing[0], volume->spacing[1], volume->spacing[2]);
+                    names[volume->type], volume->dims[0], volume->dims[1], volume->dims[2], step[0],
+                    step[1], step[2], origin[0], origin[1], origin[2]);
 }
 
 /* One row of samples as they stand in the file. */

@@ -120,12 +120,12 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Fr
     if (result)
         return result;
     const bool two = pair->scenes[1] != NULL;
-    VoxelBox boxes[2];
+    *made = (VoxelPairMade){ .result = { .size = 0 } };
+    VoxelBox *boxes = made->boxes;
     if (two)
         place_two(pair, setting->size, boxes);
     else
         boxes[0] = place_one(pair, setting->size);
-    *made = (VoxelPairMade){ .box = boxes[0] };
     for (int i = 0; i <= two; i++)
         made->volumes[i] = flat_texture_make(frame, setting->size, setting->bits);
     VoxelRange ranges[2];

@@ -24,7 +24,7 @@ typedef struct VoxelPairMade {
     FlatTexture result;     /* of both; of one model its own */
     VoxelRange range;       /* what the result may lie in */
     VoxelRange around;      /* what the models may lie in */
-    VoxelBox box;           /* of the first model */
+    VoxelBox boxes[2];      /* of each model; the volume's place in their spaces */
 } VoxelPairMade;
 
 /* Makes flat textures and appends the passes of models and of what becomes of them. Two models lie

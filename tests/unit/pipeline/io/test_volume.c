@@ -31,7 +31,10 @@ static void assert_refused(const char *path, GpResult expected, const char *part
 static GpVolume random_volume(GpVolumeType type, uint32_t x, uint32_t y, uint32_t z)
 {
     Random random = { 5 + (uint64_t)type };
-    GpVolume volume = { .dims = { x, y, z }, .type = type, .spacing = { 1, 0.1, 2.5 } };
+    GpVolume volume = { .dims = { x, y, z },
+                        .type = type,
+                        .spacing = { 1, 0.1, 2.5 },
+                        .origin = { 450000.1, -1e-9, 0 } };
     size_t bytes = gp_volume_bytes(&volume), samples = (size_t)x * y * z;
     uint8_t *data = gp_alloc(bytes, 1);
     for (size_t i = 0; i < bytes; i++)
@@ -54,6 +57,7 @@ static void samples_of_every_type_come_back_from_nrrd(void **state)
         read_well(in_folder("v.NRRD"), &read);
         assert_memory_equal(read.dims, written.dims, sizeof read.dims);
         assert_memory_equal(read.spacing, written.spacing, sizeof read.spacing);
+        assert_memory_equal(read.origin, written.origin, sizeof read.origin);
         assert_int_equal(read.type, types[i]);
         assert_memory_equal(read.data, written.data, gp_volume_bytes(&written));
         gp_volume_free(&written);
@@ -233,6 +237,10 @@ static void wrong_headers_are_refused_with_their_line(void **state)
         { "NRRD0004\nspacings: 1 1\n\n", GP_ERROR_FORMAT, "three numbers above 0" },
         { "NRRD0004\nspace directions: none (1,0,0) (0,1,0)\n\n", GP_ERROR_FORMAT, "vectors" },
         { "NRRD0004\nspace directions: (0,0,0) (1,0,0) (0,1,0)\n\n", GP_ERROR_FORMAT, "vectors" },
+        { "NRRD0004\nspace origin: (0,0)\n\n", GP_ERROR_FORMAT,
+          "line 2: expected a place (x,y,z)" },
+        { "NRRD0004\nspace origin: (0,0,nan)\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
+        { "NRRD0004\nspace origin: (0,0,1) 2\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
         { "NRRD0004\ndata file: v.raw\n\n", GP_ERROR_UNSUPPORTED, "the samples behind" },
         { "NRRD0004\nbyte skip: -1\n\n", GP_ERROR_UNSUPPORTED, "a skip of 0" },
         { "NRRD0004\ntype: uint8\ntype: uint8\n\n", GP_ERROR_FORMAT, "line 3: expected each" },
