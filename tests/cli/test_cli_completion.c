@@ -16,8 +16,8 @@ static void complete(const char *words)
 
 static void expect_offered(const char *words, const char *name)
 {
-    char word[80];
-    snprintf(word, sizeof word, " %s ", name);
+    char word[64];
+    snprintf(word, sizeof word, " %.48s ", name);
     if (!strstr(out, word))
         fail_msg("after '%s', %s is not offered:%s", words, name, out);
 }
