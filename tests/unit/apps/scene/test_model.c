@@ -57,7 +57,10 @@ static void bytes_go_from_the_least_to_the_greatest(void **state)
         { GP_VOLUME_BITS, bits, { 0, 255, 255, 0 } },
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
-        const GpVolume volume = { { 2, 2, 1 }, cases[i].type, { 1, 1, 1 }, cases[i].data };
+        const GpVolume volume = { .dims = { 2, 2, 1 },
+                                  .type = cases[i].type,
+                                  .spacing = { 1, 1, 1 },
+                                  .data = cases[i].data };
         uint8_t *bytes = volume_bytes(&volume);
         assert_memory_equal(bytes, cases[i].expected, 4);
         gp_free(bytes);
