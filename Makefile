@@ -39,7 +39,7 @@ WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi \
             $(if $(WERROR),-Werror)
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all \
                               -fno-omit-frame-pointer)
-COMMON   := $(OPT) -g -fPIC -pthread -I. $(MODEL) $(WARNINGS) $(SANITIZER) -MMD -MP
+COMMON   := $(OPT) -g -fPIC -pthread -I. -Ipipeline $(MODEL) $(WARNINGS) $(SANITIZER) -MMD -MP
 # The hash is compiled in from xxhash's header: no library to find at run time.
 COMMON   += -DXXH_INLINE_ALL
 ALL_C    := $(CC) -std=gnu11 -Werror=implicit-function-declaration $(COMMON) $(CPPFLAGS) $(CFLAGS)
@@ -75,7 +75,7 @@ ALL_C += $(foreach isa,$(ISAS),\
 
 # --- what there is to build -----------------------------------------------------------------------
 
-VERSION := $(shell sed -n 's/^.define GP_VERSION "\(.*\)"/\1/p' pipeline/glasspipe.h)
+VERSION := $(shell sed -n 's/^.define GP_VERSION "\(.*\)"/\1/p' pipeline/glasspipe/glasspipe.h)
 SONAME  := libglasspipe.so.$(firstword $(subst ., ,$(VERSION)))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(basename $(1)))
@@ -97,6 +97,7 @@ GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
 DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
 
 PROGRAM := $(BUILD)/bin/glasspipe
+HEADERS := $(BUILD)/include/glasspipe/glasspipe.h
 CORE_A  := $(BUILD)/lib/libglasspipe.a
 CORE_SO := $(BUILD)/lib/libglasspipe.so
 IO_A    := $(BUILD)/lib/libglasspipe_io.a
@@ -115,7 +116,7 @@ DIFFERENTIAL_TEST := $(BUILD)/test/differential
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
 
 .PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
-all: program $(CORE_SO) $(CORE_A)
+all: program $(CORE_SO) $(CORE_A) $(HEADERS)
 program: $(PROGRAM)
 
 # --- packages -------------------------------------------------------------------------------------
@@ -214,6 +215,17 @@ $(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/base/base.c
 $(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(OIIO_SO)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
+
+# What users include, laid out as it is installed: the two public headers and what they include,
+# which find each other by <glasspipe/...> alone.
+public_headers = $(sort $(filter pipeline/%,$(shell for header in glasspipe shader; do \
+    $(CC) -I. -Ipipeline -std=gnu11 -MM pipeline/glasspipe/$$header.h; \
+    $(CXX) -I. -Ipipeline -std=gnu++20 -x c++ -MM pipeline/glasspipe/$$header.h; done)))
+$(HEADERS): Makefile $(call below,pipeline,*.h) $(call below,pipeline,*.hpp) | packages
+	@rm -rf $(@D)
+	$(call say,STAGE,$(@D))for header in $(public_headers); do \
+	    to=$${header#pipeline/}; to=$(@D)/$${to#glasspipe/}; mkdir -p $${to%/*}; \
+	    sed 's,#include "pipeline/\(.*\)",#include <glasspipe/\1>,' $$header >$$to || exit; done
 
 # --- the first picture ----------------------------------------------------------------------------
 
@@ -346,11 +358,6 @@ bench-peers: $(PEER_BENCH) $(PROGRAM)
 INSTALLED := $(DESTDIR)$(PREFIX)
 MAN_PAGES := $(wildcard apps/man/*.1)
 COMPLETION := $(wildcard apps/completion/*)
-# The public header, the shader language, and what they include.
-public_headers = $(sort $(filter pipeline/%,$(shell \
-    $(CC) -I. -std=gnu11 -MM pipeline/glasspipe.h; $(CC) -I. -std=gnu11 -MM pipeline/shader.h; \
-    $(CXX) -I. -std=gnu++20 -x c++ -MM pipeline/shader.h)))
-
 install: all
 	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
@@ -358,8 +365,8 @@ install: all
 	install -m 755 $(CORE_SO).$(VERSION) $(OIIO_SO) $(INSTALLED)/lib/
 	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
 	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
-	for header in $(public_headers); do \
-	    install -D -m 644 $$header $(INSTALLED)/include/glasspipe/$$header || exit; done
+	cd $(BUILD)/include && find glasspipe -type f -exec \
+	    install -D -m 644 '{}' $(abspath $(INSTALLED))/include/'{}' ';'
 	sed -e 's,@PREFIX@,$(PREFIX),' -e 's,@VERSION@,$(VERSION),' pipeline/glasspipe.pc.in \
 	    >$(INSTALLED)/lib/pkgconfig/glasspipe.pc
 	install -d $(INSTALLED)/share/man/man1 $(INSTALLED)/share/bash-completion/completions
@@ -378,7 +385,7 @@ uninstall:
 # --- the rest -------------------------------------------------------------------------------------
 
 clean:
-	rm -rf $(addprefix $(BUILD)/,bin lib obj test check)
+	rm -rf $(addprefix $(BUILD)/,bin lib include obj test check)
 
 help:
 	@echo 'make             build out/bin/glasspipe and out/lib/libglasspipe.{a,so}'

@@ -1,5 +1,5 @@
 /* Devices: they choose an executor and a width of lanes, and keep counters and times. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 #include "pipeline/base/clock.h"
 #include "pipeline/fast/fast.h"

@@ -5,7 +5,7 @@
 
 #include "apps/scene/scene.h"
 #include "apps/techniques/settings.h"
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 /* What the program tells its caller. */
 enum {

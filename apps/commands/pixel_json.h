@@ -2,7 +2,7 @@
 #ifndef APPS_COMMANDS_PIXEL_JSON_H
 #define APPS_COMMANDS_PIXEL_JSON_H
 
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 #include <jansson.h>
 

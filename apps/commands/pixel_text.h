@@ -2,7 +2,7 @@
 #ifndef APPS_COMMANDS_PIXEL_TEXT_H
 #define APPS_COMMANDS_PIXEL_TEXT_H
 
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 #include <stdio.h>
 

@@ -9,7 +9,7 @@
 #define APPS_FRAME_FRAME_H
 
 #include "apps/frame/arena.h"
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 /* A zeroed one is empty. Owned by whoever made it, until frame_free. */
 typedef struct Frame {

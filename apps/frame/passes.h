@@ -2,7 +2,7 @@
 #ifndef APPS_FRAME_PASSES_H
 #define APPS_FRAME_PASSES_H
 
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 /* Finds the pass called `name`, or the pass of that number in decimal; the first of several.
  * returns its index, or list->pass_count where there is none */

@@ -2,7 +2,7 @@
 #ifndef APPS_FRAME_RUN_STATISTICS_H
 #define APPS_FRAME_RUN_STATISTICS_H
 
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 
 #include <jansson.h>
 

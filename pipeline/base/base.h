@@ -12,6 +12,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum GpResult {
     GP_OK = 0,
     GP_ERROR_INVALID = -1,     /* a description that contradicts itself or a limit */
@@ -52,7 +56,7 @@ static inline uint32_t gp_float_bits(float value)
     union {
         float f;
         uint32_t u;
-    } pun = { .f = value };
+    } pun = { value };
     return pun.u;
 }
 
@@ -61,8 +65,12 @@ static inline float gp_bits_float(uint32_t bits)
     union {
         uint32_t u;
         float f;
-    } pun = { .u = bits };
+    } pun = { bits };
     return pun.f;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

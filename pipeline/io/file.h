@@ -8,6 +8,10 @@
 
 #include "pipeline/base/base.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Content of a file. A zero byte follows data[size - 1] and does not count. */
 typedef struct GpFile {
     char *data;
@@ -41,5 +45,9 @@ bool gp_path_is_folder(const char *path);
 /* The part of a path after its last dot, lower case, at most 7 characters; "" where there is none.
  */
 void gp_file_extension(const char *path, char extension[8]);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Work done since the device was created. */
 typedef struct GpCounters {
     uint64_t passes, draws;
@@ -24,5 +28,9 @@ typedef struct GpPhases {
     /* inside the tiles, where GpDeviceDesc.timed is set: of all threads together */
     double raster, shading, transfer;
 } GpPhases;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 #include "pipeline/resources/geometry.h"
 #include "pipeline/shader/program.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct GpDraw {
     const char *name; /* for messages; may be NULL */
     const GpProgram *program;
@@ -70,5 +74,9 @@ GpResult gp_list_check(const GpList *list, GpError *error);
  * out  group_of[pass]: group number, from 0, rising
  * returns the number of groups */
 uint32_t gp_list_groups(const GpList *list, uint32_t *group_of);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include "pipeline/list/list.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct GpNeeds {
     bool pixel_shader; /* a colour is written, or the shader may discard or write depth */
     bool color;        /* some colour target keeps some channel written */
@@ -27,5 +31,9 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_
 /* One line a unit: "blend        skipped: GP_BLEND_OFF on all targets". Writes at most size bytes,
  * always terminated; returns the length it would have had. */
 int gp_needs_explain(const GpNeeds *needs, char *text, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 #include "pipeline/list/list.h"
 #include "pipeline/resources/sample_report.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum GpTraceKind {
     GP_TRACE_CLEAR,       /* a target's pixel was cleared */
     GP_TRACE_VERTEX,      /* one vertex was shaded */
@@ -126,5 +130,9 @@ typedef struct GpTrace {
     bool one_pass, one_draw, one_primitive;
     uint32_t pass, draw, primitive;
 } GpTrace;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -9,6 +9,10 @@
 
 #include "pipeline/base/base.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum GpFormat {
     GP_FORMAT_NONE = 0,
     GP_A8R8G8B8,
@@ -103,5 +107,9 @@ float gp_depth_from_code(GpFormat format, uint32_t code);
 /* Reads and writes the two parts of a depth texel; stencil is 0 and ignored without stencil. */
 void gp_depth_load(GpFormat format, const void *texel, uint32_t *depth_code, uint8_t *stencil);
 void gp_depth_store(GpFormat format, void *texel, uint32_t depth_code, uint8_t stencil);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include "pipeline/base/base.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* What a vertex stream holds, and what a program's input wants. */
 typedef enum GpSemantic {
     GP_POSITION = 0,
@@ -50,5 +54,9 @@ typedef struct GpGeometry {
 
 /* Number of triangles or points of a geometry. */
 uint32_t gp_geometry_primitives(const GpGeometry *geometry);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

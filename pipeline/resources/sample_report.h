@@ -4,6 +4,10 @@
 
 #include "pipeline/base/base.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* One texel that a sample used, for the inspector. */
 typedef struct GpTexelUse {
     int32_t x, y; /* after addressing; -1, -1 where the border colour was used */
@@ -18,5 +22,9 @@ typedef struct GpSampleReport {
     int count; /* texels used, at most 8 */
     GpTexelUse texel[8];
 } GpSampleReport;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -8,6 +8,10 @@
 
 #include "pipeline/resources/surface.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum {
     GP_MAX_TARGETS = 4,
     GP_MAX_SAMPLERS = 16,
@@ -188,5 +192,9 @@ extern const char *const gp_blend_factor_names[GP_BLEND_FACTORS];
 extern const char *const gp_filter_names[GP_FILTERS];
 extern const char *const gp_mip_filter_names[GP_MIP_FILTERS];
 extern const char *const gp_address_names[GP_ADDRESSES];
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -4,6 +4,10 @@
 
 #include "pipeline/resources/format.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum {
     GP_MAX_SIZE = 8192, /* texels a side; the guard band allows no more with sub-pixel exactness */
     GP_MAX_LEVELS = 14, /* mip levels of an 8192 texture */
@@ -61,5 +65,9 @@ void gp_surface_build_mips(GpSurface *surface);
 
 /* XXH3-64 of level 0's raw bytes, row 0 at the top: what `hash` lines print. */
 uint64_t gp_surface_hash(const GpSurface *surface);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,4 +1,4 @@
-/* The counting vocabulary: what pipeline/shader.h is when a shader is compiled as C++20.
+/* The counting vocabulary: what <glasspipe/shader.h> is when a shader is compiled as C++20.
  *
  * Here flt, float2.. are names of nodes, and every instruction, infix operators included, records
  * itself into an instruction graph instead of computing: the very source that draws also reports

@@ -4,6 +4,10 @@
 
 #include "pipeline/shader/program.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Costs as in CONVENTIONS.md, "Profiles". */
 struct GpShaderCounts {
     int slots; /* instruction slots: arithmetic + texture */
@@ -38,5 +42,9 @@ typedef struct GpPixelFacts {
 
 /* Takes some microseconds: to be asked once for a program. */
 GpPixelFacts gp_pixel_facts(const GpProgram *program);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

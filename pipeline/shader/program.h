@@ -1,6 +1,6 @@
 /* Programs: a vertex and a pixel shader, compiled for lanes, with what they declare.
  *
- * A shader source (written with pipeline/shader.h) is compiled once for each lane width; each time
+ * A shader source (written with <glasspipe/shader.h>) is compiled once for each lane width; each time
  * it yields a GpProgramCode, and the narrowest also yields the GpProgram that users name. The wider
  * ones and the counting one are weak references, so a program that was compiled once, with no
  * special flags, runs too. Executors call code through the two function types below, a block of
@@ -9,15 +9,12 @@
 #ifndef GP_PROGRAM_H
 #define GP_PROGRAM_H
 
-#ifdef __cplusplus /* the counting build (pipeline/shader/counting.hpp) */
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" {
-#endif
-
 #include "pipeline/resources/geometry.h"
 #include "pipeline/resources/state.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 typedef enum GpProfile {
     GP_PROFILE_NONE = 0, /* nothing declared: treated as the _sw profile */
@@ -180,7 +177,6 @@ const char *gp_profile_name(GpProfile profile);
 
 #ifdef __cplusplus
 }
-
 #endif
 
 #endif

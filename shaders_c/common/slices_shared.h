@@ -2,7 +2,7 @@
 #ifndef SHADERS_SLICES_SHARED_H
 #define SHADERS_SLICES_SHARED_H
 
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 #include "shaders_c/common/slices.h"
 
 /* Of the slab's near side. */

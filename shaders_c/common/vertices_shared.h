@@ -2,7 +2,7 @@
 #ifndef SHADERS_VERTICES_SHARED_H
 #define SHADERS_VERTICES_SHARED_H
 
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 
 typedef struct NoUniforms {
 } NoUniforms; /* a draw's may be NULL */

@@ -6,7 +6,7 @@
  * $GP_ISA forces a lane width. Threads change from seed to seed. Speaks TAP, and ends with
  * "N passed, M failed"; a seed that fails says how to run it alone.
  */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "tests/support/random_list.h"
 
 #include <inttypes.h>

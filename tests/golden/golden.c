@@ -9,7 +9,7 @@
  * either. Frames come from seeds (tests/support/random_list.h), so that between them they use every
  * state, format, primitive and program.
  */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "tests/support/random_list.h"
 
 #include <inttypes.h>

@@ -7,7 +7,7 @@
 #ifndef PEER_H
 #define PEER_H
 
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "shaders_c/materials/phong.h"
 
 enum { PEER_SIZE = 1024, PEER_PIXELS = PEER_SIZE * PEER_SIZE };

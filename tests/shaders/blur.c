@@ -1,5 +1,5 @@
 /* The mean of three texels of texture 0: one step of a box blur, along rows or columns. */
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 #include "tests/shaders/blur.h"
 
 typedef struct Vertex {

@@ -1,5 +1,5 @@
 /* Programs whose cost is known by hand: see count.h. */
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 #include "tests/shaders/count.h"
 
 typedef struct Vertex {

@@ -2,7 +2,7 @@
 #ifndef TESTS_EXERCISE_SHARED_H
 #define TESTS_EXERCISE_SHARED_H
 
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 
 typedef struct Vertex {
     float4 position, color;

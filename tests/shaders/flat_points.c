@@ -1,5 +1,5 @@
 /* Colours from many flat values and the pixel's place. */
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 #include "tests/shaders/flat_points.h"
 
 enum { MANY = 8 };

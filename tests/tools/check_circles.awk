@@ -1,6 +1,6 @@
 # Finds calls that go up the floors, and circles of files and of folders by call and by include:
 #
-#   { nm -A -P OBJECT...; grep '#include "' SOURCE... /dev/null; } |
+#   { nm -A -P OBJECT...; grep -E '#include ("|<glasspipe/)' SOURCE... /dev/null; } |
 #       awk -v objects=BUILD/obj/ -f floors.awk -f check_circles.awk
 #
 # A file calls another when its object leaves undefined what the other's defines; the variants of a
@@ -27,6 +27,14 @@ BEGIN { failed = 0 }
     split($0, quoted, "\"")
     sub(/:.*/, "", quoted[1])
     need("include", quoted[1], quoted[2], "")
+    next
+}
+
+# apps/main.c:#include <glasspipe/glasspipe.h>
+/^[^ ]*: *# *include *<glasspipe\// {
+    split($0, angled, /[<>]/)
+    sub(/:.*/, "", angled[1])
+    need("include", angled[1], "pipeline/" angled[2], "")
     next
 }
 

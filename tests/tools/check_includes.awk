@@ -1,6 +1,7 @@
 # Checks what files include: awk -f floors.awk -f check_includes.awk FILE...
 #
-# Includes are written from the repository's root and point to the same room or down (floors.awk).
+# Includes are written from the repository's root, those of the two public headers as users write
+# them, <glasspipe/...>; they point to the same room or down (floors.awk).
 # Further: a shader knows the shader language, its own header and what shaders share; applications know
 # the machine by public headers, no unit and no executor, and techniques read no files; the truth
 # shares no arithmetic with what it judges; intrinsics stand in pipeline/base/lanes, C++ in pipeline/io
@@ -30,7 +31,7 @@ function check_project(from, to,    fault)
     if (below(from, "pipeline/io") && to !~ /^pipeline\/(io|base|resources)\//)
         complain("pipeline/io knows base and resources, not " to)
     if (below(from, "apps") && below(to, "pipeline") && \
-        to !~ /^pipeline\/(glasspipe\.h$|base\/|resources\/|shader\/|list\/|io\/)/)
+        to !~ /^pipeline\/(glasspipe\/glasspipe\.h$|base\/|resources\/|shader\/|list\/|io\/)/)
         complain("applications know the machine by its public headers, not by " to)
     if (below(from, "apps/techniques") && to ~ /^pipeline\/io\/(file|image\/)/)
         complain("a technique reads no files: " to)
@@ -44,7 +45,7 @@ function check_shader(from, to,    is_code, is_shared, allowed, own)
 {
     is_shared = to ~ /_shared\.h$/
     is_code = from ~ /\.c$|_shared\.h$/
-    allowed = is_code ? "pipeline/shader.h" : "pipeline/shader/program.h"
+    allowed = is_code ? "pipeline/glasspipe/shader.h" : "pipeline/shader/program.h"
     own = from
     sub(/\.c$/, ".h", own)
     if (to != allowed && to != own && \
@@ -74,13 +75,18 @@ FNR == 1 && FILENAME ~ /\.[ch]pp$/ && FILENAME !~ /^(pipeline\/io|tests)\/|\/cou
     split($0, quoted, "\"")
     if (quoted[2] !~ /\//)
         complain("write \"" quoted[2] "\" from the repository's root")
+    else if (quoted[2] ~ /glasspipe\/[^\/]*$/)
+        complain("write \"" quoted[2] "\" as users do, <glasspipe/...>")
     else
         check_project(FILENAME, quoted[2])
 }
 
 /^[ \t]*#[ \t]*include[ \t]*</ {
     split($0, angled, /[<>]/)
-    check_library(FILENAME, angled[2])
+    if (below(angled[2], "glasspipe"))
+        check_project(FILENAME, "pipeline/" angled[2])
+    else
+        check_library(FILENAME, angled[2])
 }
 
 END { exit failed }

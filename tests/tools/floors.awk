@@ -8,7 +8,7 @@ BEGIN {
     # from the ground up; "/*" is each folder below
     floor("pipeline/base")
     floor("pipeline/resources")
-    floor("pipeline/shader") # with shader.h, what a shader file sees
+    floor("pipeline/shader")
     floor("pipeline/units")
     floor("pipeline/list")
     floor("pipeline/reference pipeline/fast/draws")
@@ -19,7 +19,8 @@ BEGIN {
     floor("pipeline/fast/lanes/raster")
     floor("pipeline/fast/lanes/tile")
     floor("pipeline/fast")
-    floor("pipeline") # the device and the public header
+    floor("pipeline/glasspipe") # the public headers
+    floor("pipeline") # the device
     floor("pipeline/io")
     floor("shaders_c")
     floor("apps/base")

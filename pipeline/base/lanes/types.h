@@ -67,12 +67,14 @@ typedef itg msk; /* per lane: -1 true, 0 false; what comparisons of flt and itg 
 /* The same value in every lane. */
 GP_INLINE flt flt_set(float value)
 {
-    return (flt){ GP_TIMES_LANES(value) };
+    const flt all = { GP_TIMES_LANES(value) };
+    return all;
 }
 
 GP_INLINE itg itg_set(int32_t value)
 {
-    return (itg){ GP_TIMES_LANES(value) };
+    const itg all = { GP_TIMES_LANES(value) };
+    return all;
 }
 
 /* Per lane: mask ? a : b. */

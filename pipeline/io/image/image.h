@@ -4,6 +4,10 @@
 
 #include "pipeline/base/base.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum GpImageType {
     GP_IMAGE_U8,
     GP_IMAGE_U16,
@@ -33,5 +37,9 @@ GpResult gp_image_alloc(GpImage *image, const char *path, GpError *error);
 
 /* Frees the samples and empties *image; NULL and empty images are fine. */
 void gp_image_free(GpImage *image);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -5,6 +5,10 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef enum GpImageFormat {
     GP_IMAGE_PNG,
     GP_IMAGE_EXR,
@@ -78,5 +82,9 @@ typedef struct GpImageLibrary {
     GpResult (*decode)(const GpImageSource *, GpImage *);
     GpResult (*encode)(const char *, GpImageFormat, const GpImage *, GpFile *, GpError *);
 } GpImageLibrary;
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -10,9 +10,7 @@
 #include <new>
 #include <vector>
 
-extern "C" {
 #include "pipeline/io/image/image_codec.h"
-}
 
 namespace
 {

@@ -2,7 +2,7 @@
 #ifndef SHADERS_VOXEL_METHODS_MOTION_SHARED_H
 #define SHADERS_VOXEL_METHODS_MOTION_SHARED_H
 
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 #include "shaders_c/voxel/methods/motion.h"
 
 GP_INLINE float3 into_voxels(const VoxelMotion *motion, float3 position)

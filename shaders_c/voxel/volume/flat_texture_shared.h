@@ -2,7 +2,7 @@
 #ifndef SHADERS_VOXEL_VOLUME_FLAT_TEXTURE_SHARED_H
 #define SHADERS_VOXEL_VOLUME_FLAT_TEXTURE_SHARED_H
 
-#include "pipeline/shader.h"
+#include <glasspipe/shader.h>
 #include "shaders_c/voxel/volume/flat_texture.h"
 
 /* Whole part of a / b for whole numbers below 2^22. */

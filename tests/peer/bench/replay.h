@@ -8,7 +8,7 @@
 #ifndef PEER_BENCH_REPLAY_H
 #define PEER_BENCH_REPLAY_H
 
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "tests/peer/gl.h"
 
 enum {

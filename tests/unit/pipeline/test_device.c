@@ -1,5 +1,5 @@
 /* Whole frames through the device: what must hold between units. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/random_list.h"

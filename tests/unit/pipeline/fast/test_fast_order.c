@@ -1,6 +1,6 @@
 /* Draws in which the fast executor changes the order of its work, where only an order that shows would
  * be wrong: cut-outs of equal depths filled front to back, and layers blended a few pixels at a time. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "shaders_c/bench/lookup.h"
 #include "shaders_c/common/texel_copy.h"
 #include "tests/support/devices.h"

@@ -1,6 +1,6 @@
 /* Points whose values are flat, which the fast executor packs side by side where bits are combined: of
  * many sides, overlapping, across tiles, in draws of any length and state, at every width of lanes. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "tests/shaders/flat_points.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"

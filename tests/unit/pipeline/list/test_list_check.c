@@ -1,5 +1,5 @@
 /* Validation: every mistake is refused before the first pixel, with its field's name. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/unit.h"
 

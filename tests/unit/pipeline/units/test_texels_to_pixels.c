@@ -1,5 +1,5 @@
 /* R48: Direct3D 9's own examples of textured quads, through the whole machine. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "shaders_c/common/blit.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"

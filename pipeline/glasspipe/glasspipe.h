@@ -5,7 +5,8 @@
  *     gp_device_run(device, &list, &error);
  *     gp_device_destroy(&device);
  *
- * Include this header alone; shader files include pipeline/shader.h.
+ * Include this header alone; shader files include <glasspipe/shader.h>. Every name begins with gp_,
+ * Gp or GP_, and C++ may include it too.
  */
 #ifndef GLASSPIPE_H
 #define GLASSPIPE_H
@@ -14,6 +15,10 @@
 #include "pipeline/list/list.h"
 #include "pipeline/list/needs.h"
 #include "pipeline/list/trace.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 #define GP_VERSION "0.1.0"
 
@@ -55,5 +60,9 @@ int gp_device_threads(const GpDevice *device);
 
 const GpCounters *gp_device_counters(const GpDevice *device);
 const GpPhases *gp_device_phases(const GpDevice *device);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
