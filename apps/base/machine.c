@@ -80,3 +80,9 @@ void machine_describe(char *text, size_t size)
              system.sysname, system.machine);
     text_copy(text, size, line);
 }
+
+int machine_processors(void)
+{
+    const long online = sysconf(_SC_NPROCESSORS_ONLN);
+    return online < 1 ? 1 : online > 1024 ? 1024 : (int)online;
+}

@@ -26,6 +26,9 @@ void machine_reset_peak(void);
 /* Memory in use at most, in megabytes. */
 double machine_peak_mb(void);
 
+/* Processors that work may be spread over: at least 1, at most 1024. */
+int machine_processors(void);
+
 /* What is measured on: "2 x Intel(R) Xeon(R) Processor, Linux x86_64". */
 void machine_describe(char *text, size_t size);
 

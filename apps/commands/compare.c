@@ -1,9 +1,10 @@
 /* glasspipe compare: two pictures, bit by bit and by figures. */
+#include "apps/base/json.h"
+#include "apps/base/machine.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
-#include "apps/frame/compare.h"
-#include "apps/base/json.h"
+#include "apps/compare/comparison.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -13,7 +14,7 @@ typedef struct Compare {
     const char *paths[2];
     const char *output;
     double scale; /* of the difference picture */
-    CompareLimits limits;
+    ComparisonSettings settings;
 } Compare;
 
 static const SettingField options[] = {
@@ -23,17 +24,25 @@ static const SettingField options[] = {
     { "scale", "S", "Multiply the difference picture by S", SETTING_NUMBER,
       .offset = offsetof(Compare, scale), .high = OPTIONS_ANY },
     { "fail", "F", "Call a pixel failing if it differs by more than F (default: 0)", SETTING_NUMBER,
-      .offset = offsetof(Compare, limits.fail), .high = OPTIONS_ANY },
+      .offset = offsetof(Compare, settings.limits.fail), .high = OPTIONS_ANY },
     { "failpercent", "P", "Allow P percent of failing pixels (default: 0)", SETTING_NUMBER,
-      .offset = offsetof(Compare, limits.fail_percent), .high = OPTIONS_ANY },
+      .offset = offsetof(Compare, settings.limits.fail_percent), .high = OPTIONS_ANY },
     { "hardfail", "H", "Fail if any pixel differs by more than H", SETTING_NUMBER,
-      .offset = offsetof(Compare, limits.hard_fail), .high = OPTIONS_ANY },
+      .offset = offsetof(Compare, settings.limits.hard_fail), .high = OPTIONS_ANY },
     { "warn", "F", "Warn about pixels that differ by more than F", SETTING_NUMBER,
-      .offset = offsetof(Compare, limits.warn), .high = OPTIONS_ANY },
+      .offset = offsetof(Compare, settings.limits.warn), .high = OPTIONS_ANY },
     { "warnpercent", "P", "Allow P percent of them (default: 0)", SETTING_NUMBER,
-      .offset = offsetof(Compare, limits.warn_percent), .high = OPTIONS_ANY },
+      .offset = offsetof(Compare, settings.limits.warn_percent), .high = OPTIONS_ANY },
     { "hardwarn", "H", "Warn if any pixel differs by more than H", SETTING_NUMBER,
-      .offset = offsetof(Compare, limits.hard_warn), .high = OPTIONS_ANY },
+      .offset = offsetof(Compare, settings.limits.hard_warn), .high = OPTIONS_ANY },
+    { "flipfail", "F",
+      "Fail if the mean FLIP is over F; without another limit this one alone judges",
+      SETTING_NUMBER, .offset = offsetof(Compare, settings.flip_fail), .high = 1 },
+    { "ppd", "N", "Pixels per degree of FLIP's viewer (default: 67.02, a 4K screen at 0.7 m)",
+      SETTING_NUMBER, .offset = offsetof(Compare, settings.pixels_per_degree), 1,
+      FLIP_MOST_PIXELS_PER_DEGREE },
+    { "no-alpha", NULL, "Leave alpha out", SETTING_FLAG,
+      .offset = offsetof(Compare, settings.no_alpha) },
     { .name = NULL },
 };
 
@@ -46,12 +55,18 @@ static const CommandSyntax syntax = {
         "  glasspipe compare before.png after.png\n"
         "  glasspipe compare before.exr after.exr -o diff.png --scale 10\n"
         "  glasspipe compare a.png b.png --fail 0.004 --failpercent 0.1 --hardfail 0.1\n"
+        "  glasspipe compare a.png b.png --flipfail 0.01 --no-alpha\n"
         "\n"
-        "Compares two pictures: the same bits, or how far apart and where. Differences are of "
-        "values in [0, 1] (codes divided by their largest) or of floats; a pixel's is its largest "
-        "channel's.\v"
+        "Compares two pictures: the same bits, or how far apart and where, with a verdict in "
+        "words. "
+        "Differences are of values in [0, 1] (codes divided by their largest) or of floats; a "
+        "pixel's "
+        "is its largest channel's. Alpha that only one picture has is not compared, which is "
+        "said.\v"
         "PSNR is over all channels for a peak of 1. SSIM is the mean over 11x11 Gaussian windows "
-        "(sigma 1.5) of the luminance for a range of 1. Tolerances are named as idiff names them.\n"
+        "(sigma 1.5) of the luminance for a range of 1. FLIP is what an eye would notice that "
+        "flips "
+        "between the pictures, from 0 to 1. Tolerances are named as idiff names them.\n"
         "Exit code 0: the same, or within the tolerances; 1: not.",
     .offset = offsetof(Compare, paths),
     .least = 2,
@@ -69,12 +84,9 @@ static void print_values(const Picture *picture, uint32_t x, uint32_t y)
     putchar(')');
 }
 
-static void print_report(const CompareReport *r, const Picture pictures[2])
+static void print_figures(const Comparison *comparison, const Picture pictures[2])
 {
-    if (r->same) {
-        printf("same bits, %ux%u\n", pictures[0].width, pictures[0].height);
-        return;
-    }
+    const CompareReport *r = &comparison->report;
     printf("differing  %" PRIu64 " of %" PRIu64 " pixels (%.4g %%)\n", r->differing, r->pixels,
            100.0 * (double)r->differing / (double)r->pixels);
     printf("failing    %" PRIu64 "\n", r->failing);
@@ -83,6 +95,8 @@ static void print_report(const CompareReport *r, const Picture pictures[2])
     printf("rmse       %.6g\n", r->rmse);
     printf("psnr       %.4f dB\n", r->psnr);
     printf("ssim       %.6f\n", r->ssim);
+    printf("flip       %.6f, at most %.6f, at %.2f pixels per degree\n", comparison->flip.mean,
+           comparison->flip.max, comparison->pixels_per_degree);
     printf("worst      tile of 64x64 at (%u, %u), %" PRIu64 " pixels differ\n", r->tile_x,
            r->tile_y, r->tile_differing);
     printf("first      (%u, %u): ", r->first_x, r->first_y);
@@ -92,15 +106,27 @@ static void print_report(const CompareReport *r, const Picture pictures[2])
     putchar('\n');
 }
 
-static void print_json(const CompareReport *r, const Picture *picture)
+static void print_report(const Comparison *comparison, const char *verdict,
+                         const Picture pictures[2])
 {
+    const char *alpha = comparison_alpha(comparison);
+    printf("%s%s%s\n", verdict, alpha[0] ? "; " : "", alpha);
+    if (!comparison->other_sizes && !comparison->report.same)
+        print_figures(comparison, pictures);
+}
+
+static json_t *figures_json(const Comparison *comparison)
+{
+    const CompareReport *r = &comparison->report;
     json_t *object = json_pack(
-        "{s:b, s:b, s:b, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "same", r->same,
-        "failed", r->failed, "warned", r->warned, "width", (json_int_t)picture->width, "height",
-        (json_int_t)picture->height, "pixels", (json_int_t)r->pixels, "differing",
+        "{s:s, s:I, s:I, s:I, s:I, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "alpha",
+        comparison_alpha_name(comparison->alpha), "width", (json_int_t)comparison->sizes[0][0],
+        "height", (json_int_t)comparison->sizes[0][1], "pixels", (json_int_t)r->pixels, "differing",
         (json_int_t)r->differing, "failing", (json_int_t)r->failing, "max", json_number(r->max),
         "mean", json_number(r->mean), "rmse", json_number(r->rmse), "psnr", json_number(r->psnr),
-        "ssim", json_number(r->ssim));
+        "ssim", json_number(r->ssim), "flip", json_number(comparison->flip.mean), "flip_max",
+        json_number(comparison->flip.max), "pixels_per_degree",
+        json_number(comparison->pixels_per_degree));
     if (!r->same) {
         json_object_set_new(object, "first",
                             json_pack("[I, I]", (json_int_t)r->first_x, (json_int_t)r->first_y));
@@ -109,6 +135,20 @@ static void print_json(const CompareReport *r, const Picture *picture)
                                       (json_int_t)r->tile_y, "differing",
                                       (json_int_t)r->tile_differing));
     }
+    return object;
+}
+
+static void print_json(const Comparison *c, const char *verdict)
+{
+    json_t *object = json_pack("{s:b, s:b, s:b, s:s}", "same", c->report.same, "failed", c->failed,
+                               "warned", c->warned, "verdict", verdict);
+    json_t *figures = c->other_sizes
+                          ? json_pack("{s:[[II][II]]}", "sizes", (json_int_t)c->sizes[0][0],
+                                      (json_int_t)c->sizes[0][1], (json_int_t)c->sizes[1][0],
+                                      (json_int_t)c->sizes[1][1])
+                          : figures_json(c);
+    json_object_update(object, figures);
+    json_decref(figures);
     output_json(object);
 }
 
@@ -132,45 +172,41 @@ static int write_difference(const Compare *compare, const Picture pictures[2])
     return code;
 }
 
-static int different_sizes(const Compare *compare, const Picture pictures[2])
+static int print_comparison(const Compare *compare, const Comparison *comparison,
+                            const Picture pictures[2])
 {
-    const Picture *a = &pictures[0], *b = &pictures[1];
+    Text verdict = { .data = NULL };
+    comparison_say(comparison, &compare->settings, &verdict);
+    if (verdict.failed)
+        return report(EXIT_INTERNAL, "out of memory");
     if (compare->options.json)
-        output_json(json_pack("{s:b, s:b, s:[[II][II]]}", "same", 0, "failed", 1, "sizes",
-                              (json_int_t)a->width, (json_int_t)a->height, (json_int_t)b->width,
-                              (json_int_t)b->height));
+        print_json(comparison, verdict.data);
     else
-        printf("different sizes: %ux%u and %ux%u\n", a->width, a->height, b->width, b->height);
-    return EXIT_DIFFERS;
-}
-
-/* Channels that hold both pictures: colour where either has it, alpha where either has it. */
-static int common_channels(int a, int b)
-{
-    bool color = a > 2 || b > 2, alpha = a % 2 == 0 || b % 2 == 0;
-    return (color ? 3 : 1) + alpha;
+        print_report(comparison, verdict.data, pictures);
+    text_free(&verdict);
+    if (comparison->warned)
+        notice(&compare->options, "warning: the pictures differ by more than the warning limits");
+    return EXIT_DONE;
 }
 
 static int compare_pair(const Compare *compare, Picture pictures[2])
 {
     GpError error = { "" };
-    Picture *a = &pictures[0], *b = &pictures[1];
-    if (a->width != b->width || a->height != b->height)
-        return different_sizes(compare, pictures);
-    int channels = common_channels(a->channels, b->channels);
-    if (picture_widen(a, channels, &error) || picture_widen(b, channels, &error))
+    GpPool *pool = NULL;
+    Comparison comparison = { .flip_map = NULL };
+    GpResult result = gp_pool_create(machine_processors(), &pool, &error);
+    if (!result)
+        result = comparison_make(pictures, &compare->settings, pool, &comparison, &error);
+    gp_pool_destroy(&pool);
+    if (result)
         return report(EXIT_INTERNAL, "%s", error.text);
-
-    CompareReport result;
-    compare_pictures(a, b, &compare->limits, &result);
-    if (compare->options.json)
-        print_json(&result, a);
-    else
-        print_report(&result, pictures);
-    if (result.warned)
-        notice(&compare->options, "warning: the pictures differ by more than the warning limits");
-    int code = compare->output ? write_difference(compare, pictures) : EXIT_DONE;
-    return code ? code : result.failed ? EXIT_DIFFERS : EXIT_DONE;
+    int code = print_comparison(compare, &comparison, pictures);
+    if (!code && compare->output && !comparison.other_sizes)
+        code = write_difference(compare, pictures);
+    if (!code)
+        code = comparison.failed ? EXIT_DIFFERS : EXIT_DONE;
+    comparison_free(&comparison);
+    return code;
 }
 
 int cmd_compare(int argc, char **argv)

@@ -31,24 +31,31 @@ static float load_sample(const GpImage *image, size_t index)
     }
 }
 
+static GpResult picture_of_image(const GpImage *image, const char *path, Picture *picture,
+                                 GpError *error)
+{
+    size_t count = (size_t)image->width * image->height * image->channels;
+    float *values = gp_alloc(count, sizeof *values);
+    if (!values)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+    for (size_t i = 0; i < count; i++)
+        values[i] = load_sample(image, i);
+    *picture = (Picture){ image->width, image->height, (int)image->channels, values };
+    return GP_OK;
+}
+
 GpResult picture_read(const char *path, Picture *picture, GpError *error)
 {
     GpImage image = { .data = NULL };
     GpResult result = gp_image_read(path, &image, error);
     if (result)
         return result;
-    size_t count = (size_t)image.width * image.height * image.channels;
-    float *values = gp_alloc(count, sizeof *values);
-    if (values) {
-        for (size_t i = 0; i < count; i++)
-            values[i] = load_sample(&image, i);
-        *picture = (Picture){ image.width, image.height, (int)image.channels, values };
-    }
+    result = picture_of_image(&image, path, picture, error);
     gp_image_free(&image);
-    return values ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+    return result;
 }
 
-GpResult picture_widen(Picture *picture, int channels, GpError *error)
+GpResult picture_set_channels(Picture *picture, int channels, GpError *error)
 {
     int had = picture->channels;
     if (channels == had)
@@ -129,23 +136,43 @@ static void store_sample(const GpImage *image, size_t index, float value)
     }
 }
 
+/* The samples that a file of this name would have. errors GP_ERROR_MEMORY */
+static GpResult sample_picture(const char *path, const Picture *picture, GpImageType source,
+                               GpImage *image, GpError *error)
+{
+    *image = (GpImage){ .width = picture->width,
+                        .height = picture->height,
+                        .channels = (uint32_t)picture->channels };
+    choose_samples(path, source, image);
+    size_t pixels = (size_t)image->width * image->height;
+    image->data = gp_alloc(pixels, image->channels * gp_image_sample_size(image->type));
+    if (!image->data)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+    int had = picture->channels, channels = (int)image->channels;
+    for (size_t i = 0; i < pixels; i++)
+        for (int c = 0; c < channels; c++)
+            store_sample(image, i * (size_t)channels + (size_t)c,
+                         channel_of(picture->values + i * (size_t)had, had, c, channels));
+    return GP_OK;
+}
+
 static GpResult write_picture(const char *path, const Picture *picture, GpImageType source,
                               GpError *error)
 {
-    GpImage image = { .width = picture->width,
-                      .height = picture->height,
-                      .channels = (uint32_t)picture->channels };
-    choose_samples(path, source, &image);
-    size_t pixels = (size_t)image.width * image.height;
-    image.data = gp_alloc(pixels, image.channels * gp_image_sample_size(image.type));
-    if (!image.data)
-        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
-    int had = picture->channels, channels = (int)image.channels;
-    for (size_t i = 0; i < pixels; i++)
-        for (int c = 0; c < channels; c++)
-            store_sample(&image, i * (size_t)channels + (size_t)c,
-                         channel_of(picture->values + i * (size_t)had, had, c, channels));
-    GpResult result = gp_image_write(path, &image, error);
+    GpImage image;
+    GpResult result = sample_picture(path, picture, source, &image, error);
+    if (!result)
+        result = gp_image_write(path, &image, error);
+    gp_free(image.data);
+    return result;
+}
+
+GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error)
+{
+    GpImage image;
+    GpResult result = sample_picture("picture.png", picture, GP_IMAGE_U8, &image, error);
+    if (!result)
+        result = gp_image_encode("picture.png", &image, file, error);
     gp_free(image.data);
     return result;
 }
@@ -244,5 +271,20 @@ GpResult picture_write_surface(const char *path, const GpSurface *surface, bool 
     if (!result)
         result = write_picture(path, &picture, samples_of(surface->format), error);
     picture_free(&picture);
+    return result;
+}
+
+GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,
+                         GpError *error)
+{
+    Picture whole = { .values = NULL };
+    GpResult result = picture_of_surface(surface, false, &whole, error);
+    GpImage image = { .data = NULL };
+    if (!result)
+        result = sample_picture(path, &whole, samples_of(surface->format), &image, error);
+    if (!result)
+        result = picture_of_image(&image, path, picture, error);
+    gp_free(image.data);
+    picture_free(&whole);
     return result;
 }

@@ -2,6 +2,7 @@
 #ifndef APPS_FRAME_PICTURE_H
 #define APPS_FRAME_PICTURE_H
 
+#include "pipeline/io/file.h"
 #include "pipeline/resources/surface.h"
 
 /* Floats, row 0 at the top; codes are divided by their largest. Owns values. */
@@ -16,9 +17,9 @@ typedef struct Picture {
 GpResult picture_read(const char *path, Picture *picture, GpError *error);
 void picture_free(Picture *picture); /* a zeroed picture is fine; zeroes it */
 
-/* Gives a picture more channels: grey is repeated, a missing alpha is 1. Errors: GP_ERROR_MEMORY.
- */
-GpResult picture_widen(Picture *picture, int channels, GpError *error);
+/* Gives a picture other channels: grey is repeated, a missing alpha is 1, one too many is left out.
+ * errors GP_ERROR_MEMORY */
+GpResult picture_set_channels(Picture *picture, int channels, GpError *error);
 
 /* Whether a path ends as pictures' do: .png, .exr, .pfm or .ppm. */
 bool picture_has_extension(const char *path);
@@ -31,6 +32,10 @@ GpResult picture_check_path(const char *path, GpError *error);
  * in PNG and PPM; PPM and PFM lose alpha. Errors: GP_ERROR_INVALID (extension), GP_ERROR_IO, GP_ERROR_MEMORY; never
  * leaves half a file. */
 GpResult picture_write(const char *path, const Picture *picture, GpError *error);
+
+/* A picture as the bytes of a PNG file, eight bits a channel, clamped to [0, 1].
+ * errors GP_ERROR_INVALID (size), GP_ERROR_MEMORY; owns: the caller, until gp_file_free */
+GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error);
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
@@ -46,5 +51,10 @@ GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface 
  * Errors as picture_write's. */
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
                                GpError *error);
+
+/* A surface as picture_read would give it back, had picture_write_surface written it to a file of this
+ * name, alpha included: rounded as that file rounds. errors GP_ERROR_MEMORY; owns: the caller */
+GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,
+                         GpError *error);
 
 #endif

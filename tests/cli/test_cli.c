@@ -457,60 +457,6 @@ static void a_reader_that_left_is_an_error_and_no_signal(void **state)
     expect_contains(err, "Broken pipe");
 }
 
-/* --- compare ---------------------------------------------------------------------------------- */
-
-static void compare_tells_same_different_and_different_sizes(void **state)
-{
-    (void)state;
-    write_file("a.ppm", "P6 2 1 255\nabcabc");
-    write_file("b.ppm", "P6 2 1 255\nabcabf");
-    write_file("c.ppm", "P6 1 2 255\nabcabc");
-    assert_int_equal(shell("glasspipe compare a.ppm a.ppm"), 0);
-    expect_contains(out, "same bits");
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm"), 1);
-    expect_contains(out, "1 of 2 pixels");
-    expect_contains(out, "(1, 0)");
-    assert_int_equal(shell("glasspipe compare a.ppm c.ppm"), 1);
-    expect_contains(out, "different sizes: 2x1 and 1x2");
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --fail 0.02"), 0);
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --failpercent 50"), 0);
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --failpercent 50 --hardfail 0.01"), 1);
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --fail 1 --warn 0.01"), 0);
-    expect_contains(err, "warning");
-}
-
-static void compare_writes_the_scaled_difference(void **state)
-{
-    (void)state;
-    write_file("a.ppm", "P6 2 1 255\nabcabc");
-    write_file("b.ppm", "P6 2 1 255\nabcbbf");
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm -o d.ppm --scale 10"), 1);
-    char picture[64];
-    size_t length = read_file("d.ppm", picture, sizeof picture);
-    assert_memory_equal(picture + length - 6, "\0\0\0\x0a\0\x1e", 6);
-    expect_refused(2, "compare a.ppm b.ppm -o d.txt", "d.txt");
-}
-
-static void compare_json_holds_the_metrics(void **state)
-{
-    (void)state;
-    write_file("a.ppm", "P6 2 1 255\nabcabc");
-    write_file("b.ppm", "P6 2 1 255\nabcabf");
-    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --json"), 1);
-    json_t *object = parse_output();
-    assert_true(json_is_false(json_object_get(object, "same")));
-    assert_true(json_is_true(json_object_get(object, "failed")));
-    assert_int_equal(json_integer_value(json_object_get(object, "differing")), 1);
-    double max = json_number_value(json_object_get(object, "max"));
-    assert_true(max > 3 / 255.0 - 1e-7 && max < 3 / 255.0 + 1e-7);
-    json_decref(object);
-    assert_int_equal(shell("glasspipe compare a.ppm a.ppm --json"), 0);
-    object = parse_output();
-    assert_true(json_is_true(json_object_get(object, "same")));
-    assert_string_equal(json_string_value(json_object_get(object, "psnr")), "inf");
-    json_decref(object);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -535,9 +481,6 @@ int main(void)
         PROGRAM_TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),
         PROGRAM_TEST(a_full_or_closed_stdout_is_an_internal_error_with_a_message),
         PROGRAM_TEST(a_reader_that_left_is_an_error_and_no_signal),
-        PROGRAM_TEST(compare_tells_same_different_and_different_sizes),
-        PROGRAM_TEST(compare_writes_the_scaled_difference),
-        PROGRAM_TEST(compare_json_holds_the_metrics),
     };
     return cmocka_run_group_tests_name("program", tests, find_program, NULL);
 }

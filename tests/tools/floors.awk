@@ -25,6 +25,7 @@ BEGIN {
     floor("shaders_c")
     floor("apps/base")
     floor("apps/frame")
+    floor("apps/compare")
     floor("apps/scene")
     floor("apps/truth")
     floor("apps/techniques")

@@ -7,6 +7,7 @@
 #ifndef GP_IO_IMAGE_FILE_H
 #define GP_IO_IMAGE_FILE_H
 
+#include "pipeline/io/file.h"
 #include "pipeline/io/image/image.h"
 
 /* Reads a picture. The format is that of the extension (png, exr, pfm, ppm, pgm, tga, any case)
@@ -28,5 +29,9 @@ GpResult gp_image_read(const char *path, GpImage *image, GpError *error);
  * errors GP_ERROR_INVALID (a size of 0 or over GP_IMAGE_SIDE_MAX; samples or channels that the
  *        format cannot hold); GP_ERROR_UNSUPPORTED (extension); GP_ERROR_IO; GP_ERROR_MEMORY */
 GpResult gp_image_write(const char *path, const GpImage *image, GpError *error);
+
+/* The same into memory: the bytes that a file of this name would have.
+ * errors those of gp_image_write but GP_ERROR_IO; owns: the caller, until gp_file_free */
+GpResult gp_image_encode(const char *path, const GpImage *image, GpFile *file, GpError *error);
 
 #endif

@@ -1,13 +1,10 @@
 /* Comparison of two pictures: bits, differences, and where they are. */
-#ifndef APPS_FRAME_COMPARE_H
-#define APPS_FRAME_COMPARE_H
+#ifndef APPS_COMPARE_COMPARE_H
+#define APPS_COMPARE_COMPARE_H
 
 #include "apps/frame/picture.h"
 
-enum {
-    COMPARE_TILE = 64,   /* pixels a side of the tiles that are ranked */
-    COMPARE_WINDOW = 11, /* pixels a side of SSIM's Gaussian window */
-};
+enum { COMPARE_TILE = 64 }; /* pixels a side of the tiles that are ranked */
 
 /* Limits under the names of OpenImageIO's idiff; a pixel's difference is the largest of its
  * channels'. All zero: any difference fails. */
@@ -27,7 +24,7 @@ typedef struct CompareReport {
     double mean;        /* mean absolute difference, over pixels and channels */
     double rmse;        /* root of the mean squared difference */
     double psnr;        /* decibels, 20 log10(1 / rmse): a peak of 1; infinite where rmse is 0 */
-    double ssim;        /* see below; NaN where the picture is smaller than a window */
+    double ssim;        /* ssim_of */
     uint32_t first_x, first_y; /* first differing pixel, row by row from the top */
     uint32_t tile_x, tile_y;   /* top left pixel of the tile with the largest sum */
     uint64_t tile_differing;   /* of squared differences, and its differing pixels */
@@ -37,14 +34,8 @@ typedef struct CompareReport {
 
 /* Compares two pictures of one size and number of channels.
  * note  a NaN or infinity against another value counts as an infinite difference
- * order sums run row by row in double: the same figures on every machine but for psnr and ssim,
- *       which use libm and are rounded where they are printed
- * source definitions in the struct above: ours, limits as in idiff's manual. SSIM is the structural
- *        similarity of the luminance (Rec. 709 weights; channel 0 of pictures with one or two
- *        channels): mean over all 11x11 windows inside the picture, Gaussian weights of sigma 1.5,
- *        K1 0.01, K2 0.03, dynamic range 1: Wang, Bovik, Sheikh, Simoncelli, "Image quality
- *        assessment: from error visibility to structural similarity", IEEE TIP 13(4), 2004,
- *        equations 13 to 17 */
+ * order sums run row by row inside a tile, and over the tiles, in double: the same figures everywhere
+ * source definitions in the struct above: ours, limits as in idiff's manual */
 void compare_pictures(const Picture *a, const Picture *b, const CompareLimits *limits,
                       CompareReport *report);
 

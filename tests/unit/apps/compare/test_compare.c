@@ -1,5 +1,5 @@
 /* The picture comparison: figures worked out by hand, and a brute-force SSIM as oracle. */
-#include "apps/frame/compare.h"
+#include "apps/compare/compare.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 

@@ -1,0 +1,68 @@
+/* The stable functions against those of long double, which have eleven bits more. */
+#include "apps/base/stable_math.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Units in the last place between a value and the truth. */
+static double ulps(double value, long double truth)
+{
+    const long double unit = ldexpl(DBL_EPSILON, ilogbl(truth));
+    return (double)fabsl(((long double)value - truth) / unit);
+}
+
+static void random_arguments_have_the_errors_that_are_stated(void **state)
+{
+    (void)state;
+    Random random = { 7 };
+    double worst[3] = { 0 };
+    for (int i = 0; i < 200000; i++) {
+        const double x = (double)random_float(&random, -690, 690);
+        const double base = exp((double)random_float(&random, -9.2f, 9.2f));
+        const double power = (double)random_float(&random, -4, 4);
+        const double found[3] = { ulps(stable_exp(x), expl((long double)x)),
+                                  ulps(stable_log(exp(x)), logl((long double)exp(x))),
+                                  ulps(stable_pow(base, power),
+                                       powl((long double)base, (long double)power)) };
+        for (int f = 0; f < 3; f++)
+            worst[f] = found[f] > worst[f] ? found[f] : worst[f];
+    }
+    if (worst[0] > 1.5 || worst[1] > 2)
+        fail_msg("exp %.2f ulp, log %.2f ulp", worst[0], worst[1]);
+    if (worst[2] * DBL_EPSILON > 1e-14)
+        fail_msg("pow %.2f ulp", worst[2]);
+}
+
+static void arguments_near_one_keep_their_digits(void **state)
+{
+    (void)state;
+    for (int i = 1; i < 50; i++) {
+        const double x = 1 + ldexp(1, -i), y = 1 - ldexp(1, -i - 1);
+        assert_true(ulps(stable_log(x), logl((long double)x)) < 2);
+        assert_true(ulps(stable_log(y), logl((long double)y)) < 2);
+    }
+}
+
+static void edges_are_those_that_are_promised(void **state)
+{
+    (void)state;
+    assert_true(stable_exp(0) == 1 && stable_exp(-800) == 0 && isinf(stable_exp(800)));
+    assert_true(isnan(stable_exp((double)NAN)) && isnan(stable_log((double)NAN)));
+    assert_true(stable_log(1) == 0 && stable_log(0) == -HUGE_VAL && isnan(stable_log(-1)));
+    assert_true(stable_log(HUGE_VAL) == HUGE_VAL);
+    assert_true(fabs(stable_log(0x1p-1074) + 1074 * log(2)) < 1e-10);
+    assert_true(stable_pow(0, 0) == 1 && stable_pow(0, 2) == 0 && stable_pow(7, 0) == 1);
+    assert_true(stable_pow(1, 0.3) == 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(random_arguments_have_the_errors_that_are_stated),
+        cmocka_unit_test(arguments_near_one_keep_their_digits),
+        cmocka_unit_test(edges_are_those_that_are_promised),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
