@@ -149,6 +149,8 @@ FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS) | $(LANE
 .PHONY: always
 $(FLAGS_FILE): always | packages
 	@mkdir -p $(@D)
+	@[ -e $@ ] || { n=$$(nproc); \
+	    echo "first build: about $$(((8 + n - 1) / n)) min on $$n processors, this once"; }
 	@echo '$(FLAGS_TEXT)' | cmp -s - $@ || echo '$(FLAGS_TEXT)' >$@
 
 $(BUILD)/obj/%.o: %.c $(FLAGS_FILE) | packages
@@ -358,11 +360,17 @@ bench-peers: $(PEER_BENCH) $(PROGRAM)
 INSTALLED := $(DESTDIR)$(PREFIX)
 MAN_PAGES := $(wildcard apps/man/*.1)
 COMPLETION := $(wildcard apps/completion/*)
+# What debuggers need, nine tenths of the bytes, is not installed; out/ keeps it.
+STRIP := $(shell $(CC) -print-prog-name=strip)
+
 install: all
 	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
 	install -m 644 $(CORE_A) $(INSTALLED)/lib/
 	install -m 755 $(CORE_SO).$(VERSION) $(OIIO_SO) $(INSTALLED)/lib/
+	$(STRIP) $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.so.$(VERSION) \
+	    $(patsubst $(BUILD)/%,$(INSTALLED)/%,$(OIIO_SO))
+	$(STRIP) --strip-debug $(INSTALLED)/lib/libglasspipe.a
 	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
 	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
 	cd $(BUILD)/include && find glasspipe -type f -exec \

@@ -8,7 +8,6 @@
 #include "pipeline/shader/counts.h"
 
 #include <stdio.h>
-#include <string.h>
 
 typedef struct Explain {
     Options options; /* first: see options.h */
@@ -32,18 +31,25 @@ static const CommandSyntax syntax = {
     .expected = "a scene file",
 };
 
-/* The lines of gp_needs_explain as an array of strings. */
-static json_t *units_json(const GpPass *pass, const GpDraw *draw)
+/* Where depth and stencil stand: before the pixel shader, or behind it; null where neither is. */
+static json_t *depth_json(const GpNeeds *needs)
 {
-    char text[4096];
-    GpNeeds needs = gp_draw_needs(pass, draw, gp_pixel_facts(draw->program).varyings_read);
-    gp_needs_explain(&needs, text, sizeof text);
-    json_t *lines = json_array();
-    char *rest = text;
-    for (char *line = strsep(&rest, "\n"); line; line = strsep(&rest, "\n"))
-        if (line[0])
-            json_array_append_new(lines, json_string(line));
-    return lines;
+    if (!needs->depth_test && !needs->depth_write && !needs->stencil)
+        return json_null();
+    return json_pack("{s:s, s:s}", "when", needs->late_depth ? "late" : "early", "why",
+                     needs->late_depth ? "the shader may still kill the fragment or move it"
+                                       : "nothing after them changes their verdict");
+}
+
+static json_t *units_json(const GpNeeds *needs)
+{
+    GpUnitNeed rows[GP_UNIT_NEEDS];
+    gp_needs_explain(needs, rows);
+    json_t *units = json_array();
+    for (size_t i = 0; i < GP_UNIT_NEEDS; i++)
+        json_array_append_new(units, json_pack("{s:s, s:b, s:s}", "unit", rows[i].unit, "runs",
+                                               rows[i].runs, "why", rows[i].why));
+    return units;
 }
 
 static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number)
@@ -51,11 +57,13 @@ static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number
     GpError error = { "" };
     const GpProgram *program = draw->program;
     bool fits = gp_program_check(program, &error) == GP_OK;
-    json_t *object = json_pack("{s:I, s:s, s:s, s:s, s:I, s:o}", "draw", (json_int_t)number, "name",
-                               draw->name ? draw->name : "", "program", program->name, "geometry",
-                               draw->geometry.primitive == GP_POINTS ? "points" : "triangles",
-                               "primitives", (json_int_t)gp_geometry_primitives(&draw->geometry),
-                               "units", units_json(pass, draw));
+    const GpNeeds needs = gp_draw_needs(pass, draw, gp_pixel_facts(program).varyings_read);
+    json_t *object =
+        json_pack("{s:I, s:s, s:s, s:s, s:I, s:o, s:o}", "draw", (json_int_t)number, "name",
+                  draw->name ? draw->name : "", "program", program->name, "geometry",
+                  draw->geometry.primitive == GP_POINTS ? "points" : "triangles", "primitives",
+                  (json_int_t)gp_geometry_primitives(&draw->geometry), "units", units_json(&needs),
+                  "depth_and_stencil", depth_json(&needs));
     json_object_set_new(object, "fits", json_boolean(fits));
     json_object_set_new(object, "problem", fits ? json_null() : json_string(error.text));
     if (!program->count)
@@ -70,6 +78,11 @@ static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number
     return object;
 }
 
+static void print_unit(const char *name, const char *state, const json_t *object)
+{
+    printf("    %-21s %-8s %s\n", name, state, json_text_of(object, "why"));
+}
+
 static void print_draw(const json_t *draw)
 {
     printf("\n  Draw %lld", json_whole_of(draw, "draw"));
@@ -79,9 +92,12 @@ static void print_draw(const json_t *draw)
     printf(": %lld %s, program %s\n", json_whole_of(draw, "primitives"),
            json_text_of(draw, "geometry"), json_text_of(draw, "program"));
     size_t i;
-    const json_t *line;
-    json_array_foreach(json_object_get(draw, "units"), i, line)
-        printf("    %s\n", json_string_value(line));
+    const json_t *unit, *depth = json_object_get(draw, "depth_and_stencil");
+    json_array_foreach(json_object_get(draw, "units"), i, unit)
+        print_unit(json_text_of(unit, "unit"),
+                   json_is_true(json_object_get(unit, "runs")) ? "runs" : "skipped", unit);
+    if (json_is_object(depth))
+        print_unit("depth and stencil", json_text_of(depth, "when"), depth);
 
     shader_limits_print(json_object_get(draw, "vertex_shader"),
                         json_object_get(draw, "pixel_shader"));

@@ -3,8 +3,6 @@
 
 #include "pipeline/units/blend.h"
 
-#include <stdio.h>
-
 static bool needs_mip_levels(const GpDraw *draw)
 {
     for (int i = 0; i < GP_MAX_SAMPLERS; i++) {
@@ -61,13 +59,13 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_
     return needs;
 }
 
-int gp_needs_explain(const GpNeeds *needs, char *text, size_t size)
+void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS])
 {
     const struct {
         const char *unit;
         bool runs;
         const char *why, *why_not;
-    } rows[] = {
+    } units[GP_UNIT_NEEDS] = {
         { "vertex textures", needs->vertex_textures, "the vertex shader reads textures",
           "the vertex shader reads none" },
         { "culling", needs->cull, "one facing is culled", "both facings are drawn" },
@@ -92,19 +90,7 @@ int gp_needs_explain(const GpNeeds *needs, char *text, size_t size)
         { "colour write", needs->color, "a target keeps some channel written",
           "no target, or all channels kept" },
     };
-    int length = 0;
-    for (size_t i = 0; i < GP_COUNT(rows); i++) {
-        size_t used = (size_t)length < size ? (size_t)length : size;
-        length += snprintf(size ? text + used : NULL, size - used, "%-21s %-8s %s\n", rows[i].unit,
-                           rows[i].runs ? "runs" : "skipped",
-                           rows[i].runs ? rows[i].why : rows[i].why_not);
-    }
-    if (needs->depth_test || needs->depth_write || needs->stencil) {
-        size_t used = (size_t)length < size ? (size_t)length : size;
-        length += snprintf(size ? text + used : NULL, size - used, "%-21s %-8s %s\n",
-                           "depth and stencil", needs->late_depth ? "late" : "early",
-                           needs->late_depth ? "the shader may still kill the fragment or move it"
-                                             : "nothing after them changes their verdict");
-    }
-    return length;
+    for (size_t i = 0; i < GP_UNIT_NEEDS; i++)
+        rows[i] = (GpUnitNeed){ units[i].unit, units[i].runs,
+                                units[i].runs ? units[i].why : units[i].why_not };
 }

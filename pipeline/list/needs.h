@@ -28,9 +28,17 @@ typedef struct GpNeeds {
  * in   varyings_read: of the draw's program, as gp_pixel_facts (pipeline/shader/counts.h) has them */
 GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_read);
 
-/* One line a unit: "blend        skipped: GP_BLEND_OFF on all targets". Writes at most size bytes,
- * always terminated; returns the length it would have had. */
-int gp_needs_explain(const GpNeeds *needs, char *text, size_t size);
+/* What becomes of one unit. The texts are constants. */
+typedef struct GpUnitNeed {
+    const char *unit; /* "blending" */
+    bool runs;
+    const char *why; /* it runs, or not: "no target is read" */
+} GpUnitNeed;
+
+enum { GP_UNIT_NEEDS = 17 };
+
+/* The needs in words, a row for each unit, in the order of the pipeline. */
+void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS]);
 
 #ifdef __cplusplus
 }

@@ -379,6 +379,44 @@ static void render_json_has_the_hash_times_and_counters(void **state)
     json_decref(object);
 }
 
+/* Adds the names of a man page's JSON section, ".B ms, cpu_ms" each, to a set; of those that follow
+ * what the reference executor alone counts only where that drew. */
+static json_t *members_of_page(const char *page, bool reference)
+{
+    json_t *names = json_object();
+    const char *end = strstr(page, ".SH EXIT STATUS");
+    for (const char *at = strstr(page, ".SH JSON"); (at = strstr(at, "\n.B ")) && at < end;) {
+        char line[200], *rest = line;
+        at += 4;
+        snprintf(line, sizeof line, "%.*s", (int)strcspn(at, "\n"), at);
+        const bool alone = strncmp(strchr(at, '\n'), "\nThe same; counted by --executor", 32) == 0;
+        for (char *name = strsep(&rest, " ,"); name; name = strsep(&rest, " ,"))
+            if (name[0] && (reference || !alone))
+                json_object_set_new(names, name, json_true());
+    }
+    return names;
+}
+
+static void render_json_has_the_members_of_its_man_page_and_no_other(void **state)
+{
+    (void)state;
+    static char page[1 << 16];
+    static const char *const executors[] = { "fast", "reference" };
+    read_man_page("render", page, sizeof page);
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(shell("glasspipe render scene.json --json --executor=%s", executors[i]),
+                         0);
+        json_t *object = parse_output(), *names = members_of_page(page, i == 1), *value;
+        const char *name;
+        json_object_foreach(object, name, value) if (json_object_del(names, name)) fail_msg(
+            "%s is printed by the executor %s, but not in the man page", name, executors[i]);
+        json_object_foreach(names, name, value) fail_msg(
+            "%s is in the man page, but not printed by the executor %s", name, executors[i]);
+        json_decref(object);
+        json_decref(names);
+    }
+}
+
 static void passes_can_be_listed_and_dumped(void **state)
 {
     (void)state;
@@ -477,6 +515,7 @@ int main(void)
         PROGRAM_TEST(threads_isa_and_executor_never_change_the_hash),
         PROGRAM_TEST(shadow_draws_the_same_bits_on_everything_and_tells_its_setting),
         PROGRAM_TEST(render_json_has_the_hash_times_and_counters),
+        PROGRAM_TEST(render_json_has_the_members_of_its_man_page_and_no_other),
         PROGRAM_TEST(passes_can_be_listed_and_dumped),
         PROGRAM_TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),
         PROGRAM_TEST(a_full_or_closed_stdout_is_an_internal_error_with_a_message),

@@ -7,13 +7,29 @@ static void explain_tells_units_and_limits_of_every_draw(void **state)
     (void)state;
     assert_int_equal(shell("glasspipe explain scene.json"), 0);
     expect_contains(out, "Draw 0");
-    expect_contains(out, "depth test");
-    expect_contains(out, "skipped");
+    expect_matches(out, "\n    depth test            runs     a function is set\n");
+    expect_matches(out, "\n    blending              skipped  ");
+    expect_matches(out, "\n    depth and stencil     early    ");
     assert_int_equal(shell("glasspipe explain scene.json --json"), 0);
     json_t *object = parse_output();
     json_t *pass = json_array_get(json_object_get(object, "passes"), 0);
     json_t *draw = json_array_get(json_object_get(pass, "draws"), 0);
-    assert_true(json_array_size(json_object_get(draw, "units")) >= 10);
+    size_t i;
+    json_t *unit;
+    json_array_foreach(json_object_get(draw, "units"), i, unit)
+    {
+        const char *name = json_string_value(json_object_get(unit, "unit"));
+        assert_true(name && !strstr(name, "  "));
+        const bool runs = json_is_true(json_object_get(unit, "runs"));
+        assert_int_equal(runs, !json_is_false(json_object_get(unit, "runs")));
+        assert_non_null(json_string_value(json_object_get(unit, "why")));
+        if (strcmp(name, "depth test") == 0 || strcmp(name, "blending") == 0)
+            assert_int_equal(runs, name[0] == 'd');
+    }
+    assert_true(i >= 10);
+    assert_string_equal(
+        json_string_value(json_object_get(json_object_get(draw, "depth_and_stencil"), "when")),
+        "early");
     assert_true(json_is_true(json_object_get(draw, "fits")));
     json_decref(object);
 }

@@ -205,6 +205,8 @@ static void a_solid_of_an_open_mesh_warns(void **state)
     assert_int_equal(shell("glasspipe voxelize -q open.off -n 16 --kind solid"), 0);
     expect_contains(err, "warning: open.off is not closed: 3 boundary edges");
     expect_contains(err, "odd number of triangles");
+    assert_int_equal(shell("glasspipe voxelize -q open.off -n 16 --report"), 0);
+    expect_matches(out, "\nnon-manifold edges +0\n");
     assert_int_equal(shell("glasspipe voxelize -q turned.off -n 16 --kind solid --json"), 0);
     expect_contains(err, "turned.off is not closed: 3 inconsistently oriented edges");
     json_t *object = parse_output(), *told = json_object_get(object, "report");

@@ -13,6 +13,8 @@ install="make BUILD=$build CC=gcc CXX=g++ OPT=-O2 WERROR=1 PREFIX=$prefix"
 
 $install install
 "$prefix/bin/glasspipe" --version
+size=$(stat -c %s "$prefix/bin/glasspipe")
+[ "$size" -lt 10000000 ] || { echo "the program has $size bytes: with debug information" && exit 1; }
 for page in "$prefix"/share/man/man1/*.1; do
     echo "manual: $(basename "$page")"
 done

@@ -142,6 +142,8 @@ void voxel_facts_add(const VoxelFacts *facts, Text *lines)
         text_copy(name, sizeof name, key);
         for (char *c = name; *c; c++)
             *c = *c == '_' ? ' ' : *c;
+        if (strncmp(name, "non ", 4) == 0) /* a prefix: "non-manifold edges" */
+            name[3] = '-';
         if (json_is_boolean(value))
             text_add(lines, "%-30s %s\n", name, json_is_true(value) ? "yes" : "no");
         else
