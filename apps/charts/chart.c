@@ -17,6 +17,13 @@ static bool beats(const ChartPoint *a, const ChartPoint *b)
     return a->time.ms <= b->time.ms && error <= other && (a->time.ms < b->time.ms || error < other);
 }
 
+/* Whether a is nearer to the truth, or as near and faster. */
+static bool beats_in_error(const ChartPoint *a, const ChartPoint *b)
+{
+    double error = a->measured.error, other = b->measured.error;
+    return error < other || (error == other && a->time.ms < b->time.ms);
+}
+
 void chart_mark_best(Chart *chart)
 {
     for (uint32_t i = 0; i < chart->count; i++) {
@@ -45,16 +52,67 @@ uint32_t chart_list_best(const Chart *chart, const ChartPoint **best)
     return count;
 }
 
-const ChartPoint *chart_choose(const Chart *chart, double error)
+/* Ends of the middle half of a point's frames; of charts that do not have them, its time. */
+static double early(const ChartPoint *point)
 {
-    const ChartPoint *chosen = NULL;
+    return point->time.low_ms > 0 ? point->time.low_ms : point->time.ms;
+}
+
+static double late(const ChartPoint *point)
+{
+    return point->time.high_ms > 0 ? point->time.high_ms : point->time.ms;
+}
+
+/* The fastest of those that are nearer to the truth than `error`. */
+static const ChartPoint *fastest_below(const Chart *chart, double error)
+{
+    const ChartPoint *fastest = NULL;
     for (uint32_t i = 0; i < chart->count; i++) {
         const ChartPoint *point = &chart->points[i];
-        bool enough = point->measured.error <= error && !isnan(point->time.ms);
-        if (enough && (!chosen || point->time.ms < chosen->time.ms || beats(point, chosen)))
-            chosen = point;
+        const bool nearer = point->measured.error < error && !isnan(point->time.ms);
+        if (nearer && (!fastest || point->time.ms < fastest->time.ms))
+            fastest = point;
     }
-    return chosen;
+    return fastest;
+}
+
+/* The most exact of those that are hardly slower than the fastest: on a tie, the faster. */
+static const ChartPoint *nearest_beside(const Chart *chart, const ChartPoint *fastest)
+{
+    const ChartPoint *nearest = fastest;
+    for (uint32_t i = 0; i < chart->count; i++) {
+        const ChartPoint *point = &chart->points[i];
+        if (early(point) <= late(fastest) && beats_in_error(point, nearest))
+            nearest = point;
+    }
+    return nearest;
+}
+
+uint32_t chart_list_steps(const Chart *chart, const ChartPoint **steps)
+{
+    uint32_t count = 0;
+    double error = HUGE_VAL;
+    for (const ChartPoint *at; (at = fastest_below(chart, error)); count++) {
+        steps[count] = nearest_beside(chart, at);
+        error = steps[count]->measured.error;
+    }
+    return count;
+}
+
+const ChartPoint *chart_choose(const Chart *chart, double error)
+{
+    const ChartPoint *at = fastest_below(chart, HUGE_VAL), *step = NULL;
+    for (; at && !(step && step->measured.error <= error);
+         at = fastest_below(chart, step->measured.error))
+        step = nearest_beside(chart, at);
+    return step && step->measured.error <= error ? step : NULL;
+}
+
+double chart_per_cent(const TechniqueError *measured)
+{
+    if (measured->error == 0)
+        return 0;
+    return measured->whole > 0 ? 100 * measured->error / measured->whole : (double)NAN;
 }
 
 void chart_print_scene(const Chart *chart, char *text, size_t size)

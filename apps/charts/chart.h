@@ -41,8 +41,18 @@ void chart_mark_best(Chart *chart);
  * returns how many there are */
 uint32_t chart_list_best(const Chart *chart, const ChartPoint **best);
 
-/* The cheapest point (least ms) whose error is at most `error`; NULL where there is none. */
+/* The front as far as the clock can tell: points whose times overlap, by the middle halves of their
+ * frames, are of one time, and the least error of them stands for all. Each step is slower than the
+ * one before it and nearer to the truth.
+ * out     steps: room for chart->count
+ * returns how many there are */
+uint32_t chart_list_steps(const Chart *chart, const ChartPoint **steps);
+
+/* The first step whose error is at most `error`; NULL where there is none. */
 const ChartPoint *chart_choose(const Chart *chart, double error);
+
+/* An error as a share of its whole, in per cent; NaN where nothing is known of that. */
+double chart_per_cent(const TechniqueError *measured);
 
 /* What was drawn: "scenes/a.json, 640 x 480 pixels". */
 void chart_print_scene(const Chart *chart, char *text, size_t size);

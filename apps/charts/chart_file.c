@@ -56,12 +56,14 @@ static json_t *point_json(const ChartPoint *point, int metric_count)
     json_t *metrics = json_array();
     for (int i = 0; i < metric_count; i++)
         json_array_append_new(metrics, json_number(point->measured.metrics[i]));
-    return json_pack("{s:s, s:s, s:o, s:o, s:o, s:I, s:o, s:o, s:b, s:s}", "method", point->method,
-                     "options", point->options, "ms", json_number(point->time.ms), "min_ms",
-                     json_number(point->time.min_ms), "cpu_ms", json_number(point->time.cpu_ms),
-                     "frames", (json_int_t)point->time.frames, "error",
-                     json_number(point->measured.error), "metrics", metrics, "best", point->best,
-                     "picture", point->picture);
+    return json_pack(
+        "{s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:I, s:o, s:o, s:o, s:b, s:s}", "method",
+        point->method, "options", point->options, "ms", json_number(point->time.ms), "min_ms",
+        json_number(point->time.min_ms), "low_ms", json_number(point->time.low_ms), "high_ms",
+        json_number(point->time.high_ms), "max_ms", json_number(point->time.max_ms), "cpu_ms",
+        json_number(point->time.cpu_ms), "frames", (json_int_t)point->time.frames, "error",
+        json_number(point->measured.error), "whole", json_number(point->measured.whole), "metrics",
+        metrics, "best", point->best, "picture", point->picture);
 }
 
 json_t *chart_json(const Chart *chart)
@@ -122,15 +124,29 @@ static long read_integer(Node node, long high)
     return node_integer(node, 0, 0, high);
 }
 
-/* A number, or one of the words that json_number writes. */
-static double read_number(Node node)
+/* A number, or one of the words that json_number writes; 0 where it is not there. */
+static double read_later_number(Node node)
 {
     static const char *const words[] = { "nan", "inf", "-inf" };
     static const double values[] = { (double)NAN, HUGE_VAL, -HUGE_VAL };
-    node_require(&node);
     if (!json_is_string(node.value))
         return node_double(node, 0, -HUGE_VAL, HUGE_VAL);
     return values[node_name(node, 0, words, GP_COUNT(words))];
+}
+
+static double read_number(Node node)
+{
+    node_require(&node);
+    return read_later_number(node);
+}
+
+/* What charts did not always have. */
+static void read_spread(Node *node, ChartPoint *point)
+{
+    point->time.low_ms = read_later_number(node_member(node, "low_ms"));
+    point->time.high_ms = read_later_number(node_member(node, "high_ms"));
+    point->time.max_ms = read_later_number(node_member(node, "max_ms"));
+    point->measured.whole = read_later_number(node_member(node, "whole"));
 }
 
 static void read_point(Node node, ChartPoint *point, int metric_count)
@@ -141,6 +157,7 @@ static void read_point(Node node, ChartPoint *point, int metric_count)
     point->time.ms = read_number(node_member(&node, "ms"));
     point->time.min_ms = read_number(node_member(&node, "min_ms"));
     point->time.cpu_ms = read_number(node_member(&node, "cpu_ms"));
+    read_spread(&node, point);
     point->time.frames = (uint32_t)read_integer(node_member(&node, "frames"), UINT32_MAX);
     point->measured.error = read_number(node_member(&node, "error"));
     Node metrics = node_member(&node, "metrics"), best = node_member(&node, "best");

@@ -1,22 +1,12 @@
 #include "apps/commands/technique_command.h"
 
-#include "apps/charts/chart_file.h"
-#include "apps/commands/command.h"
 #include "apps/commands/output.h"
+#include "apps/commands/technique_choice.h"
 #include "apps/frame/picture.h"
 #include "pipeline/io/file.h"
 
 #include <stdio.h>
 #include <string.h>
-
-typedef struct TechniqueArgs {
-    Options options; /* first: see options.h */
-    const Technique *technique;
-    CommandOptions settings;
-    const char *scene, *output, *curve;
-    char extension[8]; /* of the output */
-    double error;      /* --error; negative: not given */
-} TechniqueArgs;
 
 /* --- options ---------------------------------------------------------------------------------- */
 
@@ -31,23 +21,9 @@ static const char volume_or_picture_help[] =
     "out/NAME.nrrd where out/ exists, else NAME.nrrd); or a picture of it: .png, .exr, .pfm or "
     ".ppm";
 
-/* Whether the user gave a part of the key. */
-static bool has_key(const TechniqueArgs *args)
-{
-    const SettingField *fields = args->technique->settings;
-    for (int i = 0; fields[i].name; i++)
-        if (!fields[i].aside && args->settings.given >> i & 1)
-            return true;
-    return false;
-}
-
 static void check(struct argp_state *state, void *object)
 {
-    const TechniqueArgs *args = object;
-    if (args->error >= 0 && has_key(args))
-        argp_error(state, "--error chooses the setting: no option of it can be given too");
-    if (args->curve && args->error < 0)
-        argp_error(state, "--curve is for --error");
+    technique_check_error(state, object);
 }
 
 /* Those of the settings, and of all techniques. */
@@ -61,8 +37,11 @@ static void parse(int argc, char **argv, TechniqueArgs *args)
                              : volume_help,
           SETTING_TEXT, .offset = offsetof(TechniqueArgs, output), .letter = 'o' },
         { "error", "E",
-          "Take the cheapest setting of a stored chart whose error is at most E, and say which",
-          SETTING_NUMBER, .offset = offsetof(TechniqueArgs, error), .high = OPTIONS_ANY },
+          "Take the cheapest setting whose error, measured on this scene, is at most E, and say "
+          "which; 0.05% is a share. A stored chart says where to begin",
+          SETTING_TEXT, .offset = offsetof(TechniqueArgs, error) },
+        { "trust-chart", NULL, "Believe the chart, which is of another scene, and measure nothing",
+          SETTING_FLAG, .offset = offsetof(TechniqueArgs, trusts_chart) },
         { "curve", "FILE",
           "The chart for --error: JSON as `glasspipe chart' writes it (default: the "
           "technique's in out/charts, or in charts)",
@@ -119,62 +98,6 @@ static GpResult check_output(TechniqueArgs *args, GpError *error)
                             : GP_OK;
 }
 
-/* --- a setting from a stored chart -------------------------------------------------------------- */
-
-/* Says which setting was chosen, and why. */
-static void explain_choice(const TechniqueArgs *args, const Chart *chart, const ChartPoint *point)
-{
-    uint32_t enough = 0;
-    for (uint32_t i = 0; i < chart->count; i++)
-        enough += chart->points[i].measured.error <= args->error;
-    notice(&args->options,
-           "chose %s (%s): %g %s, in %.2f ms, the fastest of %u settings of %u with at most %g",
-           point->options, point->method, point->measured.error, chart->error_name, point->time.ms,
-           enough, chart->count, args->error);
-    char scene[320];
-    chart_print_scene(chart, scene, sizeof scene);
-    notice(&args->options, "measured on %s, %d thread%s, %s", scene, chart->threads,
-           chart->threads == 1 ? "" : "s", chart->machine);
-}
-
-/* Of one of its experiments. */
-static bool is_of(const Chart *chart, const Technique *technique)
-{
-    for (const Experiment *experiment = technique->experiments; experiment->name; experiment++)
-        if (strcmp(experiment->name, chart->technique) == 0)
-            return true;
-    return false;
-}
-
-static int choose(TechniqueArgs *args)
-{
-    const Technique *technique = args->technique;
-    char path[CHART_MAX_PATH];
-    GpError error = { "" };
-    Chart chart = { .points = NULL };
-    snprintf(path, sizeof path, "%s/%s.json", chart_folder(), technique->name);
-    const char *curve = args->curve ? args->curve : path;
-    GpResult result = chart_read(curve, &chart, &error);
-    if (result) {
-        report(0, "%s", error.text);
-        return report(exit_of_input(result), "--error needs a chart: `glasspipe chart %s' makes it",
-                      technique->name);
-    }
-    const ChartPoint *point = chart_choose(&chart, args->error);
-    int code = EXIT_DONE;
-    if (!is_of(&chart, technique))
-        code = report(EXIT_INPUT, "%s: a chart of %s", curve, chart.technique);
-    else if (!point)
-        code = report(EXIT_INPUT, "%s: no setting has at most %g %s", curve, args->error,
-                      chart.error_name);
-    else if (setting_parse(technique->settings, args->settings.object, point->options, &error))
-        code = report(EXIT_INPUT, "%s: %s", curve, error.text);
-    else
-        explain_choice(args, &chart, point);
-    chart_free(&chart);
-    return code;
-}
-
 /* --- the frame -------------------------------------------------------------------------------- */
 
 static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, Frame *frame,
@@ -187,16 +110,34 @@ static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, 
     return result;
 }
 
+/* The setting as it was used, with what was chosen. errors GP_ERROR_MEMORY */
+static GpResult tell_setting(const TechniqueArgs *args, const void *scene, json_t *members,
+                             GpError *error)
+{
+    const Technique *technique = args->technique;
+    SettingText text;
+    void *used = gp_alloc(1, technique->setting_bytes);
+    if (!used)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    memcpy(used, args->settings.object, technique->setting_bytes);
+    if (technique->resolve)
+        technique->resolve(scene, used);
+    setting_print(technique->settings, used, technique->defaults, text, sizeof text);
+    json_object_set_new(members, "setting", json_string(text));
+    gp_free(used);
+    return GP_OK;
+}
+
 /* What the technique has to say. owns: the caller, until free_report. errors as its report's */
 static GpResult tell(const TechniqueArgs *args, void *scene, const Frame *frame, GpDevice *device,
                      TechniqueReport *told, GpError *error)
 {
     const Technique *technique = args->technique;
-    char setting[SETTING_MAX_TEXT];
     if (args->options.json) {
-        setting_print(technique->settings, args->settings.object, technique->defaults, setting,
-                      sizeof setting);
-        told->members = json_pack("{s:s}", "setting", setting);
+        told->members = json_object();
+        GpResult failed = tell_setting(args, scene, told->members, error);
+        if (failed)
+            return failed;
     }
     GpResult result = technique->report ? technique->report(scene, args->settings.object, frame,
                                                             device, told, error)
@@ -217,8 +158,9 @@ static void free_report(TechniqueReport *told)
     json_decref(told->members);
 }
 
-/* The first frame is what is written and told. */
-static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const Frame *frame)
+/* The first frame is what is written and told. in chosen: for --json; NULL: none */
+static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const Frame *frame,
+                json_t *chosen)
 {
     const Technique *technique = args->technique;
     GpError error = { "" };
@@ -237,6 +179,8 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const 
         result = technique->volume(frame, &output.volume, &error);
     if (!result)
         result = tell(args, scene, frame, device, &told, &error);
+    if (chosen && told.members)
+        json_object_set(told.members, "error", chosen);
     output.lines = told.lines.data;
     output.members = told.members;
     int code = result ? report(exit_of_input(result), "%s: %s", args->scene, error.text)
@@ -246,22 +190,33 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const 
     return code;
 }
 
-static int open_and_draw(const TechniqueArgs *args, GpDevice *device)
+static int draw_opened(TechniqueArgs *args, void *scene, GpDevice *device)
 {
-    const Technique *technique = args->technique;
-    const TechniqueInput input = { args->scene, args->options.size[0], args->options.size[1],
-                                   args->settings.object };
     GpError error = { "" };
     Frame frame = { .color = NULL };
+    json_t *chosen = NULL;
+    const int choice = args->error ? technique_choose(args, scene, device, &chosen) : EXIT_DONE;
+    int code = choice;
+    if (!choice || choice == EXIT_DIFFERS) {
+        GpResult result = build(args, scene, device, &frame, &error);
+        code = result ? report(exit_of_input(result), "%s: %s", args->scene, error.text)
+                      : draw(args, scene, device, &frame, chosen);
+    }
+    frame_free(&frame);
+    json_decref(chosen);
+    return code ? code : choice;
+}
+
+static int open_and_draw(TechniqueArgs *args, GpDevice *device)
+{
+    const TechniqueInput input = technique_input(args);
+    GpError error = { "" };
     void *scene;
-    GpResult result = technique->open(&input, &scene, &error);
+    GpResult result = args->technique->open(&input, &scene, &error);
     if (result)
         return report(exit_of_input(result), "%s", error.text);
-    result = build(args, scene, device, &frame, &error);
-    int code = result ? report(exit_of_input(result), "%s: %s", args->scene, error.text)
-                      : draw(args, scene, device, &frame);
-    frame_free(&frame);
-    technique->close(scene);
+    const int code = draw_opened(args, scene, device);
+    args->technique->close(scene);
     return code;
 }
 
@@ -274,9 +229,7 @@ static int run(TechniqueArgs *args)
     args->output = args->output ? args->output : path;
     if (check_output(args, &error))
         return report(EXIT_USAGE, "%s", error.text);
-    int code = args->error >= 0 ? choose(args) : EXIT_DONE;
-    if (!code)
-        code = options_device(&args->options, NULL, &device);
+    int code = options_device(&args->options, NULL, &device);
     if (code)
         return code;
     code = open_and_draw(args, device);
@@ -291,8 +244,7 @@ int technique_command(const Technique *technique, int argc, char **argv)
         return report(EXIT_INTERNAL, "out of memory");
     memcpy(setting, technique->defaults, technique->setting_bytes);
     TechniqueArgs args = { .technique = technique,
-                           .settings = { .fields = technique->settings, .object = setting },
-                           .error = -1 };
+                           .settings = { .fields = technique->settings, .object = setting } };
     parse(argc, argv, &args);
     int code = run(&args);
     gp_free(setting);

@@ -4,8 +4,8 @@
 
 #include "apps/techniques/technique.h"
 
-/* Runs it as a subcommand: options of the settings, --error E (the cheapest setting of a stored chart
- * that comes so near to the truth), --curve FILE (that chart), -o FILE, whose extension says what is
+/* Runs it as a subcommand: options of the settings, --error E (the cheapest setting that comes so near
+ * to the truth of the scene), --curve FILE (a chart to begin with), -o FILE, whose extension says what is
  * written, and those of options_frame or, where the settings have a --size of their own, options_run.
  * returns an exit code */
 int technique_command(const Technique *technique, int argc, char **argv);

@@ -52,7 +52,11 @@ GpResult timing_run(GpDevice *device, const GpList *list, const TimingPlan *plan
         over = timing_is_over(plan, sums.frames, machine_clock_ms(CLOCK_MONOTONIC) - start);
     }
     sums.ms = timing_median(each, sums.frames);
+    const uint32_t last = sums.frames - 1;
     sums.min_ms = each[0];
+    sums.low_ms = each[last / 4];
+    sums.high_ms = each[last - last / 4];
+    sums.max_ms = each[last];
     sums.cpu_ms /= sums.frames;
     *timing = sums;
     return GP_OK;

@@ -15,7 +15,9 @@ typedef struct TimingPlan {
 } TimingPlan;
 
 typedef struct Timing {
-    double ms, min_ms, cpu_ms; /* median and least wall time, mean processor time */
+    double ms, min_ms, max_ms; /* median, least and greatest wall time */
+    double low_ms, high_ms;    /* quartiles: between them lies the middle half of the frames */
+    double cpu_ms;             /* mean processor time */
     GpPhases phases;           /* sum over the frames */
     uint32_t frames;           /* at least 1 */
 } Timing;

@@ -17,7 +17,7 @@ typedef union Value {
 
 /* --- members ---------------------------------------------------------------------------------- */
 
-static size_t bytes_of(const SettingField *field)
+size_t setting_bytes(const SettingField *field)
 {
     static const size_t bytes[] = {
         [SETTING_NAME] = sizeof(int),          [SETTING_INTEGER] = sizeof(uint32_t),
@@ -31,13 +31,13 @@ static size_t bytes_of(const SettingField *field)
 static Value load(const SettingField *field, const void *setting)
 {
     Value value;
-    memcpy(&value, (const char *)setting + field->offset, bytes_of(field));
+    memcpy(&value, (const char *)setting + field->offset, setting_bytes(field));
     return value;
 }
 
 static void store(const SettingField *field, void *setting, const Value *value)
 {
-    memcpy((char *)setting + field->offset, value, bytes_of(field));
+    memcpy((char *)setting + field->offset, value, setting_bytes(field));
 }
 
 static const SettingField *find(const SettingField *fields, const char *name, size_t length)
@@ -305,7 +305,7 @@ void setting_print(const SettingField *fields, const void *setting, const void *
     Text key = { .data = NULL };
     for (const SettingField *field = fields; field->name; field++) {
         const Value value = load(field, setting), usual = load(field, defaults);
-        if (field->aside || memcmp(&value, &usual, bytes_of(field)) == 0)
+        if (field->aside || memcmp(&value, &usual, setting_bytes(field)) == 0)
             continue;
         text_add(&key, "%s--%s", key.length ? " " : "", field->name);
         print_value(field, &value, &key);

@@ -49,6 +49,9 @@ bool setting_is_given(const SettingField *fields, uint32_t given, const char *na
 /* Words of the field's value: 0 of a flag, `count` of a vector, else 1. */
 int setting_words(const SettingField *field);
 
+/* Bytes of the field's member. */
+size_t setting_bytes(const SettingField *field);
+
 /* Sets one member from text, the words of a vector with spaces between; a flag, whatever it is.
  * errors GP_ERROR_INVALID, with what was expected, in argp's style: "--map: expected a whole number
  *        from 16 to 8192, not '3x'" */

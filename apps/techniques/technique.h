@@ -28,6 +28,8 @@ typedef struct TechniqueSweep {
 typedef struct TechniqueError {
     double error;                          /* what the chart's axis shows; 0: none */
     double metrics[TECHNIQUE_MAX_METRICS]; /* as many as the experiment names */
+    double
+        whole; /* 100 per cent of the error: pixels covered; 0 where the experiment has no such */
 } TechniqueError;
 
 /* Speed against accuracy: a chart. */
@@ -36,8 +38,14 @@ typedef struct Experiment {
     const char *title; /* "Solid voxels: time against wrong volume" */
     const char *scene; /* that is drawn where none is named: a path */
     const TechniqueSweep *sweep;
+    const char *const
+        *usual; /* methods of the sweep that are on the front of most scenes, NULL at the
+                                 end: --error tries them first where no chart is stored; NULL: none */
     const char *error_name;     /* of the axis: "wrong pixels" */
     const char *const *metrics; /* names of further numbers, NULL at the end: "acne", "leak" */
+    const char *part_of; /* what the error is a part of: "the covered pixels"; NULL: of nothing */
+    const char *given;   /* the options that mean this experiment of its technique, beside --error:
+                            "--kind solid"; NULL: none does */
 
     /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
      * none, with the reason */
@@ -45,6 +53,9 @@ typedef struct Experiment {
 
     /* Holds a frame that has been drawn against the truth. errors GP_ERROR_MEMORY */
     GpResult (*measure)(void *scene, const Frame *frame, TechniqueError *measured, GpError *error);
+    /* The same without metrics, where these take longer. NULL: measure */
+    GpResult (*measure_error)(void *scene, const Frame *frame, TechniqueError *measured,
+                              GpError *error);
 } Experiment;
 
 /* --- scaling ---------------------------------------------------------------------------------- */
@@ -130,6 +141,15 @@ typedef struct Technique {
      *      then empty */
     GpResult (*build)(void *scene, const void *setting, GpDevice *device, Frame *frame,
                       GpError *error);
+
+    /* Sets what a setting leaves to be chosen to what `build` chooses for the scene, so that it can be
+     * told; what differs from part to part of the scene stays. NULL: nothing is left */
+    void (*resolve)(const void *scene, void *setting);
+
+    /* What the alpha of a picture is, which --output-NAME writes alone: "visibility". NULL: nothing */
+    const char *alpha;
+    /* errors GP_ERROR_INVALID: it is not in this scene, with the reason. NULL: it always is */
+    GpResult (*check_alpha)(const void *scene, GpError *error);
 
     /* Where the result is a volume: reads it once the list has run.
      * errors GP_ERROR_MEMORY; owns: the caller, until gp_volume_free. NULL: the result is a picture */

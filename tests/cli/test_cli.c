@@ -186,6 +186,10 @@ static void wrong_settings_of_a_technique_are_usage_errors(void **state)
         { "--error 5 --map 512", "--error chooses the setting" },
         { "--map 512 --error 5", "--error chooses the setting" },
         { "--curve charts.json", "--curve is for --error" },
+        { "--trust-chart", "--trust-chart is for --error" },
+        { "--error 5%%", "--error: expected a number" },
+        { "--error %", "--error: expected a number" },
+        { "--error inf", "--error: expected a number" },
         { "--frobnicate", "frobnicate" },
         { "second.json", "second.json" },
         { "-o picture.gif", "picture.gif" },
@@ -253,7 +257,8 @@ static void scenes_and_settings_that_do_not_go_together_are_input_errors(void **
         { "[ { \"direction\": [1, 2, 3] } ]", "--depth r32f", "r32f is no depth format" },
         { "[ { \"direction\": [1, 2, 3] } ]", "--method plain --depth d16", "in r32f" },
         { "[ { \"direction\": [1, 2, 3] } ]", "--method plain --slope 1", "does not bias" },
-        { "[ { \"direction\": [1, 2, 3] } ]", "--error 5", "`glasspipe chart shadow' makes it" },
+        { "[ { \"direction\": [1, 2, 3] } ]", "--error 5 --trust-chart",
+          "`glasspipe chart shadow' makes a chart" },
         { "[ { \"direction\": [1, 2, 3] } ]", "--error 5 --curve none.json", "none.json" },
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {

@@ -58,11 +58,17 @@ static void a_chart_chooses_the_setting_that_is_drawn(void **state)
         static char drawn[sizeof out];
         strcpy(drawn, out);
         assert_int_equal(shell("glasspipe shadow small.json --error %g "
-                               "--curve charts/shadow_small.json -o b.ppm",
+                               "--curve charts/shadow_small.json --trust-chart -o b.ppm",
                                errors[i]),
                          0);
         expect_contains(err, options);
         assert_string_equal(out, drawn);
+        assert_int_equal(shell("glasspipe shadow small.json --error %g "
+                               "--curve charts/shadow_small.json -o c.ppm",
+                               errors[i]),
+                         0);
+        expect_contains(err, options);
+        expect_contains(err, "looked at ");
     }
     json_decref(chart);
     static char page[1 << 18];
@@ -72,21 +78,56 @@ static void a_chart_chooses_the_setting_that_is_drawn(void **state)
     assert_int_equal(access("charts/shadow_small.csv", R_OK), 0);
 }
 
-static void an_error_that_no_setting_reaches_is_refused(void **state)
+/* A chart of one setting that claims no error at all. */
+static void write_liar(void)
 {
-    (void)state;
     write_file("small.json", small);
     write_file(
         "chart.json",
         "{ \"technique\": \"shadow\", \"scene\": \"small.json\", \"error_name\": \"wrong pixels\","
         " \"title\": \"t\", \"metrics\": [], \"machine\": \"m\", \"isa\": \"i\", \"threads\": 1,"
         " \"width\": 64, \"height\": 48, \"points\": [ { \"method\": \"m\", \"options\": "
-        "\"--map 64\", \"ms\": 1, \"min_ms\": 1, \"cpu_ms\": 1, \"frames\": 1, \"error\": 7,"
-        " \"metrics\": [], \"best\": true, \"picture\": \"\" } ] }\n");
+        "\"--map 16 --filter nearest --bias 0.5\", \"ms\": 1, \"min_ms\": 1, \"cpu_ms\": 1, "
+        "\"frames\": 1, \"error\": 0, \"metrics\": [], \"best\": true, \"picture\": \"\" } ] }\n");
+}
+
+static void a_chart_is_believed_only_where_that_is_asked_for(void **state)
+{
+    (void)state;
+    write_liar();
+    assert_int_equal(
+        shell("glasspipe shadow small.json --error 7 --curve chart.json --trust-chart -o a.ppm"),
+        0);
+    expect_contains(err, "--map 16");
+    expect_contains(err, "error 0 (expected, from another scene) wrong pixels");
     assert_int_equal(shell("glasspipe shadow small.json --error 7 --curve chart.json -o a.ppm"), 0);
-    expect_contains(err, "--map 64");
-    expect_refused(3, "shadow small.json --error 6 --curve chart.json -o a.ppm",
-                   "no setting has at most 6");
+    assert_null(strstr(err, "chose --map 16"));
+    expect_matches(err, "chose .*: error [0-7] \\(measured\\) wrong pixels");
+    assert_int_equal(shell("glasspipe shadow small.json --error 7 --curve chart.json -o a.ppm"), 0);
+    expect_matches(err, "looked at ([0-9]+) settings?, \\1 of them remembered");
+    assert_int_equal(shell("ls measured | wc -l"), 0);
+    assert_string_equal(out, "1\n");
+}
+
+/* The scene is as wide as a texel: the truth has edges that no map of the sweep can show. */
+static void an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn(void **state)
+{
+    (void)state;
+    static const char thin[] =
+        "{ \"size\": [64, 48], \"lights\": [ { \"position\": [2, 3, 1], \"at\": [0, 0, 0], "
+        "\"size\": 2 } ],\n"
+        "  \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"fovy\": 40 },\n"
+        "  \"objects\": [ { \"mesh\": \"builtin:plane\" },\n"
+        "                 { \"mesh\": \"builtin:knot\", \"fit\": [0, 0.5, 0, 1] } ] }\n";
+    write_file("thin.json", thin);
+    assert_int_equal(shell("glasspipe shadow -q thin.json --error 0 -o a.ppm --json"), 1);
+    expect_matches(err, "^glasspipe: not reached: the most exact of all [0-9]+ settings, --.* "
+                        "\\(.*\\), has error [0-9]+ \\(measured\\) wrong pixels");
+    json_t *object = parse_output(), *told = json_object_get(object, "error");
+    assert_true(json_is_false(json_object_get(told, "reached")));
+    assert_true(number(told, "error") > 0);
+    assert_int_equal(access("a.ppm", R_OK), 0);
+    json_decref(object);
 }
 
 /* What bench draws is what it writes, by either executor. */
@@ -110,7 +151,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         PROGRAM_TEST(a_chart_chooses_the_setting_that_is_drawn),
-        PROGRAM_TEST(an_error_that_no_setting_reaches_is_refused),
+        PROGRAM_TEST(a_chart_is_believed_only_where_that_is_asked_for),
+        PROGRAM_TEST(an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn),
         PROGRAM_TEST(a_case_of_bench_is_one_picture),
     };
     return cmocka_run_group_tests_name("charts", tests, find_program, NULL);

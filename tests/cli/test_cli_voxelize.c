@@ -85,7 +85,8 @@ static void wrong_meshes_and_settings_are_input_errors(void **state)
     expect_refused(3, "voxelize closed.off --bits 8", "only --method sheets");
     expect_refused(3, "voxelize closed.off --bits 3 --method sheets", "expected 1, 8 or 16");
     expect_refused(3, "voxelize closed.off --axes 2", "--axes 2");
-    expect_refused(3, "voxelize closed.off --error 5", "`glasspipe chart voxelize' makes it");
+    expect_refused(3, "voxelize closed.off --error 5 --trust-chart",
+                   "`glasspipe chart voxelize' makes a chart");
     expect_refused(3, "voxelize 'implicit:x^'", "expected");
     expect_refused(3, "voxelize parametric:cube", "no parametric surface");
     expect_refused(3, "voxelize points.off --kind solid", "points: no inside");
@@ -256,7 +257,7 @@ static void write_chart(const char *file, const char *technique, const Point *po
     write_file(file, text);
 }
 
-/* The smallest volume that is near enough, by the method that loses no more than that: each halving of
+/* As the chart has it: the smallest volume that is near enough, by the method that loses no more than that: each halving of
  * the error is a finer volume. */
 static void an_error_chooses_the_size(void **state)
 {
@@ -280,15 +281,36 @@ static void an_error_chooses_the_size(void **state)
     write_meshes();
     write_chart("made.json", "voxelize", points, GP_COUNT(points));
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
-        assert_int_equal(
-            shell("glasspipe voxelize closed.off --error %s --curve made.json -o a.bits",
-                  cases[i].error),
-            0);
+        assert_int_equal(shell("glasspipe voxelize closed.off --error %s --curve made.json "
+                               "--trust-chart -o a.bits",
+                               cases[i].error),
+                         0);
         expect_contains(err, cases[i].chosen);
         expect_contains(out, cases[i].made);
     }
-    expect_refused(3, "voxelize closed.off --error 7 --curve made.json",
+    expect_contains(err, "error 8 (expected, from another scene)");
+    expect_refused(3, "voxelize closed.off --error 7 --curve made.json --trust-chart",
                    "no setting has at most 7 thousandths");
+}
+
+/* A chart that lies about sizes does not matter: the error is measured. Options of the key are refused,
+ * but those that say what is meant. */
+static void an_error_is_kept_whatever_the_chart_says(void **state)
+{
+    (void)state;
+    static const Point lie = { "--method conservative --size 32", 1, 0.1 };
+    write_meshes();
+    write_chart("made.json", "voxelize", &lie, 1);
+    assert_int_equal(
+        shell("glasspipe voxelize closed.off --error 0.9%% --curve made.json -o a.bits"), 0);
+    expect_matches(err, "chose --method (conservative|thin) --size 64 .*: error 0\\.[0-9]+% "
+                        "\\(measured\\), [5-8]\\.[0-9]+ RMS");
+    assert_int_equal(shell("glasspipe voxelize closed.off --kind solid --error 30%% -o a.bits"), 0);
+    expect_matches(err, "chose --kind solid --method xor --size (32|64) \\(xor\\): error [0-9.]+% "
+                        "\\(measured\\)");
+    expect_refused(2, "voxelize closed.off --error 5 --kind solid --method xor",
+                   "--error chooses the setting");
+    expect_refused(3, "voxelize closed.off --error 5 --twist 20", "not twisted");
 }
 
 /* Solids have a chart of their own; what other techniques have is none of voxelize's. */
@@ -299,7 +321,9 @@ static void the_chart_of_solids_serves_too(void **state)
     write_meshes();
     write_chart("solids.json", "solids", &solid, 1);
     assert_int_equal(
-        shell("glasspipe voxelize closed.off --error 12 --curve solids.json -o a.bits"), 0);
+        shell(
+            "glasspipe voxelize closed.off --error 12 --curve solids.json --trust-chart -o a.bits"),
+        0);
     expect_contains(err, "chose --kind solid --method xor --size 32");
     expect_contains(err, "measured on closed.off, 1 thread, none");
     write_chart("shadow.json", "shadow", &solid, 1);
@@ -312,6 +336,7 @@ int main(void)
         PROGRAM_TEST(wrong_arguments_are_usage_errors),
         PROGRAM_TEST(wrong_meshes_and_settings_are_input_errors),
         PROGRAM_TEST(an_error_chooses_the_size),
+        PROGRAM_TEST(an_error_is_kept_whatever_the_chart_says),
         PROGRAM_TEST(the_chart_of_solids_serves_too),
         PROGRAM_TEST(volumes_are_written_and_hashed),
         PROGRAM_TEST(a_volume_is_the_same_on_everything),

@@ -81,6 +81,8 @@ static const TechniqueSweep sweep[] = {
     { .method = NULL },
 };
 
+static const char *const usual[] = { "fit, near sides", "fit to the eye", "adaptive", NULL };
+
 /* --- truth ------------------------------------------------------------------------------------ */
 
 typedef struct Opened {
@@ -210,7 +212,8 @@ static GpResult measure(void *made, const Frame *frame, TechniqueError *measured
     gp_free(visibility);
     *measured =
         (TechniqueError){ .error = shadow.acne + shadow.leak,
-                          .metrics = { shadow.acne, shadow.leak, shadow.rmse, shadow.covered } };
+                          .metrics = { shadow.acne, shadow.leak, shadow.rmse, shadow.covered },
+                          .whole = shadow.covered };
     return GP_OK;
 }
 
@@ -219,7 +222,9 @@ static const Experiment experiments[] = {
       .title = "Shadow maps: time against wrong pixels",
       .scene = "scenes/shadow_bunny.json",
       .sweep = sweep,
+      .usual = usual,
       .error_name = "wrong pixels",
+      .part_of = "the covered pixels",
       .metrics = metrics,
       .find_truth = find_truth,
       .measure = measure },

@@ -27,6 +27,9 @@ static const TechniqueSweep solid_sweep[] = {
     { .method = NULL },
 };
 
+static const char *const usual[] = { "conservative", "thin", NULL };
+static const char *const usual_solid[] = { "xor", NULL };
+
 /* --- truth ------------------------------------------------------------------------------------ */
 
 /* Metrics are against the exact voxels of a frame's own size, the error against the model, so that it
@@ -68,6 +71,26 @@ static uint8_t *bits_of(const FlatTexture *flat)
 
 static const char *const metrics[] = { "voxels", "missing", "extra", NULL };
 
+/* Against the model. NaN without memory */
+static double wrong_of(VoxelModels *models, const VoxelSetting *setting, const uint8_t *bits)
+{
+    return setting->kind == VOXEL_SOLID
+               ? voxel_truths_wrong_volume(&models->truths, &models->scene, setting->size, bits)
+               : voxel_truths_distance(&models->truths, &models->scene, setting->size, bits);
+}
+
+static GpResult measure_error(void *scene, const Frame *frame, TechniqueError *measured,
+                              GpError *error)
+{
+    const VoxelMade *made = frame->made;
+    uint8_t *bits = bits_of(&made->pair.result);
+    if (!bits)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    *measured = (TechniqueError){ .error = wrong_of(scene, &made->setting, bits), .whole = 1000 };
+    gp_free(bits);
+    return GP_OK;
+}
+
 static GpResult measure(void *scene, const Frame *frame, TechniqueError *measured, GpError *error)
 {
     VoxelModels *models = scene;
@@ -81,15 +104,12 @@ static GpResult measure(void *scene, const Frame *frame, TechniqueError *measure
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     uint64_t missing, extra;
     voxel_truth_compare(truth, bits, &missing, &extra);
-    const double wrong =
-        setting->kind == VOXEL_SOLID
-            ? voxel_truths_wrong_volume(&models->truths, &models->scene, setting->size, bits)
-            : voxel_truths_distance(&models->truths, &models->scene, setting->size, bits);
-    gp_free(bits);
     *measured = (TechniqueError){
-        .error = wrong,
+        .error = wrong_of(models, setting, bits),
         .metrics = { (double)flat_texture_count(texture), (double)missing, (double)extra },
+        .whole = 1000,
     };
+    gp_free(bits);
     return GP_OK;
 }
 
@@ -98,18 +118,25 @@ const Experiment voxel_experiments[] = {
       .title = "Voxelization: time against distance from the model",
       .scene = "meshes/bunny.ply",
       .sweep = sweep,
+      .usual = usual,
       .error_name = "RMS distance, thousandths of the model's size",
+      .part_of = "the model's size",
       .metrics = metrics,
       .find_truth = find_truth,
-      .measure = measure },
+      .measure = measure,
+      .measure_error = measure_error },
     { .name = "solids",
       .title = "Solid voxels: time against wrong volume",
       .scene = "meshes/horse.ply",
       .sweep = solid_sweep,
+      .usual = usual_solid,
       .error_name = "wrong volume, thousandths",
+      .part_of = "the enclosed volume",
+      .given = "--kind solid",
       .metrics = metrics,
       .find_truth = find_truth,
-      .measure = measure },
+      .measure = measure,
+      .measure_error = measure_error },
     { .name = NULL },
 };
 

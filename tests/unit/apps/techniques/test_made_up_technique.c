@@ -239,7 +239,9 @@ static void mistakes_are_told(void **state)
         { "blur scene.json --between bits", EXIT_USAGE, "--between: expected bytes or floats" },
         { "blur scene.json -o a.nrrd", EXIT_USAGE, "a.nrrd" },
         { "blur missing.json", EXIT_INPUT, "missing.json" },
-        { "blur scene.json --error 1", EXIT_INPUT, "`glasspipe chart blur' makes it" },
+        { "blur scene.json --error 1 --trust-chart", EXIT_INPUT,
+          "`glasspipe chart blur' makes a chart" },
+        { "blur scene.json --error 5%", EXIT_USAGE, "codes are no part of anything" },
         { "chart shadow", EXIT_USAGE, "no technique 'shadow' (there are: blur)" },
         { "chart blur --scaling", EXIT_USAGE, "blur has no table of what grows" },
     };
@@ -271,11 +273,33 @@ static void a_chart_is_drawn_and_an_error_chooses_from_it(void **state)
     char line[128];
     snprintf(line, sizeof line, "blur scene.json --curve blur.json --error %.17g", errors[4]);
     assert_int_equal(glasspipe(line), EXIT_DONE);
-    expect_contains(err, "chose --between floats --steps 6 (floats): ");
-    assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 0"), EXIT_INPUT);
+    expect_contains(err, "chose --between floats --steps 6 (floats): error ");
+    expect_contains(err, " (measured) codes");
+    assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 0"), EXIT_DIFFERS);
+    expect_contains(err,
+                    "not reached: the most exact of all 5 settings, --between floats --steps 6");
+    assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 0 --trust-chart"),
+                     EXIT_INPUT);
     expect_contains(err, "no setting has at most 0 codes");
     assert_int_equal(glasspipe("blur scene.json --curve blur.json --error 9 --steps 2"),
                      EXIT_USAGE);
+}
+
+/* Nobody told the technique how: it has a truth, and that is enough. */
+static void an_error_is_kept_without_any_chart(void **state)
+{
+    (void)state;
+    assert_int_equal(glasspipe("blur scene.json --error 1"), EXIT_DONE);
+    expect_matches(err, "chose --steps 2 \\(bytes\\): error 0\\.[0-9]+ \\(measured\\) codes");
+    expect_contains(err, "looked at 3 settings, 0 of them remembered");
+    assert_int_equal(glasspipe("blur scene.json --error 1 --json"), EXIT_DONE);
+    expect_contains(err, "looked at 3 settings, 3 of them remembered");
+    json_t *object = parse_output(), *told = json_object_get(object, "error");
+    assert_true(json_is_true(json_object_get(told, "measured")));
+    assert_true(json_is_true(json_object_get(told, "reached")));
+    assert_true(json_number_value(json_object_get(told, "error")) <= 1);
+    assert_string_equal(json_string_value(json_object_get(told, "unit")), "codes");
+    json_decref(object);
 }
 
 int main(void)
@@ -286,6 +310,7 @@ int main(void)
         TEST(the_command_draws_and_tells),
         TEST(mistakes_are_told),
         TEST(a_chart_is_drawn_and_an_error_chooses_from_it),
+        TEST(an_error_is_kept_without_any_chart),
     };
     return cmocka_run_group_tests_name("a made-up technique", tests, NULL, NULL);
 }

@@ -1,0 +1,135 @@
+#include "apps/charts/promise.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct Search {
+    const PromiseJob *job;
+    Measured *measured;
+    Candidates candidates;
+    bool *was_tried; /* of each candidate */
+    bool has_truth;
+    Promise best; /* so far; its error is infinite before any */
+    GpResult result;
+    GpError *error;
+} Search;
+
+/* --- one setting ------------------------------------------------------------------------------ */
+
+/* Draws a setting and holds it against the truth. errors GP_ERROR_INVALID: it does not go with the
+ * scene; or those of promise_choose */
+static GpResult draw_and_measure(Search *search, const void *setting, TechniqueError *error,
+                                 bool *goes)
+{
+    const PromiseJob *job = search->job;
+    Frame frame = { .color = NULL };
+    GpResult result =
+        job->technique->build(job->scene, setting, job->device, &frame, search->error);
+    *goes = result != GP_ERROR_INVALID;
+    if (!result)
+        result = gp_device_run(job->device, &frame.list, search->error);
+    if (!result && !search->has_truth)
+        result =
+            job->experiment->find_truth(job->scene, gp_device_threads(job->device), search->error);
+    search->has_truth |= !result;
+    const Experiment *experiment = job->experiment;
+    if (!result)
+        result = (experiment->measure_error ? experiment->measure_error : experiment->measure)(
+            job->scene, &frame, error, search->error);
+    frame_free(&frame);
+    return result;
+}
+
+/* The error of a setting as it is remembered or measured; infinite where it does not go. */
+static GpResult find_error(Search *search, const void *setting, TechniqueError *error)
+{
+    const PromiseJob *job = search->job;
+    const Technique *technique = job->technique;
+    SettingText key;
+    bool goes = true;
+    setting_print(technique->settings, setting, technique->defaults, key, sizeof key);
+    *error = (TechniqueError){ .error = HUGE_VAL };
+    if (technique->check && technique->check(setting, job->given, job->extension, NULL))
+        return GP_OK;
+    search->best.tried++;
+    if (measured_find(search->measured, key, error))
+        return GP_OK;
+    search->best.drawn++;
+    *error = (TechniqueError){ .error = HUGE_VAL };
+    GpResult result = draw_and_measure(search, setting, error, &goes);
+    if (!goes)
+        result = GP_OK;
+    if (!result)
+        measured_add(search->measured, key, error);
+    return result;
+}
+
+/* Tries a candidate. returns whether it holds; false after a failure too, which search->result is */
+static bool holds(Search *search, uint32_t number)
+{
+    const PromiseJob *job = search->job;
+    const Technique *technique = job->technique;
+    const Candidate *candidate = &search->candidates.list[number];
+    TechniqueError error = { .error = HUGE_VAL };
+    if (search->result || search->was_tried[number])
+        return false;
+    search->was_tried[number] = true;
+    void *setting = gp_alloc(1, technique->setting_bytes);
+    search->result = setting ? GP_OK : gp_fail(search->error, GP_ERROR_MEMORY, "out of memory");
+    if (setting) {
+        memcpy(setting, job->setting, technique->setting_bytes);
+        search->result =
+            setting_parse(technique->settings, setting, candidate->options, search->error);
+    }
+    if (!search->result)
+        search->result = find_error(search, setting, &error);
+    gp_free(setting);
+    const bool is_kept = (job->per_cent ? chart_per_cent(&error) : error.error) <= job->most;
+    if (is_kept || error.error < search->best.measured.error) {
+        search->best.chosen = *candidate;
+        search->best.measured = error;
+        search->best.is_kept = is_kept;
+    }
+    return is_kept;
+}
+
+/* --- all of them ------------------------------------------------------------------------------ */
+
+static void try_all(Search *search)
+{
+    const Candidates *all = &search->candidates;
+    if (all->count > 0 && holds(search, all->first)) {
+        for (uint32_t i = all->first; search->job->chart && i > 0 && holds(search, i - 1); i--)
+            ;
+        return;
+    }
+    for (uint32_t i = all->first; i < all->count; i++)
+        if (holds(search, i))
+            return;
+    for (uint32_t i = all->first; i > 0; i--)
+        if (holds(search, i - 1))
+            return;
+}
+
+GpResult promise_choose(const PromiseJob *job, Measured *measured, Promise *promise, GpError *error)
+{
+    Search search = {
+        .job = job, .measured = measured, .best = { .measured.error = HUGE_VAL }, .error = error
+    };
+    GpResult result = candidates_list(job->experiment, job->chart, job->most, job->per_cent,
+                                      &search.candidates, error);
+    if (result)
+        return result;
+    search.was_tried = gp_alloc(search.candidates.count, sizeof *search.was_tried);
+    if (!search.was_tried)
+        search.result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    try_all(&search);
+    if (!search.result && !search.best.chosen.method[0] && !search.best.is_kept)
+        search.result =
+            gp_fail(error, GP_ERROR_INVALID, "no setting goes with this scene and these options");
+    gp_free(search.was_tried);
+    gp_free(search.candidates.list);
+    if (!search.result)
+        *promise = search.best;
+    return search.result;
+}
