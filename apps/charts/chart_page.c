@@ -1,5 +1,6 @@
 #include "apps/charts/chart_page.h"
 
+#include "apps/base/page.h"
 #include "apps/charts/chart_draw.h"
 #include "apps/charts/chart_file.h"
 
@@ -12,47 +13,27 @@
 #include <string.h>
 
 static const char style[] =
-    ":root { color-scheme: light dark; --ink: #1f2430; --soft: #5b6472; --line: #d5dae1;\n"
-    "        --ground: #f7f8fa; --sheet: #ffffff }\n"
-    "@media (prefers-color-scheme: dark) {\n"
-    "  :root { --ink: #e4e8ee; --soft: #9aa5b4; --line: #3a414d; --ground: #14171c;\n"
-    "          --sheet: #1c2027 } }\n"
-    "body { margin: 0 auto; padding: 24px; max-width: 1280px; color: var(--ink);\n"
-    "       background: var(--ground); font: 15px/1.5 system-ui, sans-serif }\n"
-    "h1 { font-size: 26px } h2 { font-size: 21px; margin: 48px 0 12px }\n"
-    "a { color: inherit } nav a { margin-right: 18px }\n"
+    "nav a { margin-right: 18px }\n"
     "svg { display: block; width: 100%; height: auto; border-radius: 8px }\n"
-    ".wide { overflow-x: auto }\n"
-    "table { border-collapse: collapse; margin: 16px 0; background: var(--sheet) }\n"
-    "th, td { padding: 4px 12px; border-bottom: 1px solid var(--line); text-align: left }\n"
-    "td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }\n"
-    "code { font-size: 13px } .note, figcaption, summary { color: var(--soft) }\n"
     ".pictures { display: grid; gap: 16px;\n"
     "            grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)) }\n"
-    "figure { margin: 0 } figure img { width: 100%; border-radius: 6px }\n"
-    "figcaption { font-size: 13px }\n";
+    "figure img { width: 100%; border-radius: 6px }\n";
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
-static void add_cell(Text *page, const char *element, const char *attributes, const char *content)
-{
-    text_add(page, "<%s%s>", element, attributes);
-    text_add_escaped(page, "%s</%s>", content, element);
-}
-
 static void add_head(const Chart *chart, Text *page)
 {
-    add_cell(page, "th", "", "method");
-    add_cell(page, "th", "", "options");
-    add_cell(page, "th", " class=\"n\"", "ms");
-    add_cell(page, "th", " class=\"n\"", chart->error_name);
+    page_add_cell(page, "th", "", "method");
+    page_add_cell(page, "th", "", "options");
+    page_add_cell(page, "th", " class=\"n\"", "ms");
+    page_add_cell(page, "th", " class=\"n\"", chart->error_name);
     for (int i = 0; i < chart->metric_count; i++)
-        add_cell(page, "th", " class=\"n\"", chart->metrics[i]);
+        page_add_cell(page, "th", " class=\"n\"", chart->metrics[i]);
 }
 
 static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
 {
-    add_cell(page, "td", "", point->method);
+    page_add_cell(page, "td", "", point->method);
     text_add_escaped(page,
                      "<td><code>%s</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>",
                      point->options, point->time.ms, point->measured.error);
@@ -76,21 +57,6 @@ static void add_table(const Chart *chart, const ChartPoint *const *points, uint3
 
 /* --- pictures --------------------------------------------------------------------------------- */
 
-static void add_base64(Text *page, const unsigned char *bytes, size_t size)
-{
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < size; i += 3) {
-        size_t left = size - i;
-        unsigned bits = (unsigned)bytes[i] << 16;
-        bits |= left > 1 ? (unsigned)bytes[i + 1] << 8 : 0;
-        bits |= left > 2 ? bytes[i + 2] : 0u;
-        const char group[] = { digits[bits >> 18], digits[bits >> 12 & 63],
-                               left > 1 ? digits[bits >> 6 & 63] : '=',
-                               left > 2 ? digits[bits & 63] : '=', '\0' };
-        text_add(page, "%s", group);
-    }
-}
-
 /* A picture that is not there any more is left out: the chart is right without it. */
 static void add_picture(const char *folder, const ChartPoint *point, Text *page)
 {
@@ -99,11 +65,11 @@ static void add_picture(const char *folder, const ChartPoint *point, Text *page)
     snprintf(path, sizeof path, "%s/%s", folder, point->picture);
     if (!point->picture[0] || strchr(point->picture, '/') || gp_file_read(path, &file, NULL))
         return;
-    text_add(page, "<figure><img alt=\"\" src=\"data:image/png;base64,");
-    add_base64(page, (const unsigned char *)file.data, file.size);
-    text_add_escaped(
-        page, "\"><figcaption>%s: <code>%s</code>, %.3g ms, error %.6g</figcaption></figure>\n",
-        point->method, point->options, point->time.ms, point->measured.error);
+    text_add(page, "<figure>");
+    page_add_png(page, &file, " alt=\"\"");
+    text_add_escaped(page,
+                     "<figcaption>%s: <code>%s</code>, %.3g ms, error %.6g</figcaption></figure>\n",
+                     point->method, point->options, point->time.ms, point->measured.error);
     gp_file_free(&file);
 }
 
@@ -184,14 +150,13 @@ static void add_file(const char *folder, const char *file, Text *contents, Text 
 
 static void join(const Text *contents, const Text *sections, Text *page)
 {
+    page_begin(page, "glasspipe: speed against accuracy", style);
     text_add(page,
-             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-             "<meta name=\"viewport\" content=\"width=device-width\">\n"
-             "<title>glasspipe: speed against accuracy</title>\n<style>\n%s</style>\n</head>\n"
-             "<body>\n<h1>Speed against accuracy</h1>\n"
+             "<h1>Speed against accuracy</h1>\n"
              "<p>Each chart holds every setting of a technique against its exact result. "
-             "Tooltips tell all numbers of a point.</p>\n<nav>\n%s</nav>\n%s</body>\n</html>\n",
-             style, contents->data ? contents->data : "", sections->data ? sections->data : "");
+             "Tooltips tell all numbers of a point.</p>\n<nav>\n%s</nav>\n%s",
+             contents->data ? contents->data : "", sections->data ? sections->data : "");
+    page_end(page);
     page->failed |= contents->failed || sections->failed;
 }
 

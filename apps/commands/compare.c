@@ -4,7 +4,7 @@
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
-#include "apps/compare/comparison.h"
+#include "apps/compare/comparison_page.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 typedef struct Compare {
     Options options; /* first: see options.h */
     const char *paths[2];
-    const char *output;
+    const char *output, *report;
     double scale; /* of the difference picture */
     ComparisonSettings settings;
 } Compare;
@@ -21,6 +21,9 @@ static const SettingField options[] = {
     { "output", "FILE",
       "Write the absolute difference of the pictures to FILE (.png, .exr, .pfm or .ppm)",
       SETTING_TEXT, .offset = offsetof(Compare, output), .letter = 'o' },
+    { "report", "FILE",
+      "Write a page to FILE (.html): both pictures under a slider, difference, FLIP, worst tile",
+      SETTING_TEXT, .offset = offsetof(Compare, report) },
     { "scale", "S", "Multiply the difference picture by S", SETTING_NUMBER,
       .offset = offsetof(Compare, scale), .high = OPTIONS_ANY },
     { "fail", "F", "Call a pixel failing if it differs by more than F (default: 0)", SETTING_NUMBER,
@@ -54,6 +57,7 @@ static const CommandSyntax syntax = {
         "Examples:\n"
         "  glasspipe compare before.png after.png\n"
         "  glasspipe compare before.exr after.exr -o diff.png --scale 10\n"
+        "  glasspipe compare before.png after.png --report report.html\n"
         "  glasspipe compare a.png b.png --fail 0.004 --failpercent 0.1 --hardfail 0.1\n"
         "  glasspipe compare a.png b.png --flipfail 0.01 --no-alpha\n"
         "\n"
@@ -172,6 +176,22 @@ static int write_difference(const Compare *compare, const Picture pictures[2])
     return code;
 }
 
+static int write_report(const Compare *compare, const Comparison *comparison,
+                        const Picture pictures[2])
+{
+    Text page = { .data = NULL };
+    GpError error = { "" };
+    GpResult result =
+        comparison_page(compare->paths, pictures, comparison, &compare->settings, &page, &error);
+    if (!result)
+        result = text_write(compare->report, &page, &error);
+    text_free(&page);
+    if (result)
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(&compare->options, "wrote %s", compare->report);
+    return EXIT_DONE;
+}
+
 static int print_comparison(const Compare *compare, const Comparison *comparison,
                             const Picture pictures[2])
 {
@@ -203,6 +223,8 @@ static int compare_pair(const Compare *compare, Picture pictures[2])
     int code = print_comparison(compare, &comparison, pictures);
     if (!code && compare->output && !comparison.other_sizes)
         code = write_difference(compare, pictures);
+    if (!code && compare->report)
+        code = write_report(compare, &comparison, pictures);
     if (!code)
         code = comparison.failed ? EXIT_DIFFERS : EXIT_DONE;
     comparison_free(&comparison);
@@ -216,6 +238,10 @@ int cmd_compare(int argc, char **argv)
     GpError error = { "" };
     if (compare.output && picture_check_path(compare.output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);
+
+    if (compare.report && (!compare.report[0] || gp_path_is_folder(compare.report)))
+        return report(EXIT_USAGE, "--report %s: expected the name of a file to write",
+                      compare.report);
 
     Picture pictures[2] = { { .width = 0 }, { .width = 0 } };
     int code = EXIT_DONE;

@@ -60,6 +60,25 @@ static void compare_json_holds_the_metrics(void **state)
     json_decref(object);
 }
 
+static void compare_writes_a_report_of_the_same_bytes_each_time(void **state)
+{
+    (void)state;
+    static char first[sizeof out], second[sizeof out];
+    write_file("a.ppm", "P6 2 1 255\nabcabc");
+    write_file("b.ppm", "P6 2 1 255\nabcabf");
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --report r.html"), 1);
+    expect_contains(err, "wrote r.html");
+    read_file("r.html", first, sizeof first);
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --report r.html"), 1);
+    read_file("r.html", second, sizeof second);
+    assert_string_equal(first, second);
+    expect_contains(first, "different: 1 of 2 pixels (50 %) differ</p>");
+    expect_refused(2, "compare a.ppm b.ppm --report ''", "--report");
+    expect_refused(2, "compare a.ppm b.ppm --report .", "--report");
+    assert_int_equal(shell("glasspipe compare a.ppm b.ppm --report none/r.html"), 4);
+    expect_files("a.ppm b.ppm r.html scene.json");
+}
+
 /* --- words ------------------------------------------------------------------------------------ */
 
 static void expect_first_line(const char *expected)
@@ -250,6 +269,7 @@ int main(void)
         PROGRAM_TEST(compare_tells_same_different_and_different_sizes),
         PROGRAM_TEST(compare_writes_the_scaled_difference),
         PROGRAM_TEST(compare_json_holds_the_metrics),
+        PROGRAM_TEST(compare_writes_a_report_of_the_same_bytes_each_time),
         PROGRAM_TEST(the_verdict_is_said_in_words),
         PROGRAM_TEST(alpha_of_one_picture_is_said_and_not_counted),
         PROGRAM_TEST(flip_of_drawn_pictures_is_that_of_the_authors_program),

@@ -60,7 +60,7 @@ void markup_check(const char *text)
         }
         at = check_attributes(name + length);
         bool single = at[-1] == '/' || strncmp(name, "meta", length) == 0 ||
-                      strncmp(name, "img", length) == 0;
+                      strncmp(name, "img", length) == 0 || strncmp(name, "input", length) == 0;
         if (closes) {
             assert_true(depth-- > 0);
             if (strncmp(open[depth], name, length) != 0 || open[depth][length])
