@@ -358,7 +358,9 @@ bench-peers: $(PEER_BENCH) $(PROGRAM)
 # --- installing -----------------------------------------------------------------------------------
 
 INSTALLED := $(DESTDIR)$(PREFIX)
-MAN_PAGES := $(wildcard apps/man/*.1)
+MAN_PAGES := $(wildcard apps/man/*.[15])
+man_place  = man$(subst .,,$(suffix $(1)))/$(notdir $(1))
+SHIPPED   := $(wildcard scenes/*.json scenes/models/*)
 COMPLETION := $(wildcard apps/completion/*)
 # What debuggers need, nine tenths of the bytes, is not installed; out/ keeps it.
 STRIP := $(shell $(CC) -print-prog-name=strip)
@@ -377,17 +379,21 @@ install: all
 	    install -D -m 644 '{}' $(abspath $(INSTALLED))/include/'{}' ';'
 	sed -e 's,@PREFIX@,$(PREFIX),' -e 's,@VERSION@,$(VERSION),' pipeline/glasspipe.pc.in \
 	    >$(INSTALLED)/lib/pkgconfig/glasspipe.pc
-	install -d $(INSTALLED)/share/man/man1 $(INSTALLED)/share/bash-completion/completions
-	$(if $(MAN_PAGES),install -m 644 $(MAN_PAGES) $(INSTALLED)/share/man/man1/)
+	$(foreach page,$(MAN_PAGES),install -D -m 644 $(page) \
+	    $(INSTALLED)/share/man/$(call man_place,$(page)) &&) true
+	for file in $(SHIPPED); do \
+	    install -D -m 644 $$file $(INSTALLED)/share/glasspipe/$$file || exit; done
+	$(EMULATOR) $(PROGRAM) render --schema >$(INSTALLED)/share/glasspipe/scene.schema.json
+	install -d $(INSTALLED)/share/bash-completion/completions
 	$(if $(COMPLETION),install -m 644 $(firstword $(COMPLETION)) \
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe)
 
 uninstall:
-	rm -rf $(INSTALLED)/include/glasspipe
+	rm -rf $(INSTALLED)/include/glasspipe $(INSTALLED)/share/glasspipe
 	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
 	    $(INSTALLED)/lib/libglasspipe_oiio.so \
 	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \
-	    $(patsubst apps/man/%,$(INSTALLED)/share/man/man1/%,$(MAN_PAGES)) \
+	    $(foreach page,$(MAN_PAGES),$(INSTALLED)/share/man/$(call man_place,$(page))) \
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe
 
 # --- the rest -------------------------------------------------------------------------------------

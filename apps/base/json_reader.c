@@ -1,6 +1,7 @@
 #include "apps/base/json_reader.h"
 
 #include "apps/base/json_lines.h"
+#include "apps/base/json_schema.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -43,7 +44,7 @@ static void write_path(const JsonStep *steps, int count, char *text, size_t size
 void node_fail(const Node *node, GpResult result, const char *format, ...)
 {
     Reader *reader = node->reader;
-    if (reader->result)
+    if (reader->result || node->schema)
         return;
     JsonStep steps[MAX_DEPTH];
     char path[200], message[300];
@@ -109,9 +110,14 @@ void reader_close(Reader *reader)
     reader->text = NULL;
 }
 
+void reader_describe(Reader *reader)
+{
+    *reader = (Reader){ .schema = json_object() };
+}
+
 Node node_root(Reader *reader)
 {
-    return (Node){ .reader = reader, .value = reader->root };
+    return (Node){ .reader = reader, .value = reader->root, .schema = reader->schema };
 }
 
 /* --- objects and arrays ---------------------------------------------------------------------- */
@@ -127,6 +133,8 @@ static bool expect(const Node *node, bool right, const char *what)
 Node node_member(Node *object, const char *key)
 {
     Node member = { .reader = object->reader, .parent = object, .key = key };
+    if (object->schema)
+        member.schema = schema_member(object->schema, key);
     if (!expect(object, json_is_object(object->value), "an object"))
         return member;
     const char *name;
@@ -148,6 +156,8 @@ void node_close(Node *object)
     const char *name;
     json_t *value;
     unsigned place = 0;
+    if (object->schema)
+        schema_close(object->schema);
     if (!expect(object, json_is_object(object->value), "an object"))
         return;
     json_object_foreach(object->value, name, value)
@@ -163,6 +173,10 @@ void node_close(Node *object)
 
 size_t node_length(Node array, size_t limit)
 {
+    if (array.schema) {
+        schema_length(array.schema, 0, limit);
+        return 1;
+    }
     if (!expect(&array, json_is_array(array.value), "an array"))
         return 0;
     size_t length = json_array_size(array.value);
@@ -177,16 +191,51 @@ Node node_element(const Node *array, size_t index)
     return (Node){ .reader = array->reader,
                    .value = json_array_get(array->value, index),
                    .parent = array,
-                   .index = index };
+                   .index = index,
+                   .schema = array->schema ? schema_element(array->schema) : NULL };
+}
+
+bool node_has_length(Node array, size_t count, const char *expected)
+{
+    if (array.schema)
+        schema_length(array.schema, count, count);
+    const bool has =
+        array.schema || (json_is_array(array.value) && json_array_size(array.value) == count);
+    if (!has && array.value)
+        node_fail(&array, GP_ERROR_FORMAT, "expected %s", expected);
+    return has;
 }
 
 bool node_exists(const Node *node)
 {
-    return node->value != NULL;
+    return node->value || node->schema;
+}
+
+bool node_lacks(const Node *node)
+{
+    return !node->value;
+}
+
+static bool has_type(const Node *node, json_type type)
+{
+    return type == JSON_REAL ? json_is_number(node->value)
+                             : node->value && json_typeof(node->value) == type;
+}
+
+bool node_is(const Node *node, json_type type)
+{
+    return node->schema || has_type(node, type);
+}
+
+bool node_is_not(const Node *node, json_type type)
+{
+    return node->schema || !has_type(node, type);
 }
 
 bool node_is_false(const Node *node)
 {
+    if (node->schema)
+        schema_false(node->schema);
     return json_is_false(node->value);
 }
 
@@ -194,6 +243,50 @@ void node_require(const Node *node)
 {
     if (!node->value)
         node_fail(node, GP_ERROR_FORMAT, "missing");
+    if (node->schema && node->key)
+        schema_require(node->parent->schema, node->key);
+}
+
+void node_one_of(const Node *a, const Node *b, const char *expected)
+{
+    if (a->schema)
+        schema_one_of(a->parent->schema, a->key, b->key);
+    else if (!a->value == !b->value)
+        node_fail(a->parent, GP_ERROR_FORMAT, "expected %s", expected);
+}
+
+void node_define(Node *object, const char *name)
+{
+    if (!object->schema)
+        return;
+    json_t *root = object->reader->schema;
+    if (!json_object_get(root, "definitions"))
+        json_object_set_new(root, "definitions", json_object());
+    object->schema = schema_define(object->schema, json_object_get(root, "definitions"), name);
+}
+
+Node node_alternative(const Node *object, const char *title)
+{
+    Node one = *object;
+    if (one.schema)
+        one.schema = schema_alternative(one.schema, title);
+    return one;
+}
+
+void node_without_default(const Node *node)
+{
+    if (node->schema)
+        schema_without_default(node->schema);
+}
+
+void node_examples(const Node *node, const char *prefix, const char *(*name)(size_t i))
+{
+    if (!node->schema)
+        return;
+    json_t *list = json_array();
+    for (size_t i = 0; name(i); i++)
+        json_array_append_new(list, json_sprintf("%s%s", prefix, name(i)));
+    json_object_set_new(schema_type(node->schema, "string"), "examples", list);
 }
 
 /* --- values ---------------------------------------------------------------------------------- */
@@ -201,6 +294,8 @@ void node_require(const Node *node)
 double node_double(Node node, double fallback, double low, double high)
 {
     double value = json_number_value(node.value);
+    if (node.schema)
+        schema_number(node.schema, "number", low, high, node.key ? &fallback : NULL);
     if (!node.value || node.reader->result)
         return fallback;
     if (json_is_number(node.value) && value >= low && value <= high)
@@ -217,6 +312,9 @@ float node_number(Node node, float fallback, float low, float high)
 long node_integer(Node node, long fallback, long low, long high)
 {
     json_int_t value = json_integer_value(node.value);
+    if (node.schema)
+        schema_number(node.schema, "integer", (double)low, (double)high,
+                      node.key ? &(double){ (double)fallback } : NULL);
     if (!node.value || node.reader->result)
         return fallback;
     if (json_is_integer(node.value) && value >= low && value <= high)
@@ -227,12 +325,16 @@ long node_integer(Node node, long fallback, long low, long high)
 
 bool node_bool(Node node, bool fallback)
 {
+    if (node.schema)
+        schema_bool(node.schema, &fallback);
     return expect(&node, json_is_boolean(node.value), "true or false") ? json_is_true(node.value)
                                                                        : fallback;
 }
 
 const char *node_string(Node node, const char *fallback)
 {
+    if (node.schema)
+        schema_type(node.schema, "string");
     return expect(&node, json_is_string(node.value), "a string") ? json_string_value(node.value)
                                                                  : fallback;
 }
@@ -240,6 +342,8 @@ const char *node_string(Node node, const char *fallback)
 int node_name(Node node, int fallback, const char *const *names, int count)
 {
     const char *text = node_string(node, NULL);
+    if (node.schema)
+        schema_names(node.schema, names, count, node.key ? fallback : -1);
     if (!text)
         return fallback;
     for (int i = 0; i < count; i++)
@@ -261,6 +365,8 @@ void node_enum(Node *object, const char *key, const char *const *names, int coun
 
 void node_doubles(Node node, double *values, int count, double low, double high)
 {
+    if (node.schema)
+        schema_numbers(node.schema, "number", count, low, high, node.key ? values : NULL);
     if (!node.value || node.reader->result)
         return;
     if (!json_is_array(node.value) || json_array_size(node.value) != (size_t)count) {
@@ -280,4 +386,37 @@ void node_numbers(Node node, float *values, int count, float low, float high)
     node_doubles(node, wide, count, (double)low, (double)high);
     for (int i = 0; i < count; i++)
         values[i] = (float)wide[i];
+}
+
+void node_integers(Node node, long *values, int count, long low, long high)
+{
+    char expected[80];
+    snprintf(expected, sizeof expected, "%d whole numbers in [%ld, %ld]", count, low, high);
+    if (node.schema) {
+        double wide[16];
+        GP_ASSERT(count <= 16);
+        for (int i = 0; i < count; i++)
+            wide[i] = (double)values[i];
+        schema_numbers(node.schema, "integer", count, (double)low, (double)high, wide);
+    } else if (node_has_length(node, (size_t)count, expected)) {
+        for (int i = 0; i < count; i++)
+            values[i] = node_integer(node_element(&node, (size_t)i), values[i], low, high);
+    }
+}
+
+unsigned node_letters(Node node, const char *letters)
+{
+    unsigned bits = 0;
+    const char *text = node_string(node, "");
+    if (node.schema)
+        json_object_set_new(schema_type(node.schema, "string"), "pattern",
+                            json_sprintf("^[%s]*$", letters));
+    for (const char *at = text; *at; at++) {
+        const char *letter = strchr(letters, *at);
+        if (letter)
+            bits |= 1u << (letter - letters);
+        else
+            node_fail(&node, GP_ERROR_FORMAT, "expected letters out of %s", letters);
+    }
+    return bits;
 }

@@ -9,7 +9,7 @@
 typedef struct Render {
     Options options; /* first: see options.h */
     const char *scene, *output, *dump;
-    bool list_passes;
+    bool list_passes, schema;
 } Render;
 
 static const SettingField options[] = {
@@ -23,8 +23,19 @@ static const SettingField options[] = {
       SETTING_TEXT, .offset = offsetof(Render, dump) },
     { "list-passes", NULL, "Print the passes instead of rendering", SETTING_FLAG,
       .offset = offsetof(Render, list_passes) },
+    { "schema", NULL, "Print the JSON Schema of scene files, for editors, instead of rendering",
+      SETTING_FLAG, .offset = offsetof(Render, schema) },
     { .name = NULL },
 };
+
+static void check(struct argp_state *state, void *args)
+{
+    const Render *render = args;
+    if (!render->scene && !render->schema)
+        argp_error(state, "expected a scene file");
+    if (render->scene && render->schema)
+        argp_error(state, "--schema is of all scenes, not of one");
+}
 
 static const CommandSyntax syntax = {
     .shared = OPTIONS_FRAME,
@@ -39,9 +50,8 @@ static const CommandSyntax syntax = {
             "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
             "With --json the frame is rendered a second time, which is the one that is timed.",
     .offset = offsetof(Render, scene),
-    .least = 1,
     .most = 1,
-    .expected = "a scene file",
+    .check = check,
 };
 
 /* --- rendering ------------------------------------------------------------------------------- */
@@ -92,6 +102,8 @@ int cmd_render(int argc, char **argv)
 {
     Render render = { .scene = NULL };
     command_parse(&syntax, NULL, argc, argv, &render);
+    if (render.schema)
+        return output_json(scene_schema());
 
     /* Everything that can be refused without reading the scene is refused first. */
     GpError error = { "" };

@@ -5,6 +5,7 @@
 /* "shadow" of a light: what its map sees. */
 static void read_shadow(Node node, const SceneLight *light, SceneShadow *shadow)
 {
+    node_define(&node, "shadow");
     Node fovy = node_member(&node, "fovy"), height = node_member(&node, "height");
     Node near = node_member(&node, "near"), far = node_member(&node, "far");
     static const char *const format_names[] = { "auto", "d16", "d24", "d32f" };
@@ -30,15 +31,16 @@ static void read_shadow(Node node, const SceneLight *light, SceneShadow *shadow)
 
 static void read_light(Node node, SceneLight *light)
 {
+    node_define(&node, "light");
     Node position = node_member(&node, "position"), direction = node_member(&node, "direction");
     Node at = node_member(&node, "at"), cone = node_member(&node, "cone");
     Node size = node_member(&node, "size");
     *light = (SceneLight){ .color = { 1, 1, 1 },
                            .directional = node_exists(&direction),
                            .aims = node_exists(&at) };
-    if (node_exists(&position) == node_exists(&direction))
-        node_fail(&node, GP_ERROR_FORMAT, "expected a position or a direction");
-    node_doubles(light->directional ? direction : position, light->position, 3, -1e6, 1e6);
+    node_doubles(position, light->position, 3, -1e6, 1e6);
+    node_doubles(direction, light->position, 3, -1e6, 1e6);
+    node_one_of(&position, &direction, "a position or a direction");
     if (light->directional && vector_dot(light->position, light->position) == 0.0)
         node_fail(&direction, GP_ERROR_FORMAT, "a direction has some length");
     if (light->directional)
@@ -46,6 +48,7 @@ static void read_light(Node node, SceneLight *light)
     node_numbers(node_member(&node, "color"), light->color, 3, 0, 100);
     light->range = node_number(node_member(&node, "range"), 0, 0, 1e6f);
     node_doubles(at, light->at, 3, -1e6, 1e6);
+    node_without_default(&at);
     if (light->aims && !light->directional &&
         memcmp(light->at, light->position, sizeof light->at) == 0)
         node_fail(&at, GP_ERROR_FORMAT, "the light looks at itself");

@@ -168,14 +168,85 @@ static void read_uniform(const Uniform *u, Node *material, Given *given, char *u
         values[0] = node_number(node, values[0], u->low, u->high);
     else
         node_numbers(node, values, u->count, u->low, u->high);
+    if (u->source != FROM_MATERIAL)
+        node_without_default(&node);
     for (int k = 0; k < 3 && strcmp(u->key, "diffuse") == 0; k++)
         given->ambient[k] *= values[k];
+}
+
+const char *scene_program_name(const GpProgram *program)
+{
+    const Entry *entry = programs;
+    while (entry->program != program)
+        entry++;
+    return entry->name;
+}
+
+/* Slots that a program reads; they count from 0. */
+static unsigned texture_count(const GpProgram *program)
+{
+    const unsigned read = program->samplers | program->vertex_samplers | program->local_reads;
+    GP_ASSERT((read & (read + 1)) == 0);
+    return (unsigned)__builtin_popcount(read);
+}
+
+/* "textures": as many as the program reads. */
+static void read_textures(Loader *loader, Node *material, const Entry *entry, GpDraw *draw)
+{
+    const unsigned needed = texture_count(entry->program);
+    Node textures = node_member(material, "textures");
+    const size_t count = node_length(textures, GP_MAX_SAMPLERS);
+    if (count > needed)
+        node_fail(&textures, GP_ERROR_FORMAT, "program %s reads %s", entry->name,
+                  needed == 0   ? "no texture"
+                  : needed == 1 ? "one texture"
+                                : "three textures");
+    for (size_t i = 0; i < count; i++)
+        scene_read_texture(loader, node_element(&textures, i), &draw->textures[i]);
+    if (count < needed)
+        node_fail(node_exists(&textures) ? &textures : material, GP_ERROR_FORMAT,
+                  "program %s reads texture %zu", entry->name, count);
+}
+
+/* What can stand in a material, program by program. */
+static void describe(Loader *loader, const Node *material, const SceneView *view, bool quad)
+{
+    GpDraw draw = { .program = NULL };
+    for (size_t i = 0; i < GP_COUNT(programs); i++) {
+        const Entry *entry = &programs[i];
+        Node one = node_alternative(material, entry->name);
+        Node name = node_member(&one, "program");
+        const bool of_quads = strcmp(entry->name, "blit") == 0;
+        const bool of_objects =
+            strcmp(entry->name, "phong") == 0 || strcmp(entry->name, "sprite") == 0;
+        const bool is_default = quad ? of_quads : of_objects;
+        char *uniforms = frame_alloc(loader->frame, 1, entry->program->uniform_bytes);
+        Given given = given_by(view);
+        node_name(name, is_default ? 0 : -1, &entry->name, 1);
+        if (!is_default)
+            node_require(&name);
+        for (const Uniform *u = entry->uniforms; u->count && uniforms; u++)
+            read_uniform(u, &one, &given, uniforms);
+        const unsigned needed = texture_count(entry->program);
+        if (needed) {
+            read_textures(loader, &one, entry, &draw);
+            Node textures = node_member(&one, "textures");
+            node_has_length(textures, needed, "exactly these");
+            node_require(&textures);
+        }
+        node_close(&one);
+    }
 }
 
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,
                          GpDraw *draw)
 {
-    Node textures = node_member(&node, "textures");
+    if (node.schema) {
+        const bool quad = strcmp(program, "blit") == 0;
+        node_define(&node, quad ? "quad_material" : "material");
+        describe(loader, &node, view, quad);
+        return;
+    }
     const Entry *entry = find_program(node_member(&node, "program"), program);
     char *uniforms = frame_alloc(loader->frame, 1, entry->program->uniform_bytes);
     if (!uniforms)
@@ -185,14 +256,6 @@ void scene_read_material(Loader *loader, Node node, const SceneView *view, const
         read_uniform(u, &node, &given, uniforms);
     draw->program = entry->program;
     draw->uniforms = uniforms;
-    size_t count = node_length(textures, GP_MAX_SAMPLERS);
-    for (size_t i = 0; i < count; i++)
-        scene_read_texture(loader, node_element(&textures, i), &draw->textures[i]);
-    unsigned read =
-        entry->program->samplers | entry->program->vertex_samplers | entry->program->local_reads;
-    for (unsigned i = 0; i < GP_MAX_SAMPLERS; i++)
-        if ((read >> i & 1) && !draw->textures[i].surface)
-            node_fail(node_exists(&textures) ? &textures : &node, GP_ERROR_FORMAT,
-                      "program %s reads texture %u", entry->name, i);
+    read_textures(loader, &node, entry, draw);
     node_close(&node);
 }

@@ -4,6 +4,9 @@
 
 #include "apps/scene/loader.h"
 
+/* What a program is called in a material. */
+const char *scene_program_name(const GpProgram *program);
+
 /* "material": program, uniforms, textures.
  * in   program: the one where none is named */
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,

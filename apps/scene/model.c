@@ -10,10 +10,11 @@ const char *model_after(const char *name, const char *prefix)
     return strncmp(name, prefix, length) == 0 ? name + length : NULL;
 }
 
-static GpResult read_file(const char *name, unsigned flags, GpMesh *mesh, GpError *error)
+static GpResult read_file(const char *scene, const char *name, unsigned flags, GpMesh *mesh,
+                          GpError *error)
 {
     char path[4096];
-    GpResult result = gp_data_find(name, path, sizeof path, error);
+    GpResult result = gp_data_find_beside(scene, name, path, sizeof path, error);
     return result ? result : gp_mesh_read(path, flags, mesh, error);
 }
 
@@ -54,7 +55,7 @@ GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error)
 {
     const char *builtin = model_after(name, "builtin:");
     if (!builtin)
-        return read_file(name, GP_MESH_ALLOW_POINTS, mesh, error);
+        return read_file(NULL, name, GP_MESH_ALLOW_POINTS, mesh, error);
     Shape shape;
     GpResult result = make_builtin(builtin, false, &shape, error);
     if (result)
@@ -79,13 +80,13 @@ static void copy_vertex(const GpMesh *mesh, uint32_t i, ShapeVertex *vertex)
     }
 }
 
-GpResult model_shape(const char *name, bool points, Shape *shape, GpError *error)
+GpResult model_shape(const char *scene, const char *name, bool points, Shape *shape, GpError *error)
 {
     const char *builtin = model_after(name, "builtin:");
     if (builtin)
         return make_builtin(builtin, points, shape, error);
     GpMesh mesh = { 0 };
-    GpResult result = read_file(name, points ? GP_MESH_ALLOW_POINTS : 0, &mesh, error);
+    GpResult result = read_file(scene, name, points ? GP_MESH_ALLOW_POINTS : 0, &mesh, error);
     if (result)
         return result;
     const uint32_t indices = points ? 0 : 3 * mesh.triangle_count;

@@ -14,9 +14,11 @@ const char *model_after(const char *name, const char *prefix);
  * owns   the caller, until gp_mesh_free */
 GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error);
 
-/* A mesh, which has faces; or (points) the vertices of one. Texture coordinates have v = 0 at the
+/* What a scene names: a file is looked for beside the scene's first (NULL: it has none).
+ * A mesh, which has faces; or (points) the vertices of one. Texture coordinates have v = 0 at the
  * top, as pictures have.
  * owns   the caller, until shape_free */
-GpResult model_shape(const char *name, bool points, Shape *shape, GpError *error);
+GpResult model_shape(const char *scene, const char *name, bool points, Shape *shape,
+                     GpError *error);
 
 #endif

@@ -19,13 +19,12 @@ static void read_triangles(const Node *triangles, Shape *shape)
 {
     for (uint32_t i = 0; i < shape->index_count / 3; i++) {
         Node row = node_element(triangles, i);
+        const long last = node_lacks(triangles) ? MAX_INLINE - 1 : (long)shape->vertex_count - 1;
         node_require(&row);
-        if (node_length(row, 3) != 3)
-            node_fail(&row, GP_ERROR_FORMAT, "expected three vertex numbers");
-        for (uint32_t k = 0; k < 3; k++) {
-            shape->indices[3 * i + k] =
-                (uint32_t)node_integer(node_element(&row, k), 0, 0, (long)shape->vertex_count - 1);
-        }
+        if (!node_has_length(row, 3, "three vertex numbers"))
+            continue;
+        for (uint32_t k = 0; k < 3; k++)
+            shape->indices[3 * i + k] = (uint32_t)node_integer(node_element(&row, k), 0, 0, last);
     }
 }
 
@@ -45,6 +44,7 @@ static void read_rows(Node rows, int count, size_t offset, Shape *shape)
  * of each vertex where they are given. */
 static void read_inline(Node node, Shape *shape)
 {
+    node_define(&node, "mesh");
     Node positions = node_member(&node, "positions"), triangles = node_member(&node, "triangles");
     Node normals = node_member(&node, "normals");
     node_require(&positions);
@@ -61,22 +61,23 @@ static void read_inline(Node node, Shape *shape)
     read_rows(node_member(&node, "texcoords"), 2, offsetof(ShapeVertex, texcoord), shape);
     read_rows(node_member(&node, "colors"), 4, offsetof(ShapeVertex, color), shape);
     node_close(&node);
-    if (!node_exists(&normals))
+    if (node_lacks(&normals))
         shape_compute_normals(shape);
 }
 
 /* "mesh": a name, or the mesh itself; "points": a name. */
 static void read_shape(const Node *node, bool points, Shape *shape)
 {
-    if (!points && json_is_object(node->value)) {
+    if (!points && node_is(node, JSON_OBJECT))
         read_inline(*node, shape);
+    if (!points && !node_is_not(node, JSON_OBJECT))
         return;
-    }
     const char *name = node_string(*node, NULL);
+    node_examples(node, "builtin:", points ? shape_points_name : shape_name);
     if (!name)
         return;
     GpError reason = { "" };
-    GpResult result = model_shape(name, points, shape, &reason);
+    GpResult result = model_shape(node->reader->file, name, points, shape, &reason);
     if (result)
         scene_fail(node, result, &reason);
 }
@@ -95,6 +96,7 @@ static void read_fit(const Node *node, const Shape *shape, double m[4][4])
 {
     double fit[4] = { 0 };
     node_doubles(*node, fit, 4, -FAR, FAR);
+    node_without_default(node);
     if (!(fit[3] > 0))
         node_fail(node, GP_ERROR_FORMAT, "expected x, y, z and a size above 0");
     const Bounds box = bounds(shape);
@@ -110,11 +112,12 @@ static void read_fit(const Node *node, const Shape *shape, double m[4][4])
 /* "transform": scale, then rotate [axis x, y, z, degrees], then translate; all before "fit". */
 static void read_transform(Node node, double m[4][4])
 {
+    node_define(&node, "transform");
     Node scale_node = node_member(&node, "scale"), rotate = node_member(&node, "rotate");
     double scale[3] = { 1, 1, 1 }, turn[4] = { 0, 1, 0, 0 }, move[3] = { 0 };
-    if (json_is_number(scale_node.value))
+    if (node_is(&scale_node, JSON_REAL))
         scale[0] = scale[1] = scale[2] = node_double(scale_node, 1, -FAR, FAR);
-    else
+    if (node_is_not(&scale_node, JSON_REAL))
         node_doubles(scale_node, scale, 3, -FAR, FAR);
     node_doubles(rotate, turn, 4, -FAR, FAR);
     node_doubles(node_member(&node, "translate"), move, 3, -FAR, FAR);
@@ -172,9 +175,10 @@ static void read_color(Node node, Shape *shape)
     float color[4] = { 1, 1, 1, 1 };
     if (!node_exists(&node))
         return;
-    int source = json_is_string(node.value) ? node_name(node, 0, sources, 2) : -1;
-    if (source < 0)
+    int source = node_is(&node, JSON_STRING) ? node_name(node, 0, sources, 2) : -1;
+    if (node_is_not(&node, JSON_STRING))
         node_numbers(node, color, 4, 0, 1);
+    node_without_default(&node);
     const Bounds box = bounds(shape);
     for (uint32_t i = 0; i < shape->vertex_count; i++) {
         ShapeVertex *vertex = &shape->vertices[i];
@@ -195,6 +199,7 @@ static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
     float tile[2] = { 1, 1 };
     node_numbers(tile_node, tile, 2, -1000, 1000);
     float size = node_number(size_node, 0, 0, FAR);
+    node_without_default(&size_node);
     for (uint32_t i = 0; i < shape->vertex_count; i++) {
         ShapeVertex *vertex = &shape->vertices[i];
         vertex->texcoord[0] *= tile[0];
@@ -238,9 +243,13 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     Node fit = node_member(node, "fit"), transform = node_member(node, "transform");
     Shape shape = { 0 };
     double m[4][4];
-    if (node_exists(&mesh) == node_exists(&points))
-        node_fail(node, GP_ERROR_FORMAT, "expected a mesh or points");
-    read_shape(node_exists(&mesh) ? &mesh : &points, node_exists(&points), &shape);
+    node_one_of(&mesh, &points, "a mesh or points");
+    if (node_exists(&mesh))
+        read_shape(&mesh, false, &shape);
+    if (node_exists(&points)) {
+        shape_free(&shape);
+        read_shape(&points, true, &shape);
+    }
     if (!shape.vertex_count)
         node_fail(node, GP_ERROR_FORMAT, "no vertices");
     if (node_exists(&transform)) {
@@ -257,8 +266,21 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     shape_free(&shape);
 }
 
+/* What only some programs read is refused where the object's does not: a member of the vertices. */
+static void refuse_unread(Node *object, const char *key, GpSemantic input, const GpDraw *draw)
+{
+    Node node = node_member(object, key);
+    bool reads = !draw->program || node_lacks(&node);
+    for (int i = 0; !reads && draw->program->inputs[i].components; i++)
+        reads = draw->program->inputs[i].semantic == input;
+    if (!reads)
+        node_fail(&node, GP_ERROR_FORMAT, "program %s does not use it",
+                  scene_program_name(draw->program));
+}
+
 void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
 {
+    node_define(&node, "object");
     draw->name = scene_copy(loader, node_string(node_member(&node, "name"), ""));
     SceneView own = *view; /* an object's viewport does not change the pass's matrix */
     scene_read_viewport(node_member(&node, "viewport"), &own.viewport);
@@ -270,12 +292,16 @@ void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw 
     if (!loader->reader.result)
         scene_read_material(loader, node_member(&node, "material"), &own,
                             draw->geometry.primitive == GP_POINTS ? "sprite" : "phong", draw);
+    refuse_unread(&node, "color", GP_COLOR, draw);
+    refuse_unread(&node, "tile", GP_TEXCOORD0, draw);
+    refuse_unread(&node, "size", GP_POINT_SIZE, draw);
     node_close(&node);
 }
 
 void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
 {
     Shape shape = { 0 };
+    node_define(&node, "quad");
     draw->name = "quad";
     draw->viewport = view->viewport;
     if (shape_create("quad", &shape))

@@ -3,31 +3,49 @@
 #include "apps/scene/objects.h"
 #include "apps/scene/state.h"
 
+#include <ctype.h>
 #include <string.h>
+#include <strings.h>
 
 /* Bytes that all surfaces of a scene's passes may have together. */
 static const uint64_t max_texels = (uint64_t)1 << 30;
 
-static GpFormat read_format(Node node, GpFormat fallback)
+/* Formats of depth targets, or of colour targets, in small letters; capitals are taken too. */
+static GpFormat read_format(Node node, bool depth, GpFormat fallback)
 {
-    const char *name = node_string(node, NULL);
-    GpFormat format = name ? gp_format_from_name(name) : fallback;
-    if (format == GP_FORMAT_NONE)
-        node_fail(&node, GP_ERROR_FORMAT, "no such format");
-    return format == GP_FORMAT_NONE ? fallback : format;
+    static char names[GP_FORMATS][24];
+    const char *list[GP_FORMATS];
+    GpFormat formats[GP_FORMATS];
+    const char *given = node_string(node, NULL);
+    int count = 0, number = 0;
+    for (GpFormat format = GP_FORMAT_NONE + 1; format < GP_FORMATS; format++) {
+        const GpFormatInfo *info = gp_format_info(format);
+        if (depth ? !info->is_depth : !info->is_target)
+            continue;
+        for (size_t i = 0; i <= strlen(info->name); i++)
+            names[format][i] = (char)tolower((unsigned char)info->name[i]);
+        number = format == fallback ? count : number;
+        formats[count] = format;
+        list[count++] = names[format];
+        if (given && strcasecmp(given, info->name) == 0)
+            return format;
+    }
+    return formats[node_name(node, number, list, count)];
 }
 
 /* "use": a target of an earlier pass, kept unless it is cleared; otherwise a new surface. */
-static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view, GpFormat format,
-                               bool *is_new)
+static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view, bool depth,
+                               GpFormat format, bool *is_new)
 {
     Node use = node_member(node, "use"), format_node = node_member(node, "format");
-    *is_new = !node_exists(&use);
+    const char *name = node_string(use, NULL);
+    *is_new = node_lacks(&use);
+    format = read_format(format_node, depth, format);
     if (!*is_new) {
-        const char *name = node_string(use, NULL);
+        if (node_exists(&format_node))
+            node_fail(&format_node, GP_ERROR_FORMAT, "a target that is used again has its format");
         return name ? scene_target(loader, &use, name) : NULL;
     }
-    format = read_format(format_node, format);
     loader->texels += (uint64_t)view->width * view->height * gp_format_info(format)->bytes;
     if (loader->texels > max_texels)
         node_fail(node, GP_ERROR_FORMAT, "the targets take over %d MB", (int)(max_texels >> 20));
@@ -40,13 +58,15 @@ static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view
 static void read_color_target(Loader *loader, Node node, const SceneView *view,
                               GpColorTarget *target)
 {
+    node_define(&node, "target");
     Node clear = node_member(&node, "clear");
-    target->surface = read_surface(loader, &node, view, GP_A8R8G8B8, &target->clear);
+    target->surface = read_surface(loader, &node, view, false, GP_A8R8G8B8, &target->clear);
     memcpy(target->clear_color, view->scene->background, sizeof view->scene->background);
     if (node_exists(&clear)) {
         target->clear = !node_is_false(&clear);
         if (target->clear)
             node_numbers(clear, target->clear_color, 4, -65504, 65504);
+        node_without_default(&clear);
     }
     if (target->surface && !gp_format_info(target->surface->format)->is_target)
         node_fail(&node, GP_ERROR_FORMAT, "%s is no format for a colour target",
@@ -60,9 +80,10 @@ static void read_depth_target(Loader *loader, Node node, const SceneView *view,
 {
     if (node_is_false(&node))
         return;
+    node_define(&node, "depth_target");
     Node clear = node_member(&node, "clear"), stencil = node_member(&node, "stencil");
     bool is_new;
-    target->surface = read_surface(loader, &node, view, GP_D24S8, &is_new);
+    target->surface = read_surface(loader, &node, view, true, GP_D24S8, &is_new);
     target->clear_depth = node_exists(&clear) ? !node_is_false(&clear) : is_new;
     target->clear_stencil = node_exists(&stencil) ? !node_is_false(&stencil) : is_new;
     target->depth_value = 1;
@@ -123,17 +144,16 @@ void scene_read_size(Node node, SceneView *view)
 {
     if (!node_exists(&node))
         return;
-    if (node_length(node, 2) != 2) {
-        node_fail(&node, GP_ERROR_FORMAT, "expected a width and a height");
-        return;
-    }
-    view->width = (uint32_t)node_integer(node_element(&node, 0), view->width, 1, GP_MAX_SIZE);
-    view->height = (uint32_t)node_integer(node_element(&node, 1), view->height, 1, GP_MAX_SIZE);
+    long size[2] = { view->width, view->height };
+    node_integers(node, size, 2, 1, GP_MAX_SIZE);
+    view->width = (uint32_t)size[0];
+    view->height = (uint32_t)size[1];
 }
 
 void scene_read_pass(Loader *loader, Node node)
 {
     SceneView view = loader->view;
+    node_define(&node, "pass");
     Node name_node = node_member(&node, "name");
     node_require(&name_node);
     const char *name = scene_copy(loader, node_string(name_node, ""));
@@ -141,7 +161,9 @@ void scene_read_pass(Loader *loader, Node node)
         node_fail(&name_node, GP_ERROR_FORMAT, "expected a name without dots");
     if (scene_find_pass(loader, name, strlen(name)))
         node_fail(&name_node, GP_ERROR_FORMAT, "another pass has this name");
-    scene_read_size(node_member(&node, "size"), &view);
+    Node size = node_member(&node, "size");
+    scene_read_size(size, &view);
+    node_without_default(&size);
     scene_read_camera(node_member(&node, "camera"), &view.camera);
     scene_read_pass_body(loader, &node, &view, name);
     node_close(&node);

@@ -162,6 +162,11 @@ static void dye_levels(GpSurface *surface)
     }
 }
 
+const char *pattern_name(size_t i)
+{
+    return i < GP_COUNT(patterns) ? patterns[i].name : NULL;
+}
+
 GpResult pattern_create(const char *name, bool srgb, bool mips, GpSurface **surface, GpError *error)
 {
     size_t index = 0;

@@ -4,6 +4,9 @@
 
 #include "pipeline/resources/surface.h"
 
+/* The i'th name; NULL behind the last. */
+const char *pattern_name(size_t i);
+
 /* Makes a 256x256 picture, A8R8G8B8 or (srgb) A8R8G8B8_SRGB.
  *   checker   8x8 squares, light and dark            gradient  red to the right, green downwards
  *   bricks    a wall, the next brick half way on     uv        8x8 squares with their column, row

@@ -4,6 +4,7 @@
 #include "apps/scene/lights.h"
 #include "apps/scene/passes.h"
 #include "apps/scene/state.h"
+#include "pipeline/io/file.h"
 
 #include <string.h>
 
@@ -32,10 +33,10 @@ static void read_view(Loader *loader, Node *root, const SceneOptions *options)
 static void read_passes(Loader *loader, Node *root)
 {
     Node passes = node_member(root, "passes");
-    if (!node_exists(&passes)) {
+    if (node_lacks(&passes))
         scene_read_pass_body(loader, root, &loader->view, "main");
+    if (!node_exists(&passes))
         return;
-    }
     size_t count = node_length(passes, SIZE_MAX);
     if (count == 0)
         node_fail(&passes, GP_ERROR_FORMAT, "no pass");
@@ -61,7 +62,8 @@ static void choose_picture(Loader *loader, Node node)
 static void read_scene(Loader *loader, const SceneOptions *options)
 {
     Node root = node_root(&loader->reader);
-    node_string(node_member(&root, "about"), ""); /* for people */
+    node_string(node_member(&root, "about"), "");   /* for people */
+    node_string(node_member(&root, "$schema"), ""); /* for editors */
     read_view(loader, &root, options);
     read_passes(loader, &root);
     Node picture = node_member(&root, "picture");
@@ -70,12 +72,29 @@ static void read_scene(Loader *loader, const SceneOptions *options)
     node_close(&root);
 }
 
+json_t *scene_schema(void)
+{
+    Scene scene = { .frame = { .list = { .passes = NULL } } };
+    Loader loader = { .scene = &scene, .frame = &scene.frame };
+    reader_describe(&loader.reader);
+    json_t *schema = loader.reader.schema;
+    json_object_set_new(schema, "$schema", json_string("http://json-schema.org/draft-07/schema#"));
+    json_object_set_new(schema, "title",
+                        json_string("A scene of glasspipe; see glasspipe-scene(5)"));
+    read_scene(&loader, NULL);
+    scene_free(&scene);
+    return schema;
+}
+
 GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene, GpError *error)
 {
     GpError unused;
     Scene made = { .frame = { .arena = { .fails = options ? options->fails : 0 } } };
     Loader loader = { .scene = &made, .frame = &made.frame };
-    GpResult result = reader_open(&loader.reader, path, error ? error : &unused);
+    char found[4096];
+    GpResult result = gp_data_find(path, found, sizeof found, error);
+    if (!result)
+        result = reader_open(&loader.reader, found, error ? error : &unused);
     if (result)
         return result;
     read_scene(&loader, options);

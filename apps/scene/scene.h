@@ -5,6 +5,8 @@
 #include "apps/base/camera.h"
 #include "apps/frame/frame.h"
 
+#include <jansson.h>
+
 enum { SCENE_MAX_LIGHTS = 8 };
 
 typedef struct SceneOptions {
@@ -46,12 +48,17 @@ typedef struct Scene {
     Frame frame; /* private: what all this is made of */
 } Scene;
 
-/* Reads a scene file and everything it names.
+/* Reads a scene file, found as data is (gp_data_find), and everything it names, which is looked for
+ * beside it first.
  * errors GP_ERROR_IO (file); GP_ERROR_FORMAT (JSON, unknown keys, wrong types, numbers out of
  *        range, missing meshes and pictures) with the JSON path and the line, such as
  *        "x.json:12: objects[1].material.shininess: expected a number in [0, 10000]";
  *        GP_ERROR_MEMORY */
 GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene, GpError *error);
+
+/* The JSON Schema of scene files, as the reader tells it: every key with its type, range, default and
+ * names; of materials one alternative for each program. The caller owns it. */
+json_t *scene_schema(void);
 
 /* Frees everything and zeroes the struct; a zeroed scene is fine. */
 void scene_free(Scene *scene);

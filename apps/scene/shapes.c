@@ -99,30 +99,45 @@ static const double cube_sides[6][9] = {
     { 0, 1, 0, 1, 0, 0, 0, 0, 1 },   { 0, -1, 0, 1, 0, 0, 0, 0, -1 },
 };
 
+/* clang-format off */
+static const struct { const char *name; int count; ShapePatch patches[6]; } table[] = {
+    { "sphere",   1, { { sphere, 64, 32, true, false, NULL } } },
+    { "ball",     1, { { sphere, 16, 8, true, false, NULL } } },
+    { "torus",    1, { { torus, 96, 48, true, true, NULL } } },
+    { "knot",     1, { { knot, 256, 24, true, true, NULL } } },
+    { "cylinder", 3, { { frustum, 64, 1, true, false, tube_side },
+                       { frustum, 64, 1, true, false, top_disc },
+                       { frustum, 64, 1, true, false, bottom_disc } } },
+    { "cone",     2, { { frustum, 64, 16, true, false, cone_side },
+                       { frustum, 64, 1, true, false, bottom_disc } } },
+    { "plane",    1, { { rectangle, 1, 1, false, false, flat_plane } } },
+    { "disc",     1, { { frustum, 64, 1, true, false, flat_disc } } },
+    { "quad",     1, { { rectangle, 1, 1, false, false, upright_quad } } },
+    { "cube",     6, { { rectangle, 1, 1, false, false, cube_sides[0] },
+                       { rectangle, 1, 1, false, false, cube_sides[1] },
+                       { rectangle, 1, 1, false, false, cube_sides[2] },
+                       { rectangle, 1, 1, false, false, cube_sides[3] },
+                       { rectangle, 1, 1, false, false, cube_sides[4] },
+                       { rectangle, 1, 1, false, false, cube_sides[5] } } },
+};
+/* clang-format on */
+
+static const char *const points_names[] = { "sphere", "grid" };
+
+const char *shape_name(size_t i)
+{
+    if (i < GP_COUNT(table))
+        return table[i].name;
+    return i == GP_COUNT(table) ? "teapot" : NULL;
+}
+
+const char *shape_points_name(size_t i)
+{
+    return i < GP_COUNT(points_names) ? points_names[i] : NULL;
+}
+
 GpResult shape_create(const char *name, Shape *shape)
 {
-    /* clang-format off */
-    static const struct { const char *name; int count; ShapePatch patches[6]; } table[] = {
-        { "sphere",   1, { { sphere, 64, 32, true, false, NULL } } },
-        { "ball",     1, { { sphere, 16, 8, true, false, NULL } } },
-        { "torus",    1, { { torus, 96, 48, true, true, NULL } } },
-        { "knot",     1, { { knot, 256, 24, true, true, NULL } } },
-        { "cylinder", 3, { { frustum, 64, 1, true, false, tube_side },
-                           { frustum, 64, 1, true, false, top_disc },
-                           { frustum, 64, 1, true, false, bottom_disc } } },
-        { "cone",     2, { { frustum, 64, 16, true, false, cone_side },
-                           { frustum, 64, 1, true, false, bottom_disc } } },
-        { "plane",    1, { { rectangle, 1, 1, false, false, flat_plane } } },
-        { "disc",     1, { { frustum, 64, 1, true, false, flat_disc } } },
-        { "quad",     1, { { rectangle, 1, 1, false, false, upright_quad } } },
-        { "cube",     6, { { rectangle, 1, 1, false, false, cube_sides[0] },
-                           { rectangle, 1, 1, false, false, cube_sides[1] },
-                           { rectangle, 1, 1, false, false, cube_sides[2] },
-                           { rectangle, 1, 1, false, false, cube_sides[3] },
-                           { rectangle, 1, 1, false, false, cube_sides[4] },
-                           { rectangle, 1, 1, false, false, cube_sides[5] } } },
-    };
-    /* clang-format on */
     for (size_t i = 0; i < GP_COUNT(table); i++)
         if (strcmp(name, table[i].name) == 0)
             return shape_from_patches(table[i].patches, table[i].count, shape);
@@ -150,9 +165,9 @@ static void grid_point(uint32_t i, uint32_t n, ShapePoint *point)
 
 GpResult shape_create_points(const char *name, Shape *shape)
 {
-    bool is_grid = strcmp(name, "grid") == 0;
+    bool is_grid = strcmp(name, points_names[1]) == 0;
     uint32_t count = is_grid ? 64 * 64 : 5000;
-    if (!is_grid && strcmp(name, "sphere") != 0)
+    if (!is_grid && strcmp(name, points_names[0]) != 0)
         return GP_ERROR_INVALID;
     GpResult result = shape_alloc(shape, count, 0);
     for (uint32_t i = 0; i < count && !result; i++) {

@@ -9,6 +9,10 @@
 
 #include "apps/scene/shape.h"
 
+/* The i'th name of a mesh, of a point set; NULL behind the last. */
+const char *shape_name(size_t i);
+const char *shape_points_name(size_t i);
+
 /* Makes a mesh: sphere, ball (a sphere of few triangles), cube, torus, knot, cylinder, cone (all
  * within about 1 of the origin), plane and disc (y = 0, facing +y), quad (z = 0, facing +z), teapot
  * (Newell's, standing on y = 0, 3.15 high). Colours are white, sizes 0.

@@ -12,6 +12,7 @@ static void read_byte(Node *object, const char *key, uint8_t *byte)
 
 static void read_depth(Node node, GpDepthState *depth)
 {
+    node_define(&node, "depth");
     node_enum(&node, "test", gp_compare_names, GP_COMPARES, &depth->test);
     depth->write = node_bool(node_member(&node, "write"), depth->write);
     node_close(&node);
@@ -29,7 +30,9 @@ static void read_stencil_face(Node *object, GpStencilFace *face)
  * "back". */
 static void read_stencil(Node node, GpStencilState *stencil)
 {
+    node_define(&node, "stencil");
     Node back = node_member(&node, "back");
+    node_define(&back, "stencil_back");
     stencil->enable = node_exists(&node);
     stencil->two_sided = node_exists(&back);
     read_stencil_face(&node, &stencil->front);
@@ -43,46 +46,37 @@ static void read_stencil(Node node, GpStencilState *stencil)
 
 static void read_alpha_test(Node node, GpAlphaTest *test)
 {
+    node_define(&node, "alpha_test");
     node_enum(&node, "test", gp_compare_names, GP_COMPARES, &test->test);
     read_byte(&node, "reference", &test->reference);
     node_close(&node);
 }
 
-/* "keep": the letters of the channels that are not written, such as "a" or "rgba". */
-static void read_keep(Node node, uint8_t *keep)
-{
-    static const char channels[] = "rgba";
-    const char *letters = node_string(node, "");
-    for (const char *at = letters; *at; at++) {
-        const char *channel = strchr(channels, *at);
-        if (channel)
-            *keep |= (uint8_t)(1 << (channel - channels));
-        else
-            node_fail(&node, GP_ERROR_FORMAT, "expected letters out of rgba");
-    }
-}
-
 static void read_blend(Node *node, GpBlend *blend)
 {
+    node_define(node, "blend");
     node_enum(node, "op", gp_blend_op_names, GP_BLEND_OPS, &blend->op);
     node_enum(node, "src", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->src);
     node_enum(node, "dst", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->dst);
     node_enum(node, "alpha_op", gp_blend_op_names, GP_BLEND_OPS, &blend->alpha_op);
     node_enum(node, "alpha_src", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->alpha_src);
     node_enum(node, "alpha_dst", gp_blend_factor_names, GP_BLEND_FACTORS, &blend->alpha_dst);
-    read_keep(node_member(node, "keep"), &blend->keep);
+    /* the letters of the channels that are not written, such as "a" or "rgba" */
+    blend->keep |= (uint8_t)node_letters(node_member(node, "keep"), "rgba");
     node_close(node);
 }
 
 /* One object for all targets, or an array of one a target. */
 static void read_blends(Node node, GpBlend blend[GP_MAX_TARGETS])
 {
-    if (!json_is_array(node.value)) {
-        read_blend(&node, &blend[0]);
+    if (node_is_not(&node, JSON_ARRAY)) {
+        Node all = node;
+        read_blend(&all, &blend[0]);
         for (int i = 1; i < GP_MAX_TARGETS; i++)
             blend[i] = blend[0];
-        return;
     }
+    if (!node_is(&node, JSON_ARRAY))
+        return;
     size_t count = node_length(node, GP_MAX_TARGETS);
     for (size_t i = 0; i < count; i++) {
         Node element = node_element(&node, i);
@@ -92,11 +86,9 @@ static void read_blends(Node node, GpBlend blend[GP_MAX_TARGETS])
 
 static void read_scissor(Node node, GpRasterState *raster)
 {
-    double box[4] = { 0 };
-    node_doubles(node, box, 4, 0, GP_MAX_SIZE);
-    for (int i = 0; i < 4; i++)
-        if (box[i] != (double)(int32_t)box[i])
-            node_fail(&node, GP_ERROR_FORMAT, "expected whole numbers x0, y0, x1, y1");
+    long box[4] = { 0 };
+    node_integers(node, box, 4, 0, GP_MAX_SIZE);
+    node_without_default(&node);
     raster->scissor = node_exists(&node);
     raster->scissor_x0 = (int32_t)box[0];
     raster->scissor_y0 = (int32_t)box[1];
@@ -123,6 +115,7 @@ static void read_clip_plane(const Node *node, const SceneView *view, float plane
 void scene_read_state(Node node, const SceneView *view, GpState *state)
 {
     GpRasterState *raster = &state->raster;
+    node_define(&node, "state");
     node_enum(&node, "cull", gp_cull_names, GP_CULLS, &raster->cull);
     read_scissor(node_member(&node, "scissor"), raster);
     raster->depth_bias = node_number(node_member(&node, "depth_bias"), raster->depth_bias, -1, 1);
@@ -148,10 +141,12 @@ void scene_read_viewport(Node node, GpViewport *viewport)
 {
     if (!node_exists(&node))
         return;
+    node_define(&node, "viewport");
     float box[4] = { viewport->x, viewport->y, viewport->width, viewport->height };
     float depth[2] = { 0, 1 };
     Node rectangle = node_member(&node, "box"), range = node_member(&node, "depth");
     node_numbers(rectangle, box, 4, -GP_MAX_SIZE, GP_MAX_SIZE);
+    node_without_default(&rectangle);
     if (node_exists(&rectangle) && !(box[2] > 0 && box[3] > 0))
         node_fail(&rectangle, GP_ERROR_FORMAT, "expected x, y, and a width and height above 0");
     node_numbers(range, depth, 2, 0, 1);
@@ -170,8 +165,12 @@ void scene_read_viewport(Node node, GpViewport *viewport)
 
 void scene_read_camera(Node node, Camera *camera)
 {
+    Camera described = *camera;
     if (!node_exists(&node))
         return;
+    if (node_lacks(&node))
+        camera = &described; /* fovy and height are both in the description */
+    node_define(&node, "camera");
     Node fovy = node_member(&node, "fovy"), height = node_member(&node, "height");
     Node near = node_member(&node, "near"), far = node_member(&node, "far");
     node_doubles(node_member(&node, "eye"), camera->eye, 3, -FAR, FAR);
@@ -183,6 +182,7 @@ void scene_read_camera(Node node, Camera *camera)
             node_fail(&height, GP_ERROR_FORMAT, "a camera has fovy or height, not both");
         camera->fovy = 0;
         camera->height = node_double(height, 1, 0.000001, FAR);
+        node_without_default(&height);
     }
     camera->near = node_double(near, camera->near, 0.000001, FAR);
     camera->far = node_double(far, camera->far, 0.000001, FAR);

@@ -9,14 +9,14 @@
 
 /* --- pictures -------------------------------------------------------------------------------- */
 
-static GpResult open_picture(const char *name, bool srgb, bool mips, GpSurface **surface,
-                             GpError *error)
+static GpResult open_picture(const char *scene, const char *name, bool srgb, bool mips,
+                             GpSurface **surface, GpError *error)
 {
     char path[4096];
     const char *pattern = model_after(name, "builtin:");
     if (pattern)
         return pattern_create(pattern, srgb, mips, surface, error);
-    GpResult result = gp_data_find(name, path, sizeof path, error);
+    GpResult result = gp_data_find_beside(scene, name, path, sizeof path, error);
     return result ? result : picture_read_surface(path, srgb, mips, surface, error);
 }
 
@@ -29,7 +29,7 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
             return image->surface;
     GpSurface *surface = NULL;
     GpError reason = { "" };
-    GpResult result = open_picture(name, srgb, mips, &surface, &reason);
+    GpResult result = open_picture(loader->reader.file, name, srgb, mips, &surface, &reason);
     if (result) {
         scene_fail(node, result, &reason);
         return NULL;
@@ -49,7 +49,7 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
 static void read_address(Node node, GpSampler *sampler)
 {
     Node u = node, v = node;
-    if (json_is_array(node.value) && node_length(node, 2) == 2) {
+    if (node_is(&node, JSON_ARRAY) && node_has_length(node, 2, "one name or two")) {
         u = node_element(&node, 0);
         v = node_element(&node, 1);
     }
@@ -57,6 +57,9 @@ static void read_address(Node node, GpSampler *sampler)
         (GpAddress)node_name(u, (int)sampler->address_u, gp_address_names, GP_ADDRESSES);
     sampler->address_v =
         (GpAddress)node_name(v, (int)sampler->address_v, gp_address_names, GP_ADDRESSES);
+    if (node_is_not(&node, JSON_ARRAY)) /* of a target it is another */
+        node_name(node, 0, gp_address_names, GP_ADDRESSES);
+    node_without_default(&node);
 }
 
 static void read_sampler(Node *object, GpSampler *sampler)
@@ -64,6 +67,8 @@ static void read_sampler(Node *object, GpSampler *sampler)
     node_enum(object, "min", gp_filter_names, GP_FILTERS, &sampler->min);
     node_enum(object, "mag", gp_filter_names, GP_FILTERS, &sampler->mag);
     node_enum(object, "mip", gp_mip_filter_names, GP_MIP_FILTERS, &sampler->mip);
+    Node mip = node_member(object, "mip");
+    node_without_default(&mip); /* of a target it is another */
     read_address(node_member(object, "address"), sampler);
     node_numbers(node_member(object, "border"), sampler->border, 4, 0, 1);
     sampler->lod_bias = node_number(node_member(object, "lod_bias"), 0, -16, 15);
@@ -74,9 +79,11 @@ static void read_sampler(Node *object, GpSampler *sampler)
 
 void scene_read_texture(Loader *loader, Node node, GpTexture *texture)
 {
+    node_define(&node, "texture");
     Node image = node_member(&node, "image"), srgb_node = node_member(&node, "srgb");
     node_require(&image);
     const char *name = node_string(image, "");
+    node_examples(&image, "builtin:", pattern_name);
     bool is_target = strncmp(name, "pass:", 5) == 0;
     bool srgb = node_bool(srgb_node, false);
     GpSampler *sampler = &texture->sampler;
@@ -85,7 +92,7 @@ void scene_read_texture(Loader *loader, Node node, GpTexture *texture)
     sampler->address_u = sampler->address_v = is_target ? GP_CLAMP : GP_WRAP;
     read_sampler(&node, sampler);
     node_close(&node);
-    if (loader->reader.result)
+    if (loader->reader.result || node_lacks(&node))
         return;
     if (is_target && srgb)
         node_fail(&srgb_node, GP_ERROR_FORMAT, "targets of passes are linear");

@@ -139,19 +139,48 @@ GpResult gp_file_write(const char *path, const void *data, size_t size, GpError 
 
 /* --- names ------------------------------------------------------------------------------------ */
 
+/* The folder of a path, "" or with its last slash; that of too long a path is "". */
+static void folder_of(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = path ? strrchr(path, '/') : NULL;
+    const size_t length = slash ? (size_t)(slash + 1 - path) : 0;
+    folder[0] = '\0';
+    if (length < PATH_MAX)
+        snprintf(folder, PATH_MAX, "%.*s", (int)length, path ? path : "");
+}
+
+/* Where `make install' puts what the program brings with it: beside its own folder. */
+static void installed_folder(char folder[PATH_MAX])
+{
+    char program[PATH_MAX], own[PATH_MAX];
+    const ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+    program[length > 0 ? length : 0] = '\0';
+    folder_of(program, own);
+    if (snprintf(folder, PATH_MAX, "%s../share/glasspipe/", own) >= PATH_MAX || !own[0])
+        strcpy(folder, "/usr/share/glasspipe/");
+}
+
 GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error)
+{
+    return gp_data_find_beside(NULL, name, path, size, error);
+}
+
+GpResult gp_data_find_beside(const char *file, const char *name, char *path, size_t size,
+                             GpError *error)
 {
     GP_ASSERT(name && path);
     const char *variable = getenv("GLASSPIPE_DATA");
-    const char *folders[] = { "", variable ? variable : "", "../shared/data",
-                              "/usr/share/glasspipe" };
-    size_t places = name[0] == '/' ? 1 : GP_COUNT(folders);
-    for (size_t i = 0; i < places; i++) {
-        if (i > 0 && folders[i][0] == '\0')
+    char beside[PATH_MAX], installed[PATH_MAX];
+    folder_of(file, beside);
+    installed_folder(installed);
+    const char *folders[] = { beside, "", variable ? variable : "", "../shared/data/", installed };
+    for (size_t i = 0; i < GP_COUNT(folders); i++) {
+        if (i != 1 && (name[0] == '/' || folders[i][0] == '\0'))
             continue;
         char candidate[PATH_MAX];
-        int length =
-            snprintf(candidate, sizeof candidate, "%s%s%s", folders[i], i > 0 ? "/" : "", name);
+        const size_t end = strlen(folders[i]);
+        const char *slash = end && folders[i][end - 1] != '/' ? "/" : "";
+        int length = snprintf(candidate, sizeof candidate, "%s%s%s", folders[i], slash, name);
         if (length < 0 || (size_t)length >= sizeof candidate || access(candidate, F_OK) != 0)
             continue;
         if ((size_t)length >= size)
@@ -159,12 +188,12 @@ GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error)
         memcpy(path, candidate, (size_t)length + 1);
         return GP_OK;
     }
-    if (places == 1)
+    if (name[0] == '/')
         return gp_fail(error, GP_ERROR_IO, "%s: no such file", name);
-    return gp_fail(error, GP_ERROR_IO,
-                   "%s: no such file, neither here nor in $GLASSPIPE_DATA (%s), ../shared/data, "
-                   "/usr/share/glasspipe",
-                   name, variable ? variable : "not set");
+    return gp_fail(
+        error, GP_ERROR_IO,
+        "%s: no such file, neither %shere nor in $GLASSPIPE_DATA (%s), ../shared/data, %s", name,
+        beside[0] ? "beside the scene, " : "", variable ? variable : "not set", installed);
 }
 
 bool gp_path_is_folder(const char *path)

@@ -35,10 +35,14 @@ void gp_file_free(GpFile *file);
 GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error);
 
 /* Finds a data file: the path as given, then in $GLASSPIPE_DATA, then in ../shared/data, then in
- * /usr/share/glasspipe. An absolute path is only looked for as it is.
+ * ../share/glasspipe as seen from the program's folder. An absolute path is only looked for as it is.
  * out    path: the first of these that exists, size bytes with the terminator
  * errors GP_ERROR_IO where there is none or it does not fit; path is untouched then */
 GpResult gp_data_find(const char *name, char *path, size_t size, GpError *error);
+
+/* The same for what a file names: beside that file before all others. NULL: there is none. */
+GpResult gp_data_find_beside(const char *file, const char *name, char *path, size_t size,
+                             GpError *error);
 
 bool gp_path_is_folder(const char *path);
 

@@ -50,19 +50,6 @@ static void every_command_shows_examples_before_options(void **state)
     }
 }
 
-/* Copies the man page's text without the backslashes of its dashes. */
-static void read_man_page(const char *command, char *text, size_t size)
-{
-    char path[PATH_MAX + 64];
-    snprintf(path, sizeof path, "%s/glasspipe-%s.1", man_pages, command);
-    read_file(path, text, size);
-    char *to = text;
-    for (const char *from = text; *from; from++)
-        if (*from != '\\' || from[1] != '-')
-            *to++ = *from;
-    *to = '\0';
-}
-
 /* Whether an option stands in the text as a word of its own. */
 static bool mentions(const char *text, const char *option)
 {
@@ -101,9 +88,11 @@ static void help_and_man_page_have_the_same_options(void **state)
 {
     (void)state;
     static char page[1 << 16];
+    char name[64];
     for (size_t c = 0; c < GP_COUNT(commands); c++) {
         assert_int_equal(shell("glasspipe %s --help", commands[c]), 0);
-        read_man_page(commands[c], page, sizeof page);
+        snprintf(name, sizeof name, "glasspipe-%s.1", commands[c]);
+        read_man_page(name, page, sizeof page);
         assert_true(each_option(out, expect_mentioned, page) >= 6);
         assert_true(each_option(page, expect_mentioned, out) >= 6);
     }
@@ -407,7 +396,7 @@ static void render_json_has_the_members_of_its_man_page_and_no_other(void **stat
     (void)state;
     static char page[1 << 16];
     static const char *const executors[] = { "fast", "reference" };
-    read_man_page("render", page, sizeof page);
+    read_man_page("glasspipe-render.1", page, sizeof page);
     for (int i = 0; i < 2; i++) {
         assert_int_equal(shell("glasspipe render scene.json --json --executor=%s", executors[i]),
                          0);

@@ -45,6 +45,19 @@ static inline size_t read_file(const char *path, char *text, size_t size)
     return length;
 }
 
+/* A man page's text without the backslashes of its dashes. */
+static inline void read_man_page(const char *name, char *text, size_t size)
+{
+    char path[PATH_MAX + 64];
+    snprintf(path, sizeof path, "%s/%s", man_pages, name);
+    read_file(path, text, size);
+    char *to = text;
+    for (const char *from = text; *from; from++)
+        if (*from != '\\' || from[1] != '-')
+            *to++ = *from;
+    *to = '\0';
+}
+
 /* Runs a shell line in which `glasspipe` is the binary; fills out and err; returns the exit code.
  */
 static inline int shell(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -15,7 +15,7 @@ $install install
 "$prefix/bin/glasspipe" --version
 size=$(stat -c %s "$prefix/bin/glasspipe")
 [ "$size" -lt 10000000 ] || { echo "the program has $size bytes: with debug information" && exit 1; }
-for page in "$prefix"/share/man/man1/*.1; do
+for page in "$prefix"/share/man/man[15]/*; do
     echo "manual: $(basename "$page")"
 done
 bash -n "$prefix/share/bash-completion/completions/glasspipe"

@@ -9,7 +9,7 @@ static void a_builtin_is_the_same_as_mesh_and_as_shape(void **state)
     GpMesh mesh;
     Shape shape;
     assert_int_equal(model_mesh("builtin:knot", &mesh, NULL), GP_OK);
-    assert_int_equal(model_shape("builtin:knot", false, &shape, NULL), GP_OK);
+    assert_int_equal(model_shape(NULL, "builtin:knot", false, &shape, NULL), GP_OK);
     assert_int_equal(mesh.vertex_count, shape.vertex_count);
     assert_int_equal(3 * mesh.triangle_count, shape.index_count);
     assert_memory_equal(mesh.indices, shape.indices, shape.index_count * sizeof *shape.indices);
@@ -32,10 +32,10 @@ static void what_is_not_there_is_refused(void **state)
     GpError error = { "" };
     assert_int_equal(model_mesh("builtin:cup", &mesh, &error), GP_ERROR_INVALID);
     assert_string_equal(error.text, "no builtin mesh 'cup'");
-    assert_int_equal(model_shape("builtin:teapot", true, &shape, &error), GP_ERROR_INVALID);
+    assert_int_equal(model_shape(NULL, "builtin:teapot", true, &shape, &error), GP_ERROR_INVALID);
     assert_string_equal(error.text, "no builtin points 'teapot'");
     assert_int_equal(model_mesh("nowhere/x.ply", &mesh, &error), GP_ERROR_IO);
-    assert_int_equal(model_shape("nowhere/x.ply", false, &shape, &error), GP_ERROR_IO);
+    assert_int_equal(model_shape(NULL, "nowhere/x.ply", false, &shape, &error), GP_ERROR_IO);
     assert_int_equal(volume_open("nowhere/x.nrrd", &volume, &error), GP_ERROR_IO);
     assert_string_equal(model_after("builtin:cup", "builtin:"), "cup");
     assert_null(model_after("builtin", "builtin:"));

@@ -266,7 +266,7 @@ static void mistakes_are_named_with_path_and_line(void **state)
     refused("{\n\n\"colour\": 1 }", "3: colour: unknown key");
     refused("{ \"objects\": [ { \"mesh\": \"builtin:cube\", \"state\":\n{ \"culling\": 1 } } ] }",
             "2: objects[0].state.culling: unknown key");
-    refused("{ \"size\": \"large\" }", "1: size: expected an array");
+    refused("{ \"size\": \"large\" }", "1: size: expected 2 whole numbers in [1, 8192]");
     refused("{ \"size\": [1000000000, 1] }", "1: size[0]: expected a whole number in [1, 8192]");
     refused("{ \"size\": [0, 1] }", "1: size[0]: expected a whole number in [1, 8192]");
     refused("{ \"size\": [1.5, 1] }", "1: size[0]: expected a whole number in [1, 8192]");
@@ -292,8 +292,12 @@ static void mistakes_are_named_with_path_and_line(void **state)
     refused("{ \"passes\": [ { \"name\": \"a\", \"targets\": [ { \"use\": \"pass:b\" } ] } ] }",
             "1: passes[0].targets[0].use: no earlier pass has a target 'pass:b'");
     refused("{ \"targets\": [ { \"format\": \"D16\" } ] }",
-            "1: targets[0]: D16 is no format for a colour target");
-    refused("{ \"targets\": [ { \"format\": \"rgb\" } ] }", "1: targets[0].format: no such format");
+            "1: targets[0].format: expected one of a8r8g8b8, ");
+    refused("{ \"targets\": [ { \"format\": \"rgb\" } ] }",
+            "1: targets[0].format: expected one of a8r8g8b8, ");
+    refused("{ \"passes\": [ { \"name\": \"a\" }, { \"name\": \"b\", \"targets\": "
+            "[ { \"use\": \"a.depth\" } ] } ] }",
+            "1: passes[1].targets[0]: D24S8 is no format for a colour target");
     refused("{ \"picture\": \"x\" }", "1: picture: no pass has this name");
     refused(
         "{ \"objects\": [ { \"mesh\": { \"positions\": [[0,0,0]], \"triangles\": [[0,0,1]] } } ] }",
