@@ -49,6 +49,8 @@ static int print_object(const Output *output, uint64_t hash)
     }
     json_object_update(object, output->members);
     json_object_set_new(object, "file", json_string(output->path));
+    if (output->alpha_path)
+        json_object_set_new(object, output->alpha_name, json_string(output->alpha_path));
     return output_json(object);
 }
 
@@ -64,6 +66,11 @@ int output_result(Output *output)
                      : picture_write_surface(output->path, output->surface, output->opaque, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(options, "wrote %s", output->path);
+    if (output->alpha_path) {
+        if (picture_write_alpha(output->alpha_path, output->surface, &error))
+            return report(EXIT_INTERNAL, "%s", error.text);
+        notice(options, "wrote %s", output->alpha_path);
+    }
     if (options->verbose)
         notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s",
                statistics->first_ms, (unsigned long long)statistics->counters.primitives,

@@ -21,6 +21,8 @@ typedef struct Output {
     RunStatistics statistics;
     const GpSurface *surface; /* the picture, or what the volume was read from */
     bool opaque;              /* alpha stays out of the picture's file */
+    const char *alpha_path;   /* where it is to be written alone; NULL: nowhere */
+    const char *alpha_name;   /* what it is, for --json: "visibility" */
     GpVolume volume;          /* data NULL: the picture is the result */
     const char *lines;        /* to be printed after the hash; NULL: none */
     json_t *members;          /* to be added to --json's; NULL: none */

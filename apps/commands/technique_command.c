@@ -30,6 +30,11 @@ static void check(struct argp_state *state, void *object)
 static void parse(int argc, char **argv, TechniqueArgs *args)
 {
     const Technique *technique = args->technique;
+    char alpha[64], alpha_help[160];
+    snprintf(alpha, sizeof alpha, "output-%s", technique->alpha ? technique->alpha : "");
+    snprintf(alpha_help, sizeof alpha_help,
+             "Write the %s alone to FILE, as a grey picture: .png, .exr, .pfm or .ppm",
+             technique->alpha ? technique->alpha : "");
     const SettingField options[] = {
         { "output", "FILE",
           !technique->volume ? picture_help
@@ -46,6 +51,8 @@ static void parse(int argc, char **argv, TechniqueArgs *args)
           "The chart for --error: JSON as `glasspipe chart' writes it (default: the "
           "technique's in out/charts, or in charts)",
           SETTING_TEXT, .offset = offsetof(TechniqueArgs, curve) },
+        { technique->alpha ? alpha : NULL, "FILE", alpha_help, SETTING_TEXT,
+          .offset = offsetof(TechniqueArgs, alpha) },
         { .name = NULL },
     };
     const CommandSyntax syntax = {
@@ -88,6 +95,8 @@ static GpResult check_output(TechniqueArgs *args, GpError *error)
                                                     : check_volume(args, &reason);
     if (result)
         return gp_fail(error, result, "-o %s", reason.text);
+    if (args->alpha && picture_check_path(args->alpha, &reason))
+        return gp_fail(error, GP_ERROR_INVALID, "--output-%s %s", technique->alpha, reason.text);
     for (const SettingField *field = technique->settings; field->name; field++)
         if (field->for_pictures && !picture &&
             setting_is_given(technique->settings, args->settings.given, field->name))
@@ -110,7 +119,7 @@ static GpResult build(const TechniqueArgs *args, void *scene, GpDevice *device, 
     return result;
 }
 
-/* The setting as it was used, with what was chosen. errors GP_ERROR_MEMORY */
+/* The setting as it was used: every value, with those that were chosen. errors GP_ERROR_MEMORY */
 static GpResult tell_setting(const TechniqueArgs *args, const void *scene, json_t *members,
                              GpError *error)
 {
@@ -122,7 +131,7 @@ static GpResult tell_setting(const TechniqueArgs *args, const void *scene, json_
     memcpy(used, args->settings.object, technique->setting_bytes);
     if (technique->resolve)
         technique->resolve(scene, used);
-    setting_print(technique->settings, used, technique->defaults, text, sizeof text);
+    setting_print(technique->settings, used, NULL, text, sizeof text);
     json_object_set_new(members, "setting", json_string(text));
     gp_free(used);
     return GP_OK;
@@ -158,6 +167,14 @@ static void free_report(TechniqueReport *told)
     json_decref(told->members);
 }
 
+/* Whether alpha goes into the picture's file: EXR, whose readers do not blend by it unasked. */
+static bool carries_alpha(const TechniqueArgs *args, const void *scene)
+{
+    const Technique *technique = args->technique;
+    return technique->alpha && strcmp(args->extension, "exr") == 0 &&
+           !(technique->check_alpha && technique->check_alpha(scene, NULL));
+}
+
 /* The first frame is what is written and told. in chosen: for --json; NULL: none */
 static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const Frame *frame,
                 json_t *chosen)
@@ -171,7 +188,9 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const 
                       .device = device,
                       .list = &frame->list,
                       .surface = frame_picture(frame),
-                      .opaque = true };
+                      .alpha_path = args->alpha,
+                      .alpha_name = technique->alpha,
+                      .opaque = !carries_alpha(args, scene) };
     GpResult result = run_first(device, &frame->list, &output.statistics, &error);
     if (result)
         return report(exit_of_run(result), "%s: %s", args->scene, error.text);
@@ -215,7 +234,10 @@ static int open_and_draw(TechniqueArgs *args, GpDevice *device)
     GpResult result = args->technique->open(&input, &scene, &error);
     if (result)
         return report(exit_of_input(result), "%s", error.text);
-    const int code = draw_opened(args, scene, device);
+    if (args->alpha && args->technique->check_alpha)
+        result = args->technique->check_alpha(scene, &error);
+    const int code = result ? report(EXIT_INPUT, "%s: %s", args->scene, error.text)
+                            : draw_opened(args, scene, device);
     args->technique->close(scene);
     return code;
 }

@@ -274,6 +274,22 @@ GpResult picture_write_surface(const char *path, const GpSurface *surface, bool 
     return result;
 }
 
+GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError *error)
+{
+    Picture picture = { .values = NULL };
+    GpResult result = picture_of_surface(surface, false, &picture, error);
+    if (result)
+        return result;
+    GP_ASSERT(picture.channels == 4);
+    const size_t pixels = (size_t)picture.width * picture.height;
+    for (size_t i = 0; i < pixels; i++)
+        picture.values[i] = picture.values[4 * i + 3];
+    picture.channels = 1;
+    result = write_picture(path, &picture, samples_of(surface->format), error);
+    picture_free(&picture);
+    return result;
+}
+
 GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,
                          GpError *error)
 {

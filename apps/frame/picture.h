@@ -52,6 +52,9 @@ GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface 
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
                                GpError *error);
 
+/* The alpha of a surface that has one as a picture of its own, in grey. errors as above */
+GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError *error);
+
 /* A surface as picture_read would give it back, had picture_write_surface written it to a file of this
  * name, alpha included: rounded as that file rounds. errors GP_ERROR_MEMORY; owns: the caller */
 GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,

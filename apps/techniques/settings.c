@@ -299,13 +299,28 @@ static void print_value(const SettingField *field, const Value *value, Text *tex
     }
 }
 
+/* Numbers beside their range say that something is to be chosen. */
+static bool is_left_out(const SettingField *field, const Value *value, const void *defaults)
+{
+    if (!defaults && field->type == SETTING_FLAG)
+        return !value->flag;
+    if (!defaults && field->type == SETTING_INTEGER)
+        return value->integer < field->low || value->integer > field->high;
+    if (!defaults && field->type == SETTING_NUMBER)
+        return value->number < field->low || value->number > field->high;
+    if (!defaults)
+        return false;
+    const Value usual = load(field, defaults);
+    return memcmp(value, &usual, setting_bytes(field)) == 0;
+}
+
 void setting_print(const SettingField *fields, const void *setting, const void *defaults,
                    char *text, size_t size)
 {
     Text key = { .data = NULL };
     for (const SettingField *field = fields; field->name; field++) {
-        const Value value = load(field, setting), usual = load(field, defaults);
-        if (field->aside || memcmp(&value, &usual, setting_bytes(field)) == 0)
+        const Value value = load(field, setting);
+        if (field->aside || is_left_out(field, &value, defaults))
             continue;
         text_add(&key, "%s--%s", key.length ? " " : "", field->name);
         print_value(field, &value, &key);

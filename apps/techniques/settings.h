@@ -64,6 +64,8 @@ GpResult setting_parse(const SettingField *fields, void *setting, const char *te
 
 /* The key of a setting: the members that differ from `defaults`, in the table's order; numbers with
  * as many digits as restore them. Empty where none differs.
+ * in   defaults: NULL: all members are printed but flags that are not set, and numbers beside their
+ *      range, by which a setting says that they are to be chosen
  * in   size: of text; longer texts are cut */
 void setting_print(const SettingField *fields, const void *setting, const void *defaults,
                    char *text, size_t size);

@@ -1,5 +1,6 @@
 /* From a scene to the setting that a chart chooses for it: chart, --error, and bench beside them, on a
  * scene so small that times mean nothing and errors do. */
+#include "apps/frame/picture.h"
 #include "pipeline/base/base.h"
 #include "tests/support/program.h"
 
@@ -8,6 +9,12 @@ static const char small[] =
     "  \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"fovy\": 40 },\n"
     "  \"objects\": [ { \"mesh\": \"builtin:plane\" },\n"
     "                 { \"mesh\": \"builtin:cube\", \"fit\": [0, 0, 0, 1] } ] }\n";
+
+static const char lit[] =
+    "{ \"size\": [64, 48], \"lights\": [ { \"direction\": [1, 2, 1] } ],\n"
+    "  \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"fovy\": 40 },\n"
+    "  \"objects\": [ { \"mesh\": \"builtin:plane\" },\n"
+    "                 { \"mesh\": \"builtin:cube\", \"fit\": [0, 0.5, 0, 1] } ] }\n";
 
 static double number(const json_t *object, const char *key)
 {
@@ -130,6 +137,91 @@ static void an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn(void 
     json_decref(object);
 }
 
+/* What the light reaches, beside the truth: white, black, and nothing between on a plain map. */
+static void visibility_is_written_and_read_back(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *file;
+        int channels;
+    } files[] = { { "v.png", 1 }, { "v.exr", 1 }, { "v.pfm", 1 }, { "a.exr", 4 } };
+    Picture pictures[GP_COUNT(files)] = { { 0 } };
+    write_file("lit.json", lit);
+    assert_int_equal(shell("glasspipe shadow lit.json --filter nearest -o a.exr "
+                           "--output-visibility v.png --json"),
+                     0);
+    json_t *object = parse_output();
+    assert_string_equal(text(object, "visibility"), "v.png");
+    json_decref(object);
+    assert_int_equal(
+        shell("glasspipe shadow lit.json --filter nearest --output-visibility v.exr && "
+              "glasspipe shadow lit.json --filter nearest --output-visibility v.pfm"),
+        0);
+    size_t bright = 0, dark = 0;
+    for (size_t k = 0; k < GP_COUNT(files); k++) {
+        assert_int_equal(picture_read(files[k].file, &pictures[k], NULL), GP_OK);
+        assert_int_equal(pictures[k].channels, files[k].channels);
+    }
+    for (size_t i = 0; i < 64 * 48; i++) {
+        const float seen = pictures[0].values[i];
+        assert_true(seen == 0 || seen == 1);
+        assert_true(pictures[1].values[i] == seen && pictures[2].values[i] == seen);
+        assert_true(pictures[3].values[4 * i + 3] == seen);
+        bright += seen > 0;
+        dark += seen == 0;
+    }
+    assert_true(bright > 300 && dark > 300);
+    for (size_t k = 0; k < GP_COUNT(files); k++)
+        picture_free(&pictures[k]);
+}
+
+static void visibility_is_of_one_light(void **state)
+{
+    (void)state;
+    static const char two[] =
+        "{ \"lights\": [ { \"direction\": [1, 2, 1] }, { \"direction\": [0, 2, 1] } ],\n"
+        "  \"objects\": [ { \"mesh\": \"builtin:cube\" } ] }\n";
+    write_file("two.json", two);
+    expect_refused(3, "shadow two.json --output-visibility v.png", "the scene has 2");
+    expect_refused(2, "shadow two.json --output-visibility v.gif", "--output-visibility v.gif");
+    expect_refused(2, "voxelize builtin:cube --output-visibility v.png", "output-visibility");
+    Picture picture;
+    assert_int_equal(shell("glasspipe shadow two.json --size 8x8 -o a.exr"), 0);
+    assert_int_equal(picture_read("a.exr", &picture, NULL), GP_OK);
+    assert_int_equal(picture.channels, 3);
+    picture_free(&picture);
+}
+
+/* The setting that is told, given as options, draws the same picture; what was chosen is in it. */
+static void json_names_every_value_that_was_used(void **state)
+{
+    (void)state;
+    static const char *const given[] = { "", "--method plain", "--method plain --map 64 --fit eye",
+                                         "--normal-offset 1 --depth d16",
+                                         "--fit adaptive --map 64" };
+    static const char *const named[] = { "--method ", "--filter ", "--map ",     "--depth ",
+                                         "--bias ",   "--slope ",  "--casters ", "--fit ",
+                                         "--facing ", "--outside " };
+    write_file("lit.json", lit);
+    for (size_t i = 0; i < GP_COUNT(given); i++) {
+        char setting[512], hash[32];
+        assert_int_equal(shell("glasspipe shadow lit.json -q -o a.ppm --json %s", given[i]), 0);
+        json_t *object = parse_output();
+        snprintf(setting, sizeof setting, "%s", text(object, "setting"));
+        snprintf(hash, sizeof hash, "%s", text(object, "hash"));
+        json_decref(object);
+        for (size_t k = 0; k < GP_COUNT(named); k++)
+            expect_contains(setting, named[k]);
+        assert_null(strstr(setting, "auto"));
+        assert_int_equal(shell("glasspipe shadow lit.json -q -o a.ppm %s", setting), 0);
+        expect_contains(out, hash);
+    }
+    assert_int_equal(shell("glasspipe voxelize builtin:ball -q -n 16 -o a.bits --json"), 0);
+    json_t *object = parse_output();
+    expect_contains(text(object, "setting"), "--size 16 --kind surface --method conservative");
+    json_decref(object);
+}
+
 /* What bench draws is what it writes, by either executor. */
 static void a_case_of_bench_is_one_picture(void **state)
 {
@@ -153,6 +245,9 @@ int main(void)
         PROGRAM_TEST(a_chart_chooses_the_setting_that_is_drawn),
         PROGRAM_TEST(a_chart_is_believed_only_where_that_is_asked_for),
         PROGRAM_TEST(an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn),
+        PROGRAM_TEST(visibility_is_written_and_read_back),
+        PROGRAM_TEST(visibility_is_of_one_light),
+        PROGRAM_TEST(json_names_every_value_that_was_used),
         PROGRAM_TEST(a_case_of_bench_is_one_picture),
     };
     return cmocka_run_group_tests_name("charts", tests, find_program, NULL);

@@ -32,7 +32,7 @@ static double bias_of(const ShadowSetting *setting, const ShadowLight *light)
     if (setting->bias >= 0 || !needs_bias(setting, light))
         return fmax(setting->bias, 0);
     if (setting->method == SHADOW_HARDWARE)
-        return light->map->format == GP_D16 ? 0x1p-16 : 0x1p-24;
+        return shadow_map_format(setting, light->source) == GP_D16 ? 0x1p-16 : 0x1p-24;
     /* Depth grows by this over a unit of length, and a texel is so many units wide. */
     double centre = 0.5 * (view->near + view->far), range = view->far - view->near;
     double growth = view->parallel ? 1 / range : view->near * view->far / range / (centre * centre);
@@ -130,6 +130,23 @@ ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source)
             shadow_draw_caster(build, &light, i, uniforms, &viewport, light.cube);
     }
     return light;
+}
+
+void shadow_choose(const Scene *scene, const SceneLight *source, ShadowSetting *setting)
+{
+    static const ShadowDepth depths[GP_FORMATS] = { [GP_D16] = SHADOW_D16,
+                                                    [GP_D24S8] = SHADOW_D24,
+                                                    [GP_D32F] = SHADOW_D32F,
+                                                    [GP_R32F] = SHADOW_R32F };
+    const ShadowLight light = { .source = source,
+                                .cube = light_shines_around(source),
+                                .size = shadow_map_size(setting, source),
+                                .view = { light_fit(scene, source, 0, setting->fit) } };
+    const double bias = bias_of(setting, &light), slope = slope_of(setting, &light);
+    setting->depth = depths[shadow_map_format(setting, source)];
+    setting->map = light.size;
+    setting->bias = bias;
+    setting->slope = slope;
 }
 
 /* --- what programs know of it -------------------------------------------------------------------- */

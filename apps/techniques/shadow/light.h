@@ -32,6 +32,9 @@ typedef struct ShadowLight {
 /* The views of a light of the scene, and the pass that draws its map. */
 ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source);
 
+/* Sets what a setting leaves open to what it is for a light: map, depth, bias and slope. */
+void shadow_choose(const Scene *scene, const SceneLight *source, ShadowSetting *setting);
+
 /* An object as the light sees it, in a part of the map: a draw of the present pass, or none where the
  * object casts nothing.
  * in   object: its number; clip: float[4][4], world to the part's clip space; belongs to the frame */

@@ -1,6 +1,7 @@
 #include "apps/techniques/shadow/technique.h"
 
 #include "apps/scene/bounds.h"
+#include "apps/techniques/shadow/light.h"
 #include "apps/techniques/shadow/paper_tables.h"
 #include "apps/techniques/shadow/shadow.h"
 #include "apps/truth/shadow_error.h"
@@ -117,6 +118,32 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
 {
     const Opened *opened = made;
     return shadow_build(&opened->scene, setting, device, frame, error);
+}
+
+/* What lights agree in; what one light has otherwise than another stays open. */
+static void resolve(const void *made, void *object)
+{
+    const Scene *scene = &((const Opened *)made)->scene;
+    ShadowSetting *setting = object;
+    const ShadowSetting open = *setting;
+    for (uint32_t i = 0; i < scene->light_count; i++) {
+        ShadowSetting one = open;
+        shadow_choose(scene, &scene->lights[i], &one);
+        const ShadowSetting *first = i == 0 ? &one : setting;
+        setting->map = one.map == first->map ? one.map : open.map;
+        setting->depth = one.depth == first->depth ? one.depth : open.depth;
+        setting->bias = one.bias == first->bias ? one.bias : open.bias;
+        setting->slope = one.slope == first->slope ? one.slope : open.slope;
+    }
+}
+
+/* Lights are added up in the picture, alpha with them. */
+static GpResult check_visibility(const void *made, GpError *error)
+{
+    const uint32_t count = ((const Opened *)made)->scene.light_count;
+    return count == 1 ? GP_OK
+                      : gp_fail(error, GP_ERROR_INVALID,
+                                "--output-visibility is of one light, and the scene has %u", count);
 }
 
 /* All triangles of the scene, for rays. errors GP_ERROR_INVALID, GP_ERROR_MEMORY */
@@ -245,7 +272,8 @@ const Technique shadow_technique = {
         "\n"
         "Renders a scene whose lights cast shadows by shadow maps, and prints the picture's hash.\v"
         "With --json the frame is rendered a second time, which is the one that is timed. With one "
-        "light, the picture's alpha is how much of it a pixel sees.",
+        "light, alpha is how much of it a pixel sees: EXR has it, and --output-visibility writes "
+        "it alone.",
     .settings = settings,
     .defaults = &shadow_defaults,
     .setting_bytes = sizeof(ShadowSetting),
@@ -254,4 +282,7 @@ const Technique shadow_technique = {
     .open = open_scene,
     .close = close_scene,
     .build = build,
+    .resolve = resolve,
+    .alpha = "visibility",
+    .check_alpha = check_visibility,
 };

@@ -95,6 +95,13 @@ GpResult voxel_models_build(void *scene, const void *setting, GpDevice *device, 
     return result;
 }
 
+void voxel_models_resolve(const void *scene, void *setting)
+{
+    VoxelOptions *options = setting;
+    (void)scene;
+    options->voxels = voxel_complete(&options->voxels);
+}
+
 GpResult voxel_models_show(void *scene, const void *setting, Frame *frame, GpError *error)
 {
     const VoxelModels *models = scene;

@@ -26,6 +26,7 @@ GpResult voxel_models_open(const TechniqueInput *input, void **scene, GpError *e
 void voxel_models_close(void *scene);
 GpResult voxel_models_build(void *scene, const void *setting, GpDevice *device, Frame *frame,
                             GpError *error);
+void voxel_models_resolve(const void *scene, void *setting);
 GpResult voxel_models_volume(const Frame *frame, GpVolume *volume, GpError *error);
 GpResult voxel_models_show(void *scene, const void *setting, Frame *frame, GpError *error);
 

@@ -38,6 +38,7 @@ const Technique voxel_technique = {
     .open = voxel_models_open,
     .close = voxel_models_close,
     .build = voxel_models_build,
+    .resolve = voxel_models_resolve,
     .volume = voxel_models_volume,
     .show = voxel_models_show,
     .report = voxel_report,

@@ -3,7 +3,7 @@
 
 #include "apps/techniques/voxel/methods/methods.h"
 
-static VoxelSetting complete(const VoxelSetting *setting)
+VoxelSetting voxel_complete(const VoxelSetting *setting)
 {
     VoxelSetting full = *setting;
     if (full.method == VOXEL_AUTO)
@@ -44,7 +44,7 @@ GpResult voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame 
         [VOXEL_LDI] = voxel_layered_depth,
         [VOXEL_FACES] = voxel_faces,
     };
-    const VoxelSetting full = complete(setting);
+    const VoxelSetting full = voxel_complete(setting);
     GpResult result = check(model, &full, error);
     if (!result)
         methods[full.method](model, &full, frame, volume);

@@ -6,6 +6,9 @@
 #include "apps/techniques/voxel/methods/setting.h"
 #include "apps/techniques/voxel/volume/flat_texture.h"
 
+/* The setting with the method that it means. */
+VoxelSetting voxel_complete(const VoxelSetting *setting);
+
 /* Appends the passes of a setting.
  * in     volume: of the setting's size and bits; its texels are right once the list has run
  * errors GP_ERROR_INVALID: the setting contradicts itself, with the reason; GP_ERROR_MEMORY */
