@@ -22,8 +22,7 @@ static int compare_places(const void *a, const void *b)
     return 0;
 }
 
-/* Numbers the places: out place_of: [vertex_count]. errors GP_ERROR_MEMORY */
-static GpResult find_places(const float *positions, uint32_t vertex_count, uint32_t *place_of)
+GpResult mesh_places(const float *positions, uint32_t vertex_count, uint32_t *place_of)
 {
     Place *places = gp_alloc(vertex_count, sizeof *places);
     if (!places)
@@ -140,6 +139,7 @@ static void count_edge(uint64_t ways[2], MeshReport *report)
     report->non_manifold_edges += triangles > 2;
     report->odd_edges += triangles % 2;
     report->inconsistent_edges += triangles == 2 && ways[0] != 1;
+    report->unbalanced_edges += ways[0] != ways[1];
 }
 
 static void count_edges(const Groups *groups, MeshReport *report)
@@ -196,7 +196,7 @@ GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32
                       .begin = gp_alloc((size_t)vertex_count + 2, sizeof *groups.begin),
                       .sorted = gp_alloc(corners, sizeof *groups.sorted) };
     GpResult result = place_of && groups.group_of && groups.values && groups.begin && groups.sorted
-                          ? find_places(positions, vertex_count, place_of)
+                          ? mesh_places(positions, vertex_count, place_of)
                           : GP_ERROR_MEMORY;
     if (!result) {
         list_edges(place_of, indices, triangle_count, &groups);

@@ -18,11 +18,13 @@ typedef struct MeshReport {
     uint64_t odd_edges;          /* of an odd number: open ones among them */
     uint64_t
         inconsistent_edges; /* of two triangles that run along it the same way: one is turned over */
-    uint64_t duplicates;    /* triangles with the corners of an earlier one, in any order */
-    uint64_t degenerate;    /* triangles without area */
-    bool is_closed;         /* each edge has two triangles, which run along it in opposite ways */
-    bool is_inside_out;     /* closed, and its triangles are seen clockwise from outside */
-    double volume;          /* enclosed, in the file's unit; negative: inside out. Of a mesh that is
+    uint64_t unbalanced_edges; /* of triangles more of which run along it one way than the other:
+                                  without any, every line enters as often as it leaves */
+    uint64_t duplicates;       /* triangles with the corners of an earlier one, in any order */
+    uint64_t degenerate;       /* triangles without area */
+    bool is_closed;     /* each edge has two triangles, which run along it in opposite ways */
+    bool is_inside_out; /* closed, and its triangles are seen clockwise from outside */
+    double volume;      /* enclosed, in the file's unit; negative: inside out. Of a mesh that is
                                not closed it depends on where its first vertex lies */
 } MeshReport;
 
@@ -30,6 +32,11 @@ typedef struct MeshReport {
  * errors GP_ERROR_MEMORY */
 GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32_t *indices,
                      uint32_t triangle_count, MeshReport *report);
+
+/* Numbers the places of vertices from 0 on; vertices at the same place have one number.
+ * out    place_of: [vertex_count]
+ * errors GP_ERROR_MEMORY */
+GpResult mesh_places(const float *positions, uint32_t vertex_count, uint32_t *place_of);
 
 /* What a mesh that is not closed lacks, as words: "223 boundary edges, 1 non-manifold edge". */
 void mesh_report_faults(const MeshReport *report, char *text, size_t size);

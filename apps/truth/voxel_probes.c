@@ -13,6 +13,7 @@ static const double wider = 1.125; /* than the model's box */
 /* Probes by cells of x and y: those of cell i are from start[i] to start[i + 1] of `order`. */
 typedef struct Grid {
     uint32_t *start, *order;
+    int32_t *number; /* of each probe, in the probes' order */
 } Grid;
 
 static void place_of(const VoxelProbes *probes, uint32_t i, double point[3])
@@ -52,9 +53,9 @@ static void cells_between(double low, double high, double origin, double side, u
 
 /* --- inside ------------------------------------------------------------------------------------ */
 
-/* Turns over those of a row of cells that a triangle is above. */
-static void turn_row(const VoxelProbes *probes, const Grid *grid, uint32_t first, uint32_t last,
-                     const TruthTriangle *triangle, const TruthProjection *projection)
+/* Counts in those of a row of cells that a triangle is above: 1, or -1 where it faces down. */
+static void count_row(const VoxelProbes *probes, const Grid *grid, uint32_t first, uint32_t last,
+                      const TruthTriangle *triangle, const TruthProjection *projection)
 {
     double normal[3];
     truth_normal(triangle, normal);
@@ -64,11 +65,11 @@ static void turn_row(const VoxelProbes *probes, const Grid *grid, uint32_t first
         place_of(probes, i, point);
         if (truth_covers(projection, point[0], point[1]) &&
             point[2] < truth_depth(triangle, normal, projection, point[0], point[1]))
-            probes->inside[i / 8] = (uint8_t)(probes->inside[i / 8] ^ 1u << i % 8);
+            grid->number[i] += normal[2] > 0 ? 1 : -1;
     }
 }
 
-static void turn_below(const VoxelProbes *probes, const Grid *grid, const TruthTriangle *triangle)
+static void count_below(const VoxelProbes *probes, const Grid *grid, const TruthTriangle *triangle)
 {
     const TruthProjection projection = truth_project(triangle, 2);
     uint32_t range[2][2];
@@ -80,8 +81,18 @@ static void turn_below(const VoxelProbes *probes, const Grid *grid, const TruthT
         cells_between(low, high, probes->low[k], probes->side, range[k]);
     }
     for (uint32_t y = range[1][0]; y <= range[1][1]; y++)
-        turn_row(probes, grid, y * CELLS + range[0][0], y * CELLS + range[0][1], triangle,
-                 &projection);
+        count_row(probes, grid, y * CELLS + range[0][0], y * CELLS + range[0][1], triangle,
+                  &projection);
+}
+
+/* A number is odd where that of the triangles is, whichever way they face. */
+static void set_inside(const Grid *grid, VoxelInside inside, VoxelProbes *probes)
+{
+    for (uint32_t i = 0; i < PROBES; i++) {
+        const bool in = inside == VOXEL_BY_PARITY ? grid->number[i] % 2 != 0 : grid->number[i] != 0;
+        probes->inside[i / 8] = (uint8_t)(probes->inside[i / 8] | (unsigned)in << i % 8);
+        probes->inside_count += in;
+    }
 }
 
 static void set_cube(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)
@@ -94,26 +105,27 @@ static void set_cube(const TruthTriangle *triangles, uint32_t count, VoxelProbes
         probes->low[k] = 0.5 * (box.low[k] + box.high[k]) - 0.5 * probes->side;
 }
 
-GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes)
+GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelInside inside,
+                           VoxelProbes *probes)
 {
-    const size_t bytes = (PROBES + 7) / 8;
-    VoxelProbes made = { .inside = gp_alloc(bytes, 1) };
+    VoxelProbes made = { .inside = gp_alloc((PROBES + 7) / 8, 1) };
     const Grid grid = { gp_alloc(CELLS * CELLS + 1, sizeof *grid.start),
-                        gp_alloc(PROBES, sizeof *grid.order) };
-    bool good = made.inside && grid.start && grid.order;
+                        gp_alloc(PROBES, sizeof *grid.order),
+                        gp_alloc(PROBES, sizeof *grid.number) };
+    bool good = made.inside && grid.start && grid.order && grid.number;
     if (good) {
         set_cube(triangles, count, &made);
         fill_grid(&grid);
         for (uint32_t i = 0; i < count; i++)
-            turn_below(&made, &grid, &triangles[i]);
-        for (size_t i = 0; i < bytes; i++)
-            made.inside_count += (unsigned)__builtin_popcount(made.inside[i]);
+            count_below(&made, &grid, &triangles[i]);
+        set_inside(&grid, inside, &made);
         *probes = made;
     } else {
         voxel_probes_free(&made);
     }
     gp_free(grid.start);
     gp_free(grid.order);
+    gp_free(grid.number);
     return good ? GP_OK : GP_ERROR_MEMORY;
 }
 

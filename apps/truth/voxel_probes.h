@@ -14,10 +14,15 @@ typedef struct VoxelProbes {
     uint64_t inside_count;
 } VoxelProbes;
 
-/* Inside is what has an odd number of triangles above it, along z, edges told as by voxel_solid.
+/* What is inside: what has an odd number of triangles above it; or a winding number other than 0
+ * (voxel_winding.h). */
+typedef enum VoxelInside { VOXEL_BY_PARITY, VOXEL_BY_WINDING } VoxelInside;
+
+/* Counts triangles along z, edges told as by voxel_solid.
  * in     count: at least 1
  * errors GP_ERROR_MEMORY; owns: the caller, until voxel_probes_free */
-GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelProbes *probes);
+GpResult voxel_probes_make(const TruthTriangle *triangles, uint32_t count, VoxelInside inside,
+                           VoxelProbes *probes);
 void voxel_probes_free(VoxelProbes *probes); /* zeroes it; a zeroed one is fine */
 
 /* Points on the wrong side, as a share of those inside (of one where none is): 1 where nothing is

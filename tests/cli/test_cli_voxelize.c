@@ -231,6 +231,33 @@ static void the_report_tells_what_is_open(void **state)
     expect_matches(out, "\ndisagreeing voxels +[1-9][0-9]*\n");
 }
 
+/* Two tetrahedra, the second over a corner of the first: of an overlap parity makes a hollow. */
+static void a_solid_of_overlapping_shells_warns(void **state)
+{
+    (void)state;
+    char text[400];
+    unsigned voxels[2];
+    snprintf(text, sizeof text,
+             "OFF\n8 8 0\n%s1 1 1\n6 1 1\n1 6 1\n1 1 6\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+             "3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n",
+             vertices);
+    write_file("two.off", text);
+    assert_int_equal(shell("glasspipe voxelize -q two.off -n 40"), 0);
+    assert_string_equal(err, "");
+    assert_int_equal(shell("glasspipe voxelize -q two.off -n 40 --kind solid --report"), 0);
+    expect_matches(err, "warning: two.off overlaps itself or has shells inside others: [1-9][0-9]* "
+                        "voxels are inside");
+    expect_contains(err, "--method winding fills them");
+    expect_matches(out, "\nclosed +yes\n");
+    expect_matches(out, "\ndisagreeing voxels +0\ndoubled voxels +[1-9][0-9]*\n");
+    const unsigned doubled = (unsigned)strtoul(strstr(out, "doubled voxels") + 14, NULL, 10);
+    assert_int_equal(sscanf(strstr(out, "voxels "), "voxels %u", &voxels[0]), 1);
+    assert_int_equal(shell("glasspipe voxelize -q two.off -n 40 --kind solid --method winding"), 0);
+    assert_string_equal(err, "");
+    assert_int_equal(sscanf(strstr(out, "voxels "), "voxels %u", &voxels[1]), 1);
+    assert_int_equal(voxels[1], voxels[0] + doubled);
+}
+
 typedef struct Point {
     const char *options;
     double ms, error;
@@ -344,6 +371,7 @@ int main(void)
         PROGRAM_TEST(json_has_the_volume_its_times_and_the_report),
         PROGRAM_TEST(a_solid_of_an_open_mesh_warns),
         PROGRAM_TEST(the_report_tells_what_is_open),
+        PROGRAM_TEST(a_solid_of_overlapping_shells_warns),
     };
     return cmocka_run_group_tests_name("voxelize command", tests, find_program, NULL);
 }

@@ -20,6 +20,7 @@ static const TechniqueSweep sweep[] = {
 
 static const TechniqueSweep solid_sweep[] = {
     { "xor", "--kind solid --method xor " SIZES },
+    { "winding number", "--kind solid --method winding --counters half|byte " SIZES },
     { "rows of sheets", "--kind solid --method sheets --blend add|or " SIZES },
     { "slices", "--kind solid --method slices " SLOW_SIZES },
     { "layered depths", "--kind solid --method ldi " SLOW_SIZES },
@@ -48,7 +49,7 @@ static GpResult find_truth(void *scene, int threads, GpError *error)
 static VoxelTruthKind truth_of(const VoxelSetting *setting)
 {
     if (setting->kind == VOXEL_SOLID)
-        return VOXEL_TRUTH_INSIDE;
+        return setting->method == VOXEL_WINDING ? VOXEL_TRUTH_WOUND : VOXEL_TRUTH_INSIDE;
     return setting->method == VOXEL_THIN ? VOXEL_TRUTH_SAMPLED : VOXEL_TRUTH_TOUCHED;
 }
 
@@ -74,8 +75,11 @@ static const char *const metrics[] = { "voxels", "missing", "extra", NULL };
 /* Against the model. NaN without memory */
 static double wrong_of(VoxelModels *models, const VoxelSetting *setting, const uint8_t *bits)
 {
+    const VoxelInside inside =
+        setting->method == VOXEL_WINDING ? VOXEL_BY_WINDING : VOXEL_BY_PARITY;
     return setting->kind == VOXEL_SOLID
-               ? voxel_truths_wrong_volume(&models->truths, &models->scene, setting->size, bits)
+               ? voxel_truths_wrong_volume(&models->truths, &models->scene, inside, setting->size,
+                                           bits)
                : voxel_truths_distance(&models->truths, &models->scene, setting->size, bits);
 }
 

@@ -13,8 +13,9 @@ const VoxelOptions voxel_option_defaults = {
 /* --- the table -------------------------------------------------------------------------------- */
 
 static const char *const kinds[] = { "surface", "solid", NULL };
-static const char *const methods[] = { "auto",   "conservative", "thin",  "xor", "sheets",
-                                       "slices", "ldi",          "faces", NULL };
+static const char *const methods[] = { "auto",   "conservative", "thin", "xor",   "winding",
+                                       "sheets", "slices",       "ldi",  "faces", NULL };
+static const char *const counters[] = { "half", "byte", NULL };
 static const char *const blends[] = { "add", "or", NULL };
 static const char *const values[] = { "density", "normal", "color", NULL };
 static const char *const ways[] = { "union", "intersection", "difference", "collide", NULL };
@@ -33,6 +34,7 @@ const SettingField voxel_settings[] = {
     { "method", NULL,
       "conservative: every voxel that is touched (default for surfaces); thin: those met by lines "
       "through centres; xor: each triangle turns over what is below it (default for solids); "
+      "winding: the same with signs, so that parts that overlap or are nested stay full; "
       "sheets: as printed in 2004; slices, ldi, faces: older ones",
       SETTING_NAME, OF(voxels.method), .names = methods },
     { "bits", "B", "Bits a voxel: 1 (default), 8 or 16; more than one of the method sheets",
@@ -44,6 +46,10 @@ const SettingField voxel_settings[] = {
       SETTING_INTEGER, OF(voxels.axes), .low = 1, .high = 3 },
     { "value", NULL, "What voxels of 8 and 16 bits hold: density (default), normal or color",
       SETTING_NAME, OF(voxels.value), .names = values },
+    { "counters", NULL,
+      "What the method winding counts in: half, floats of 16 bits (default), right up to 2048 "
+      "triangles above a voxel; or byte, up to 127",
+      SETTING_NAME, OF(voxels.counters), .names = counters },
 
     { "xform", "S TX TY TZ",
       "Where the model lies in the volume: voxels = S * position + T (default: its box, in the "

@@ -77,27 +77,49 @@ static GpResult tell_voxels(const VoxelPair *pair, const Frame *frame, Technique
 
 /* --- meshes ----------------------------------------------------------------------------------- */
 
-/* Solids are never made of an open mesh without a word. */
-static void warn_if_open(const char *name, const VoxelFacts *facts, TechniqueReport *report)
+/* Solids are never made of an open mesh without a word. Parity needs an even number of triangles at
+ * each edge, the winding number as many that run along it one way as the other. */
+static void warn_if_open(const char *name, const MeshReport *mesh, bool winds,
+                         TechniqueReport *report)
 {
+    static const char *const words[2][2] = {
+        { "every line crosses an even number of triangles all the same",
+          "lines beside these edges may cross an odd number of triangles: the solid is wrong "
+          "there" },
+        { "every line enters as often as it leaves all the same",
+          "lines beside these edges may enter more often than they leave: the solid is wrong "
+          "there" },
+    };
     char faults[256];
-    if (facts->mesh.is_closed)
+    if (mesh->is_closed)
         return;
-    mesh_report_faults(&facts->mesh, faults, sizeof faults);
-    text_add(&report->warnings, "%s is not closed: %s\n%s\n", name, faults,
-             facts->mesh.odd_edges > 0
-                 ? "lines beside these edges may cross an odd number of triangles: the solid is "
-                   "wrong there"
-                 : "every line crosses an even number of triangles all the same");
+    mesh_report_faults(mesh, faults, sizeof faults);
+    const bool wrong = winds ? mesh->unbalanced_edges > 0 : mesh->odd_edges > 0;
+    text_add(&report->warnings, "%s is not closed: %s\n%s\n", name, faults, words[winds][wrong]);
+}
+
+/* Nor does parity hollow out what overlaps or is nested. */
+static GpResult warn_if_doubled(const VoxelModels *models, int which, const VoxelBox *box,
+                                const MeshReport *mesh, TechniqueReport *report, GpError *error)
+{
+    uint64_t doubled;
+    GpResult result =
+        voxel_facts_count_doubled(models->pair.scenes[which], mesh, box, &doubled, error);
+    if (!result && doubled)
+        text_add(&report->warnings,
+                 "%s overlaps itself or has shells inside others: %" PRIu64
+                 " voxel%s inside, by the winding number, that counting triangles leaves hollow\n"
+                 "--method winding fills them\n",
+                 models->pair.names[which], doubled, doubled == 1 ? " is" : "s are");
+    return result;
 }
 
 /* Told of the first model where that is asked for, and to --json of every mesh. */
-static GpResult tell_facts(const VoxelOptions *options, const VoxelScene *scene, GpDevice *device,
-                           VoxelFacts *facts, TechniqueReport *report, GpError *error)
+static GpResult tell_facts(const VoxelOptions *options, const VoxelScene *scene, VoxelFacts *facts,
+                           TechniqueReport *report, GpError *error)
 {
     if (options->voxels.kind == VOXEL_SOLID) {
-        GpResult result =
-            voxel_facts_find_solids(scene, options->voxels.size, device, facts, error);
+        GpResult result = voxel_facts_find_solids(scene, options->voxels.size, facts, error);
         if (result)
             return result;
     }
@@ -106,14 +128,15 @@ static GpResult tell_facts(const VoxelOptions *options, const VoxelScene *scene,
     return GP_OK;
 }
 
-/* in   which: 0 the first model, which alone is told of */
+/* in   which: 0 the first model, which alone is told of; box: its place in the volume */
 static GpResult look_at_mesh(const VoxelModels *models, int which, const VoxelOptions *options,
-                             GpDevice *device, TechniqueReport *report, GpError *error)
+                             const VoxelBox *box, TechniqueReport *report, GpError *error)
 {
     const VoxelScene *scene = models->pair.scenes[which];
     const bool asked = which == 0 && options->wants_report;
     const bool told = asked || (which == 0 && report->members);
     const bool solid = options->voxels.kind == VOXEL_SOLID;
+    const bool winds = options->voxels.method == VOXEL_WINDING;
     VoxelFacts facts;
     if (scene->input != VOXEL_MESH)
         return asked ? gp_fail(error, GP_ERROR_INVALID, "--report is for meshes") : GP_OK;
@@ -121,9 +144,11 @@ static GpResult look_at_mesh(const VoxelModels *models, int which, const VoxelOp
         return GP_OK;
     GpResult result = voxel_facts_find(scene, &facts, error);
     if (!result && told)
-        result = tell_facts(options, scene, device, &facts, report, error);
+        result = tell_facts(options, scene, &facts, report, error);
     if (!result && solid)
-        warn_if_open(models->pair.names[which], &facts, report);
+        warn_if_open(models->pair.names[which], &facts.mesh, winds, report);
+    if (!result && solid && !winds)
+        result = warn_if_doubled(models, which, box, &facts.mesh, report, error);
     return result;
 }
 
@@ -131,8 +156,10 @@ GpResult voxel_report(void *scene, const void *setting, const Frame *frame, GpDe
                       TechniqueReport *report, GpError *error)
 {
     const VoxelModels *models = scene;
+    const VoxelMade *made = frame->made;
+    (void)device;
     GpResult result = tell_voxels(&models->pair, frame, report, error);
     for (int i = 0; i < 2 && models->pair.scenes[i] && !result; i++)
-        result = look_at_mesh(models, i, setting, device, report, error);
+        result = look_at_mesh(models, i, setting, &made->pair.boxes[i], report, error);
     return result;
 }

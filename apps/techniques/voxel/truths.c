@@ -1,7 +1,7 @@
 /* Exact voxels found when they are asked for, and what a volume has wrong. */
 #include "apps/techniques/voxel/truths.h"
 
-#include "apps/truth/voxel_truth.h"
+#include "apps/truth/voxel_winding.h"
 
 #include <string.h>
 
@@ -9,19 +9,25 @@
 
 static const double surface_margin = 1e-3, solid_margin = 1.0 / 128; /* voxels */
 
-/* What rounding may decide about insides is near the surface. */
-static void find_inside(const TruthTriangle *triangles, uint32_t count, const VoxelTruth *truth)
+/* What rounding may decide about insides is near the surface. errors GP_ERROR_MEMORY */
+static GpResult find_inside(const TruthTriangle *triangles, uint32_t count, const VoxelTruth *truth)
 {
-    voxel_solid(triangles, count, truth->size, truth->least);
+    VoxelWinding winding;
+    GpResult result = voxel_winding_make(triangles, count, truth->size, 2, &winding);
+    if (result)
+        return result;
+    const uint8_t *bits = truth->kind == VOXEL_TRUTH_WOUND ? winding.inside : winding.odd;
     voxel_near(triangles, count, truth->size, solid_margin, truth->most);
     for (size_t i = 0; i < voxel_bytes(truth->size); i++) {
-        uint8_t inside = truth->least[i], near = truth->most[i];
+        uint8_t inside = bits[i], near = truth->most[i];
         truth->least[i] = (uint8_t)(inside & ~near);
         truth->most[i] = inside | near;
     }
+    voxel_winding_free(&winding);
+    return GP_OK;
 }
 
-static void find(const TruthTriangle *triangles, uint32_t count, const VoxelTruth *truth)
+static GpResult find(const TruthTriangle *triangles, uint32_t count, const VoxelTruth *truth)
 {
     const uint32_t size = truth->size;
     switch (truth->kind) {
@@ -34,14 +40,15 @@ static void find(const TruthTriangle *triangles, uint32_t count, const VoxelTrut
         voxel_thin(triangles, count, size, VOXEL_ALL_AXES, surface_margin, truth->most);
         break;
     case VOXEL_TRUTH_INSIDE:
-        find_inside(triangles, count, truth);
-        break;
+    case VOXEL_TRUTH_WOUND:
+        return find_inside(triangles, count, truth);
     }
+    return GP_OK;
 }
 
-/* NULL without memory; the caller frees them. */
-static TruthTriangle *make_triangles(const GpMesh *mesh, const VoxelBox *space)
+TruthTriangle *voxel_true_triangles(const VoxelScene *scene, const VoxelBox *space)
 {
+    const GpMesh *mesh = &scene->mesh;
     TruthTriangle *triangles = gp_alloc(mesh->triangle_count, sizeof *triangles);
     if (triangles)
         voxel_triangles(mesh->positions, mesh->indices, mesh->triangle_count, space, triangles);
@@ -58,14 +65,13 @@ const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene
         return NULL;
     VoxelTruth *truth = &truths->truths[truths->count];
     const VoxelBox space = voxel_scene_box(scene, size);
-    TruthTriangle *triangles = make_triangles(&scene->mesh, &space);
+    TruthTriangle *triangles = voxel_true_triangles(scene, &space);
     *truth =
         (VoxelTruth){ kind, size, gp_alloc(voxel_bytes(size), 1), gp_alloc(voxel_bytes(size), 1) };
-    bool good = triangles && truth->least && truth->most;
-    if (good) {
-        find(triangles, scene->mesh.triangle_count, truth);
-        truths->count++;
-    } else {
+    bool good = triangles && truth->least && truth->most &&
+                !find(triangles, scene->mesh.triangle_count, truth);
+    truths->count += good;
+    if (!good) {
         gp_free(truth->least);
         gp_free(truth->most);
     }
@@ -80,7 +86,8 @@ void voxel_truths_free(VoxelTruths *truths)
         gp_free(truths->truths[i].most);
     }
     voxel_distance_free(&truths->distance);
-    voxel_probes_free(&truths->probes);
+    for (int i = 0; i < 2; i++)
+        voxel_probes_free(&truths->probes[i]);
     *truths = (VoxelTruths){ .count = 0 };
 }
 
@@ -102,7 +109,7 @@ double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint3
                              const uint8_t *bits)
 {
     if (!truths->has_distance) {
-        TruthTriangle *triangles = make_triangles(&scene->mesh, &model_space);
+        TruthTriangle *triangles = voxel_true_triangles(scene, &model_space);
         truths->has_distance =
             triangles &&
             !voxel_distance_make(triangles, scene->mesh.triangle_count, &truths->distance);
@@ -115,16 +122,17 @@ double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint3
     return 1000 * fmax(apart.to_voxels, apart.to_model);
 }
 
-double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
-                                 const uint8_t *bits)
+double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
+                                 uint32_t size, const uint8_t *bits)
 {
-    if (!truths->has_probes) {
-        TruthTriangle *triangles = make_triangles(&scene->mesh, &model_space);
-        truths->has_probes =
-            triangles && !voxel_probes_make(triangles, scene->mesh.triangle_count, &truths->probes);
+    VoxelProbes *probes = &truths->probes[inside];
+    bool *has = &truths->has_probes[inside];
+    if (!*has) {
+        TruthTriangle *triangles = voxel_true_triangles(scene, &model_space);
+        *has =
+            triangles && !voxel_probes_make(triangles, scene->mesh.triangle_count, inside, probes);
         gp_free(triangles);
     }
     const VoxelBox space = voxel_scene_box(scene, size);
-    return truths->has_probes ? 1000 * voxel_probes_wrong(&truths->probes, &space, bits)
-                              : (double)NAN;
+    return *has ? 1000 * voxel_probes_wrong(probes, &space, bits) : (double)NAN;
 }

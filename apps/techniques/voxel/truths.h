@@ -13,6 +13,7 @@ typedef enum VoxelTruthKind {
     VOXEL_TRUTH_TOUCHED, /* by a triangle; undecided within 1/1000 voxel */
     VOXEL_TRUTH_SAMPLED, /* by lines through centres along three axes; within 1/1000 voxel */
     VOXEL_TRUTH_INSIDE,  /* an odd number of triangles above the centre; within 1/128 voxel */
+    VOXEL_TRUTH_WOUND,   /* a winding number other than 0 there; the same */
 } VoxelTruthKind;
 
 enum { VOXEL_MAX_TRUTHS = 32 };
@@ -27,10 +28,13 @@ typedef struct VoxelTruth {
 typedef struct VoxelTruths {
     VoxelTruth truths[VOXEL_MAX_TRUTHS];
     int count;
-    bool has_distance, has_probes;
+    bool has_distance, has_probes[2];
     VoxelDistance distance;
-    VoxelProbes probes;
+    VoxelProbes probes[2]; /* by parity; by winding number */
 } VoxelTruths;
+
+/* A mesh's triangles in a volume. NULL without memory; the caller frees them. */
+TruthTriangle *voxel_true_triangles(const VoxelScene *scene, const VoxelBox *space);
 
 /* The truth of a kind and a size: kept, or found now. NULL without memory, or without room. */
 const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
@@ -38,11 +42,12 @@ const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene
 
 /* How far a volume of `size` is from the model's surface, and the surface from it: the larger of
  * both (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In
- * thousandths, of the model's longest side and of its enclosed volume. NaN without memory. */
+ * thousandths, of the model's longest side and of its enclosed volume. NaN without memory.
+ * in   inside: VOXEL_BY_PARITY or VOXEL_BY_WINDING: which the model's inside is */
 double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
                              const uint8_t *bits);
-double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
-                                 const uint8_t *bits);
+double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
+                                 uint32_t size, const uint8_t *bits);
 
 void voxel_truths_free(VoxelTruths *truths); /* zeroes it; a zeroed one is fine */
 

@@ -153,7 +153,7 @@ static GpResult check_input(const VoxelScene *scene, const VoxelSetting *setting
 static bool can_twist(VoxelMethod method)
 {
     return method == VOXEL_AUTO || method == VOXEL_CONSERVATIVE || method == VOXEL_THIN ||
-           method == VOXEL_XOR;
+           method == VOXEL_XOR || method == VOXEL_WINDING;
 }
 
 /* A twisted model is one that moves, as far as lists of triangles are concerned. */
@@ -162,7 +162,7 @@ static GpResult twist_model(const VoxelScene *scene, const VoxelBox *box, Frame 
 {
     if (!can_twist(method))
         return gp_fail(error, GP_ERROR_INVALID,
-                       "--twist: expected --method conservative, thin or xor");
+                       "--twist: expected --method conservative, thin, xor or winding");
     const Bounds bounds = voxel_scene_bounds(scene);
     const double height = (bounds.high[1] - bounds.low[1]) * box->scale;
     if (height > 0)

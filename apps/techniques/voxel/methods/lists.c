@@ -2,6 +2,7 @@
 #include "apps/techniques/voxel/methods/lists.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { X, Y, Z };
 
@@ -71,4 +72,35 @@ VoxelList voxel_choose(Frame *frame, const VoxelExtent *extents, VoxelList from,
         count += choice(&extents[triangle], about);
     }
     return (VoxelList){ chosen, count };
+}
+
+/* --- groups of slabs -------------------------------------------------------------------------- */
+
+static bool rises_above(const VoxelExtent *extent, float floor)
+{
+    return extent->high >= floor;
+}
+
+static bool begins_below(const VoxelExtent *extent, float end)
+{
+    return extent->low <= end + 0.5f;
+}
+
+GpGeometry voxel_group_triangles(const VoxelModel *model, Frame *frame, const VoxelExtent *extents,
+                                 float floor, float depth, bool top)
+{
+    GpGeometry geometry = voxel_model_geometry(model);
+    if (model->motions)
+        return geometry;
+    VoxelList list = { NULL, model->triangle_count };
+    list = voxel_choose(frame, extents, list, rises_above, floor);
+    if (!top)
+        list = voxel_choose(frame, extents, list, begins_below, floor + depth);
+    uint32_t *indices = frame_alloc(frame, 3 * (size_t)list.count + 1, sizeof *indices);
+    for (uint32_t i = 0; indices && i < list.count; i++)
+        memcpy(indices + 3 * (size_t)i, model->indices + 3 * (size_t)list.triangles[i],
+               3 * sizeof *indices);
+    geometry.indices = indices;
+    geometry.index_count = indices ? 3 * list.count : 0;
+    return geometry;
 }

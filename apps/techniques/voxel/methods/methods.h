@@ -1,5 +1,5 @@
 /* The methods of voxelization, each in a file of its own: columns.c (conservative and thin), xor.c,
- * sheets.c (as printed), slices.c, layered_depth.c and faces.c. */
+ * winding.c, sheets.c (as printed), slices.c, layered_depth.c and faces.c. */
 #ifndef APPS_TECHNIQUES_VOXEL_METHODS_METHODS_H
 #define APPS_TECHNIQUES_VOXEL_METHODS_METHODS_H
 
@@ -13,8 +13,8 @@
 typedef void VoxelMethodPasses(const VoxelModel *model, const VoxelSetting *setting, Frame *frame,
                                const FlatTexture *volume);
 
-VoxelMethodPasses voxel_columns, voxel_xor, voxel_sheets, voxel_slices, voxel_layered_depth,
-    voxel_faces;
+VoxelMethodPasses voxel_columns, voxel_xor, voxel_winding, voxel_sheets, voxel_slices,
+    voxel_layered_depth, voxel_faces;
 
 /* Surfaces that lie behind so many others are lost by layered depth images. Even, so that what is
  * left of a solid ends at a surface. */

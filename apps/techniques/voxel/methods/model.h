@@ -19,7 +19,7 @@ typedef struct VoxelModel {
     const uint32_t *indices;       /* [3 * triangle_count] */
     uint32_t vertex_count, triangle_count;
     VoxelMotion motion;    /* into the volume: voxel_still, or a motion before it */
-    VoxelMotions *motions; /* NULL: it stands still; else of conservative, thin and xor */
+    VoxelMotions *motions; /* NULL: it stands still; else of conservative, thin, xor and winding */
     float most_twist;      /* of a motion that may be set later */
 } VoxelModel;
 

@@ -16,7 +16,8 @@ static GpResult check(const VoxelModel *model, const VoxelSetting *setting, GpEr
     const bool solid = setting->kind == VOXEL_SOLID, thin = setting->method == VOXEL_THIN;
     if (solid && (thin || setting->method == VOXEL_CONSERVATIVE))
         return gp_fail(error, GP_ERROR_INVALID, "this method makes surfaces, not solids");
-    if (!solid && (setting->method == VOXEL_XOR || setting->method == VOXEL_FACES))
+    if (!solid && (setting->method == VOXEL_XOR || setting->method == VOXEL_WINDING ||
+                   setting->method == VOXEL_FACES))
         return gp_fail(error, GP_ERROR_INVALID, "this method makes solids: --kind solid");
     if (setting->bits != 1 && setting->method != VOXEL_SHEETS)
         return gp_fail(error, GP_ERROR_INVALID, "%u bits a voxel: only --method sheets has them",
@@ -39,6 +40,7 @@ GpResult voxel_draw(const VoxelModel *model, const VoxelSetting *setting, Frame 
         [VOXEL_CONSERVATIVE] = voxel_columns,
         [VOXEL_THIN] = voxel_columns,
         [VOXEL_XOR] = voxel_xor,
+        [VOXEL_WINDING] = voxel_winding,
         [VOXEL_SHEETS] = voxel_sheets,
         [VOXEL_SLICES] = voxel_slices,
         [VOXEL_LDI] = voxel_layered_depth,

@@ -3,39 +3,7 @@
 #include "apps/techniques/voxel/methods/lists.h"
 #include "shaders_c/voxel/methods/parity.h"
 
-#include <string.h>
-
-enum { TARGETS = 4, SLAB = 32, DEPTH = VOXEL_PARITY_DEPTH };
-
-static bool rises_above(const VoxelExtent *extent, float floor)
-{
-    return extent->high >= floor;
-}
-
-/* A surface above the last centre turns over the whole group; up to the next group's first centre,
- * half a voxel beyond its floor, it does so here. */
-static bool crosses(const VoxelExtent *extent, float floor)
-{
-    return extent->high >= floor && extent->low <= floor + DEPTH + 0.5f;
-}
-
-/* The triangles of a group of slabs; the top group has those above the volume too. */
-static GpGeometry choose_triangles(const VoxelModel *model, Frame *frame,
-                                   const VoxelExtent *extents, float floor, bool top)
-{
-    GpGeometry geometry = voxel_model_geometry(model);
-    if (model->motions)
-        return geometry;
-    const VoxelList all = { NULL, model->triangle_count };
-    const VoxelList list = voxel_choose(frame, extents, all, top ? rises_above : crosses, floor);
-    uint32_t *indices = frame_alloc(frame, 3 * (size_t)list.count + 1, sizeof *indices);
-    for (uint32_t i = 0; indices && i < list.count; i++)
-        memcpy(indices + 3 * (size_t)i, model->indices + 3 * (size_t)list.triangles[i],
-               3 * sizeof *indices);
-    geometry.indices = indices;
-    geometry.index_count = 3 * list.count;
-    return geometry;
-}
+enum { TARGETS = 4, DEPTH = VOXEL_PARITY_DEPTH };
 
 static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent *extents,
                        uint32_t size, uint32_t group, uint32_t groups)
@@ -51,7 +19,7 @@ static void draw_group(const VoxelModel *model, Frame *frame, const VoxelExtent 
                                        .most = top ? 1e30f : (float)DEPTH };
     voxel_set_motion(model, frame, &uniforms->motion);
 
-    GpGeometry geometry = choose_triangles(model, frame, extents, uniforms->floor, top);
+    GpGeometry geometry = voxel_group_triangles(model, frame, extents, uniforms->floor, DEPTH, top);
     if (!geometry.index_count)
         return;
     GpDraw *draw = frame_draw(frame, &voxel_parity_program, uniforms, &geometry);

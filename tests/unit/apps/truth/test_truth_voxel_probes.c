@@ -45,7 +45,7 @@ static void make_box(VoxelProbes *probes)
 {
     uint32_t count;
     TruthTriangle *triangles = make_shape("cube", (const double[]){ 4, 2, 2 }, 8, &count);
-    assert_int_equal(voxel_probes_make(triangles, count, probes), GP_OK);
+    assert_int_equal(voxel_probes_make(triangles, count, VOXEL_BY_PARITY, probes), GP_OK);
     gp_free(triangles);
     expect_near(probes->side, 9, 1e-12);
     memset(bits, 0, sizeof bits);
@@ -114,7 +114,7 @@ static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
         make_shape(name, (const double[]){ scale, scale, scale }, size / 2.0, &count);
     uint8_t *volume = gp_alloc(voxel_bytes(size), 1);
     voxel_solid(triangles, count, size, volume);
-    assert_int_equal(voxel_probes_make(triangles, count, probes), GP_OK);
+    assert_int_equal(voxel_probes_make(triangles, count, VOXEL_BY_PARITY, probes), GP_OK);
     double wrong = voxel_probes_wrong(probes, &(VoxelBox){ .size = size, .scale = 1 }, volume);
     gp_free(volume);
     gp_free(triangles);
