@@ -27,20 +27,3 @@ Bounds scene_bounds(const Scene *scene)
     }
     return all;
 }
-
-bool only_receives(const Scene *scene, const SceneLight *light, const GpDraw *draw)
-{
-    Bounds own = draw_bounds(draw);
-    if (own.high[0] > own.low[0] && own.high[1] > own.low[1] && own.high[2] > own.low[2])
-        return false;
-    Bounds all = scene_bounds(scene);
-    for (int k = 0; k < 3; k++) {
-        double plane = own.low[k];
-        double from_light = light->position[k] - (light->directional ? 0 : plane);
-        if (own.high[k] > plane)
-            continue;
-        if ((from_light > 0 && all.low[k] >= plane) || (from_light < 0 && all.high[k] <= plane))
-            return true;
-    }
-    return false;
-}

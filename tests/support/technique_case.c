@@ -11,7 +11,7 @@ enum { THREADS = 2 };
 static GpResult open_scene(const Technique *technique, const char *scene, uint32_t width,
                            uint32_t height, void **opened, GpError *error)
 {
-    char path[TEMPORARY_PATH], text[4096];
+    char path[TEMPORARY_PATH], text[8192];
     if (scene[0] != '{')
         return technique_open(technique, scene, width, height, opened, error);
     const size_t length = strlen(scene);

@@ -1,5 +1,4 @@
 #include "apps/techniques/shadow/light.h"
-#include "apps/scene/bounds.h"
 
 #include "shaders_c/common/depth_only.h"
 #include "shaders_c/materials/phong.h"
@@ -52,16 +51,17 @@ static GpViewport map_viewport(const ShadowLight *light, int face)
         GpViewport){ (float)(face / 2) * size, (float)(face % 2) * size, size, size, 0, 1, false };
 }
 
-/* Whether each object is drawn into a light's map; a map of all that the light shines at, as printed,
- * has them all. */
-static const bool *find_casts(const ShadowBuild *build, const SceneLight *source)
+/* The triangles of an object that are drawn into a light's map; a map of all that the light shines at,
+ * as printed, has them all. */
+static GpGeometry find_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object)
 {
-    const GpPass *scene = &build->scene->list.passes[0];
-    bool *casts = frame_alloc(build->frame, scene->draw_count, sizeof *casts);
-    for (uint32_t i = 0; casts && i < scene->draw_count; i++)
-        casts[i] = build->setting->fit == LIGHT_FIT_LIGHT ||
-                   !only_receives(build->scene, source, &scene->draws[i]);
-    return casts;
+    GpGeometry geometry = build->scene->list.passes[0].draws[object].geometry;
+    if (build->setting->fit == LIGHT_FIT_LIGHT)
+        return geometry;
+    const bool casts = caster_casts(&light->casters, object);
+    geometry.indices = casts ? light->casters.objects[object].indices : NULL;
+    geometry.index_count = casts ? light->casters.objects[object].index_count : 0;
+    return geometry;
 }
 
 void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object,
@@ -73,11 +73,12 @@ void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint
     };
     const ShadowSetting *setting = build->setting;
     const GpDraw *caster = &build->scene->list.passes[0].draws[object];
-    if (!light->casts || !light->casts[object])
+    const GpGeometry geometry = find_caster(build, light, object);
+    if (!geometry.index_count)
         return;
     bool plain = setting->method == SHADOW_PLAIN;
     GpDraw *draw = frame_draw(build->frame, plain ? &shadow_map_program : &depth_only_program, clip,
-                              &caster->geometry);
+                              &geometry);
     GpRasterState *raster = &draw->state.raster;
     draw->name = caster->name;
     draw->viewport = *viewport;
@@ -116,10 +117,10 @@ ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source)
     ShadowLight light = { .source = source,
                           .cube = light_shines_around(source),
                           .size = shadow_map_size(build->setting, source),
-                          .casts = find_casts(build, source) };
+                          .casters = scene_casters(scene, source, build->frame) };
     const int faces = light.cube ? 6 : 1;
     for (int face = 0; face < faces; face++)
-        light.view[face] = light_fit(scene, source, face, (LightFit)build->setting->fit);
+        light.view[face] = light_fit(&light.casters, face, (LightFit)build->setting->fit);
     begin_map(build, &light);
     for (int face = 0; face < faces; face++) {
         GpViewport viewport = map_viewport(&light, face);
@@ -138,15 +139,18 @@ void shadow_choose(const Scene *scene, const SceneLight *source, ShadowSetting *
                                                     [GP_D24S8] = SHADOW_D24,
                                                     [GP_D32F] = SHADOW_D32F,
                                                     [GP_R32F] = SHADOW_R32F };
+    Frame frame = { .color = NULL }; /* for what casts */
+    const SceneCasters casters = scene_casters(scene, source, &frame);
     const ShadowLight light = { .source = source,
                                 .cube = light_shines_around(source),
                                 .size = shadow_map_size(setting, source),
-                                .view = { light_fit(scene, source, 0, setting->fit) } };
+                                .view = { light_fit(&casters, 0, setting->fit) } };
     const double bias = bias_of(setting, &light), slope = slope_of(setting, &light);
     setting->depth = depths[shadow_map_format(setting, source)];
     setting->map = light.size;
     setting->bias = bias;
     setting->slope = slope;
+    frame_free(&frame);
 }
 
 /* --- what programs know of it -------------------------------------------------------------------- */

@@ -22,7 +22,7 @@ typedef struct ShadowLight {
     LightView view[6];
     uint32_t size; /* of a view, in texels */
     GpSurface *map;
-    const bool *casts; /* of each object of the scene: drawn into the map */
+    SceneCasters casters; /* what is drawn into the map, but where it is to have all, as printed */
 
     /* adaptive */
     GpSurface *table, *atlas;     /* no atlas: no tile was asked for */

@@ -53,17 +53,15 @@ static void crop(double clip[4][4], const Rectangle *r, const double side[2])
 
 /* --- what can cast ---------------------------------------------------------------------------- */
 
-static Rectangle find_casters(const Scene *scene, const SceneLight *light, double clip[4][4])
+static Rectangle find_casters(const SceneCasters *casters, double clip[4][4])
 {
-    const GpPass *pass = &scene->list.passes[0];
+    const GpPass *pass = &casters->scene->list.passes[0];
     Rectangle r = nowhere;
     for (uint32_t i = 0; i < pass->draw_count; i++) {
-        const GpDraw *draw = &pass->draws[i];
-        if (only_receives(scene, light, draw))
-            continue;
-        for (uint32_t j = 0; j < draw->geometry.vertex_count; j++) {
+        CasterVertices vertices = caster_vertices(casters, i);
+        for (uint32_t j; caster_next_vertex(&vertices, &j);) {
             double position[3];
-            draw_position(draw, j, position);
+            draw_position(&pass->draws[i], j, position);
             add_projected(&r, clip, position);
         }
     }
@@ -72,10 +70,10 @@ static Rectangle find_casters(const Scene *scene, const SceneLight *light, doubl
 
 /* Spreads a square around the casters over the map, with a margin for filters. A view in which there
  * are none stays. */
-static void fit_casters(const Scene *scene, const SceneLight *light, LightView *view)
+static void fit_casters(const SceneCasters *casters, LightView *view)
 {
     static const Rectangle whole = { { -1, -1 }, { 1, 1 } };
-    Rectangle r = find_casters(scene, light, view->clip);
+    Rectangle r = find_casters(casters, view->clip);
     intersect(&r, &whole);
     if (is_empty(&r))
         return;
@@ -177,23 +175,23 @@ static void add_body(Seen *seen, const Plane *planes, double tolerance, double e
 
 /* What of the objects' boxes both the eye and the light's map see, and its place under a matrix: at
  * most that of the casters, since the map lights everything beside them. */
-static Seen look(const Scene *scene, const SceneLight *light, double eye[4][4], double map[4][4],
-                 double clip[4][4])
+static Seen look(const SceneCasters *casters, double eye[4][4], double map[4][4], double clip[4][4])
 {
+    const GpPass *pass = &casters->scene->list.passes[0];
     Plane planes[PLANES];
     Seen seen = { .nearest = HUGE_VAL, .farthest = -HUGE_VAL, .place = nowhere };
     frustum_planes(eye, planes);
     frustum_planes(map, planes + 6);
-    for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
-        Bounds box = draw_bounds(&scene->list.passes[0].draws[i]);
+    for (uint32_t i = 0; i < pass->draw_count; i++) {
+        Bounds box = draw_bounds(&pass->draws[i]);
         double size = fmax(vector_extent(box.low), vector_extent(box.high));
         box_planes(&box, planes + 12);
         add_body(&seen, planes, 1e-9 * size, eye, clip);
     }
     for (int k = 0; k < 3 && seen.corners > 0; k++)
         seen.centre[k] /= seen.corners;
-    Rectangle casters = find_casters(scene, light, clip);
-    intersect(&seen.place, &casters);
+    const Rectangle cast = find_casters(casters, clip);
+    intersect(&seen.place, &cast);
     return seen;
 }
 
@@ -258,8 +256,9 @@ static void turn(double from[4][4], const double way[2], double to[4][4])
  * source Wimmer, Scherzer and Purgathofer, "Light space perspective shadow maps", EGSR 2004: n_opt
  *        of section 4. Theirs is for parallel rays; ours works after the light's own perspective,
  *        where all rays are parallel, at the scale of the centre of what is seen */
-static void fit_eye(const Scene *scene, const SceneLight *light, LightView *view)
+static void fit_eye(const SceneCasters *casters, LightView *view)
 {
+    const Scene *scene = casters->scene;
     static const double least_sine = 0.05; /* 3 degrees */
     double to_eye[4][4], projection[4][4], eye[4][4], turned[4][4], warped[4][4];
     double aspect = (double)scene->picture->width / scene->picture->height;
@@ -267,14 +266,14 @@ static void fit_eye(const Scene *scene, const SceneLight *light, LightView *view
     camera_projection(&scene->camera, aspect, projection);
     matrix_multiply(projection, to_eye, eye);
 
-    Seen seen = look(scene, light, eye, view->clip, view->clip);
+    Seen seen = look(casters, eye, view->clip, view->clip);
     if (is_empty(&seen.place))
         return;
     Crossing crossing = find_crossing(scene, view->clip, seen.centre);
     if (crossing.sine < least_sine)
         return;
     turn(view->clip, crossing.way, turned);
-    Rectangle place = look(scene, light, eye, view->clip, turned).place;
+    Rectangle place = look(casters, eye, view->clip, turned).place;
     if (is_empty(&place))
         return;
 
@@ -291,7 +290,7 @@ static void fit_eye(const Scene *scene, const SceneLight *light, LightView *view
         warped[2][i] = turned[2][i] * near; /* at most w * near, and the new w is more than that */
         warped[3][i] = turned[1][i] - (place.low[1] - near) * w;
     }
-    Rectangle all = look(scene, light, eye, view->clip, warped).place;
+    Rectangle all = look(casters, eye, view->clip, warped).place;
     if (is_empty(&all))
         return;
     double side[2] = { (all.high[0] - all.low[0]) * margin, (all.high[1] - all.low[1]) * margin };
@@ -301,13 +300,13 @@ static void fit_eye(const Scene *scene, const SceneLight *light, LightView *view
     view->width *= fmax(side[0], side[1] * sqrt(1 + depth / near)) / 2;
 }
 
-LightView light_fit(const Scene *scene, const SceneLight *light, int face, LightFit fit)
+LightView light_fit(const SceneCasters *casters, int face, LightFit fit)
 {
-    LightView view = light_view(scene, light, face, fit != LIGHT_FIT_LIGHT);
-    if (light_shines_around(light) || fit == LIGHT_FIT_LIGHT)
+    LightView view = light_view(casters, face, fit != LIGHT_FIT_LIGHT);
+    if (light_shines_around(casters->light) || fit == LIGHT_FIT_LIGHT)
         return view;
-    fit_casters(scene, light, &view);
+    fit_casters(casters, &view);
     if (fit == LIGHT_FIT_EYE)
-        fit_eye(scene, light, &view);
+        fit_eye(casters, &view);
     return view;
 }

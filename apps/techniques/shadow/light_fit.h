@@ -11,8 +11,8 @@ typedef enum LightFit {
     LIGHT_FIT_ADAPTIVE /* over the box, and tiles of it again, finer, where the eye needs them */
 } LightFit;
 
-/* The view that a light's map has of a scene under a fit. A cube map (light_shines_around) is not
+/* The view that a light's map has of its scene under a fit. A cube map (light_shines_around) is not
  * fitted: each face has its quarter turn. */
-LightView light_fit(const Scene *scene, const SceneLight *light, int face, LightFit fit);
+LightView light_fit(const SceneCasters *casters, int face, LightFit fit);
 
 #endif

@@ -55,24 +55,27 @@ static void straighten(Camera *camera)
     memcpy(camera->up, (double[3]){ x, 1 - x, 0 }, sizeof camera->up);
 }
 
-/* Distances along the view of the vertices that are before the light. */
-static void find_depths(const Scene *scene, const SceneLight *light, double view[4][4],
-                        double *nearest, double *farthest)
+static double distance_of(const GpDraw *draw, uint32_t vertex, double view[4][4])
 {
-    const GpPass *pass = &scene->list.passes[0];
+    double position[3];
+    draw_position(draw, vertex, position);
+    return -(vector_dot(view[2], position) + view[2][3]);
+}
+
+/* Distances along the view of the vertices that are before the light. */
+static void find_depths(const SceneCasters *casters, double view[4][4], double *nearest,
+                        double *farthest)
+{
+    const GpPass *pass = &casters->scene->list.passes[0];
     *nearest = HUGE_VAL;
     *farthest = 0;
     for (uint32_t i = 0; i < pass->draw_count; i++) {
         const GpDraw *draw = &pass->draws[i];
-        bool casts = !only_receives(scene, light, draw);
-        for (uint32_t j = 0; j < draw->geometry.vertex_count; j++) {
-            double position[3];
-            draw_position(draw, j, position);
-            double distance = -(vector_dot(view[2], position) + view[2][3]);
-            *farthest = fmax(*farthest, distance);
-            if (casts)
-                *nearest = fmin(*nearest, distance);
-        }
+        CasterVertices vertices = caster_vertices(casters, i);
+        for (uint32_t j = 0; j < draw->geometry.vertex_count; j++)
+            *farthest = fmax(*farthest, distance_of(draw, j, view));
+        for (uint32_t j; caster_next_vertex(&vertices, &j);)
+            *nearest = fmin(*nearest, distance_of(draw, j, view));
     }
 }
 
@@ -95,8 +98,10 @@ bool light_shines_around(const SceneLight *light)
     return !light->directional && !light->aims;
 }
 
-LightView light_view(const Scene *scene, const SceneLight *light, int face, bool tight)
+LightView light_view(const SceneCasters *casters, int face, bool tight)
 {
+    const Scene *scene = casters->scene;
+    const SceneLight *light = casters->light;
     static const double radians_per_degree = 3.14159265358979323846 / 180;
     Camera camera = aim(scene, light, face);
     straighten(&camera);
@@ -106,7 +111,7 @@ LightView light_view(const Scene *scene, const SceneLight *light, int face, bool
         find_reach(scene, light, &camera);
     else if (tight || !(camera.far > 0)) {
         double nearest, farthest;
-        find_depths(scene, light, to_eye, &nearest, &farthest);
+        find_depths(casters, to_eye, &nearest, &farthest);
         camera.far = farthest > 0 ? farthest * 1.001 : 1;
         camera.near = fmin(fmax(nearest * 0.999, camera.far * 1e-3), camera.far * 0.999);
     }
