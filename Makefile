@@ -67,7 +67,8 @@ SHADER_OPT ?= $(if $(IS_CLANG),,-fschedule-insns -fsched-pressure)
 # out when it may not use FMA; contraction is off as it is.)
 ISAS_x86_64  := 4:sse2: 8:avx2:-mavx2,-mno-fma \
                 16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw
-ISAS_aarch64 := 4:neon: 8:generic: 16:generic:
+# ARM has registers of four lanes: eight are pairs of them, sixteen would only spill.
+ISAS_aarch64 := 4:neon: 8:generic:
 ISAS ?= $(or $(ISAS_$(ARCH)),4:generic: 8:generic: 16:generic:)
 # Which widths there are, for the files that list them.
 ALL_C += $(foreach isa,$(ISAS),\

@@ -3,12 +3,12 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/arithmetic.h"
 
-textured_quad_vertex_shader(arithmetic_vs, ArithmeticUniforms)
+textured_quad_vertex_shader(arithmetic_vs, ArithmeticUniforms);
 
-    /* --- chains of multiply-adds -------------------------------------------------------------------- */
+/* --- chains of multiply-adds -------------------------------------------------------------------- */
 
-    /* Two components at a time: with the constants they fit into sixteen registers, four do not. */
-    typedef struct Chains {
+/* Two components at a time: with the constants they fit into sixteen registers, four do not. */
+typedef struct Chains {
     float2 v0, v1, v2, v3;
 } Chains;
 

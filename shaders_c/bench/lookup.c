@@ -2,9 +2,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/lookup.h"
 
-textured_quad_vertex_shader(lookup_vs, NoUniforms)
+textured_quad_vertex_shader(lookup_vs, NoUniforms);
 
-    pixel_shader(lookup_ps, NoUniforms, UvVarying)
+pixel_shader(lookup_ps, NoUniforms, UvVarying)
 {
     float4 place = texld(0, in->uv);
     return texldl(1, vec4(place.x, place.y, 0, 0));

@@ -53,9 +53,9 @@ program(peel_next_program, peel_vs, peel_next_ps, PEEL_DECLARATIONS, .local_read
 
 /* --- putting together ------------------------------------------------------------------------- */
 
-clip_vertex_shader(layer_vs, LayerUniforms)
+clip_vertex_shader(layer_vs, LayerUniforms);
 
-    pixel_shader(layer_premultiply_ps, LayerUniforms, NoVarying)
+pixel_shader(layer_premultiply_ps, LayerUniforms, NoVarying)
 {
     float4 layer = gp_load_local(0);
     return rgba(mul(xyz(layer), layer.w), layer.w);

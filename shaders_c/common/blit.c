@@ -2,9 +2,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/blit.h"
 
-textured_quad_vertex_shader(blit_vs, NoUniforms)
+textured_quad_vertex_shader(blit_vs, NoUniforms);
 
-    pixel_shader(blit_ps, NoUniforms, UvVarying)
+pixel_shader(blit_ps, NoUniforms, UvVarying)
 {
     return texld(0, in->uv);
 }

@@ -22,7 +22,8 @@ GP_INLINE float4 cover(const CoverVertex *in, CoverVarying *out)
     vertex_shader(name, Uniforms, CoverVertex, CoverVarying)                                       \
     {                                                                                              \
         *position = cover(in, out);                                                                \
-    }
+    }                                                                                              \
+    struct name##_follows
 
 /* clang-format off */
 #define COVER_DECLARATIONS                                                                         \

@@ -4,9 +4,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/common/texel_copy.h"
 
-clip_vertex_shader(texel_copy_vs, NoUniforms)
+clip_vertex_shader(texel_copy_vs, NoUniforms);
 
-    pixel_shader(texel_copy_ps, NoUniforms, NoVarying)
+pixel_shader(texel_copy_ps, NoUniforms, NoVarying)
 {
     return gp_load_local(0);
 }

@@ -63,11 +63,15 @@ GP_INLINE float4 mesh_surface(const float mvp[4][4], float3 world, float3 normal
 
 /* --- what is in clip space already ------------------------------------------------------------ */
 
+/* Whole shaders by macros end in the declaration of a struct that nobody uses, so that a semicolon
+ * stands behind them: editors and formatters know where they are. */
+
 #define clip_vertex_shader(name, Uniforms)                                                         \
     vertex_shader(name, Uniforms, PointVertex, NoVarying)                                          \
     {                                                                                              \
         *position = rgba(in->position, 1);                                                         \
-    }
+    }                                                                                              \
+    struct name##_follows
 
 typedef struct TexturedQuadVertex {
     float3 position;
@@ -83,7 +87,8 @@ typedef struct UvVarying {
     {                                                                                              \
         *position = rgba(in->position, 1);                                                         \
         out->uv = in->texcoord;                                                                    \
-    }
+    }                                                                                              \
+    struct name##_follows
 
 /* --- declarations ----------------------------------------------------------------------------- */
 

@@ -6,9 +6,9 @@
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/deferred.h"
 
-clip_vertex_shader(deferred_vs, DeferredUniforms)
+clip_vertex_shader(deferred_vs, DeferredUniforms);
 
-    pixel_shader(deferred_ps, DeferredUniforms, NoVarying)
+pixel_shader(deferred_ps, DeferredUniforms, NoVarying)
 {
     float4 albedo = gp_load_local(0);
     float3 N = xyz(gp_load_local(1));

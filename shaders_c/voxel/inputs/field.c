@@ -2,9 +2,9 @@
 #include "shaders_c/voxel/inputs/implicit_shared.h"
 #include "shaders_c/voxel/inputs/field.h"
 
-cover_vertex_shader(voxel_field_vs, VoxelFieldUniforms)
+cover_vertex_shader(voxel_field_vs, VoxelFieldUniforms);
 
-    GP_INLINE float4 bits_inside(GpInvocation *gp, const VoxelFieldUniforms *c, float2 place)
+GP_INLINE float4 bits_inside(GpInvocation *gp, const VoxelFieldUniforms *c, float2 place)
 {
     float2 column = add(floor_(mul(place, c->size)), 0.5f);
     float4 sample[VOXEL_FIELD_PATCHES], value[FOURS];

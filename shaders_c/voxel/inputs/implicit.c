@@ -6,10 +6,10 @@
 #include "shaders_c/voxel/inputs/implicit_shared.h"
 #include "shaders_c/voxel/inputs/implicit.h"
 
-cover_vertex_shader(voxel_implicit_vs, VoxelImplicitUniforms)
+cover_vertex_shader(voxel_implicit_vs, VoxelImplicitUniforms);
 
-    /* The factor of z^k, at x and y. */
-    GP_INLINE flt factor_of_power(const VoxelImplicitUniforms *c, int k, flt x, flt y)
+/* The factor of z^k, at x and y. */
+GP_INLINE flt factor_of_power(const VoxelImplicitUniforms *c, int k, flt x, flt y)
 {
     flt in_y = bcast(c->coefficient[k][VOXEL_FUNCTION_DEGREE - k][0]);
     for (int j = VOXEL_FUNCTION_DEGREE - k - 1; j >= 0; j--) {

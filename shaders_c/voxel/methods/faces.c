@@ -5,10 +5,10 @@
 #include "shaders_c/common/cover_shared.h"
 #include "shaders_c/voxel/methods/faces.h"
 
-cover_vertex_shader(voxel_faces_vs, FlatTextureSlab)
+cover_vertex_shader(voxel_faces_vs, FlatTextureSlab);
 
-    /* 1 where places along an axis, 0..1, are between two depths. */
-    GP_INLINE float4 between(float4 place, float4 near, float4 from_far)
+/* 1 where places along an axis, 0..1, are between two depths. */
+GP_INLINE float4 between(float4 place, float4 near, float4 from_far)
 {
     return sge(min(sub(place, near), sub(sub(sp4(bcast(1)), place), from_far)), 0);
 }

@@ -41,9 +41,9 @@ program(voxel_peel_next_program, voxel_peel_vs, voxel_peel_next_ps, PEEL_DECLARA
 
 /* --- voxels ----------------------------------------------------------------------------------- */
 
-cover_vertex_shader(voxel_layer_vs, FlatTextureSlab)
+cover_vertex_shader(voxel_layer_vs, FlatTextureSlab);
 
-    pixel_shader(voxel_layer_ps, FlatTextureSlab, CoverVarying)
+pixel_shader(voxel_layer_ps, FlatTextureSlab, CoverVarying)
 {
     flt voxel = floor_(texld(0, in->place).x * c->size) - c->base;
     return bits_between(voxel, voxel + 1.0f);

@@ -38,9 +38,9 @@ program(voxel_parity_program, voxel_parity_vs, voxel_parity_ps, .vertex_profile 
 
 /* --- all slabs -------------------------------------------------------------------------------- */
 
-cover_vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms)
+cover_vertex_shader(voxel_parity_resolve_vs, VoxelParityResolveUniforms);
 
-    pixel_shader(voxel_parity_resolve_ps, VoxelParityResolveUniforms, CoverVarying)
+pixel_shader(voxel_parity_resolve_ps, VoxelParityResolveUniforms, CoverVarying)
 {
     const float scale = 1.0f / c->patches;
     float4 bits = texld(0, vec2(in->place.x, (in->place.y + c->patch) * scale));

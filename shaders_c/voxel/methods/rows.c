@@ -7,10 +7,10 @@
 #include "shaders_c/voxel/methods/rows.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-cover_vertex_shader(voxel_rows_vs, VoxelRowsUniforms)
+cover_vertex_shader(voxel_rows_vs, VoxelRowsUniforms);
 
-    /* What eight voxels fill, and the state after them. */
-    GP_INLINE float4 scan(GpInvocation *gp, flt byte, flt state)
+/* What eight voxels fill, and the state after them. */
+GP_INLINE float4 scan(GpInvocation *gp, flt byte, flt state)
 {
     return texldl(1, vec4(byte * (255.0f / 256) + 0.5f / 256, state * 0.5f + 0.25f, 0, 0));
 }

@@ -7,10 +7,10 @@
 #include "shaders_c/voxel/methods/turn.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-cover_vertex_shader(voxel_turn_vs, VoxelTurnUniforms)
+cover_vertex_shader(voxel_turn_vs, VoxelTurnUniforms);
 
-    /* Texels in a row: the first one's place in the texture, and how far it is to the next. */
-    typedef struct Column {
+/* Texels in a row: the first one's place in the texture, and how far it is to the next. */
+typedef struct Column {
     float2 start, step;
     flt part, byte; /* where in each the voxel is */
     flt left;       /* voxels of the volume from the first on: what comes after is empty */

@@ -38,9 +38,9 @@ program(voxel_winding_program, voxel_winding_vs, voxel_winding_ps, .vertex_profi
 
 /* --- slabs ------------------------------------------------------------------------------------ */
 
-cover_vertex_shader(voxel_winding_cover_vs, VoxelWindingCounts)
+cover_vertex_shader(voxel_winding_cover_vs, VoxelWindingCounts);
 
-    GP_INLINE flt number_in(const VoxelWindingCounts *c, flt texel)
+GP_INLINE flt number_in(const VoxelWindingCounts *c, flt texel)
 {
     return texel * c->scale - c->zero;
 }

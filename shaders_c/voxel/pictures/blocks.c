@@ -4,11 +4,11 @@
 #include "shaders_c/voxel/pictures/blocks.h"
 #include "shaders_c/voxel/volume/flat_texture_shared.h"
 
-clip_vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms)
+clip_vertex_shader(voxel_blocks_vs, VoxelBlocksUniforms);
 
-    /* The i-th of a block's ten voxels along an axis; those past the volume's sides stand for
+/* The i-th of a block's ten voxels along an axis; those past the volume's sides stand for
  * others. */
-    GP_INLINE flt tenth(const VoxelBlocksUniforms *c, flt block, int i)
+GP_INLINE flt tenth(const VoxelBlocksUniforms *c, flt block, int i)
 {
     flt voxel = block * (float)VOXEL_BLOCK + (float)(i - 1);
     return min(max(voxel, 0), c->flat.size - 1);

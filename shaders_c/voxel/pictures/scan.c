@@ -8,10 +8,10 @@
 
 /* --- slopes ----------------------------------------------------------------------------------- */
 
-clip_vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms)
+clip_vertex_shader(voxel_slopes_vs, VoxelSlopesUniforms);
 
-    /* The sample of a voxel, those at the volume's ends going on for ever. */
-    GP_INLINE flt sample_at(GpInvocation *gp, const FlatTextureLayout *scan, flt x, flt y, flt z)
+/* The sample of a voxel, those at the volume's ends going on for ever. */
+GP_INLINE flt sample_at(GpInvocation *gp, const FlatTextureLayout *scan, flt x, flt y, flt z)
 {
     flt last = bcast(scan->size - 1);
     float3 voxel = vec3(min(max(x, 0), last), min(max(y, 0), last), min(max(z, 0), last));
