@@ -18,9 +18,10 @@ uint64_t content_hash_bytes(const void *bytes, size_t size, uint64_t seed)
 
 /* --- inputs ----------------------------------------------------------------------------------- */
 
-static uint64_t hash_name(const char *name, bool only_files, int depth, uint64_t seed);
+/* in named_by: the file that has the name; NULL: none, and what is no file counts by its name */
+static uint64_t hash_name(const char *named_by, const char *name, int depth, uint64_t seed);
 
-static uint64_t hash_texts(const json_t *value, int depth, uint64_t seed)
+static uint64_t hash_texts(const char *file, const json_t *value, int depth, uint64_t seed)
 {
     const char *key;
     json_t *member;
@@ -28,23 +29,25 @@ static uint64_t hash_texts(const json_t *value, int depth, uint64_t seed)
     if (depth == MOST_DEPTH)
         return seed;
     if (json_is_string(value))
-        return hash_name(json_string_value(value), true, depth + 1, seed);
-    json_array_foreach(value, i, member) seed = hash_texts(member, depth + 1, seed);
-    json_object_foreach((json_t *)value, key, member) seed = hash_texts(member, depth + 1, seed);
+        return hash_name(file, json_string_value(value), depth + 1, seed);
+    json_array_foreach(value, i, member) seed = hash_texts(file, member, depth + 1, seed);
+    json_object_foreach((json_t *)value, key, member) seed =
+        hash_texts(file, member, depth + 1, seed);
     return seed;
 }
 
-static uint64_t hash_name(const char *name, bool only_files, int depth, uint64_t seed)
+static uint64_t hash_name(const char *named_by, const char *name, int depth, uint64_t seed)
 {
     char path[PATH_MAX], extension[8];
     GpFile file;
-    if (gp_data_find(name, path, sizeof path, NULL) || gp_file_read(path, &file, NULL))
-        return only_files ? seed : content_hash_bytes(name, strlen(name), seed);
+    if (gp_data_find_beside(named_by, name, path, sizeof path, NULL) ||
+        gp_file_read(path, &file, NULL))
+        return named_by ? seed : content_hash_bytes(name, strlen(name), seed);
     seed = content_hash_bytes(file.data, file.size, seed);
     gp_file_extension(path, extension);
     json_t *root =
         strcmp(extension, "json") == 0 ? json_loadb(file.data, file.size, 0, NULL) : NULL;
-    seed = hash_texts(root, depth, seed);
+    seed = hash_texts(path, root, depth, seed);
     json_decref(root);
     gp_file_free(&file);
     return seed;
@@ -52,7 +55,7 @@ static uint64_t hash_name(const char *name, bool only_files, int depth, uint64_t
 
 uint64_t content_hash(const char *name, uint64_t seed)
 {
-    return hash_name(name, false, 0, seed);
+    return hash_name(NULL, name, 0, seed);
 }
 
 /* --- the program ------------------------------------------------------------------------------ */

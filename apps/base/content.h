@@ -5,7 +5,8 @@
 #include "pipeline/base/base.h"
 
 /* Hashes a name as the program's inputs are named: the bytes of the file that gp_data_find finds, and,
- * where it is JSON, those of all files that its texts name, as a scene names meshes and pictures;
+ * where it is JSON, those of all files that its texts name, as a scene names meshes and pictures, which
+ * are looked for beside it first;
  * else the name itself, as of a builtin shape. A name counts by what it leads to, so that copies of a
  * scene in two folders are one.
  * in   seed: what was hashed before; 0: nothing */

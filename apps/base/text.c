@@ -4,6 +4,7 @@
 
 #include <jansson.h>
 #include <stdarg.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -138,6 +139,51 @@ void text_of_number(double value, char text[32])
         if (strtod(text, NULL) == value)
             return;
     }
+}
+
+/* Rounds to so many digits, but no whole number; drops the zeros behind the point. */
+static void print_plain(double value, int digits, char text[32])
+{
+    const int before = (int)floor(log10(value)) + 1;
+    snprintf(text, 32, "%.*f", digits > before ? digits - before : 0, value);
+    if (!strchr(text, '.'))
+        return;
+    size_t length = strlen(text);
+    while (text[length - 1] == '0')
+        length--;
+    text[text[length - 1] == '.' ? length - 1 : length] = '\0';
+}
+
+static void group_thousands(char text[32])
+{
+    char plain[32];
+    strcpy(plain, text);
+    const size_t whole = strcspn(plain, ".");
+    size_t used = 0;
+    for (size_t i = 0; plain[i] && used < 30; i++) {
+        if (i > 0 && i < whole && (whole - i) % 3 == 0)
+            text[used++] = ',';
+        text[used++] = plain[i];
+    }
+    text[used] = '\0';
+}
+
+void text_for_people(double value, int digits, char text[32])
+{
+    const double size = fabs(value);
+    char plain[32];
+    if (!(size >= 1e-6 && size < 1e12)) {
+        snprintf(text, 32, "%.*g", digits, value); /* 0, and what is no number */
+        char *power = strchr(text, 'e');
+        if (power) {
+            const int exponent = atoi(power + 1);
+            snprintf(power, (size_t)(text + 32 - power), " x 10^%d", exponent);
+        }
+        return;
+    }
+    print_plain(size, digits, plain);
+    group_thousands(plain);
+    snprintf(text, 32, "%s%.30s", value < 0 ? "-" : "", plain);
 }
 
 void text_stem(const char *path, char *name, size_t size)

@@ -34,6 +34,9 @@ void text_free(Text *text); /* zeroes it */
 /* The shortest decimal form that strtod restores to the same bits. */
 void text_of_number(double value, char text[32]);
 
+/* A number as people write it: "12,346", "0.0005", "1.2 x 10^-9" far from everyday. */
+void text_for_people(double value, int digits, char text[32]);
+
 /* The name of a file without folders and extension; cut where it does not fit. */
 void text_stem(const char *path, char *name, size_t size);
 

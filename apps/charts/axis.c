@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 bool plot_overlap(PlotBox a, PlotBox b)
 {
@@ -67,8 +68,10 @@ static const char name_style[] = " font-size=\"14\"";
 /* "200", "1 million" */
 static void number_of_tick(double tick, char number[32])
 {
-    bool millions = tick >= 999999 && tick < 999999999;
-    snprintf(number, 32, millions ? "%g million" : "%g", millions ? tick * 1e-6 : tick);
+    const bool millions = tick >= 999999 && tick < 999999999;
+    text_for_people(millions ? tick * 1e-6 : tick, 3, number);
+    if (millions)
+        strcat(number, " million");
 }
 
 static void draw_ticks(Text *svg, PlotBox box, const PlotScale *scale, bool below)

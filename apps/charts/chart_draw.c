@@ -53,10 +53,24 @@ static void add_tooltip(const Chart *chart, const ChartPoint *point, Text *svg)
 {
     text_add_escaped(svg, "<title>%s\n%s\n", point->method, point->options);
     plot_tooltip_times(svg, &point->time);
-    text_add_escaped(svg, "\n%s: %.6g", chart->error_name, point->measured.error);
-    for (int i = 0; i < chart->metric_count; i++)
-        text_add_escaped(svg, "\n%s: %.6g", chart->metrics[i], point->measured.metrics[i]);
+    char number[32];
+    text_for_people(point->measured.error, 6, number);
+    text_add_escaped(svg, "\n%s: %s", chart->error_name, number);
+    for (int i = 0; i < chart->metric_count; i++) {
+        text_for_people(point->measured.metrics[i], 6, number);
+        text_add_escaped(svg, "\n%s: %s", chart->metrics[i], number);
+    }
     text_add(svg, "</title>");
+}
+
+static void draw_bar(const PlotPoint *point, Text *svg)
+{
+    const double cap = 3;
+    if (!(point->left < point->right))
+        return;
+    text_add(svg, "<path d=\"M%.1f %.1fv%.1fm0 %.1fH%.1fm0 %.1fv%.1f\" stroke=\"%s\"/>",
+             point->left, point->y - cap, 2 * cap, -cap, point->right, -cap, 2 * cap,
+             point->point->best ? plot_color(point->method) : svg_frame);
 }
 
 /* Beaten points first, so that they cover none of the front. */
@@ -69,6 +83,7 @@ static void draw_points(const Chart *chart, const Plot *plot, Text *svg)
                 continue;
             text_add(svg, "<g>");
             add_tooltip(chart, point->point, svg);
+            draw_bar(point, svg);
             plot_marker(svg, point->x, point->y, point->method, best == 0);
             text_add(svg, "</g>\n");
         }
@@ -118,6 +133,10 @@ static void draw_legend(const Chart *chart, const Plot *plot, Text *svg)
     y += LEGEND_ROW;
     plot_marker(svg, LEGEND_X + 8, y - 4, 0, true);
     svg_words(svg, LEGEND_X + 24, y, "start", "", "beaten by another setting");
+    y += LEGEND_ROW;
+    text_add(svg, "<path d=\"M%d %.1fv6m0 -3h16m0 -3v6\" stroke=\"%s\"/>\n", LEGEND_X, y - 7,
+             svg_soft);
+    svg_words(svg, LEGEND_X + 24, y, "start", "", "middle half of the frames' times");
     if (plot->left_out == 0)
         return;
     snprintf(note, sizeof note, "not shown: %u that no axis can hold", plot->left_out);
@@ -141,7 +160,7 @@ void chart_draw(const Chart *chart, Text *svg)
         svg->failed = true;
         return;
     }
-    int needed = (int)plot_box.top + (plot.method_count + 4) * LEGEND_ROW;
+    int needed = (int)plot_box.top + (plot.method_count + 5) * LEGEND_ROW;
     int height = needed > HEIGHT ? needed : HEIGHT;
     plot_begin(svg, WIDTH, height, chart->title);
     draw_notes(chart, &plot, svg);

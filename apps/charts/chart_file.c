@@ -27,22 +27,67 @@ void chart_name(const Experiment *experiment, const char *scene, char *name, siz
 
 /* --- CSV -------------------------------------------------------------------------------------- */
 
+enum { MOST_OPTIONS = 32 };
+
+/* The options that any point has, each once: "--map", "--bias". returns how many */
+static size_t list_options(const Chart *chart, char names[MOST_OPTIONS][64])
+{
+    size_t count = 0;
+    for (uint32_t k = 0; k < chart->count; k++)
+        for (const char *at = chart->points[k].options; (at = strstr(at, "--")); at += 2) {
+            char name[64];
+            snprintf(name, sizeof name, "%.*s", (int)(2 + strcspn(at + 2, " =")), at);
+            size_t i = 0;
+            while (i < count && strcmp(names[i], name) != 0)
+                i++;
+            if (i == count && count < MOST_OPTIONS)
+                strcpy(names[count++], name);
+        }
+    return count;
+}
+
+/* What an option is in a point: "2048"; "1" of one without a value; empty where it is not there. */
+static void add_option(Text *csv, const char *options, const char *name)
+{
+    char value[SETTING_MAX_TEXT] = "";
+    const size_t length = strlen(name);
+    for (const char *at = options; (at = strstr(at, "--")); at += 2) {
+        const char *end = at + length;
+        if (strncmp(at, name, length) != 0 || !strchr(" =", *end))
+            continue;
+        end += *end != '\0';
+        const char *next = strstr(end, " --");
+        snprintf(value, sizeof value, "%.*s", next ? (int)(next - end) : (int)strlen(end), end);
+        if (!value[0] || strncmp(end, "--", 2) == 0)
+            strcpy(value, "1");
+    }
+    text_add_csv(csv, value, ",");
+}
+
+/* A column for everything that a figure may be drawn of. */
 static void write_csv(const Chart *chart, Text *csv)
 {
-    text_add(csv, "method,options,ms,min_ms,cpu_ms,frames,");
+    char names[MOST_OPTIONS][64];
+    const size_t count = list_options(chart, names);
+    text_add(csv, "method,options,");
+    for (size_t i = 0; i < count; i++)
+        text_add_csv(csv, names[i], ",");
+    text_add(csv, "ms,min_ms,low_ms,high_ms,max_ms,cpu_ms,frames,");
     text_add_csv(csv, chart->error_name, ",");
     for (int i = 0; i < chart->metric_count; i++)
         text_add_csv(csv, chart->metrics[i], ",");
     text_add(csv, "best\n");
     for (uint32_t k = 0; k < chart->count; k++) {
         const ChartPoint *point = &chart->points[k];
+        const Timing *time = &point->time;
+        const double times[] = { time->ms,     time->min_ms, time->low_ms, time->high_ms,
+                                 time->max_ms, time->cpu_ms, time->frames, point->measured.error };
         text_add_csv(csv, point->method, ",");
         text_add_csv(csv, point->options, ",");
-        text_add_csv_number(csv, point->time.ms);
-        text_add_csv_number(csv, point->time.min_ms);
-        text_add_csv_number(csv, point->time.cpu_ms);
-        text_add_csv_number(csv, point->time.frames);
-        text_add_csv_number(csv, point->measured.error);
+        for (size_t i = 0; i < count; i++)
+            add_option(csv, point->options, names[i]);
+        for (size_t i = 0; i < GP_COUNT(times); i++)
+            text_add_csv_number(csv, times[i]);
         for (int i = 0; i < chart->metric_count; i++)
             text_add_csv_number(csv, point->measured.metrics[i]);
         text_add(csv, "%d\n", point->best);

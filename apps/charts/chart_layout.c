@@ -15,6 +15,14 @@ static bool has_place(const ChartPoint *point)
     return ms >= 1e-6 && ms <= 1e9 && (error == 0 || (error >= 1e-12 && error <= 1e12));
 }
 
+/* Charts do not always have quartiles. */
+static bool has_bar(const ChartPoint *point)
+{
+    const Timing *time = &point->time;
+    return time->low_ms >= 1e-6 && time->high_ms <= 1e9 && time->low_ms <= time->ms &&
+           time->ms <= time->high_ms;
+}
+
 static void make_scales(Plot *plot, const Chart *chart)
 {
     enum { ZERO_STRIP = 44 };
@@ -24,6 +32,10 @@ static void make_scales(Plot *plot, const Chart *chart)
         if (!has_place(point))
             continue;
         plot_range_add(&ms, point->time.ms);
+        if (has_bar(point)) {
+            plot_range_add(&ms, point->time.low_ms);
+            plot_range_add(&ms, point->time.high_ms);
+        }
         if (point->measured.error > 0)
             plot_range_add(&error, point->measured.error);
         else
@@ -39,8 +51,11 @@ static void make_scales(Plot *plot, const Chart *chart)
 static PlotPoint place(Plot *plot, const ChartPoint *point)
 {
     const double error = point->measured.error;
+    const bool bar = has_bar(point);
     return (PlotPoint){ .point = point,
                         .x = plot_place(&plot->x, point->time.ms),
+                        .left = plot_place(&plot->x, bar ? point->time.low_ms : point->time.ms),
+                        .right = plot_place(&plot->x, bar ? point->time.high_ms : point->time.ms),
                         .y = error > 0 ? plot_place(&plot->y, error) : plot->zero_y,
                         .method = plot_series(plot->methods, &plot->method_count, point->method) };
 }
@@ -63,22 +78,21 @@ static bool all_have(const Chart *chart, const ChartPoint *of, const char *optio
     return true;
 }
 
-/* What distinguishes a point from others of its method: "map 2048, slope 2"; the method's name
- * where it is alone. */
-static void short_text(const Chart *chart, const ChartPoint *point, char text[SETTING_MAX_TEXT])
+/* The method, and what distinguishes a point from others of it: "plain: map 2048, slope 2". */
+static void short_text(const Chart *chart, const ChartPoint *point, char text[PLOT_MAX_LABEL])
 {
-    size_t used = 0;
-    text[0] = '\0';
+    size_t used = (size_t)snprintf(text, PLOT_MAX_LABEL, "%s", point->method);
+    const char *between = ": ";
     for (const char *at = point->options; (at = strstr(at, "--"));) {
         const char *end = strstr(at + 2, " --");
         size_t length = end ? (size_t)(end - at) : strlen(at);
-        if (!all_have(chart, point, at, length))
-            used += (size_t)snprintf(text + used, SETTING_MAX_TEXT - used, "%s%.*s",
-                                     used ? ", " : "", (int)(length - 2), at + 2);
+        if (!all_have(chart, point, at, length)) {
+            used += (size_t)snprintf(text + used, PLOT_MAX_LABEL - used, "%s%.*s", between,
+                                     (int)(length - 2), at + 2);
+            between = ", ";
+        }
         at += length;
     }
-    if (used == 0)
-        snprintf(text, SETTING_MAX_TEXT, "%s", point->method);
 }
 
 static PlotBox label_box(const PlotLabel *label)
@@ -101,7 +115,8 @@ static bool is_free(const Plot *plot, const PlotLabel *label)
     for (uint32_t i = 0; i < plot->count; i++) {
         const PlotPoint *point = &plot->points[i];
         if (plot_overlap(box, (PlotBox){ point->x - radius, point->y - radius, point->x + radius,
-                                         point->y + radius }))
+                                         point->y + radius }) ||
+            plot_overlap(box, (PlotBox){ point->left, point->y - 1, point->right, point->y + 1 }))
             return false;
     }
     for (uint32_t i = 0; i + 1 < plot->best_count; i++) {
@@ -116,28 +131,41 @@ static bool is_free(const Plot *plot, const PlotLabel *label)
     return true;
 }
 
-/* Left of the front and below it there are no points, so labels go there first. */
+/* Whether the line from a label to its point crosses no other label. */
+static bool is_in_sight(const Plot *plot, const PlotLabel *label)
+{
+    enum { STEPS = 24 };
+    for (int step = 0; step <= STEPS; step++) {
+        const double share = (double)step / STEPS, half = 1.5;
+        const double x = label->dot[0] + share * (label->x - label->dot[0]);
+        const double y = label->dot[1] + share * (label->y - 4 - label->dot[1]);
+        for (uint32_t i = 0; i < plot->label_count; i++)
+            if (plot_overlap(label_box(&plot->labels[i]),
+                             (PlotBox){ x - half, y - half, x + half, y + half }))
+                return false;
+    }
+    return true;
+}
+
+/* Left of the front and below it there are no points, so labels go there first; then all around, ever
+ * farther away. */
 static void place_label(Plot *plot, PlotLabel *label)
 {
-    static const struct {
-        double x, y;
-        bool ends, apart;
-    } places[] = {
-        { -10, 4, true, false },  { -6, 16, true, false },  { -4, 18, false, false },
-        { 10, -8, false, false }, { -14, 30, true, true },  { 4, 32, false, true },
-        { -22, 46, true, true },  { 8, 48, false, true },   { -30, 62, true, true },
-        { 14, 64, false, true },  { 16, -24, false, true }, { -44, 78, true, true },
-        { 18, 80, false, true },  { 24, -40, false, true }, { -58, 94, true, true },
-        { 22, 96, false, true },
-    };
-    for (size_t i = 0; i < GP_COUNT(places); i++) {
-        label->x = label->dot[0] + places[i].x;
-        label->y = label->dot[1] + places[i].y;
-        label->ends = places[i].ends;
-        label->apart = places[i].apart;
-        if (is_free(plot, label)) {
-            plot->labels[plot->label_count++] = *label;
-            return;
+    enum { RINGS = 18, BESIDE = 10, APART = 22, RING = 13 };
+    static const double ways[][2] = { { -1, 0.4 }, { -0.7, 1 },  { -0.2, 1 }, { 0.2, 1 },
+                                      { 1, -0.4 }, { 0.8, -1 },  { 0.7, 1 },  { -0.4, -1 },
+                                      { 0.3, -1 }, { -1, -0.6 }, { 1, 0.4 },  { -1, 1 } };
+    for (int ring = 0; ring < RINGS; ring++) {
+        const double far = BESIDE + RING * ring;
+        for (size_t i = 0; i < GP_COUNT(ways); i++) {
+            label->x = label->dot[0] + far * ways[i][0];
+            label->y = label->dot[1] + far * ways[i][1] + (ways[i][1] > 0 ? 6 : 0);
+            label->ends = ways[i][0] < 0;
+            label->apart = far > APART;
+            if (is_free(plot, label) && (!label->apart || is_in_sight(plot, label))) {
+                plot->labels[plot->label_count++] = *label;
+                return;
+            }
         }
     }
 }

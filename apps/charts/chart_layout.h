@@ -9,11 +9,14 @@
 typedef struct PlotPoint {
     const ChartPoint *point;
     double x, y;
-    int method; /* number of its method, in the order of the chart */
+    double left, right; /* ends of its bar, from the lower quartile of its times to the upper one */
+    int method;         /* number of its method, in the order of the chart */
 } PlotPoint;
 
+enum { PLOT_MAX_LABEL = SETTING_MAX_TEXT + 64 };
+
 typedef struct PlotLabel {
-    char text[SETTING_MAX_TEXT];
+    char text[PLOT_MAX_LABEL];
     double x, y;      /* of the text's base line; x: its begin, or its end */
     double dot[2];    /* the point that it belongs to */
     bool ends, apart; /* x is the end; far enough to need a line to its point */

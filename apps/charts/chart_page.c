@@ -31,14 +31,21 @@ static void add_head(const Chart *chart, Text *page)
         page_add_cell(page, "th", " class=\"n\"", chart->metrics[i]);
 }
 
+static void add_number(Text *page, double value, int digits)
+{
+    char number[32];
+    text_for_people(value, digits, number);
+    page_add_cell(page, "td", " class=\"n\"", number);
+}
+
 static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
 {
     page_add_cell(page, "td", "", point->method);
-    text_add_escaped(page,
-                     "<td><code>%s</code></td><td class=\"n\">%.3g</td><td class=\"n\">%.6g</td>",
-                     point->options, point->time.ms, point->measured.error);
+    text_add_escaped(page, "<td><code>%s</code></td>", point->options);
+    add_number(page, point->time.ms, 3);
+    add_number(page, point->measured.error, 6);
     for (int i = 0; i < chart->metric_count; i++)
-        text_add(page, "<td class=\"n\">%.6g</td>", point->measured.metrics[i]);
+        add_number(page, point->measured.metrics[i], 6);
 }
 
 static void add_table(const Chart *chart, const ChartPoint *const *points, uint32_t count,
@@ -67,9 +74,12 @@ static void add_picture(const char *folder, const ChartPoint *point, Text *page)
         return;
     text_add(page, "<figure>");
     page_add_png(page, &file, " alt=\"\"");
+    char ms[32], error[32];
+    text_for_people(point->time.ms, 3, ms);
+    text_for_people(point->measured.error, 6, error);
     text_add_escaped(page,
-                     "<figcaption>%s: <code>%s</code>, %.3g ms, error %.6g</figcaption></figure>\n",
-                     point->method, point->options, point->time.ms, point->measured.error);
+                     "<figcaption>%s: <code>%s</code>, %s ms, error %s</figcaption></figure>\n",
+                     point->method, point->options, ms, error);
     gp_file_free(&file);
 }
 

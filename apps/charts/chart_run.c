@@ -166,6 +166,8 @@ static GpResult write_pictures(Run *run)
     uint32_t count = chart_list_best(chart, best);
     uint32_t wanted = count < CHART_MAX_PICTURES ? count : CHART_MAX_PICTURES;
     chart_name(run->job->experiment, run->job->scene, stem, sizeof stem);
+    if (run->job->name)
+        text_copy(stem, sizeof stem, run->job->name);
     GpResult result = GP_OK;
     for (uint32_t i = 0; i < CHART_MAX_PICTURES && !result; i++) {
         snprintf(name, sizeof name, "%s_%u.png", stem, i + 1);

@@ -11,13 +11,14 @@ typedef struct ChartJob {
     const char *scene;            /* path */
     uint32_t width, height;       /* of the picture; 0 x 0: the scene's own */
     const char *folder;           /* where pictures of the front go; NULL: none are made */
+    const char *name;             /* of files; NULL: chart_name's */
     double seconds;               /* for each setting, after its first frame */
     GpDevice *device;
     ChartListener listener;
 } ChartJob;
 
 /* Opens the scene, finds the truth, measures all settings of the sweep, marks the front and writes
- * at most CHART_MAX_PICTURES pictures of it as NAME_1.png and so on (see chart_name). Settings that
+ * at most CHART_MAX_PICTURES pictures of it as NAME_1.png and so on. Settings that
  * do not go with the scene are left out, and the listener told.
  * out    chart: untouched on failure; error: not NULL
  * errors those of the scene and of the truth; GP_ERROR_INVALID: no setting goes with the scene;

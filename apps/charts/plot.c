@@ -88,6 +88,15 @@ void plot_end(Text *svg, int height, const char *words)
 
 void plot_tooltip_times(Text *svg, const Timing *time)
 {
-    text_add(svg, "%.3g ms (least %.3g, processor %.3g; %u frames)", time->ms, time->min_ms,
-             time->cpu_ms, time->frames);
+    char ms[32], least[32], most[32], cpu[32];
+    text_for_people(time->ms, 3, ms);
+    text_for_people(time->min_ms, 3, least);
+    text_for_people(time->max_ms, 3, most);
+    text_for_people(time->cpu_ms, 3, cpu);
+    text_add(svg, "%s ms (", ms);
+    if (time->max_ms > 0)
+        text_add(svg, "%s to %s", least, most);
+    else
+        text_add(svg, "least %s", least);
+    text_add(svg, ", processor %s; %u frames)", cpu, time->frames);
 }

@@ -2,12 +2,13 @@
 #include "apps/commands/chart.h"
 
 #include "apps/base/machine.h"
+#include "apps/base/text.h"
 #include "apps/charts/chart_file.h"
 #include "apps/charts/chart_page.h"
 #include "apps/charts/chart_run.h"
 #include "apps/charts/scaling_file.h"
 #include "apps/charts/scaling_run.h"
-#include "apps/commands/command.h"
+#include "apps/commands/chart_sweep.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 
@@ -21,7 +22,8 @@ typedef struct ChartCommand {
     Options options; /* first: see options.h */
     const Technique *const *techniques;
     const char *name; /* of an experiment, or of a technique with --scaling */
-    const char *scene, *folder;
+    const char *scene, *folder, *own_name;
+    ChartSweep *sweep;
     double seconds;
     bool scaling;
 } ChartCommand;
@@ -31,6 +33,11 @@ static const SettingField options[] = {
       "Write to the folder DIR, made where it does not exist "
       "(default: out/charts where out/ exists, else charts)",
       SETTING_TEXT, .offset = offsetof(ChartCommand, folder), .letter = 'o' },
+    { "name", "NAME",
+      "Call the files NAME.svg and so on (default: the technique's name, with the scene's where "
+      "that "
+      "is not its own, and _own where settings are given)",
+      SETTING_TEXT, .offset = offsetof(ChartCommand, own_name) },
     { "time", "SECONDS", "Draw each setting for so long (default: 0.3)", SETTING_NUMBER,
       .offset = offsetof(ChartCommand, seconds), .high = OPTIONS_ANY, .letter = 't' },
     { "scaling", NULL,
@@ -58,8 +65,16 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "expected a technique (there are: %s)", list);
     else if (!experiment_find(command->techniques, command->name, NULL))
         argp_error(state, "no technique '%s' (there are: %s)", command->name, list);
+    if (command->own_name && (!command->own_name[0] || strchr(command->own_name, '/')))
+        argp_error(state, "--name: expected a name without '/', not '%s'", command->own_name);
+    chart_sweep_check(state, command->sweep);
+    if (command->sweep->rows && strcmp(command->sweep->experiment->name, command->name) != 0)
+        argp_error(state, "settings are those of %s: name %s first",
+                   command->sweep->experiment->name, command->name);
     if (!command->scaling)
         return;
+    if (command->own_name || command->sweep->rows)
+        argp_error(state, "--scaling has names and settings of its own");
     const Technique *technique = technique_find(command->techniques, command->name);
     if (!technique || !technique->scaling)
         argp_error(state, "--scaling: %s has no table of what grows", command->name);
@@ -71,17 +86,21 @@ static const CommandSyntax syntax = {
     .shared = OPTIONS_FRAME,
     .options = options,
     .arguments = "TECHNIQUE [SCENE.json]",
-    .help = "Examples:\n"
-            "  glasspipe chart shadow\n"
-            "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
-            "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
-            "  glasspipe chart voxelize --scaling\n"
-            "\n"
-            "Draws a scene with every setting of a technique's sweep, measures time and distance "
-            "from the exact result, and writes a chart as SVG, CSV and JSON, and a page of all "
-            "charts.\v"
-            "Without a scene, the technique's own is drawn. Printed are the best settings: nothing "
-            "else measured is both faster and more exact.",
+    .help =
+        "Examples:\n"
+        "  glasspipe chart shadow\n"
+        "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
+        "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
+        "  glasspipe chart shadow --map 512,1024,2048 --method plain,hardware --name maps\n"
+        "  glasspipe chart voxelize --scaling\n"
+        "\n"
+        "Draws a scene with every setting of a technique's sweep, measures time and distance "
+        "from the exact result, and writes a chart as SVG, CSV and JSON, and a page of all "
+        "charts.\v"
+        "A technique's settings are options here too, and each takes a list: then these are swept, "
+        "in all combinations (glasspipe chart shadow --help lists them). Without a scene, the "
+        "technique's own is drawn. Printed are the best settings: nothing "
+        "else measured is both faster and more exact.",
     .offset = offsetof(ChartCommand, name),
     .most = 2,
     .check = check,
@@ -124,9 +143,12 @@ static int print_best(const Chart *chart)
     const int least_width = 14, length = (int)strlen(chart->error_name);
     const int width = length > least_width ? length : least_width;
     printf("%10s  %*s  setting\n", "ms", width, chart->error_name);
-    for (uint32_t i = 0; i < count; i++)
-        printf("%10.3f  %*.6g  %s: %s\n", best[i]->time.ms, width, best[i]->measured.error,
-               best[i]->method, best[i]->options);
+    for (uint32_t i = 0; i < count; i++) {
+        char error[32];
+        text_for_people(best[i]->measured.error, 6, error);
+        printf("%10.3f  %*s  %s: %s\n", best[i]->time.ms, width, error, best[i]->method,
+               best[i]->options);
+    }
     gp_free(best);
     return EXIT_DONE;
 }
@@ -171,11 +193,18 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device,
                      .device = device,
                      .listener = *listener };
     job.experiment = experiment_find(command->techniques, command->name, &job.technique);
+    if (command->sweep->rows)
+        job.experiment = &command->sweep->own;
     job.scene = command->scene ? command->scene : job.experiment->scene;
     char name[64];
     Chart chart = { .points = NULL };
     GpError error = { "" };
     chart_name(job.experiment, job.scene, name, sizeof name);
+    if (command->sweep->rows)
+        snprintf(name + strlen(name), sizeof name - strlen(name), "_own");
+    if (command->own_name)
+        text_copy(name, sizeof name, command->own_name);
+    job.name = name;
     GpResult result = chart_run(&job, &chart, &error);
     int code = result ? report(exit_of_run(result), "%s", error.text)
                       : write_all(command, name, &chart, NULL);
@@ -204,21 +233,35 @@ static int chart_scaling(const ChartCommand *command, GpDevice *device,
     return code;
 }
 
-int chart_command(const Technique *const *techniques, int argc, char **argv)
+static int run_command(const ChartCommand *command)
 {
-    ChartCommand command = { .techniques = techniques, .seconds = 0.3, .folder = chart_folder() };
-    command_parse(&syntax, NULL, argc, argv, &command);
-    const Listening listening = { &command.options, machine_clock_ms(CLOCK_MONOTONIC) };
+    const Listening listening = { &command->options, machine_clock_ms(CLOCK_MONOTONIC) };
     const ChartListener listener = { tell_notice, tell_progress, &listening };
     GpDevice *device;
-    int code = options_device(&command.options, NULL, &device);
+    int code = options_device(&command->options, NULL, &device);
     if (code)
         return code;
-    if (mkdir(command.folder, 0777) != 0 && errno != EEXIST)
-        code = report(EXIT_INTERNAL, "%s: %s", command.folder, strerror(errno));
+    if (mkdir(command->folder, 0777) != 0 && errno != EEXIST)
+        code = report(EXIT_INTERNAL, "%s: %s", command->folder, strerror(errno));
     else
-        code = (command.scaling ? chart_scaling : chart_accuracy)(&command, device, &listener);
+        code = (command->scaling ? chart_scaling : chart_accuracy)(command, device, &listener);
     gp_device_destroy(&device);
+    return code;
+}
+
+int chart_command(const Technique *const *techniques, int argc, char **argv)
+{
+    ChartSweep sweep;
+    ChartCommand command = {
+        .techniques = techniques, .seconds = 0.3, .folder = chart_folder(), .sweep = &sweep
+    };
+    CommandSyntax own = syntax;
+    chart_sweep_prepare(techniques, argc, argv, &sweep);
+    if (sweep.technique && setting_find(sweep.technique->settings, "size"))
+        own.shared = OPTIONS_RUN; /* --size is the technique's */
+    command_parse(&own, &sweep.options, argc, argv, &command);
+    const int code = run_command(&command);
+    chart_sweep_free(&sweep);
     return code;
 }
 

@@ -137,6 +137,70 @@ static void an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn(void 
     json_decref(object);
 }
 
+/* All combinations of what is named, under a name that leaves the technique's own chart alone. */
+static void a_chart_of_ones_own_sweeps_what_is_named(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *method, *options;
+    } expected[] = {
+        { "plain", "--method plain --map 32 --bias 0.001" },
+        { "plain", "--method plain --map 32 --bias 0.01" },
+        { "plain", "--method plain --map 64 --bias 0.001" },
+        { "plain", "--method plain --map 64 --bias 0.01" },
+        { "hardware", "--method hardware --map 32 --bias 0.001" },
+        { "hardware", "--method hardware --map 32 --bias 0.01" },
+        { "hardware", "--method hardware --map 64 --bias 0.001" },
+        { "hardware", "--method hardware --map 64 --bias 0.01" },
+    };
+    static char file[1 << 16];
+    write_file("lit.json", lit);
+    assert_int_equal(shell("glasspipe chart shadow lit.json --bias 0.001,0.01 --map 32,64 "
+                           "--method plain,hardware -t 0 -o charts -q --json"),
+                     0);
+    json_t *chart = parse_output(), *points = json_object_get(chart, "points");
+    assert_int_equal(json_array_size(points), GP_COUNT(expected));
+    for (size_t i = 0; i < GP_COUNT(expected); i++) {
+        const json_t *point = json_array_get(points, i);
+        assert_string_equal(text(point, "method"), expected[i].method);
+        assert_string_equal(text(point, "options"), expected[i].options);
+        assert_true(number(point, "min_ms") <= number(point, "low_ms"));
+        assert_true(number(point, "low_ms") <= number(point, "ms"));
+        assert_true(number(point, "ms") <= number(point, "high_ms"));
+        assert_true(number(point, "high_ms") <= number(point, "max_ms"));
+    }
+    json_decref(chart);
+    assert_int_equal(shell("ls charts"), 0);
+    expect_matches(out, "^index.html\nshadow_lit_own.csv\nshadow_lit_own.json\nshadow_lit_own.svg\n"
+                        "shadow_lit_own_1.png\n");
+    read_file("charts/shadow_lit_own.csv", file, sizeof file);
+    expect_contains(file, "method,options,--method,--map,--bias,ms,min_ms,low_ms,high_ms,max_ms,");
+    expect_contains(file, "hardware,--method hardware --map 64 --bias 0.01,hardware,64,0.01,");
+    read_file("charts/shadow_lit_own.svg", file, sizeof file);
+    expect_matches(file, ">(plain|hardware): map (32|64), bias 0.01?");
+}
+
+static void lists_of_volumes_and_their_names(void **state)
+{
+    (void)state;
+    assert_int_equal(
+        shell("glasspipe chart solids builtin:cube -n 8,16 -t 0 -o . --name figure -q --json"), 0);
+    json_t *chart = parse_output(), *points = json_object_get(chart, "points");
+    assert_int_equal(json_array_size(points), 2);
+    assert_string_equal(text(json_array_get(points, 1), "options"), "--kind solid --size 16");
+    assert_string_equal(text(json_array_get(points, 1), "method"), "solids");
+    json_decref(chart);
+    assert_int_equal(access("figure.svg", R_OK) | access("figure.json", R_OK), 0);
+    expect_refused(2, "chart shadow --map 512,x",
+                   "expected a whole number from 16 to 8192, not 'x'");
+    expect_refused(2, "chart shadow --map 512,", "not ''");
+    expect_refused(2, "chart shadow --method plain,soft", "expected plain or hardware, not 'soft'");
+    expect_refused(2, "chart voxelize --map 5", "map");
+    expect_refused(2, "chart shadow --name a/b", "--name: expected a name without '/'");
+    expect_refused(2, "chart voxelize --scaling -n 8",
+                   "--scaling has names and settings of its own");
+}
+
 /* What the light reaches, beside the truth: white, black, and nothing between on a plain map. */
 static void visibility_is_written_and_read_back(void **state)
 {
@@ -245,6 +309,8 @@ int main(void)
         PROGRAM_TEST(a_chart_chooses_the_setting_that_is_drawn),
         PROGRAM_TEST(a_chart_is_believed_only_where_that_is_asked_for),
         PROGRAM_TEST(an_error_that_no_setting_reaches_is_said_and_the_best_is_drawn),
+        PROGRAM_TEST(a_chart_of_ones_own_sweeps_what_is_named),
+        PROGRAM_TEST(lists_of_volumes_and_their_names),
         PROGRAM_TEST(visibility_is_written_and_read_back),
         PROGRAM_TEST(visibility_is_of_one_light),
         PROGRAM_TEST(json_names_every_value_that_was_used),

@@ -41,6 +41,40 @@ static void numbers_come_back_bit_by_bit(void **state)
     }
 }
 
+static void numbers_are_written_as_people_do(void **state)
+{
+    (void)state;
+    static const struct {
+        double value;
+        int digits;
+        const char *text;
+    } cases[] = {
+        { 0, 3, "0" },
+        { 7, 3, "7" },
+        { 1234567, 6, "1,234,567" },
+        { 999, 3, "999" },
+        { 1000, 3, "1,000" },
+        { 12345.678, 3, "12,346" },
+        { 0.1, 3, "0.1" },
+        { 0.00001, 3, "0.00001" },
+        { 2.0 / 3, 3, "0.667" },
+        { 12.5, 3, "12.5" },
+        { 12.04, 3, "12" },
+        { 99.96, 3, "100" },
+        { 1.25e-9, 3, "1.25 x 10^-9" },
+        { 3e15, 3, "3 x 10^15" },
+        { -1500.5, 6, "-1,500.5" },
+        { 4096, 2, "4,096" },
+        { 100, 3, "100" },
+        { HUGE_VAL, 3, "inf" },
+    };
+    for (size_t i = 0; i < GP_COUNT(cases); i++) {
+        char text[32];
+        text_for_people(cases[i].value, cases[i].digits, text);
+        assert_string_equal(text, cases[i].text);
+    }
+}
+
 static void names_are_cut_out_of_paths(void **state)
 {
     (void)state;
@@ -72,6 +106,7 @@ int main(void)
         cmocka_unit_test(escaping_is_for_what_stands_for_s),
         cmocka_unit_test(csv_is_quoted_where_it_must_be),
         cmocka_unit_test(numbers_come_back_bit_by_bit),
+        cmocka_unit_test(numbers_are_written_as_people_do),
         cmocka_unit_test(names_are_cut_out_of_paths),
         cmocka_unit_test(what_is_copied_is_utf_8),
     };

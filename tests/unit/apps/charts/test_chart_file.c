@@ -94,10 +94,11 @@ static void csv_quotes_what_needs_it(void **state)
           .time.ms = 0.1,
           .time.min_ms = 0.5,
           .time.cpu_ms = 2,
+          .time.low_ms = 0.25,
           .time.frames = 7,
           .measured = { 1e-300, { 3, (double)NAN } },
           .best = true },
-        { .method = "plain", .options = "two\nlines", .time.ms = 1.0 / 3 },
+        { .method = "plain", .options = "--two\nlines --c 3 --cc=4", .time.ms = 1.0 / 3 },
     };
     const Chart chart = { .error_name = "wrong, pixels",
                           .metrics = { "x", "y" },
@@ -108,9 +109,13 @@ static void csv_quotes_what_needs_it(void **state)
     char text[1024];
     assert_int_equal(chart_write(in_folder("c"), &chart, &error), GP_OK);
     get_text("c.csv", text, sizeof text);
-    assert_string_equal(text, "method,options,ms,min_ms,cpu_ms,frames,\"wrong, pixels\",x,y,best\n"
-                              "\"a, b\",\"--c \"\"d\"\"\",0.1,0.5,2,7,1e-300,3,nan,1\n"
-                              "plain,\"two\nlines\",0.3333333333333333,0,0,0,0,0,0,0\n");
+    assert_string_equal(
+        text, "method,options,--c,\"--two\nlines\",--cc,ms,min_ms,low_ms,high_ms,max_ms,cpu_ms,"
+              "frames,\"wrong, pixels\",x,y,best\n"
+              "\"a, b\",\"--c \"\"d\"\"\",\"\"\"d\"\"\",,,0.1,0.5,0.25,0,0,2,7,"
+              "1e-300,3,nan,1\n"
+              "plain,\"--two\nlines --c 3 --cc=4\",3,1,4,0.3333333333333333,0,0,0,0,0,0,"
+              "0,0,0,0\n");
 }
 
 static void a_chart_that_cannot_be_written_is_an_error(void **state)

@@ -185,7 +185,7 @@ static void the_picture_is_well_formed_and_has_every_point(void **state)
     assert_int_equal(markup_count(svg.data, ">mesh&lt;5&gt;<"), 1);
     assert_int_equal(markup_count(svg.data, ">mesh&lt;0&gt;<"), 0);
     assert_null(strstr(svg.data, "nan"));
-    static const char *const ticks[] = { ">8<", ">16<", ">32<", ">1000<" };
+    static const char *const ticks[] = { ">8<", ">16<", ">32<", ">1,000<" };
     for (size_t i = 0; i < GP_COUNT(ticks); i++)
         assert_non_null(strstr(svg.data, ticks[i]));
     text_free(&svg);
