@@ -385,12 +385,13 @@ install: all
 	for file in $(SHIPPED); do \
 	    install -D -m 644 $$file $(INSTALLED)/share/glasspipe/$$file || exit; done
 	$(EMULATOR) $(PROGRAM) render --schema >$(INSTALLED)/share/glasspipe/scene.schema.json
+	install -D -m 644 GOLDEN_PICTURES.md $(INSTALLED)/share/doc/glasspipe/GOLDEN_PICTURES.md
 	install -d $(INSTALLED)/share/bash-completion/completions
 	$(if $(COMPLETION),install -m 644 $(firstword $(COMPLETION)) \
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe)
 
 uninstall:
-	rm -rf $(INSTALLED)/include/glasspipe $(INSTALLED)/share/glasspipe
+	rm -rf $(INSTALLED)/include/glasspipe $(INSTALLED)/share/glasspipe $(INSTALLED)/share/doc/glasspipe
 	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
 	    $(INSTALLED)/lib/libglasspipe_oiio.so \
 	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \

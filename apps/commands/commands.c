@@ -15,6 +15,7 @@ typedef struct Command {
 static const Command commands[] = {
     { "render", cmd_render, "SCENE.json", "render a scene, pass by pass, to a picture" },
     { "compare", cmd_compare, "A B", "compare two pictures" },
+    { "test", cmd_test, "DIR [NAME]", "hold scenes against pictures stored beside them" },
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },

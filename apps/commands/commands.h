@@ -16,6 +16,7 @@ typedef int CommandFn(int argc, char **argv);
 
 CommandFn cmd_render;
 CommandFn cmd_compare;
+CommandFn cmd_test;
 CommandFn cmd_explain;
 CommandFn cmd_pixel;
 CommandFn cmd_bench;

@@ -5,6 +5,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 #include "apps/compare/comparison_page.h"
+#include "apps/golden/limits.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -26,26 +27,6 @@ static const SettingField options[] = {
       SETTING_TEXT, .offset = offsetof(Compare, report) },
     { "scale", "S", "Multiply the difference picture by S", SETTING_NUMBER,
       .offset = offsetof(Compare, scale), .high = OPTIONS_ANY },
-    { "fail", "F", "Call a pixel failing if it differs by more than F (default: 0)", SETTING_NUMBER,
-      .offset = offsetof(Compare, settings.limits.fail), .high = OPTIONS_ANY },
-    { "failpercent", "P", "Allow P percent of failing pixels (default: 0)", SETTING_NUMBER,
-      .offset = offsetof(Compare, settings.limits.fail_percent), .high = OPTIONS_ANY },
-    { "hardfail", "H", "Fail if any pixel differs by more than H", SETTING_NUMBER,
-      .offset = offsetof(Compare, settings.limits.hard_fail), .high = OPTIONS_ANY },
-    { "warn", "F", "Warn about pixels that differ by more than F", SETTING_NUMBER,
-      .offset = offsetof(Compare, settings.limits.warn), .high = OPTIONS_ANY },
-    { "warnpercent", "P", "Allow P percent of them (default: 0)", SETTING_NUMBER,
-      .offset = offsetof(Compare, settings.limits.warn_percent), .high = OPTIONS_ANY },
-    { "hardwarn", "H", "Warn if any pixel differs by more than H", SETTING_NUMBER,
-      .offset = offsetof(Compare, settings.limits.hard_warn), .high = OPTIONS_ANY },
-    { "flipfail", "F",
-      "Fail if the mean FLIP is over F; without another limit this one alone judges",
-      SETTING_NUMBER, .offset = offsetof(Compare, settings.flip_fail), .high = 1 },
-    { "ppd", "N", "Pixels per degree of FLIP's viewer (default: 67.02, a 4K screen at 0.7 m)",
-      SETTING_NUMBER, .offset = offsetof(Compare, settings.pixels_per_degree), 1,
-      FLIP_MOST_PIXELS_PER_DEGREE },
-    { "no-alpha", NULL, "Leave alpha out", SETTING_FLAG,
-      .offset = offsetof(Compare, settings.no_alpha) },
     { .name = NULL },
 };
 
@@ -234,7 +215,8 @@ static int compare_pair(const Compare *compare, Picture pictures[2])
 int cmd_compare(int argc, char **argv)
 {
     Compare compare = { .scale = 1 };
-    command_parse(&syntax, NULL, argc, argv, &compare);
+    CommandOptions limits = { .fields = comparison_fields, .object = &compare.settings };
+    command_parse(&syntax, &limits, argc, argv, &compare);
     GpError error = { "" };
     if (compare.output && picture_check_path(compare.output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);

@@ -25,14 +25,14 @@ void output_default_path(const char *input, const char *extension, char *path, s
 
 static void print_hash(const Output *output, uint64_t hash)
 {
-    const GpSurface *surface = output->surface;
     const uint32_t *dims = output->volume.dims;
+    char line[PICTURE_HASH_LINE];
     if (output->volume.data)
-        printf("hash VOXELS %ux%ux%u", dims[0], dims[1], dims[2]);
+        snprintf(line, sizeof line, "hash VOXELS %ux%ux%u %016" PRIx64, dims[0], dims[1], dims[2],
+                 hash);
     else
-        printf("hash %s %ux%u", gp_format_info(surface->format)->name, surface->width,
-               surface->height);
-    printf(" %016" PRIx64 "\n%s", hash, output->lines ? output->lines : "");
+        picture_hash_line(output->surface, line);
+    printf("%s\n%s", line, output->lines ? output->lines : "");
 }
 
 static int print_object(const Output *output, uint64_t hash)

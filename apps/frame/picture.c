@@ -3,6 +3,8 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image_file.h"
 
+#include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Channel `wanted` of `channels` of a pixel that has `had`: grey is repeated, a missing alpha is
@@ -288,6 +290,13 @@ GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError
     result = write_picture(path, &picture, samples_of(surface->format), error);
     picture_free(&picture);
     return result;
+}
+
+void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE])
+{
+    snprintf(line, PICTURE_HASH_LINE, "hash %s %ux%u %016" PRIx64,
+             gp_format_info(surface->format)->name, surface->width, surface->height,
+             gp_surface_hash(surface));
 }
 
 GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,

@@ -55,6 +55,11 @@ GpResult picture_write_surface(const char *path, const GpSurface *surface, bool 
 /* The alpha of a surface that has one as a picture of its own, in grey. errors as above */
 GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError *error);
 
+enum { PICTURE_HASH_LINE = 96 };
+
+/* What the program says of a picture: "hash A8R8G8B8 64x48 0123456789abcdef", by gp_surface_hash. */
+void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE]);
+
 /* A surface as picture_read would give it back, had picture_write_surface written it to a file of this
  * name, alpha included: rounded as that file rounds. errors GP_ERROR_MEMORY; owns: the caller */
 GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,

@@ -5,8 +5,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-static const char *const commands[] = { "bench",   "chart", "render", "compare",
-                                        "explain", "pixel", "shadow", "voxelize" };
+static const char *const commands[] = { "bench", "chart",  "render", "compare", "explain",
+                                        "pixel", "shadow", "test",   "voxelize" };
 
 /* --- help ------------------------------------------------------------------------------------- */
 

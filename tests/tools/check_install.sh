@@ -2,7 +2,8 @@
 # Installs a build somewhere and uses it as a stranger would: check_install.sh BUILD
 #
 # The program says its version; the README's library example is compiled by pkg-config alone, both
-# shared and static, and runs; after `make uninstall` no file is left.
+# shared and static, and runs; so does the page on golden pictures; after `make uninstall` no file is
+# left.
 set -eu
 build=$1
 prefix=$(cd "$build" && pwd)/installed
@@ -32,6 +33,19 @@ objdump -p "$use/shared" | grep 'NEEDED.*libglasspipe.so.[0-9]'
 LD_LIBRARY_PATH="$prefix/lib" "$use/shared" >"$use/shared.out"
 "$use/static" >"$use/static.out"
 cmp "$use/shared.out" "$use/static.out"
+
+# The page on golden pictures as it is printed, its build server's part included, but for the place of
+# the installation and what is installed here already. A link stands for the checkout.
+blocks() {
+    awk '/^```sh/ { inside = 1; next } /^```/ { inside = 0 } inside' GOLDEN_PICTURES.md |
+        sed -e '/^apt-get/d' -e "s,/opt/glasspipe,$prefix,"
+}
+ln -sfn "$(pwd)" "$use/glasspipe"
+blocks >"$use/page.sh"
+grep -q '^make -C glasspipe install' "$use/page.sh"
+build=$(cd "$build" && pwd)
+(cd "$use" && BUILD=$build CC=gcc CXX=g++ OPT=-O2 WERROR=1 PATH="$prefix/bin:$PATH" sh -e page.sh) |
+    grep -c '1 of 1 scenes as stored' | grep -qx 5
 
 $install uninstall
 left=$(find "$prefix" -type f -o -type l)
