@@ -278,7 +278,8 @@ OTHER_PROCESSORS := Nehalem:4 Haswell-noTSX:4,8
 OTHER_RESULTS := $(if $(filter x86_64,$(ARCH)),$(if $(EMULATOR)$(SANITIZE),,$(patsubst %, \
     $(BUILD)/test/as.%.tap,$(foreach p,$(OTHER_PROCESSORS),$(firstword $(subst :, ,$(p)))))))
 PICTURE_RESULT := $(BUILD)/test/pictures.tap
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(OTHER_RESULTS) $(PICTURE_RESULT) $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
+PRINTED_RESULT := $(BUILD)/test/printed.tap
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
@@ -288,6 +289,12 @@ $(GOLDEN_RESULTS): $(GOLDEN_TEST) always
 
 $(PICTURE_RESULT): $(PROGRAM) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/golden_pictures.sh $<
+
+# Installed first, since what is printed must run there too.
+TRIED := $(abspath $(BUILD))/test/installed
+$(PRINTED_RESULT): all always
+	$(call say,TEST,$(@F:.tap=))$(MAKE) --no-print-directory PREFIX=$(TRIED) DESTDIR= install >$(TRIED).log && \
+	    $(RUN_TEST) $@ sh tests/tools/printed_commands.sh $(PROGRAM) $(TRIED)
 
 # Run here, and emulated inside.
 $(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTIAL_TEST) \

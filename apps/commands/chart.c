@@ -89,9 +89,10 @@ static const CommandSyntax syntax = {
     .help =
         "Examples:\n"
         "  glasspipe chart shadow\n"
-        "  glasspipe chart shadow scenes/bunny.json --size 512x512 -t 1\n"
-        "  glasspipe chart shadow -o /tmp/charts --threads 2\n"
-        "  glasspipe chart shadow --map 512,1024,2048 --method plain,hardware --name maps\n"
+        "  glasspipe chart shadow scenes/shadow_avenue.json --size 512x320 -t 0.1\n"
+        "  glasspipe chart shadow -o charts --threads 2\n"
+        "  glasspipe chart shadow --map 512,1024 --method plain,hardware \\\n"
+        "      --name maps\n"
         "  glasspipe chart voxelize --scaling\n"
         "\n"
         "Draws a scene with every setting of a technique's sweep, measures time and distance "

@@ -30,9 +30,10 @@ static void print_line(FILE *file, const char *name, const char *arguments, cons
 void commands_help(FILE *file)
 {
     fputs("Examples:\n"
-          "  glasspipe render scenes/bunny.json -o bunny.png\n"
-          "  glasspipe compare bunny.png yesterday.png\n"
-          "  glasspipe pixel scenes/bunny.json 256 200\n"
+          "  glasspipe render scenes/shadow.json --size 512x384 -o plain.png\n"
+          "  glasspipe shadow scenes/shadow.json --size 512x384 -o shadow.png\n"
+          "  glasspipe compare plain.png shadow.png\n"
+          "  glasspipe pixel scenes/shadow.json 500 400\n"
           "\n"
           "Usage: glasspipe COMMAND [OPTION...]\n"
           "\n"

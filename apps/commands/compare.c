@@ -36,11 +36,13 @@ static const CommandSyntax syntax = {
     .arguments = "A B",
     .help =
         "Examples:\n"
+        "  glasspipe render scenes/shadow.json --size 320x240 -o before.png\n"
+        "  glasspipe shadow scenes/shadow.json --size 320x240 -o after.png\n"
         "  glasspipe compare before.png after.png\n"
-        "  glasspipe compare before.exr after.exr -o diff.png --scale 10\n"
+        "  glasspipe compare before.png after.png -o diff.png --scale 10\n"
         "  glasspipe compare before.png after.png --report report.html\n"
-        "  glasspipe compare a.png b.png --fail 0.004 --failpercent 0.1 --hardfail 0.1\n"
-        "  glasspipe compare a.png b.png --flipfail 0.01 --no-alpha\n"
+        "  glasspipe compare before.png after.png --fail 0.004 --failpercent 0.1\n"
+        "  glasspipe compare before.png after.png --flipfail 0.01 --no-alpha\n"
         "\n"
         "Compares two pictures: the same bits, or how far apart and where, with a verdict in "
         "words. "

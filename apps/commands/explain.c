@@ -18,8 +18,8 @@ static const CommandSyntax syntax = {
     .shared = OPTIONS_COMMON,
     .arguments = "SCENE.json",
     .help = "Examples:\n"
-            "  glasspipe explain scenes/bunny.json\n"
-            "  glasspipe explain scenes/bunny.json --json\n"
+            "  glasspipe explain scenes/default.json\n"
+            "  glasspipe explain scenes/default.json --json\n"
             "\n"
             "Tells for every draw of a scene which units of the pipeline run and which are "
             "skipped, and "

@@ -36,9 +36,9 @@ static const CommandSyntax syntax = {
     .options = options,
     .arguments = "SCENE.json X Y",
     .help = "Examples:\n"
-            "  glasspipe pixel scenes/bunny.json 256 200\n"
-            "  glasspipe pixel scenes/bunny.json 256 200 --json\n"
-            "  glasspipe pixel scenes/shadow.json 10 20 --pass 0\n"
+            "  glasspipe pixel scenes/default.json 256 200\n"
+            "  glasspipe pixel scenes/default.json 256 200 --json\n"
+            "  glasspipe pixel scenes/mrt.json 10 20 --pass 0\n"
             "\n"
             "Tells the history of one pixel: the clear, then every fragment that covers it, in "
             "order, with "

@@ -42,10 +42,11 @@ static const CommandSyntax syntax = {
     .options = options,
     .arguments = "SCENE.json",
     .help = "Examples:\n"
-            "  glasspipe render scenes/bunny.json\n"
-            "  glasspipe render scenes/bunny.json -o bunny.exr --size 1920x1080\n"
-            "  glasspipe render scenes/bunny.json --list-passes\n"
-            "  glasspipe render scenes/bunny.json --dump main.depth -o depth.pfm\n"
+            "  glasspipe render scenes/default.json\n"
+            "  glasspipe render scenes/default.json -o default.exr --size 640x360\n"
+            "  glasspipe render scenes/mrt.json --list-passes\n"
+            "  glasspipe render scenes/default.json --dump main.depth -o depth.pfm\n"
+            "  glasspipe render --schema >scene.schema.json\n"
             "\n"
             "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
             "With --json the frame is rendered a second time, which is the one that is timed.",

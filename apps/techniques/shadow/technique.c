@@ -247,7 +247,7 @@ static GpResult measure(void *made, const Frame *frame, TechniqueError *measured
 static const Experiment experiments[] = {
     { .name = "shadow",
       .title = "Shadow maps: time against wrong pixels",
-      .scene = "scenes/shadow_bunny.json",
+      .scene = "scenes/shadow.json",
       .sweep = sweep,
       .usual = usual,
       .error_name = "wrong pixels",
@@ -265,10 +265,11 @@ const Technique shadow_technique = {
     .summary = "a scene under shadow maps",
     .help =
         "Examples:\n"
-        "  glasspipe shadow scenes/shadow_bunny.json\n"
-        "  glasspipe shadow scenes/shadow_bunny.json --method plain --filter nearest --bias 0\n"
-        "  glasspipe shadow scenes/shadow_bunny.json --map 2048 --depth d16 -o bunny.png\n"
-        "  glasspipe shadow scenes/shadow_bunny.json --error 500\n"
+        "  glasspipe shadow scenes/shadow.json\n"
+        "  glasspipe shadow scenes/shadow.json --method plain --filter nearest --bias 0\n"
+        "  glasspipe shadow scenes/shadow_soft.json --method plain --filter soft\n"
+        "  glasspipe shadow scenes/shadow.json --map 2048 --depth d16 -o shadow.png\n"
+        "  glasspipe shadow scenes/shadow.json --error 1%\n"
         "\n"
         "Renders a scene whose lights cast shadows by shadow maps, and prints the picture's hash.\v"
         "With --json the frame is rendered a second time, which is the one that is timed. With one "

@@ -120,7 +120,7 @@ static GpResult measure(void *scene, const Frame *frame, TechniqueError *measure
 const Experiment voxel_experiments[] = {
     { .name = "voxelize",
       .title = "Voxelization: time against distance from the model",
-      .scene = "meshes/bunny.ply",
+      .scene = "builtin:knot",
       .sweep = sweep,
       .usual = usual,
       .error_name = "RMS distance, thousandths of the model's size",
@@ -131,7 +131,7 @@ const Experiment voxel_experiments[] = {
       .measure_error = measure_error },
     { .name = "solids",
       .title = "Solid voxels: time against wrong volume",
-      .scene = "meshes/horse.ply",
+      .scene = "builtin:knot",
       .sweep = solid_sweep,
       .usual = usual_solid,
       .error_name = "wrong volume, thousandths",
@@ -162,14 +162,14 @@ static double triangles(const void *scene, const Frame *frame)
 
 #define GROWING_SIZES "--size 64|128|256|512"
 #define GROWING_MESHES                                                                             \
-    "meshes/bunny.ply|meshes/horse.ply|meshes/dragon_100k.ply|meshes/blade_199k.ply|"              \
-    "meshes/dragon_res2.ply|meshes/happy_buddha.ply"
+    "builtin:sphere|builtin:knot|meshes/bunny.ply|meshes/horse.ply|meshes/dragon_100k.ply|"        \
+    "meshes/blade_199k.ply|meshes/dragon_res2.ply|meshes/happy_buddha.ply"
 
 static const TechniqueLine with_size[] = {
-    { "conservative", "meshes/bunny.ply", "--method conservative " GROWING_SIZES },
-    { "thin", "meshes/bunny.ply", "--method thin " GROWING_SIZES },
-    { "sheets, add", "meshes/bunny.ply", "--method sheets " GROWING_SIZES },
-    { "solid: xor", "meshes/horse.ply", "--kind solid --method xor " GROWING_SIZES },
+    { "conservative", "builtin:knot", "--method conservative " GROWING_SIZES },
+    { "thin", "builtin:knot", "--method thin " GROWING_SIZES },
+    { "sheets, add", "builtin:knot", "--method sheets " GROWING_SIZES },
+    { "solid: xor", "builtin:knot", "--kind solid --method xor " GROWING_SIZES },
     { .name = NULL },
 };
 
@@ -210,7 +210,7 @@ static const char *const scaling_text[] = {
 const TechniqueScaling voxel_scaling = {
     .title = "Voxelization: time against size",
     .text = scaling_text,
-    .panels = { { .title = "Larger volumes: bunny; solid: horse",
+    .panels = { { .title = "Larger volumes, of the builtin knot",
                   .axis = "voxels a side",
                   .doubles = true,
                   .amount = voxels_a_side,
