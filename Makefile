@@ -293,8 +293,9 @@ $(PICTURE_RESULT): $(PROGRAM) always
 # Installed first, since what is printed must run there too.
 TRIED := $(abspath $(BUILD))/test/installed
 $(PRINTED_RESULT): all always
-	$(call say,TEST,$(@F:.tap=))$(MAKE) --no-print-directory PREFIX=$(TRIED) DESTDIR= install >$(TRIED).log && \
-	    $(RUN_TEST) $@ sh tests/tools/printed_commands.sh $(PROGRAM) $(TRIED)
+	@mkdir -p $(@D)
+	$(call say,TEST,$(@F:.tap=))$(MAKE) --no-print-directory PREFIX=$(TRIED) DESTDIR= install \
+	    >$(TRIED).log && $(RUN_TEST) $@ sh tests/tools/printed_commands.sh $(PROGRAM) $(TRIED)
 
 # Run here, and emulated inside.
 $(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTIAL_TEST) \
