@@ -9,30 +9,44 @@ typedef struct Search {
     Candidates candidates;
     bool *was_tried; /* of each candidate */
     bool has_truth;
-    Promise best; /* so far; its error is infinite before any */
+    Promise best;   /* so far; its error is infinite before any */
+    GpError reason; /* why the last setting does not go that did not */
     GpResult result;
     GpError *error;
 } Search;
 
 /* --- one setting ------------------------------------------------------------------------------ */
 
-/* Draws a setting and holds it against the truth. errors GP_ERROR_INVALID: it does not go with the
- * scene; or those of promise_choose */
+/* The truth, as far as errors need it. */
+static GpResult find_truth(Search *search)
+{
+    const PromiseJob *job = search->job;
+    const Experiment *experiment = job->experiment;
+    if (search->has_truth)
+        return GP_OK;
+    GpResult result =
+        (experiment->find_truth_error ? experiment->find_truth_error : experiment->find_truth)(
+            job->scene, gp_device_threads(job->device), search->error);
+    search->has_truth = !result;
+    return result;
+}
+
+/* Draws a setting and holds it against the truth.
+ * out    goes: false: it does not go with the scene
+ * errors GP_ERROR_INVALID: that, or the scene has no truth; or those of promise_choose */
 static GpResult draw_and_measure(Search *search, const void *setting, TechniqueError *error,
                                  bool *goes)
 {
     const PromiseJob *job = search->job;
+    const Experiment *experiment = job->experiment;
     Frame frame = { .color = NULL };
     GpResult result =
         job->technique->build(job->scene, setting, job->device, &frame, search->error);
     *goes = result != GP_ERROR_INVALID;
     if (!result)
         result = gp_device_run(job->device, &frame.list, search->error);
-    if (!result && !search->has_truth)
-        result =
-            job->experiment->find_truth(job->scene, gp_device_threads(job->device), search->error);
-    search->has_truth |= !result;
-    const Experiment *experiment = job->experiment;
+    if (!result)
+        result = find_truth(search);
     if (!result)
         result = (experiment->measure_error ? experiment->measure_error : experiment->measure)(
             job->scene, &frame, error, search->error);
@@ -57,6 +71,8 @@ static GpResult find_error(Search *search, const void *setting, TechniqueError *
     search->best.drawn++;
     *error = (TechniqueError){ .error = HUGE_VAL };
     GpResult result = draw_and_measure(search, setting, error, &goes);
+    if (!goes && search->error)
+        search->reason = *search->error;
     if (!goes)
         result = GP_OK;
     if (!result)
@@ -124,9 +140,9 @@ GpResult promise_choose(const PromiseJob *job, Measured *measured, Promise *prom
     if (!search.was_tried)
         search.result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     try_all(&search);
-    if (!search.result && !search.best.chosen.method[0] && !search.best.is_kept)
-        search.result =
-            gp_fail(error, GP_ERROR_INVALID, "no setting goes with this scene and these options");
+    if (!search.result && !search.best.chosen.method[0])
+        search.result = gp_fail(error, GP_ERROR_INVALID, "no setting goes with this scene: %s",
+                                search.reason.text[0] ? search.reason.text : "they are refused");
     gp_free(search.was_tried);
     gp_free(search.candidates.list);
     if (!search.result)

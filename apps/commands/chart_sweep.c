@@ -39,7 +39,8 @@ void chart_sweep_prepare(const Technique *const *techniques, int argc, char **ar
 
 /* --- lists ------------------------------------------------------------------------------------ */
 
-/* Calls for each item of a list; an item too long to be one ends with the setting's own refusal. */
+/* Copies the item at the begin of a list; cut where it is too long to be one. returns where the next
+ * one begins, behind its comma */
 static size_t next_item(const char *at, char item[SETTING_MAX_TEXT])
 {
     const size_t length = strcspn(at, ",");
@@ -61,8 +62,8 @@ static size_t check_list(struct argp_state *state, const ChartSweep *sweep, size
         memcpy(scratch, technique->defaults, technique->setting_bytes);
         if (strpbrk(item, "| ") ||
             setting_set(technique->settings, scratch, sweep->fields[number].name, item, &error))
-            argp_error(state, "%s, in the list '%s'",
-                       error.text[0] ? error.text : "expected commas between", list);
+            argp_error(state, "in the list '%s': %s", list,
+                       error.text[0] ? error.text : "expected commas between");
         longest = strlen(item) > longest ? strlen(item) : longest;
         at += length;
         if (!*at && at[-1] != ',')

@@ -53,7 +53,8 @@ typedef struct Experiment {
 
     /* Holds a frame that has been drawn against the truth. errors GP_ERROR_MEMORY */
     GpResult (*measure)(void *scene, const Frame *frame, TechniqueError *measured, GpError *error);
-    /* The same without metrics, where these take longer. NULL: measure */
+    /* The same for the error alone, without metrics, where that is quicker. NULL: those above */
+    GpResult (*find_truth_error)(void *scene, int threads, GpError *error);
     GpResult (*measure_error)(void *scene, const Frame *frame, TechniqueError *measured,
                               GpError *error);
 } Experiment;

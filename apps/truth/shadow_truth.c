@@ -119,6 +119,9 @@ static double seen_of_area(const Job *job, const Surface *surface)
         vector_add_scaled(light->position, (k + 0.5) / samples - 0.5, light->side[0], point);
         vector_add_scaled(point, spread_bits(k, bits) - 0.5, light->side[1], point);
         seen += sees_point(job, surface, point);
+        const unsigned int left = samples - k - 1;
+        if (job->view->only_lit && (2 * seen >= samples || 2 * (seen + left) < samples))
+            return 2 * seen >= samples;
     }
     return (double)seen / samples;
 }

@@ -37,6 +37,9 @@ typedef struct ShadowView {
     uint32_t width, height;
     TruthLight light;
     int threads; /* 1..1024; 0: one; the result does not depend on it */
+    bool
+        only_lit; /* of an area light: visibility is 1 where half of it or more is seen, else 0, which
+                      is known before all of its points are looked at */
 } ShadowView;
 
 /* What is seen where the camera sees nothing. */

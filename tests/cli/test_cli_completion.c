@@ -99,9 +99,22 @@ static void names_are_those_that_the_option_takes(void **state)
     }
 }
 
+static void settings_are_offered_behind_a_charts_technique(void **state)
+{
+    (void)state;
+    complete("chart shadow --");
+    expect_offered("chart shadow --", "--casters");
+    expect_offered("chart shadow --", "--scaling");
+    complete("chart shadow --method \"\"");
+    expect_offered("chart shadow --method", "hardware");
+    complete("chart voxelize --");
+    assert_null(strstr(out, " --casters "));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(settings_are_offered_behind_a_charts_technique),
         PROGRAM_TEST(commands_are_those_of_the_help),
         PROGRAM_TEST(options_are_those_of_every_commands_help),
         PROGRAM_TEST(names_are_those_that_the_option_takes),

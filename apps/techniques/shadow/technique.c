@@ -199,7 +199,7 @@ static TruthLight true_light(const SceneLight *light)
     return truth;
 }
 
-static GpResult find_truth(void *made, int threads, GpError *error)
+static GpResult cast_truth(void *made, int threads, bool only_lit, GpError *error)
 {
     Opened *opened = made;
     const Scene *scene = &opened->scene;
@@ -210,13 +210,24 @@ static GpResult find_truth(void *made, int threads, GpError *error)
                               .width = scene->picture->width,
                               .height = scene->picture->height,
                               .light = true_light(&scene->lights[0]),
-                              .threads = threads };
+                              .threads = threads,
+                              .only_lit = only_lit };
     TruthScene *triangles = NULL;
     GpResult result = collect_triangles(scene, &triangles);
     if (!result)
         result = shadow_truth_cast(triangles, &view, &opened->truth);
     truth_scene_destroy(&triangles);
     return gp_fail(error, result, "no memory for the truth");
+}
+
+static GpResult find_truth(void *made, int threads, GpError *error)
+{
+    return cast_truth(made, threads, false, error);
+}
+
+static GpResult find_truth_error(void *made, int threads, GpError *error)
+{
+    return cast_truth(made, threads, true, error);
 }
 
 static const char *const metrics[] = { "acne", "leak", "rmse", "covered", NULL };
@@ -254,6 +265,7 @@ static const Experiment experiments[] = {
       .part_of = "the covered pixels",
       .metrics = metrics,
       .find_truth = find_truth,
+      .find_truth_error = find_truth_error,
       .measure = measure },
     { .name = NULL },
 };

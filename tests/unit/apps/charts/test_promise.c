@@ -247,6 +247,35 @@ static void volumes_keep_their_error_on_any_model(void **state)
     }
 }
 
+/* Where half of a light is enough to know, the errors are those of all of it. */
+static void the_truth_for_errors_alone_has_the_same_errors(void **state)
+{
+    (void)state;
+    static const char scene[] =
+        "{ \"size\": [48, 40], \"camera\": { \"eye\": [2, 1.5, 3], \"at\": [0, 0, 0], \"fovy\": 40 "
+        "},"
+        "  \"lights\": [ { \"position\": [1, 2, 1], \"at\": [0, 0, 0], \"size\": 0.7 } ],"
+        "  \"objects\": [ { \"mesh\": \"builtin:plane\" },"
+        "                 { \"mesh\": \"builtin:torus\", \"fit\": [0, 0.5, 0, 1] } ] }";
+    static const char *const options[] = { "--map 32", "--map 256", "--bias 0",
+                                           "--method plain --filter soft --map 128" };
+    const Technique *technique = technique_find(technique_registry, "shadow");
+    double errors[2][GP_COUNT(options)][2];
+    for (int alone = 0; alone < 2; alone++) {
+        Experiment experiment = technique->experiments[0];
+        if (alone)
+            experiment.find_truth = experiment.find_truth_error;
+        Judge judge = { .technique = technique, .experiment = &experiment };
+        judge_open(&judge, put_text("area.json", scene));
+        for (size_t i = 0; i < GP_COUNT(options); i++)
+            judge_error(&judge, options[i], errors[alone][i]);
+        judge_close(&judge);
+    }
+    for (size_t i = 0; i < GP_COUNT(options); i++)
+        assert_true(errors[0][i][0] == errors[1][i][0] && errors[0][i][1] == errors[1][i][1]);
+    assert_true(errors[0][0][0] > 5);
+}
+
 /* --- what is remembered ------------------------------------------------------------------------- */
 
 static const char cube[] =
@@ -415,6 +444,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(shadows_keep_their_error_on_any_scene),
         IN_FOLDER(volumes_keep_their_error_on_any_model),
+        IN_FOLDER(the_truth_for_errors_alone_has_the_same_errors),
         IN_FOLDER(the_key_changes_with_all_that_a_measurement_depends_on),
         IN_FOLDER(settings_aside_are_in_the_key_and_pictures_of_volumes_are_not),
         IN_FOLDER(what_was_measured_is_not_drawn_again),
