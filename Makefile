@@ -32,14 +32,30 @@ endif
 
 # --- flags
 
-# The bits depend on these: no contraction into fused multiply-adds, and sqrt as one instruction.
-comma    := ,
-MODEL    := -ffp-contract=off -fno-math-errno
+# Shaders are built here as anywhere: by the file that users get.
+comma      := ,
+GP_OBJECTS := $(BUILD)/obj/
+FLAGS_FILE := $(BUILD)/obj/flags
+GP_NEEDS   := $(FLAGS_FILE) | packages
+GP_SHADERS := $(sort $(shell find shaders_c tests/shaders -name '*.c'))
+GP_ARCH    := $(ARCH)
+ifdef ISAS
+GP_ISAS    := $(ISAS)
+endif
+GP_SAY      = $(say)
+GP_COMPILE  = $(ALL_C)
+GP_COMPILE_COUNT = $(COUNT_CXX)
+include pipeline/install/shaders.mk
+ISAS       := $(GP_ISAS)
+VARIANTS   := $(GP_VARIANTS)
+# Which are no shaders, but compiled for each width all the same.
+$(BUILD)/obj/pipeline/fast/lanes/%.o: GP_SHADER_OPT :=
+
 WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi \
             $(if $(WERROR),-Werror)
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all \
                               -fno-omit-frame-pointer)
-COMMON   := $(OPT) -g -fPIC -pthread -I. -Ipipeline $(MODEL) $(WARNINGS) $(SANITIZER) -MMD -MP
+COMMON   := $(OPT) -g -fPIC -pthread -I. -Ipipeline $(GP_MODEL) $(WARNINGS) $(SANITIZER) -MMD -MP
 # The hash is compiled in from xxhash's header: no library to find at run time.
 COMMON   += -DXXH_INLINE_ALL
 ALL_C    := $(CC) -std=gnu11 -Werror=implicit-function-declaration $(COMMON) $(CPPFLAGS) $(CFLAGS)
@@ -55,21 +71,9 @@ IO_LIBS  ?= -ljansson -lpng -lz
 BESIDE   := $(if $(SANITIZE),-Wl$(comma)--disable-new-dtags) '-Wl,-rpath,$$ORIGIN/../lib'
 LIBS     := $(if $(CXX),$(IO_LIBS) $(BESIDE)) -lm
 
-IS_CLANG := $(shell $(CC) --version | grep -i clang)
-
 # Shaders may share structs by headers; the counting lanes inside them are each object's own.
-COUNT_CXX += $(if $(IS_CLANG),,-Wno-subobject-linkage)
+COUNT_CXX += $(if $(GP_IS_CLANG),,-Wno-subobject-linkage)
 
-# Keep gcc from spilling long shaders: it knows their pressure where it schedules them itself.
-SHADER_OPT ?= $(if $(IS_CLANG),,-fschedule-insns -fsched-pressure)
-
-# Each shader is compiled once for every instruction set: lanes:name:flags. (Clang leaves AVX-512
-# out when it may not use FMA; contraction is off as it is.)
-ISAS_x86_64  := 4:sse2: 8:avx2:-mavx2,-mno-fma \
-                16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw
-# ARM has registers of four lanes: eight are pairs of them, sixteen would only spill.
-ISAS_aarch64 := 4:neon: 8:generic:
-ISAS ?= $(or $(ISAS_$(ARCH)),4:generic: 8:generic: 16:generic:)
 # Which widths there are, for the files that list them.
 ALL_C += $(foreach isa,$(ISAS),\
            '-DGP_LANES$(word 1,$(subst :, ,$(isa)))_ISA="$(word 2,$(subst :, ,$(isa)))"')
@@ -99,6 +103,9 @@ DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
 
 PROGRAM := $(BUILD)/bin/glasspipe
 HEADERS := $(BUILD)/include/glasspipe/glasspipe.h
+# What stands in out/ as it will be installed, so that programs can be built from either.
+STAGED  := $(HEADERS) $(addprefix $(BUILD)/,share/glasspipe/shaders.mk lib/pkgconfig/glasspipe.pc \
+                                            share/glasspipe/build_shader.sh lib/cmake/glasspipe/glasspipe-config.cmake)
 CORE_A  := $(BUILD)/lib/libglasspipe.a
 CORE_SO := $(BUILD)/lib/libglasspipe.so
 IO_A    := $(BUILD)/lib/libglasspipe_io.a
@@ -117,7 +124,7 @@ DIFFERENTIAL_TEST := $(BUILD)/test/differential
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
 
 .PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
-all: program $(CORE_SO) $(CORE_A) $(HEADERS)
+all: program $(CORE_SO) $(CORE_A) $(STAGED)
 program: $(PROGRAM)
 
 # --- packages -------------------------------------------------------------------------------------
@@ -145,8 +152,7 @@ deps:
 # --- compiling ------------------------------------------------------------------------------------
 
 # Rebuilds everything when the compiler or its flags change.
-FLAGS_FILE := $(BUILD)/obj/flags
-FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS) | $(LANES_OPT))
+FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS) | $(GP_SHADER_OPT))
 .PHONY: always
 $(FLAGS_FILE): always | packages
 	@mkdir -p $(@D)
@@ -161,30 +167,6 @@ $(BUILD)/obj/%.o: %.c $(FLAGS_FILE) | packages
 $(BUILD)/obj/%.o: %.cpp $(FLAGS_FILE) | packages
 	@mkdir -p $(@D)
 	$(call say,CXX,$<)$(IO_CXX) -c $< -o $@
-
-# One object a shader: a variant for each width, the counting one, joined. The variants refer to
-# each other weakly, so any subset works.
-isa_lanes = $(word 1,$(subst :, ,$(1)))
-isa_name  = $(word 2,$(subst :, ,$(1)))
-isa_flags = $(subst $(comma), ,$(word 3,$(subst :, ,$(1))))
-define shader_variant
-$$(BUILD)/obj/%.lanes$(call isa_lanes,$(1)).o: %.c $$(FLAGS_FILE) | packages
-	@mkdir -p $$(@D)
-	$$(call say,CC,"$$< ($(call isa_name,$(1)) $(call isa_lanes,$(1)))")$$(ALL_C) \
-	    -DGP_LANES=$(call isa_lanes,$(1)) '-DGP_ISA_NAME="$(call isa_name,$(1))"' \
-	    $(call isa_flags,$(1)) \
-	    $$(if $$(filter pipeline/fast/lanes/%,$$<),,$$(SHADER_OPT)) -c $$< -o $$@
-endef
-$(foreach isa,$(ISAS),$(eval $(call shader_variant,$(isa))))
-
-$(BUILD)/obj/%.count.o: %.c $(FLAGS_FILE) | packages
-	@mkdir -p $(@D)
-	$(call say,CXX,"$< (counting)")$(COUNT_CXX) -c $< -o $@
-
-VARIANTS := $(foreach isa,$(ISAS),lanes$(call isa_lanes,$(isa))) \
-            $(if $(CXX),count)
-$(SHADERS) $(TEST_SHADERS): %.o: $(foreach v,$(VARIANTS),%.$(v).o)
-	@$(CC) -r -nostdlib $^ -o $@
 
 # --- libraries and programs -----------------------------------------------------------------------
 
@@ -215,13 +197,13 @@ $(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/base/base.c
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
 
-$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(OIIO_SO)
+$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(OIIO_SO) $(STAGED)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
 # What users include, laid out as it is installed: the two public headers and what they include,
 # which find each other by <glasspipe/...> alone.
-public_headers = $(sort $(filter pipeline/%,$(shell for header in glasspipe shader; do \
+public_headers = $(sort $(filter pipeline/%,$(shell for header in glasspipe shader effect; do \
     $(CC) -I. -Ipipeline -std=gnu11 -MM pipeline/glasspipe/$$header.h; \
     $(CXX) -I. -Ipipeline -std=gnu++20 -x c++ -MM pipeline/glasspipe/$$header.h; done)))
 $(HEADERS): Makefile $(call below,pipeline,*.h) $(call below,pipeline,*.hpp) | packages
@@ -229,6 +211,10 @@ $(HEADERS): Makefile $(call below,pipeline,*.h) $(call below,pipeline,*.hpp) | p
 	$(call say,STAGE,$(@D))for header in $(public_headers); do \
 	    to=$${header#pipeline/}; to=$(@D)/$${to#glasspipe/}; mkdir -p $${to%/*}; \
 	    sed 's,#include "pipeline/\(.*\)",#include <glasspipe/\1>,' $$header >$$to || exit; done
+
+$(filter-out $(HEADERS),$(STAGED)): $(wildcard pipeline/install/*)
+	@mkdir -p $(@D)
+	@sed 's,@VERSION@,$(VERSION),' pipeline/install/$(@F) >$@
 
 # --- the first picture ----------------------------------------------------------------------------
 
@@ -279,7 +265,10 @@ OTHER_RESULTS := $(if $(filter x86_64,$(ARCH)),$(if $(EMULATOR)$(SANITIZE),,$(pa
     $(BUILD)/test/as.%.tap,$(foreach p,$(OTHER_PROCESSORS),$(firstword $(subst :, ,$(p)))))))
 PICTURE_RESULT := $(BUILD)/test/pictures.tap
 PRINTED_RESULT := $(BUILD)/test/printed.tap
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
+# What users get, in short; `make check` has all of it.
+LIBRARY_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/library.tap $(BUILD)/test/headers.tap)
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) \
+           $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
 $(TESTS:%=%.tap): %.tap: % always
@@ -296,6 +285,14 @@ $(PRINTED_RESULT): all always
 	@mkdir -p $(@D)
 	$(call say,TEST,$(@F:.tap=))$(MAKE) --no-print-directory PREFIX=$(TRIED) DESTDIR= install \
 	    >$(TRIED).log && $(RUN_TEST) $@ sh tests/tools/printed_commands.sh $(PROGRAM) $(TRIED)
+
+$(BUILD)/test/headers.tap: $(HEADERS) always
+	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/check_headers.sh $(BUILD)/include \
+	    $(CC) $(CXX)
+
+$(BUILD)/test/library.tap: all always
+	$(call say,TEST,$(@F:.tap=))CC='$(CC)' CXX='$(CXX)' $(RUN_TEST) $@ sh tests/tools/check_library.sh \
+	    $(BUILD) short
 
 # Run here, and emulated inside.
 $(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTIAL_TEST) \
@@ -375,7 +372,7 @@ COMPLETION := $(wildcard apps/completion/*)
 STRIP := $(shell $(CC) -print-prog-name=strip)
 
 install: all
-	install -d $(INSTALLED)/bin $(INSTALLED)/lib/pkgconfig
+	install -d $(INSTALLED)/bin $(INSTALLED)/lib
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
 	install -m 644 $(CORE_A) $(INSTALLED)/lib/
 	install -m 755 $(CORE_SO).$(VERSION) $(OIIO_SO) $(INSTALLED)/lib/
@@ -384,10 +381,8 @@ install: all
 	$(STRIP) --strip-debug $(INSTALLED)/lib/libglasspipe.a
 	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
 	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
-	cd $(BUILD)/include && find glasspipe -type f -exec \
-	    install -D -m 644 '{}' $(abspath $(INSTALLED))/include/'{}' ';'
-	sed -e 's,@PREFIX@,$(PREFIX),' -e 's,@VERSION@,$(VERSION),' pipeline/glasspipe.pc.in \
-	    >$(INSTALLED)/lib/pkgconfig/glasspipe.pc
+	cd $(BUILD) && find include share lib/cmake lib/pkgconfig -type f -exec \
+	    install -D -m 644 '{}' $(abspath $(INSTALLED))/'{}' ';'
 	$(foreach page,$(MAN_PAGES),install -D -m 644 $(page) \
 	    $(INSTALLED)/share/man/$(call man_place,$(page)) &&) true
 	for file in $(SHIPPED); do \
@@ -399,7 +394,8 @@ install: all
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe)
 
 uninstall:
-	rm -rf $(INSTALLED)/include/glasspipe $(INSTALLED)/share/glasspipe $(INSTALLED)/share/doc/glasspipe
+	rm -rf $(addprefix $(INSTALLED)/,include/glasspipe share/glasspipe share/doc/glasspipe \
+	    lib/cmake/glasspipe)
 	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
 	    $(INSTALLED)/lib/libglasspipe_oiio.so \
 	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \
@@ -409,7 +405,7 @@ uninstall:
 # --- the rest -------------------------------------------------------------------------------------
 
 clean:
-	rm -rf $(addprefix $(BUILD)/,bin lib include obj test check)
+	rm -rf $(addprefix $(BUILD)/,bin lib include share obj test check)
 
 help:
 	@echo 'make             build out/bin/glasspipe and out/lib/libglasspipe.{a,so}'

@@ -1,5 +1,8 @@
 /* The shader language: include this, and nothing else, in a shader file.
  *
+ * It takes short names (add min max any select lane float3 ...) that other code is likely to have:
+ * keep shaders in files of their own. (A file that has main too may be compiled once, at four lanes.)
+ *
  * A shader is a C function over lanes. Its vocabulary is the instruction set of 2005 (add mul mad
  * dp3 dp4 rcp rsq nrm lrp cmp ... texld texkill dsx), generic over flt, float2, float3 and float4;
  * infix + - * / and comparisons work on flt. Names that C owns carry a trailing underscore (abs_
@@ -28,9 +31,19 @@
 #ifndef GP_SHADER_H
 #define GP_SHADER_H
 
+#ifdef GP_LANES /* compiled for several widths: a main would stand in each */
+#define main(...)                                                                                  \
+    gp_no_main(void);                                                                              \
+    _Static_assert(0, "a shader file has no main: put it into a file of its own");                 \
+    int gp_no_main_either(void)
+#endif
+
 #include "pipeline/shader/program.h"
 
-#ifdef __cplusplus
+#if defined __cplusplus && __cplusplus < 202002L
+#define vertex_shader(...)                                                                         \
+    static_assert(0, "as C++, a shader file is compiled to count what it costs, with -std=c++20")
+#elif defined __cplusplus
 #include "pipeline/shader/counting.hpp"
 #else
 #include "pipeline/shader/entry_points.h"

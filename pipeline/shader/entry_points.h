@@ -109,11 +109,16 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
     extern const GpProgramCode GP_CODE(name);                                                      \
     const GpProgramCode GP_CODE(name) = { GP_LANES, GP_ISA_NAME, vs, ps };
 
+/* The other variants may be missing; a build that has them all defines GP_WEAK as nothing, so that they
+ * are found in archives too. */
+#ifndef GP_WEAK
+#define GP_WEAK __attribute__((weak))
+#endif
+
 #if GP_LANES == 4
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)                                            \
-    extern const GpProgramCode id##_code8 __attribute__((weak)),                                   \
-        id##_code16 __attribute__((weak));                                                         \
-    extern void id##_count(GpShaderCounts *, GpShaderCounts *) __attribute__((weak));              \
+    extern const GpProgramCode id##_code8 GP_WEAK, id##_code16 GP_WEAK;                            \
+    extern void id##_count(GpShaderCounts *, GpShaderCounts *) GP_WEAK;                            \
     extern const GpProgram id;                                                                     \
     const GpProgram id = { .name = #id,                                                            \
                            __VA_ARGS__,                                                            \

@@ -27,7 +27,7 @@ BEGIN {
     floor("apps/frame")
     floor("apps/compare")
     floor("apps/scene")
-    floor("apps/truth")
+    floor("apps/truth apps/effect")
     floor("apps/techniques")
     floor("apps/techniques/*")
     floor("apps/techniques/registry")

@@ -33,6 +33,7 @@ check g++-aarch64-linux-gnu command aarch64-linux-gnu-g++
 check libc6-dev-arm64-cross file /usr/aarch64-linux-gnu/include/stdio.h
 check qemu-user command qemu-aarch64
 check pkg-config command pkg-config
+check cmake command cmake
 check openimageio-tools command idiff
 EOF
 }
