@@ -366,7 +366,7 @@ bench-peers: $(PEER_BENCH) $(PROGRAM)
 INSTALLED := $(DESTDIR)$(PREFIX)
 MAN_PAGES := $(wildcard apps/man/*.[15])
 man_place  = man$(subst .,,$(suffix $(1)))/$(notdir $(1))
-SHIPPED   := $(wildcard scenes/*.json scenes/models/*)
+SHIPPED   := $(wildcard scenes/*.json scenes/models/* scenes/shaders/*)
 COMPLETION := $(wildcard apps/completion/*)
 # What debuggers need, nine tenths of the bytes, is not installed; out/ keeps it.
 STRIP := $(shell $(CC) -print-prog-name=strip)

@@ -19,6 +19,7 @@ static const Command commands[] = {
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
+    { "shader", cmd_shader, "FILE.c", "draw a model with a shader of your own" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
 };
 

@@ -66,15 +66,7 @@ static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number
                   "depth_and_stencil", depth_json(&needs));
     json_object_set_new(object, "fits", json_boolean(fits));
     json_object_set_new(object, "problem", fits ? json_null() : json_string(error.text));
-    if (!program->count)
-        return object;
-    GpShaderCounts vertex = { 0 }, pixel = { 0 };
-    program->count(&vertex, &pixel);
-    json_object_set_new(object, "vertex_shader",
-                        shader_limits_json(program->vertex_profile, &vertex));
-    if (program->code[0]->pixel)
-        json_object_set_new(object, "pixel_shader",
-                            shader_limits_json(program->pixel_profile, &pixel));
+    shader_limits_add(object, program);
     return object;
 }
 

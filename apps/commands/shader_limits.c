@@ -29,7 +29,7 @@ static int number_at(const void *numbers, size_t offset)
     return *(const int *)((const char *)numbers + offset);
 }
 
-json_t *shader_limits_json(GpProfile profile, const GpShaderCounts *counts)
+static json_t *limits_json(GpProfile profile, const GpShaderCounts *counts)
 {
     json_t *object = json_pack("{s:s, s:b}", "profile", gp_profile_name(profile), "gradients",
                                counts->gradients);
@@ -42,6 +42,17 @@ json_t *shader_limits_json(GpProfile profile, const GpShaderCounts *counts)
                                       limit == GP_UNLIMITED ? json_null() : json_integer(limit)));
     }
     return object;
+}
+
+void shader_limits_add(json_t *object, const GpProgram *program)
+{
+    GpShaderCounts vertex = { 0 }, pixel = { 0 };
+    if (!program->count)
+        return;
+    program->count(&vertex, &pixel);
+    json_object_set_new(object, "vertex_shader", limits_json(program->vertex_profile, &vertex));
+    if (program->code[0]->pixel)
+        json_object_set_new(object, "pixel_shader", limits_json(program->pixel_profile, &pixel));
 }
 
 /* in   width: of the column; 0 for the last one, which needs no padding */

@@ -6,9 +6,9 @@
 
 #include <jansson.h>
 
-/* An object: profile (name), gradients, and for each resource {used, limit}; limit null where the
- * profile has none. The caller owns it. */
-json_t *shader_limits_json(GpProfile profile, const GpShaderCounts *counts);
+/* Adds "vertex_shader" and, where there is one, "pixel_shader": profile (name), gradients, and for each
+ * resource {used, limit}; limit null where the profile has none. Nothing where it is not counted. */
+void shader_limits_add(json_t *object, const GpProgram *program);
 
 /* Prints two such objects as one table, "used of limit"; NULL leaves a column out. */
 void shader_limits_print(const json_t *vertex, const json_t *pixel);

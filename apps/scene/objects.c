@@ -209,8 +209,7 @@ static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
     }
 }
 
-/* The scene's own copy of a shape, as draws have it. */
-static void copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry)
+void scene_copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry)
 {
     const uint32_t stride = sizeof *shape->vertices;
     const ShapeVertex *first =
@@ -262,7 +261,7 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     }
     read_color(node_member(node, "color"), &shape);
     read_tile_and_size(node_member(node, "tile"), node_member(node, "size"), &shape);
-    copy_shape(loader->frame, &shape, geometry);
+    scene_copy_shape(loader->frame, &shape, geometry);
     shape_free(&shape);
 }
 
@@ -306,7 +305,7 @@ void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *d
     draw->viewport = view->viewport;
     if (shape_create("quad", &shape))
         node_fail(&node, GP_ERROR_MEMORY, "no memory");
-    copy_shape(loader->frame, &shape, &draw->geometry);
+    scene_copy_shape(loader->frame, &shape, &draw->geometry);
     shape_free(&shape);
     scene_read_state(node_member(&node, "state"), view, &draw->state);
     scene_read_material(loader, node_member(&node, "material"), view, "blit", draw);

@@ -3,11 +3,15 @@
 #define APPS_SCENE_OBJECTS_H
 
 #include "apps/scene/loader.h"
+#include "apps/scene/shape.h"
 
 /* One element of "objects": mesh or points, transformed to the world, with material and state. */
 void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw);
 
 /* "quad" of a pass: a rectangle over the whole viewport, in clip space, without depth test. */
 void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *draw);
+
+/* The frame's own copy of a shape, as draws have it; without memory there is none. */
+void scene_copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry);
 
 #endif

@@ -9,8 +9,8 @@
 
 /* --- pictures -------------------------------------------------------------------------------- */
 
-static GpResult open_picture(const char *scene, const char *name, bool srgb, bool mips,
-                             GpSurface **surface, GpError *error)
+GpResult scene_open_picture(const char *scene, const char *name, bool srgb, bool mips,
+                            GpSurface **surface, GpError *error)
 {
     char path[4096];
     const char *pattern = model_after(name, "builtin:");
@@ -29,7 +29,7 @@ static const GpSurface *find_image(Loader *loader, const Node *node, const char 
             return image->surface;
     GpSurface *surface = NULL;
     GpError reason = { "" };
-    GpResult result = open_picture(loader->reader.file, name, srgb, mips, &surface, &reason);
+    GpResult result = scene_open_picture(loader->reader.file, name, srgb, mips, &surface, &reason);
     if (result) {
         scene_fail(node, result, &reason);
         return NULL;

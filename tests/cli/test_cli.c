@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 
 static const char *const commands[] = { "bench", "chart",  "render", "compare", "explain",
-                                        "pixel", "shadow", "test",   "voxelize" };
+                                        "pixel", "shader", "shadow", "test",    "voxelize" };
 
 /* --- help ------------------------------------------------------------------------------------- */
 

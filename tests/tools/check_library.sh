@@ -84,7 +84,16 @@ by_cmake() {
     result $? "$1 by CMake: one hash at every width, and the README's picture"
 }
 
+# A main beside shaders that are compiled for several widths would stand there several times.
+main_is_refused() {
+    (project C && echo 'int main(void) { return 0; }' >>triangle.c &&
+        ! make CC="$CC" CXX="$CXX" triangle.lanes8.o 2>message &&
+        grep 'a shader file has no main' message) >"$use/log" 2>&1
+    result $? "a main in a shader file is refused with a sentence"
+}
+
 by_make C
+main_is_refused
 if [ -z "$short" ]; then
     by_make C++
     for language in C C++; do

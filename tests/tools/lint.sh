@@ -35,7 +35,7 @@ tests/                           the facts of one unit stay together
 {
     awk -f tests/tools/floors.awk -f tests/tools/check_includes.awk $sources ||
         fault "lint: includes that point up"
-    { nm -A -P "$@"; echo "$sources" | grep -v '^tests/' | xargs grep -E '#include ("|<glasspipe/)'; } |
+    { nm -A -P "$@"; echo "$sources" | grep -v '^tests/' | xargs grep -E '^#include ("|<glasspipe/)'; } |
         awk -v objects="$build/obj/" -f tests/tools/floors.awk -f tests/tools/check_circles.awk ||
         fault "lint: calls that point up, or in a circle"
     sh tests/tools/check_circles_self.sh || fault "lint: circles are not found"
