@@ -125,7 +125,7 @@ static void scaling_is_charted_for_the_meshes_that_are_there(void **state)
     (void)state;
     expect_refused(2, "chart shadow --scaling", "shadow has no table");
     expect_refused(2, "chart voxelize meshes/bunny.ply --scaling", "scenes and sizes of its own");
-    expect_refused(2, "chart voxelize --size 64x64 --scaling", "scenes and sizes of its own");
+    expect_refused(2, "chart voxelize --size 64 --scaling", "names and settings of its own");
     put_mesh("meshes/bunny.ply");
     assert_int_equal(run("chart voxelize --scaling -t 0 -o charts --json"), 0);
     expect_contains(err, "left out: meshes/horse.ply");
