@@ -61,7 +61,7 @@ static json_t *draw_json(const GpPass *pass, const GpDraw *draw, uint32_t number
     json_t *object =
         json_pack("{s:I, s:s, s:s, s:s, s:I, s:o, s:o}", "draw", (json_int_t)number, "name",
                   draw->name ? draw->name : "", "program", program->name, "geometry",
-                  draw->geometry.primitive == GP_POINTS ? "points" : "triangles", "primitives",
+                  gp_primitive_names[draw->geometry.primitive], "primitives",
                   (json_int_t)gp_geometry_primitives(&draw->geometry), "units", units_json(&needs),
                   "depth_and_stencil", depth_json(&needs));
     json_object_set_new(object, "fits", json_boolean(fits));

@@ -218,7 +218,7 @@ static void print_interpolate(PixelText *history, const GpTraceEvent *event)
 {
     const GpTraceInterpolate *interpolate = &event->interpolate;
     double depth = (double)interpolate->depth;
-    if (draw_of(history, event)->geometry.primitive == GP_TRIANGLES)
+    if (draw_of(history, event)->geometry.primitive != GP_POINTS)
         line(history, "interpolate", "shares of the corners %s  depth %.9g",
              vector(interpolate->barycentric, 3).text, depth);
     else

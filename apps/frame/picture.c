@@ -247,7 +247,11 @@ static GpResult picture_of_surface(const GpSurface *surface, bool opaque, Pictur
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (size_t i = 0; i < pixels; i++) {
         float rgba[4];
-        gp_texel_load(surface->format, surface->level[0].texels + i * info->bytes, rgba);
+        gp_texel_load(surface->format,
+                      gp_surface_texel(&surface->level[0], info->bytes,
+                                       (uint32_t)(i % surface->width),
+                                       (uint32_t)(i / surface->width)),
+                      rgba);
         if (info->channels == 2)
             rgba[2] = 0;
         memcpy(values + i * (size_t)channels, rgba, (size_t)channels * sizeof *values);

@@ -2,6 +2,7 @@
 #include "pipeline/fast/executor.h"
 #include "pipeline/fast/draws/group.h"
 #include "pipeline/fast/draws/sampler.h"
+#include "pipeline/units/input_assembly.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -60,7 +61,7 @@ static bool packs_points(const FastDraw *d)
 static bool shades_again(const FastDraw *d)
 {
     const int inputs = d->draw->program->input_components;
-    return d->packs_points && !d->draw->geometry.indices && !d->needs.clip_planes && inputs > 0 &&
+    return d->packs_points && !d->indices && !d->needs.clip_planes && inputs > 0 &&
            d->modes.components > inputs;
 }
 
@@ -73,6 +74,43 @@ static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
     rect.x1 = rect.x1 < raster->scissor_x1 ? rect.x1 : raster->scissor_x1;
     rect.y1 = rect.y1 < raster->scissor_y1 ? rect.y1 : raster->scissor_y1;
     return rect;
+}
+
+/* Strips, fans and short indices are spelled out, so that all that follows knows lists alone; false
+ * when memory is short. */
+static bool prepare_indices(FastArena *arena, FastDraw *d)
+{
+    const GpGeometry *geometry = &d->draw->geometry;
+    const uint32_t corners = gp_primitive_corners(geometry->primitive);
+    d->indices = geometry->indices;
+    if (!geometry->indices16 && geometry->primitive <= GP_POINTS)
+        return true;
+    uint32_t *indices =
+        fast_arena_take(arena, (size_t)d->primitive_count * corners * sizeof *indices);
+    for (uint32_t i = 0; indices && i < d->primitive_count; i++)
+        gp_assemble(geometry, i, indices + (size_t)i * corners);
+    d->indices = indices;
+    return indices != NULL;
+}
+
+/* Alpha that a word has no place for reads 1. */
+static GpBlendFactor factor_without_alpha(GpBlendFactor factor)
+{
+    if (factor == GP_DEST_ALPHA)
+        return GP_ONE;
+    return factor == GP_INV_DEST_ALPHA || factor == GP_SRC_ALPHA_SAT ? GP_ZERO : factor;
+}
+
+static void resolve_blends(FastDraw *d)
+{
+    for (int t = 0; t < GP_MAX_TARGETS; t++) {
+        const GpSurface *target = d->pass->color[t].surface;
+        d->blend[t] = d->draw->state.blend[t];
+        if (!target || target->format != GP_X8R8G8B8)
+            continue;
+        d->blend[t].src = factor_without_alpha(d->blend[t].src);
+        d->blend[t].dst = factor_without_alpha(d->blend[t].dst);
+    }
 }
 
 /* Samplers of the slots that the program reads; false when memory is short. */
@@ -126,11 +164,14 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->late_depth = d->needs.late_depth;
     d->path = choose_path(d);
     d->nearest_wins = nearest_wins(d);
+    if (d->path == FAST_NOTHING)
+        d->primitive_count = 0;
+    if (!prepare_indices(arena, d))
+        return false;
+    resolve_blends(d);
     d->packs_points = packs_points(d);
     d->shades_again = shades_again(d);
     d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;
-    if (d->path == FAST_NOTHING)
-        d->primitive_count = 0;
 
     const GpIndexRange vertices = gp_index_range(indices, &draw->geometry);
     d->first_vertex = vertices.low;

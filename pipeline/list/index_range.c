@@ -34,6 +34,17 @@ static GpIndexRange read_indices(const uint32_t *indices, uint32_t count)
     return range;
 }
 
+/* Plainly: whoever draws with them spells them out, which takes longer. */
+static GpIndexRange read_indices16(const uint16_t *indices, uint32_t count)
+{
+    uint16_t low = UINT16_MAX, high = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        low = indices[i] < low ? indices[i] : low;
+        high = indices[i] > high ? indices[i] : high;
+    }
+    return (GpIndexRange){ low, high };
+}
+
 /* --- on many threads -------------------------------------------------------------------------- */
 
 enum { MOST_PARTS = 64, LEAST_IN_PART = 1 << 15 };
@@ -69,10 +80,12 @@ static GpIndexRange read_in_parts(GpPool *pool, const uint32_t *indices, uint32_
 GpIndexRange gp_index_range(GpIndexRanges *ranges, const GpGeometry *geometry)
 {
     const uint32_t *indices = geometry->indices, count = geometry->index_count;
-    if (!indices)
+    if (!gp_geometry_is_indexed(geometry))
         return geometry->vertex_count ? (GpIndexRange){ 0, geometry->vertex_count - 1 } : nothing;
     if (count == 0)
         return nothing;
+    if (!indices)
+        return read_indices16(geometry->indices16, count);
     const size_t place =
         ((uintptr_t)indices >> 6 ^ (uintptr_t)indices >> 12 ^ count) % GP_COUNT(ranges->known);
     const bool is_known =

@@ -44,6 +44,11 @@ typedef struct GpPass {
     GpDepthTarget depth;
     const GpDraw *draws;
     uint32_t draw_count;
+
+    /* What targets clear, they clear inside these, each cut to the targets, and whatever scissor and
+     * viewport say; none: everywhere. (Direct3D's Clear. In the middle of a frame it is a pass.) */
+    const GpRect *clear_rects;
+    uint32_t clear_rect_count;
 } GpPass;
 
 typedef struct GpList {
@@ -54,7 +59,14 @@ typedef struct GpList {
 /* Size that all targets of a pass share, after gp_list_check. */
 void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
 
-/* Whether a surface is one of the targets of a pass. */
+/* The parts in which a pass clears, at least one, and part i of them: pixels of the targets, or none. */
+static inline uint32_t gp_pass_clear_parts(const GpPass *pass)
+{
+    return pass->clear_rect_count ? pass->clear_rect_count : 1;
+}
+GpRect gp_pass_clear_part(const GpPass *pass, uint32_t i);
+
+/* Whether a surface is one of the targets of a pass, or has its texels in one. */
 bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
 
 /* Checks everything that can be checked before the first pixel: targets (formats, equal sizes, no
@@ -69,7 +81,7 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
 GpResult gp_list_check(const GpList *list, GpError *error);
 
 /* Groups: consecutive passes of one size in which a pixel reads earlier targets of the group only at
- * its own position (gp_load_local) may run tile by tile, all passes of a tile in turn, with the same
+ * its own position (gp_load_local), and none has two names for one memory, may run tile by tile, all passes of a tile in turn, with the same
  * result by construction.
  * out  group_of[pass]: group number, from 0, rising
  * returns the number of groups */

@@ -67,10 +67,20 @@ static GpResult check_color_targets(const Place *place)
             return refuse(&at, field, "%s is no render target format",
                           gp_format_info(surface->format)->name);
         for (int j = 0; j < i; j++)
-            if (pass->color[j].surface == surface)
-                return refuse(&at, field, "is also color[%d]", j);
+            if (gp_surfaces_share(pass->color[j].surface, surface))
+                return refuse(&at, field, "%s color[%d]",
+                              pass->color[j].surface == surface ? "is also" : "shares memory with",
+                              j);
     }
     return GP_OK;
+}
+
+static bool clears_anything(const GpPass *pass)
+{
+    bool clears = pass->depth.surface && (pass->depth.clear_depth || pass->depth.clear_stencil);
+    for (int i = 0; i < GP_MAX_TARGETS; i++)
+        clears = clears || (pass->color[i].surface && pass->color[i].clear);
+    return clears;
 }
 
 static GpResult check_targets(const Place *place)
@@ -91,6 +101,9 @@ static GpResult check_targets(const Place *place)
     if (depth && pass->depth.clear_depth &&
         !(pass->depth.depth_value >= 0 && pass->depth.depth_value <= 1))
         return refuse(place, "depth.depth_value", "expected a number in [0, 1]");
+    for (int i = 0; depth && i < GP_MAX_TARGETS; i++)
+        if (gp_surfaces_share(pass->color[i].surface, depth))
+            return refuse(place, "depth.surface", "shares memory with color[%d]", i);
     uint32_t width, height;
     gp_pass_size(pass, &width, &height);
     for (int i = 0; i <= GP_MAX_TARGETS; i++) {
@@ -100,6 +113,11 @@ static GpResult check_targets(const Place *place)
                           "'%s' is %ux%u, but the pass is %ux%u", s->name, s->width, s->height,
                           width, height);
     }
+    if (pass->clear_rect_count && !pass->clear_rects)
+        return refuse(place, "clear_rects", "NULL, but clear_rect_count is %u",
+                      pass->clear_rect_count);
+    if (pass->clear_rect_count && !clears_anything(pass))
+        return refuse(place, "clear_rects", "the pass clears nothing");
     if (pass->draw_count && !pass->draws)
         return refuse(place, "draws", "NULL, but draw_count is %u", pass->draw_count);
     return GP_OK;
@@ -164,7 +182,8 @@ static GpResult check_streams(const Place *place)
         const GpStream *stream = &draw->geometry.streams[input->semantic];
         const bool fits = (stream->data || !draw->geometry.vertex_count) &&
                           stream->components >= 1 && stream->components <= 4 &&
-                          (stream->type == GP_FLOAT32 || stream->type == GP_UNORM8);
+                          (stream->type != GP_D3DCOLOR || stream->components == 4) &&
+                          (unsigned)stream->type < GP_COMPONENT_TYPES;
         if (fits)
             continue;
         char field[64];
@@ -173,8 +192,27 @@ static GpResult check_streams(const Place *place)
             return refuse(place, field, "not there, but %s reads it", draw->program->name);
         if (stream->components < 1 || stream->components > 4)
             return refuse(place, field, "has %d components, expected 1 to 4", stream->components);
+        if (stream->type == GP_D3DCOLOR)
+            return refuse(place, field, "has %d components, a D3DCOLOR has 4", stream->components);
         return refuse(place, field, "has an unknown component type");
     }
+    return GP_OK;
+}
+
+static GpResult check_indices(const Place *place)
+{
+    const GpGeometry *geometry = &draw_at(place)->geometry;
+    const bool narrow = !geometry->indices;
+    if (geometry->indices && geometry->indices16)
+        return refuse(place, "geometry.indices16", "there are indices of 32 bits too");
+    if (!gp_geometry_is_indexed(geometry) ||
+        gp_index_range(place->ranges, geometry).high < geometry->vertex_count)
+        return GP_OK;
+    for (uint32_t i = 0; i < geometry->index_count; i++)
+        if (gp_geometry_vertex(geometry, i) >= geometry->vertex_count)
+            return refuse(place, narrow ? "geometry.indices16" : "geometry.indices",
+                          "index %u is %u, but there are %u vertices", i,
+                          gp_geometry_vertex(geometry, i), geometry->vertex_count);
     return GP_OK;
 }
 
@@ -183,17 +221,18 @@ static GpResult check_geometry(const Place *place)
     const GpGeometry *geometry = &draw_at(place)->geometry;
     if ((unsigned)geometry->primitive >= GP_PRIMITIVES)
         return refuse(place, "geometry.primitive", "unknown");
-    uint32_t used = geometry->indices ? geometry->index_count : geometry->vertex_count;
+    const uint32_t used = gp_geometry_elements(geometry);
+    const char *count =
+        gp_geometry_is_indexed(geometry) ? "geometry.index_count" : "geometry.vertex_count";
+    const bool joined =
+        geometry->primitive == GP_TRIANGLE_STRIP || geometry->primitive == GP_TRIANGLE_FAN;
     if (geometry->primitive == GP_TRIANGLES && used % 3)
-        return refuse(place, geometry->indices ? "geometry.index_count" : "geometry.vertex_count",
-                      "%u is no multiple of 3", used);
-    const bool out_of_range =
-        geometry->indices && gp_index_range(place->ranges, geometry).high >= geometry->vertex_count;
-    for (uint32_t i = 0; out_of_range && i < geometry->index_count; i++)
-        if (geometry->indices[i] >= geometry->vertex_count)
-            return refuse(place, "geometry.indices", "index %u is %u, but there are %u vertices", i,
-                          geometry->indices[i], geometry->vertex_count);
-    return check_streams(place);
+        return refuse(place, count, "%u is no multiple of 3", used);
+    if (joined && (used == 1 || used == 2))
+        return refuse(place, count, "%u of a %s make no triangle", used,
+                      gp_primitive_names[geometry->primitive]);
+    const GpResult result = check_indices(place);
+    return result ? result : check_streams(place);
 }
 
 /* --- state ------------------------------------------------------------------------------------ */

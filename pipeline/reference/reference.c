@@ -251,24 +251,30 @@ static void run_draw(GpReferenceDraw *d, GpIndexRange range)
     shade_vertices(d, vertices_in(range));
     for (d->primitive = 0; d->primitive < primitives; d->primitive++) {
         gp_assemble(geometry, d->primitive, d->corner_numbers);
-        if (geometry->primitive == GP_TRIANGLES)
-            draw_triangle(d);
-        else
+        if (geometry->primitive == GP_POINTS)
             draw_point(d);
+        else
+            draw_triangle(d);
     }
     d->reference->counters->primitives += primitives;
     d->reference->counters->draws++;
 }
 
-static void clear_targets(const GpPass *pass)
+static void clear_part(const GpPass *pass, GpRect part)
 {
     for (int i = 0; i < GP_MAX_TARGETS; i++)
         if (pass->color[i].surface && pass->color[i].clear)
-            gp_surface_clear_color(pass->color[i].surface, pass->color[i].clear_color);
+            gp_surface_clear_color_rect(pass->color[i].surface, part, pass->color[i].clear_color);
     const GpDepthTarget *depth = &pass->depth;
     if (depth->surface && (depth->clear_depth || depth->clear_stencil))
-        gp_surface_clear_depth(depth->surface, depth->depth_value, depth->stencil_value,
-                               depth->clear_depth, depth->clear_stencil);
+        gp_surface_clear_depth_rect(depth->surface, part, depth->depth_value, depth->stencil_value,
+                                    depth->clear_depth, depth->clear_stencil);
+}
+
+static void clear_targets(const GpPass *pass)
+{
+    for (uint32_t i = 0; i < gp_pass_clear_parts(pass); i++)
+        clear_part(pass, gp_pass_clear_part(pass, i));
 }
 
 static uint32_t most_vertices(const GpList *list, GpIndexRanges *ranges)

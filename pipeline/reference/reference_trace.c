@@ -63,6 +63,16 @@ static GpTraceEvent pixel_event(const GpReferenceDraw *d, GpTraceKind kind, cons
 
 /* --- clears ----------------------------------------------------------------------------------- */
 
+static bool clears_pixel(const GpPass *pass, int32_t x, int32_t y)
+{
+    for (uint32_t i = 0; i < gp_pass_clear_parts(pass); i++) {
+        const GpRect part = gp_pass_clear_part(pass, i);
+        if (x >= part.x0 && x < part.x1 && y >= part.y0 && y < part.y1)
+            return true;
+    }
+    return false;
+}
+
 void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number)
 {
     const GpTrace *trace = reference->trace;
@@ -71,7 +81,7 @@ void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t p
     bool cleared = pass->depth.clear_depth || pass->depth.clear_stencil;
     for (int i = 0; i < GP_MAX_TARGETS; i++)
         cleared = cleared || pass->color[i].clear;
-    if (!cleared)
+    if (!cleared || (trace->one_pixel && !clears_pixel(pass, trace->x, trace->y)))
         return;
     GpTraceEvent event = { .kind = GP_TRACE_CLEAR,
                            .pass = pass_number,
@@ -87,8 +97,7 @@ void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t p
 static void send_vertices(const GpReferenceDraw *d)
 {
     const GpDraw *draw = d->draw;
-    int corners = draw->geometry.primitive == GP_TRIANGLES ? 3 : 1;
-    for (int i = 0; i < corners; i++) {
+    for (uint32_t i = 0; i < gp_primitive_corners(draw->geometry.primitive); i++) {
         float inputs[GP_MAX_INPUTS];
         uint32_t number = d->corner_numbers[i];
         const GpVertex *vertex = &d->vertices[number - d->first_vertex];

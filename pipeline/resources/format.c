@@ -12,7 +12,9 @@ static const GpFormatInfo infos[GP_FORMATS] = {
     /*                      name        bytes channels unorm8 float  depth stencil target depth bytes of r g b a */
     [GP_A8R8G8B8]      = { "A8R8G8B8",         4, 4,      true,  false, false, false, true,  0,  { 2, 1, 0, 3 } },
     [GP_A8R8G8B8_SRGB] = { "A8R8G8B8_SRGB",    4, 4,      false, false, false, false, false, 0,  { 2, 1, 0, 3 } },
+    [GP_X8R8G8B8]      = { "X8R8G8B8",         4, 3,      true,  false, false, false, true,  0,  { 2, 1, 0 } },
     [GP_R8]            = { "R8",               1, 1,      true,  false, false, false, true,  0,  { 0 } },
+    [GP_L8]            = { "L8",               1, 1,      true,  false, false, false, false, 0,  { 0 } },
     [GP_G16R16F]       = { "G16R16F",          4, 2,      false, true,  false, false, true,  0,  { 0, 2 } },
     [GP_A16B16G16R16F] = { "A16B16G16R16F",    8, 4,      false, true,  false, false, true,  0,  { 0, 2, 4, 6 } },
     [GP_R32F]          = { "R32F",             4, 1,      false, true,  false, false, true,  0,  { 0 } },
@@ -24,6 +26,7 @@ static const GpFormatInfo infos[GP_FORMATS] = {
 
 static const Coding codings[GP_FORMATS] = {
     [GP_A8R8G8B8] = CODING_UNORM8,  [GP_A8R8G8B8_SRGB] = CODING_SRGB8,
+    [GP_X8R8G8B8] = CODING_UNORM8,  [GP_L8] = CODING_UNORM8,
     [GP_R8] = CODING_UNORM8,        [GP_G16R16F] = CODING_HALF,
     [GP_A16B16G16R16F] = CODING_HALF, [GP_R32F] = CODING_FLOAT,
     [GP_A32B32G32R32F] = CODING_FLOAT,
@@ -64,6 +67,13 @@ float gp_float_from_unorm(uint32_t code, int bits)
     GP_ASSERT(bits >= 1 && bits <= 24 && code >> bits == 0);
     /* Both operands are exact floats, so the one rounding is the division's. */
     return (float)code / (float)((1u << bits) - 1);
+}
+
+float gp_float_from_snorm(int32_t code, int bits)
+{
+    const int32_t most = (1 << (bits - 1)) - 1;
+    GP_ASSERT(bits >= 2 && bits <= 16 && code >= -most - 1 && code <= most);
+    return code < -most ? -1.0f : (float)code / (float)most;
 }
 
 uint16_t gp_half_from_float(float value)
@@ -176,6 +186,8 @@ void gp_texel_load(GpFormat format, const void *texel, float rgba[4])
         rgba[c] = 1.0f;
     for (int c = 0; c < info->channels; c++)
         rgba[c] = load_channel(channel_coding(format, c), bytes + info->first_byte[c]);
+    if (format == GP_L8)
+        rgba[1] = rgba[2] = rgba[0];
     if (info->is_depth) {
         uint32_t code;
         uint8_t stencil;
@@ -193,6 +205,8 @@ void gp_texel_store(GpFormat format, void *texel, const float rgba[4], unsigned 
     for (int c = 0; c < info->channels; c++)
         if (!(keep >> c & 1u))
             store_channel(channel_coding(format, c), bytes + info->first_byte[c], rgba[c]);
+    if (format == GP_X8R8G8B8)
+        bytes[3] = 255;
 }
 
 void gp_texel_codes(GpFormat format, const void *texel, uint8_t code[4])
@@ -203,6 +217,8 @@ void gp_texel_codes(GpFormat format, const void *texel, uint8_t code[4])
     GP_ASSERT(info->is_unorm8);
     for (int c = 0; c < 4; c++)
         code[c] = c < info->channels ? bytes[info->first_byte[c]] : 255;
+    if (format == GP_L8)
+        code[1] = code[2] = code[0];
 }
 
 /* --- depth ------------------------------------------------------------------------------------ */

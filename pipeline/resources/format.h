@@ -17,7 +17,9 @@ typedef enum GpFormat {
     GP_FORMAT_NONE = 0,
     GP_A8R8G8B8,
     GP_A8R8G8B8_SRGB, /* same bits; colour is decoded to linear when read (R26); not a target */
+    GP_X8R8G8B8,      /* no alpha: reads 1; a store leaves 255 in the unused byte */
     GP_R8,            /* one unorm byte; reads as (r, 1, 1, 1) like the float formats below */
+    GP_L8,            /* one unorm byte; reads as (l, l, l, 1), stores red; not a target */
     GP_G16R16F,
     GP_A16B16G16R16F,
     GP_R32F,
@@ -56,6 +58,10 @@ uint32_t gp_unorm_from_float(float value, int bits);
 /* n-bit unorm code to float: code / (2^n - 1), correctly rounded (R23). */
 float gp_float_from_unorm(uint32_t code, int bits);
 
+/* n-bit snorm code, 2 <= n <= 16, to float: code / (2^(n-1) - 1), correctly rounded; the least code is
+ * -1 as the one above it is (R25). */
+float gp_float_from_snorm(int32_t code, int bits);
+
 /* Float to half: to nearest even, overflow to infinity, denormals kept, any NaN to 0x7e00 (R27,
  * R28, R31). */
 uint16_t gp_half_from_float(float value);
@@ -80,8 +86,8 @@ static inline float gp_canonical(float value)
 
 /* --- texels ----------------------------------------------------------------------------------- */
 
-/* Reads one texel as (r, g, b, a). Channels that the format lacks read as 1; depth formats
- * give (depth, 1, 1, 1).
+/* Reads one texel as (r, g, b, a). Channels that the format lacks read as 1, but for green and blue of
+ * L8, which read as red; depth formats give (depth, 1, 1, 1).
  * in   texel: bytes of the format, any alignment
  * out  rgba */
 void gp_texel_load(GpFormat format, const void *texel, float rgba[4]);
@@ -91,7 +97,7 @@ void gp_texel_load(GpFormat format, const void *texel, float rgba[4]);
  * keep: bit c set leaves channel c (0 red .. 3 alpha) with the bits it has (R37). */
 void gp_texel_store(GpFormat format, void *texel, const float rgba[4], unsigned keep);
 
-/* The bytes of a texel of an is_unorm8 format as r, g, b, a; 255 where there is no channel. */
+/* The bytes of a texel of an is_unorm8 format as r, g, b, a, as gp_texel_load has them. */
 void gp_texel_codes(GpFormat format, const void *texel, uint8_t code[4]);
 
 /* --- depth ------------------------------------------------------------------------------------ */

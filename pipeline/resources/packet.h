@@ -19,11 +19,6 @@ static inline int32_t gp_snap(float value)
     return (int32_t)nearbyintf(value * (float)GP_SUBPIXELS);
 }
 
-/* Pixels [x0, x1) x [y0, y1). */
-typedef struct GpRect {
-    int32_t x0, y0, x1, y1;
-} GpRect;
-
 /* A shaded vertex. */
 typedef struct GpVertex {
     float clip[4]; /* clip space, 0 <= z <= w inside */

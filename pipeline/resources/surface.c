@@ -1,9 +1,17 @@
-/* Surfaces: their memory, clears, mip levels and hashes. */
+/* Surfaces: their memory, clears, mip levels, reading and hashes. */
 #include "pipeline/resources/surface.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <xxhash.h>
+
+/* --- rectangles ------------------------------------------------------------------------------- */
+
+GpRect gp_rect_common(GpRect a, GpRect b)
+{
+    return (GpRect){ a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0,
+                     a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1 };
+}
 
 /* --- life ------------------------------------------------------------------------------------- */
 
@@ -15,6 +23,25 @@ static uint32_t full_chain(uint32_t width, uint32_t height)
     for (; longer > 1; longer /= 2)
         levels++;
     return levels;
+}
+
+static GpResult check_memory(const GpSurfaceDesc *desc, GpError *error)
+{
+    const size_t row = (size_t)desc->width * gp_format_info(desc->format)->bytes;
+    if (!desc->memory)
+        return !desc->pitch
+                   ? GP_OK
+                   : gp_fail(error, GP_ERROR_INVALID, "surface: a pitch is said, but no memory");
+    if (desc->levels > 1)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "surface: memory of one's own has one level, not %u", desc->levels);
+    if (desc->pitch && desc->pitch < row)
+        return gp_fail(error, GP_ERROR_INVALID, "surface: pitch %zu is less than a row's %zu bytes",
+                       desc->pitch, row);
+    if (desc->pitch > INT32_MAX / desc->height)
+        return gp_fail(error, GP_ERROR_INVALID, "surface: %u rows of %zu bytes are over 2 GB",
+                       desc->height, desc->pitch);
+    return GP_OK;
 }
 
 static GpResult check(const GpSurfaceDesc *desc, GpError *error)
@@ -29,7 +56,7 @@ static GpResult check(const GpSurfaceDesc *desc, GpError *error)
     if (desc->levels > most && desc->levels < GP_MAX_LEVELS)
         return gp_fail(error, GP_ERROR_INVALID, "surface: %ux%u has %u levels, not %u", desc->width,
                        desc->height, most, desc->levels);
-    return GP_OK;
+    return check_memory(desc, error);
 }
 
 GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpError *error)
@@ -45,6 +72,7 @@ GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpErr
     s->format = desc->format;
     s->width = desc->width;
     s->height = desc->height;
+    s->borrowed = desc->memory != NULL;
     uint32_t most = full_chain(desc->width, desc->height);
     s->levels = desc->levels == 0 ? 1 : desc->levels < most ? desc->levels : most;
 
@@ -55,6 +83,11 @@ GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpErr
         level->width = s->width >> i > 0 ? s->width >> i : 1;
         level->height = s->height >> i > 0 ? s->height >> i : 1;
         level->pitch = (size_t)level->width * gp_format_info(s->format)->bytes;
+        if (s->borrowed) {
+            level->pitch = desc->pitch ? desc->pitch : level->pitch;
+            level->texels = desc->memory;
+            continue;
+        }
         level->texels = gp_alloc(level->height, level->pitch);
         if (!level->texels) {
             gp_surface_destroy(&s);
@@ -70,37 +103,84 @@ void gp_surface_destroy(GpSurface **surface)
 {
     if (!surface || !*surface)
         return;
-    for (uint32_t i = 0; i < (*surface)->levels; i++)
+    for (uint32_t i = 0; !(*surface)->borrowed && i < (*surface)->levels; i++)
         gp_free((*surface)->level[i].texels);
     gp_free(*surface);
     *surface = NULL;
 }
 
+/* --- shared memory ---------------------------------------------------------------------------- */
+
+static size_t row_bytes(const GpSurface *surface, const GpLevel *level)
+{
+    return (size_t)level->width * gp_format_info(surface->format)->bytes;
+}
+
+/* Rows of one pitch, the first of them not after the second's: whether bytes of theirs meet. */
+static bool rows_meet(const GpLevel *a, size_t a_row, const GpLevel *b, size_t b_row)
+{
+    const size_t ahead = (size_t)((uintptr_t)b->texels - (uintptr_t)a->texels);
+    const size_t rows = ahead / a->pitch, column = ahead % a->pitch;
+    const size_t past = column + b_row > a->pitch ? column + b_row - a->pitch : 0;
+    return (rows < a->height && column < a_row) || (past && rows + 1 < a->height);
+}
+
+static bool levels_share(const GpSurface *a, const GpLevel *la, const GpSurface *b,
+                         const GpLevel *lb)
+{
+    if ((uintptr_t)la->texels > (uintptr_t)lb->texels)
+        return levels_share(b, lb, a, la);
+    const size_t a_row = row_bytes(a, la), b_row = row_bytes(b, lb);
+    if (la->pitch == lb->pitch)
+        return rows_meet(la, a_row, lb, b_row);
+    return (uintptr_t)lb->texels - (uintptr_t)la->texels < (la->height - 1) * la->pitch + a_row;
+}
+
+bool gp_surfaces_share(const GpSurface *a, const GpSurface *b)
+{
+    if (a == b)
+        return true;
+    if (!a || !b || !(a->borrowed || b->borrowed))
+        return false;
+    for (uint32_t i = 0; i < a->levels; i++)
+        for (uint32_t j = 0; j < b->levels; j++)
+            if (levels_share(a, &a->level[i], b, &b->level[j]))
+                return true;
+    return false;
+}
+
 /* --- content ---------------------------------------------------------------------------------- */
 
-void gp_surface_clear_color(GpSurface *surface, const float rgba[4])
+static GpRect whole(const GpLevel *level)
+{
+    return (GpRect){ 0, 0, (int32_t)level->width, (int32_t)level->height };
+}
+
+void gp_surface_clear_color_rect(GpSurface *surface, GpRect rect, const float rgba[4])
 {
     const size_t bytes = gp_format_info(surface->format)->bytes;
     const GpLevel *level = &surface->level[0];
     uint8_t texel[16];
 
+    rect = gp_rect_common(rect, whole(level));
     gp_texel_store(surface->format, texel, rgba, 0);
-    for (uint32_t y = 0; y < level->height; y++)
-        for (uint32_t x = 0; x < level->width; x++)
-            memcpy(gp_surface_texel(level, bytes, x, y), texel, bytes);
+    for (int32_t y = rect.y0; y < rect.y1; y++)
+        for (int32_t x = rect.x0; x < rect.x1; x++)
+            memcpy(gp_surface_texel(level, bytes, (uint32_t)x, (uint32_t)y), texel, bytes);
 }
 
-void gp_surface_clear_depth(GpSurface *surface, float depth, uint8_t stencil, bool clear_depth,
-                            bool clear_stencil)
+void gp_surface_clear_depth_rect(GpSurface *surface, GpRect rect, float depth, uint8_t stencil,
+                                 bool clear_depth, bool clear_stencil)
 {
     const GpFormat format = surface->format;
     const size_t bytes = gp_format_info(format)->bytes;
     const GpLevel *level = &surface->level[0];
     const uint32_t code = gp_depth_code(format, depth < 0.0f ? 0.0f : depth > 1.0f ? 1.0f : depth);
 
-    for (uint32_t y = 0; y < level->height; y++) {
-        for (uint32_t x = 0; x < level->width; x++) {
-            uint8_t *texel = gp_surface_texel(level, bytes, x, y);
+    rect = gp_rect_common(rect, whole(level));
+    for (int32_t y = rect.y0; y < rect.y1; y++) {
+        for (int32_t x = rect.x0; x < rect.x1; x++) {
+            uint8_t *texel = gp_surface_texel(level, bytes, (uint32_t)x, (uint32_t)y);
             uint32_t old_code;
             uint8_t old_stencil;
             gp_depth_load(format, texel, &old_code, &old_stencil);
@@ -108,6 +188,18 @@ void gp_surface_clear_depth(GpSurface *surface, float depth, uint8_t stencil, bo
                            clear_stencil ? stencil : old_stencil);
         }
     }
+}
+
+void gp_surface_clear_color(GpSurface *surface, const float rgba[4])
+{
+    gp_surface_clear_color_rect(surface, whole(&surface->level[0]), rgba);
+}
+
+void gp_surface_clear_depth(GpSurface *surface, float depth, uint8_t stencil, bool clear_depth,
+                            bool clear_stencil)
+{
+    gp_surface_clear_depth_rect(surface, whole(&surface->level[0]), depth, stencil, clear_depth,
+                                clear_stencil);
 }
 
 /* Writes a level as the 2x2 means of the one before. */
@@ -137,8 +229,68 @@ void gp_surface_build_mips(GpSurface *surface)
         build_level(surface->format, &surface->level[i - 1], &surface->level[i]);
 }
 
+/* --- reading ---------------------------------------------------------------------------------- */
+
+/* The rectangle to read, of a level that there is. */
+static GpResult find_rect(const GpSurface *surface, uint32_t level, const GpRect *rect,
+                          GpRect *found, GpError *error)
+{
+    if (level >= surface->levels)
+        return gp_fail(error, GP_ERROR_INVALID, "surface '%s': level %u, but it has %u",
+                       surface->name, level, surface->levels);
+    const GpRect all = whole(&surface->level[level]);
+    *found = rect ? *rect : all;
+    if (found->x0 < 0 || found->y0 < 0 || found->x1 < found->x0 || found->y1 < found->y0 ||
+        found->x1 > all.x1 || found->y1 > all.y1)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "surface '%s': [%d, %d) x [%d, %d) is not inside its %dx%d texels",
+                       surface->name, found->x0, found->x1, found->y0, found->y1, all.x1, all.y1);
+    return GP_OK;
+}
+
+GpResult gp_surface_read_floats(const GpSurface *surface, uint32_t level, const GpRect *rect,
+                                float *rgba, GpError *error)
+{
+    const size_t bytes = gp_format_info(surface->format)->bytes;
+    GpRect r;
+    GpResult result = find_rect(surface, level, rect, &r, error);
+    for (int32_t y = r.y0; !result && y < r.y1; y++)
+        for (int32_t x = r.x0; x < r.x1; x++, rgba += 4)
+            gp_texel_load(surface->format,
+                          gp_surface_texel(&surface->level[level], bytes, (uint32_t)x, (uint32_t)y),
+                          rgba);
+    return result;
+}
+
+GpResult gp_surface_read_bytes(const GpSurface *surface, uint32_t level, const GpRect *rect,
+                               void *bytes, size_t pitch, GpError *error)
+{
+    const size_t texel = gp_format_info(surface->format)->bytes;
+    GpRect r;
+    GpResult result = find_rect(surface, level, rect, &r, error);
+    if (result)
+        return result;
+    const size_t row = (size_t)(r.x1 - r.x0) * texel;
+    if (pitch && pitch < row)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "surface '%s': pitch %zu is less than a row's %zu bytes", surface->name,
+                       pitch, row);
+    uint8_t *to = bytes;
+    for (int32_t y = r.y0; row && y < r.y1; y++, to += pitch ? pitch : row)
+        memcpy(to, gp_surface_texel(&surface->level[level], texel, (uint32_t)r.x0, (uint32_t)y),
+               row);
+    return GP_OK;
+}
+
 uint64_t gp_surface_hash(const GpSurface *surface)
 {
     const GpLevel *level = &surface->level[0];
-    return XXH3_64bits(level->texels, level->height * level->pitch);
+    const size_t row = row_bytes(surface, level);
+    if (level->pitch == row)
+        return XXH3_64bits(level->texels, level->height * row);
+    XXH3_state_t state;
+    XXH3_64bits_reset(&state);
+    for (uint32_t y = 0; y < level->height; y++)
+        XXH3_64bits_update(&state, level->texels + y * level->pitch, row);
+    return XXH3_64bits_digest(&state);
 }

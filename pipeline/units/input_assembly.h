@@ -8,8 +8,15 @@
 /* Bytes from vertex to vertex. */
 static inline size_t gp_stream_stride(const GpStream *stream)
 {
-    const size_t size = stream->type == GP_FLOAT32 ? sizeof(float) : 1;
-    return stream->stride ? stream->stride : size * stream->components;
+    return stream->stride ? stream->stride : gp_component_bytes(stream->type) * stream->components;
+}
+
+/* Byte of a vertex at which a component begins. */
+static inline size_t gp_stream_offset(const GpStream *stream, int component)
+{
+    static const uint8_t color[4] = { 2, 1, 0, 3 }; /* 0xAARRGGBB, the lowest byte first */
+    return stream->type == GP_D3DCOLOR ? color[component]
+                                       : (size_t)component * gp_component_bytes(stream->type);
 }
 
 /* Fetches one input of one vertex.
@@ -24,8 +31,10 @@ void gp_fetch_input(const GpStream *stream, int components, uint32_t index, floa
 void gp_fetch_vertex(const GpGeometry *geometry, const GpProgram *program, uint32_t index,
                      float *inputs);
 
-/* Vertex numbers of a primitive, three of a triangle or one of a point, in the order given.
- * in   primitive < gp_geometry_primitives(geometry) */
+/* Vertex numbers of a primitive, three of a triangle or one of a point; corner 0 comes first.
+ * in   primitive < gp_geometry_primitives(geometry)
+ * source "Triangle Strips", "Triangle Fans" and "Flat Shading" of Direct3D 9; OpenGL ES 2 has the same
+ *      triangles (2.8), and nothing flat */
 void gp_assemble(const GpGeometry *geometry, uint32_t primitive, uint32_t vertices[3]);
 
 #endif

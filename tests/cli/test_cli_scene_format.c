@@ -322,8 +322,9 @@ static void what_the_schema_refuses_is_refused_with_a_sentence(void **state)
     expect_both("{ \"$schema\": \"scene.schema.json\", \"objects\": [] }", NULL);
     expect_both("{ \"size\": [512] }", "size: expected 2 whole numbers in [1, 8192]");
     expect_both("{ \"size\": [512, 0] }", "size[1]: expected a whole number in [1, 8192]");
-    expect_both("{ \"targets\": [ { \"format\": \"rgb\" } ] }",
-                "expected one of a8r8g8b8, r8, g16r16f, a16b16g16r16f, r32f, a32b32g32r32f");
+    expect_both(
+        "{ \"targets\": [ { \"format\": \"rgb\" } ] }",
+        "expected one of a8r8g8b8, x8r8g8b8, r8, g16r16f, a16b16g16r16f, r32f, a32b32g32r32f");
     expect_both("{ \"targets\": [ { \"format\": \"d16\" } ] }", "expected one of a8r8g8b8");
     expect_both("{ \"depth\": { \"format\": \"r8\" } }", "expected one of d16, d24s8, d32f");
     expect_both("{ \"lights\": [ { } ] }", "expected a position or a direction");

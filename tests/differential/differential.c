@@ -3,11 +3,12 @@
  *
  *   differential A..B     the seeds from A up to and with B (default 0..1999)
  *
- * $GP_ISA forces a lane width. Threads change from seed to seed. Speaks TAP, and ends with
+ * Odd seeds add variety (random_variety.h). $GP_ISA forces a lane width. Threads change from seed to
+ * seed. Speaks TAP, and ends with
  * "N passed, M failed"; a seed that fails says how to run it alone.
  */
 #include <glasspipe/glasspipe.h>
-#include "tests/support/random_list.h"
+#include "tests/support/random_variety.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -23,7 +24,8 @@ static uint32_t largest_side(uint64_t seed)
 static bool draw(uint64_t seed, const GpDeviceDesc *desc, RandomList *random, GpError *error)
 {
     GpDevice *device = NULL;
-    if (!random_list_create(seed, largest_side(seed), random)) {
+    if (!random_list_create(seed, largest_side(seed), random) ||
+        (seed % 2 && !random_variety_add(seed, random))) {
         gp_fail(error, GP_ERROR_MEMORY, "no memory for the scene");
         return false;
     }
@@ -39,7 +41,8 @@ static void tell_difference(const GpSurface *a, const GpSurface *b, int number)
     const size_t bytes = gp_format_info(a->format)->bytes;
     uint32_t different = 0, x = 0, y = 0;
     for (uint32_t i = a->width * a->height; i-- > 0;)
-        if (memcmp(a->level[0].texels + i * bytes, b->level[0].texels + i * bytes, bytes) != 0) {
+        if (memcmp(gp_surface_texel(&a->level[0], bytes, i % a->width, i / a->width),
+                   gp_surface_texel(&b->level[0], bytes, i % a->width, i / a->width), bytes) != 0) {
             different++;
             x = i % a->width;
             y = i / a->width;
@@ -56,6 +59,10 @@ static bool same_bits(const RandomList *a, const RandomList *b)
             tell_difference(a->surfaces[i], b->surfaces[i], i);
             same = false;
         }
+    if (!random_variety_gaps_kept(a) || !random_variety_gaps_kept(b)) {
+        puts("# bytes between the rows of a surface have changed");
+        same = false;
+    }
     return same;
 }
 

@@ -351,10 +351,14 @@ void random_list_destroy(RandomList *random)
 {
     for (int i = 0; i < random->surface_count; i++)
         gp_surface_destroy(&random->surfaces[i]);
+    for (int i = 0; i < RANDOM_SURFACES; i++)
+        gp_free(random->kept_memory[i]);
     for (int p = 0; p < RANDOM_PASSES; p++)
         for (int i = 0; i < RANDOM_DRAWS; i++) {
             gp_free(random->vertices[p][i]);
             gp_free(random->indices[p][i]);
+            for (int k = 0; k < 4; k++)
+                gp_free(random->kept_geometry[p][i][k]);
         }
     memset(random, 0, sizeof *random);
 }

@@ -10,7 +10,8 @@
 enum {
     RANDOM_PASSES = 6,
     RANDOM_DRAWS = 4,
-    RANDOM_SURFACES = RANDOM_PASSES * (GP_MAX_TARGETS + 1) + 3,
+    RANDOM_SURFACES = RANDOM_PASSES * (GP_MAX_TARGETS + 2) + 3,
+    RANDOM_RECTS = 4,
 };
 
 /* Everything of one random list. Too large for a stack; allocate it. */
@@ -23,6 +24,10 @@ typedef struct RandomList {
     uint32_t *indices[RANDOM_PASSES][RANDOM_DRAWS];
     GpSurface *surfaces[RANDOM_SURFACES]; /* those of the passes, in order, then three textures */
     int surface_count;
+
+    /* of random_variety.h alone */
+    GpRect rects[RANDOM_PASSES][RANDOM_RECTS];
+    void *kept_geometry[RANDOM_PASSES][RANDOM_DRAWS][4], *kept_memory[RANDOM_SURFACES];
 } RandomList;
 
 /* Builds the list of a seed; always valid (gp_list_check). largest: of width and height.

@@ -37,7 +37,7 @@ static void fill_box(const GpSurface *surface, const FastBox *box, const uint8_t
     const size_t row_bytes = (size_t)(box->x1 - box->x0 + 1) * bytes;
     const int32_t rows = box->y1 - box->y0 + 1;
     uint8_t *row = gp_surface_texel(level, bytes, (uint32_t)box->x0, (uint32_t)box->y0);
-    const bool even = (row_bytes | level->pitch) % sizeof(itg) == 0;
+    const bool even = ((uintptr_t)row | row_bytes | level->pitch) % sizeof(itg) == 0;
     if (non_temporal && even && fast_is_past_caches(surface))
         store_rows_non_temporal(row, row_bytes, rows, level->pitch, texel, bytes);
     else
@@ -62,7 +62,7 @@ static void fill_part(const GpDepthTarget *depth, const FastBox *box)
         }
 }
 
-void fast_clear_box(const GpPass *pass, const FastBox *box, bool non_temporal)
+static void clear_part(const GpPass *pass, const FastBox *box, bool non_temporal)
 {
     uint8_t texel[16];
     for (int t = 0; t < GP_MAX_TARGETS && pass->color[t].surface; t++) {
@@ -81,4 +81,20 @@ void fast_clear_box(const GpPass *pass, const FastBox *box, bool non_temporal)
     }
     gp_depth_store(format, texel, gp_depth_code(format, depth->depth_value), depth->stencil_value);
     fill_box(depth->surface, box, texel, non_temporal);
+}
+
+FastBox fast_clear_part(const GpPass *pass, uint32_t i, const FastBox *box)
+{
+    const GpRect within = { box->x0, box->y0, box->x1 + 1, box->y1 + 1 };
+    const GpRect part = gp_rect_common(gp_pass_clear_part(pass, i), within);
+    return (FastBox){ part.x0, part.y0, part.x1 - 1, part.y1 - 1 };
+}
+
+void fast_clear_box(const GpPass *pass, const FastBox *box, bool non_temporal)
+{
+    for (uint32_t i = 0; i < gp_pass_clear_parts(pass); i++) {
+        const FastBox part = fast_clear_part(pass, i, box);
+        if (!fast_box_is_empty(&part))
+            clear_part(pass, &part, non_temporal);
+    }
 }

@@ -70,6 +70,11 @@ typedef struct FastBox {
     int32_t x0, y0, x1, y1;
 } FastBox;
 
+static inline bool fast_box_is_empty(const FastBox *box)
+{
+    return box->x1 < box->x0 || box->y1 < box->y0;
+}
+
 typedef struct FastDraw {
     const GpPass *pass;
     const GpDraw *draw;
@@ -83,12 +88,16 @@ typedef struct FastDraw {
     bool shades_again; /* varyings are not stored, but found where points are packed */
     int copied_slot; /* 1 + the slot whose words it brings, as they are, into its target's; or 0 */
     GpVaryingModes modes;
-    uint64_t varyings_by[3]; /* components that are read, by GpInterpolation */
-    GpViewport viewport;     /* resolved */
-    GpRect rect;             /* pixels that viewport, targets and scissor allow */
+    uint64_t varyings_by[3];       /* components that are read, by GpInterpolation */
+    GpBlend blend[GP_MAX_TARGETS]; /* as the targets' formats make them */
+    GpViewport viewport;           /* resolved */
+    GpRect rect;                   /* pixels that viewport, targets and scissor allow */
     GpGuardBand band;
     struct FastSampler *samplers; /* [GP_MAX_SAMPLERS], where the program reads textures */
 
+    /* vertex numbers, three a triangle or one a point, whatever the geometry's own way to say them;
+     * NULL: vertices in order */
+    const uint32_t *indices;
     uint32_t first_vertex, vertex_count;
     uint32_t first_block;     /* of all vertex blocks of the pass */
     uint32_t first_primitive; /* of all primitives of the pass */
@@ -104,6 +113,18 @@ typedef struct FastDraw {
 static inline uint32_t fast_draw_blocks(const FastDraw *draw)
 {
     return (draw->vertex_count + FAST_VERTEX_BLOCK - 1) / FAST_VERTEX_BLOCK;
+}
+
+/* Formats whose texels a tile keeps as their words: bytes blue, green, red, and alpha or none. */
+static inline bool fast_is_packed(GpFormat format)
+{
+    return format == GP_A8R8G8B8 || format == GP_X8R8G8B8;
+}
+
+/* Bits of a packed word that every store sets: the byte that X8R8G8B8 has no use for. */
+static inline uint32_t fast_filled_bits(GpFormat format)
+{
+    return format == GP_X8R8G8B8 ? 0xff000000 : 0;
 }
 
 /* Whether a blend combines the stored words of its target, whatever they stand for. (Logic serves

@@ -13,9 +13,9 @@ static void prepare_border(const GpTexture *texture, FastSampler *s)
         gp_depth_load(s->format, texel, &s->border_code, &stencil);
     } else if (s->sampling == FAST_CODES) {
         gp_texel_codes(s->format, texel, code);
-        s->border_code = s->format == GP_R8 ? code[0]
-                                            : (uint32_t)code[3] << 24 | (uint32_t)code[0] << 16 |
-                                                  (uint32_t)code[1] << 8 | code[2];
+        s->border_code = s->shift == 0 ? code[0]
+                                       : (uint32_t)code[3] << 24 | (uint32_t)code[0] << 16 |
+                                             (uint32_t)code[1] << 8 | code[2];
     }
 }
 

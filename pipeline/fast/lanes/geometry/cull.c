@@ -30,7 +30,7 @@ GP_INLINE itg most(const itg a[3])
 /* Corners of triangles of a draw, counted from its first; beyond `count` the first stands in. */
 GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, ScreenTriangles *b)
 {
-    const uint32_t *indices = d->draw->geometry.indices, *number = indices + 3 * first;
+    const uint32_t *indices = d->indices, *number = indices + 3 * first;
     uint32_t made[3 * GP_LANES];
     if (!indices || count < GP_LANES) {
         for (uint32_t i = 0; i < 3 * GP_LANES; i++) {
@@ -218,7 +218,7 @@ static bool are_together(const TileBoxes *tiles, unsigned lanes)
 static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range, uint32_t first,
                        uint32_t count)
 {
-    const uint32_t *indices = d->draw->geometry.indices;
+    const uint32_t *indices = d->indices;
     uint32_t vertex[GP_LANES];
     GP_UNROLL
     for (uint32_t lane = 0; lane < GP_LANES; lane++) {
@@ -253,7 +253,7 @@ void fast_bin_range(const FastPass *pass, FastRange *range)
         const FastDraw *d = &pass->draws[number];
         uint32_t draw_end = d->first_primitive + d->primitive_count;
         uint32_t stop = draw_end < end ? draw_end : end;
-        bool triangles = d->draw->geometry.primitive == GP_TRIANGLES;
+        bool triangles = d->draw->geometry.primitive != GP_POINTS;
         while (first < stop) {
             uint32_t count = stop - first < GP_LANES ? stop - first : GP_LANES;
             if (triangles)

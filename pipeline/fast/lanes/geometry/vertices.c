@@ -1,6 +1,7 @@
 /* Vertices: shaded GP_LANES at a time, put on the screen, and marked where they are outside. */
 #include "pipeline/fast/lanes/geometry/vertices.h"
 
+#include "pipeline/fast/lanes/memory/convert.h"
 #include "pipeline/fast/lanes/texture/sample.h"
 
 #include "pipeline/units/input_assembly.h"
@@ -43,18 +44,51 @@ GP_INLINE void load_floats(const GpStream *stream, uint32_t vertex_count,
     lanes_load4(record, component);
 }
 
+/* One component of 8 or 16 bits of a packet's vertices, as the integer that is stored. */
+GP_INLINE itg load_codes(const GpStream *stream, const uint32_t vertex[GP_LANES], int component,
+                         bool wide, bool is_signed)
+{
+    const size_t stride = gp_stream_stride(stream);
+    const uint8_t *first = (const uint8_t *)stream->data + gp_stream_offset(stream, component);
+    uint32_t code[GP_LANES];
+    utg codes;
+    for (int lane = 0; lane < GP_LANES; lane++) {
+        const uint8_t *at = first + vertex[lane] * stride;
+        code[lane] = wide ? at[0] | (uint32_t)at[1] << 8 : at[0];
+    }
+    memcpy(&codes, code, sizeof codes);
+    const int unused = wide ? 16 : 24;
+    return is_signed ? (itg)(codes << unused) >> unused : (itg)codes;
+}
+
+/* Codes become numbers by the operations of gp_fetch_input. */
+static flt load_narrow(const GpStream *stream, const uint32_t vertex[GP_LANES], int component)
+{
+    static const float most[GP_COMPONENT_TYPES] = {
+        [GP_UNORM8] = 255,    [GP_D3DCOLOR] = 255,  [GP_SNORM8] = 127,
+        [GP_UNORM16] = 65535, [GP_SNORM16] = 32767,
+    };
+    const GpComponentType type = stream->type;
+    const bool wide = gp_component_bytes(type) == 2;
+    const bool is_signed =
+        type == GP_INT8 || type == GP_SNORM8 || type == GP_INT16 || type == GP_SNORM16;
+    const itg codes = load_codes(stream, vertex, component, wide, is_signed);
+    if (type == GP_FLOAT16)
+        return (flt)float_from_half(codes);
+    if (most[type] == 0)
+        return flt_from_itg(codes);
+    return flt_greater(flt_from_itg(codes) / most[type], flt_set(-1));
+}
+
 /* One input of a packet's vertices, which rise; what gp_fetch_input gives. */
 static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
                         const uint32_t vertex[GP_LANES], float *to)
 {
     const GpStream *stream = &geometry->streams[input->semantic];
     if (stream->type != GP_FLOAT32) {
-        for (int lane = 0; lane < GP_LANES; lane++) {
-            float one[4];
-            gp_fetch_input(stream, input->components, vertex[lane], one);
-            for (int c = 0; c < input->components; c++)
-                to[c * GP_LANES + lane] = one[c];
-        }
+        for (int c = 0; c < input->components; c++)
+            flt_store(to + c * GP_LANES, c < stream->components ? load_narrow(stream, vertex, c)
+                                                                : flt_set(c == 3 ? 1.0f : 0.0f));
         return;
     }
     itg component[4];

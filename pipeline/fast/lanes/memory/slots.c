@@ -2,7 +2,41 @@
  * it, read and drawn to by any number of passes, and stored once, after the last. */
 #include "pipeline/fast/lanes/memory/slots.h"
 
+#include "pipeline/fast/draws/clear.h"
+
 #include <string.h>
+
+/* --- clears ----------------------------------------------------------------------------------- */
+
+/* What a pass's rectangles leave of a tile that it clears. */
+typedef enum ClearedPart { CLEARED_NOWHERE, CLEARED_PARTS, CLEARED_WHOLE } ClearedPart;
+
+/* Rectangle i in pixels of the tile; false where they have none in common. */
+static bool clear_part(const Tile *tile, const GpPass *pass, uint32_t i, FastBox *part)
+{
+    const FastBox box = { tile->x0, tile->y0, tile->x0 + tile->width - 1,
+                          tile->y0 + tile->height - 1 };
+    *part = fast_clear_part(pass, i, &box);
+    part->x0 -= tile->x0;
+    part->x1 -= tile->x0;
+    part->y0 -= tile->y0;
+    part->y1 -= tile->y0;
+    return !fast_box_is_empty(part);
+}
+
+static ClearedPart cleared_part(const Tile *tile, const GpPass *pass)
+{
+    ClearedPart cleared = pass->clear_rect_count ? CLEARED_NOWHERE : CLEARED_WHOLE;
+    for (uint32_t i = 0; i < pass->clear_rect_count && cleared != CLEARED_WHOLE; i++) {
+        FastBox part;
+        if (!clear_part(tile, pass, i, &part))
+            continue;
+        const bool whole =
+            part.x1 - part.x0 + 1 == tile->width && part.y1 - part.y0 + 1 == tile->height;
+        cleared = whole ? CLEARED_WHOLE : CLEARED_PARTS;
+    }
+    return cleared;
+}
 
 static void fill_words(uint32_t *plane, int32_t height, uint32_t word)
 {
@@ -11,55 +45,91 @@ static void fill_words(uint32_t *plane, int32_t height, uint32_t word)
             plane[x] = word;
 }
 
+static void fill_part(uint32_t *plane, const FastBox *part, uint32_t word)
+{
+    for (int32_t y = part->y0; y <= part->y1; y++)
+        for (int32_t x = part->x0; x <= part->x1; x++)
+            plane[fast_at(x, y)] = word;
+}
+
+/* Fills a part of the tile, or all of it where there is none. */
+static void fill(const Tile *tile, void *plane, const FastBox *part, uint32_t word)
+{
+    if (part)
+        fill_part(plane, part, word);
+    else
+        fill_words(plane, tile->height, word);
+}
+
 /* --- colour ----------------------------------------------------------------------------------- */
+
+/* What each pixel reads back after a clear. */
+static void cleared_value(GpFormat format, const float color[4], float value[4])
+{
+    uint8_t texel[16];
+    gp_texel_store(format, texel, color, 0);
+    gp_texel_load(format, texel, value);
+}
 
 /* Only notes the colour: it may be all that anyone wants to know. */
 static void clear_color(Tile *tile, int slot, const float color[4])
 {
     const GpFormat format = tile->slots->surfaces->color[slot]->format;
-    uint8_t texel[16];
-    gp_texel_store(format, texel, color, 0);
-    gp_texel_load(format, texel, tile->slots->color[slot].value);
+    cleared_value(format, color, tile->slots->color[slot].value);
     tile->slots->color[slot].held = tile->slots->color[slot].cleared = true;
 }
 
-static void spell_out(Tile *tile, int slot)
+/* in   value: as it reads back */
+static void spell_out(Tile *tile, int slot, const FastBox *part, const float value[4])
 {
     const GpFormat format = tile->slots->surfaces->color[slot]->format;
-    const float *color = tile->slots->color[slot].value;
     FastPlanes *planes = &tile->slots->color_planes[slot];
     uint32_t word;
-    if (format == GP_A8R8G8B8) {
-        gp_texel_store(format, &word, color, 0);
-        fill_words(planes->packed, tile->height, word);
+    if (fast_is_packed(format)) {
+        gp_texel_store(format, &word, value, 0);
+        fill(tile, planes->packed, part, word);
         return;
     }
     for (int c = 0; c < gp_format_info(format)->channels; c++)
-        fill_words((uint32_t *)(void *)planes->channel[c], tile->height, gp_float_bits(color[c]));
+        fill(tile, planes->channel[c], part, gp_float_bits(value[c]));
 }
 
 /* Makes the planes hold the content. */
 void fast_hold_color(Tile *tile, int slot)
 {
     if (tile->slots->color[slot].cleared)
-        spell_out(tile, slot);
+        spell_out(tile, slot, NULL, tile->slots->color[slot].value);
     else if (!tile->slots->color[slot].held)
         fast_load_tile(tile, tile->slots->surfaces->color[slot], &tile->slots->color_planes[slot]);
     tile->slots->color[slot].held = true;
     tile->slots->color[slot].cleared = false;
 }
 
-static void begin_color(Tile *tile, const FastPass *pass, int target, bool touched)
+static void clear_color_parts(Tile *tile, int slot, const GpPass *pass, const float color[4])
+{
+    float value[4];
+    FastBox part;
+    cleared_value(tile->slots->surfaces->color[slot]->format, color, value);
+    for (uint32_t i = 0; i < pass->clear_rect_count; i++)
+        if (clear_part(tile, pass, i, &part))
+            spell_out(tile, slot, &part, value);
+}
+
+static void begin_color(Tile *tile, const FastPass *pass, int target, bool touched,
+                        ClearedPart cleared)
 {
     const GpColorTarget *color = &pass->pass->color[target];
     const int slot = fast_color_slot(tile->slots->surfaces, color->surface);
-    const bool clears = pass->clears && color->clear;
+    if (!color->clear)
+        cleared = CLEARED_NOWHERE;
     tile->planes[target] = &tile->slots->color_planes[slot];
-    if (clears)
+    if (cleared == CLEARED_WHOLE)
         clear_color(tile, slot, color->clear_color);
-    if (touched)
+    if (touched || cleared == CLEARED_PARTS)
         fast_hold_color(tile, slot);
-    tile->slots->color[slot].written |= clears || touched;
+    if (cleared == CLEARED_PARTS)
+        clear_color_parts(tile, slot, pass->pass, color->clear_color);
+    tile->slots->color[slot].written |= cleared != CLEARED_NOWHERE || touched;
 }
 
 /* --- depth and stencil ------------------------------------------------------------------------ */
@@ -71,28 +141,40 @@ void fast_hold_depth(Tile *tile, int slot)
     tile->slots->depth[slot].held = true;
 }
 
-static void begin_depth(Tile *tile, const FastPass *pass, bool touched)
+/* Fills depth, stencil or both, of a part of the tile or, where there is none, of all of it. */
+static void clear_depth(Tile *tile, const GpDepthTarget *depth, const FastBox *part)
+{
+    if (depth->clear_depth)
+        fill(tile, tile->depth, part, gp_depth_code(depth->surface->format, depth->depth_value));
+    if (!depth->clear_stencil)
+        return;
+    for (int32_t y = part ? part->y0 : 0; y <= (part ? part->y1 : tile->height - 1); y++)
+        memset(tile->stencil + fast_at(part ? part->x0 : 0, y), depth->stencil_value,
+               part ? (size_t)(part->x1 - part->x0 + 1) : FAST_TILE);
+}
+
+static void begin_depth(Tile *tile, const FastPass *pass, bool touched, ClearedPart cleared)
 {
     const GpDepthTarget *depth = &pass->pass->depth;
     const int slot = fast_depth_slot(tile->slots->surfaces, depth->surface);
     FastDepthPlanes *planes = &tile->slots->depth_planes[slot];
-    const bool clears_depth = pass->clears && depth->clear_depth;
-    const bool clears_stencil = pass->clears && depth->clear_stencil;
     const bool has_stencil = gp_format_info(depth->surface->format)->has_stencil;
-    const bool clears_all = clears_depth && (clears_stencil || !has_stencil);
-    const bool written = touched || clears_depth || clears_stencil;
+    const bool replaces = depth->clear_depth && (depth->clear_stencil || !has_stencil);
+    if (!depth->clear_depth && !depth->clear_stencil)
+        cleared = CLEARED_NOWHERE;
     tile->depth = planes->depth;
     tile->stencil = planes->stencil;
-    if (clears_all)
+    if (cleared == CLEARED_WHOLE && replaces)
         tile->slots->depth[slot].held = true;
-    else if (written)
+    else if (touched || cleared != CLEARED_NOWHERE)
         fast_hold_depth(tile, slot);
-    if (clears_depth)
-        fill_words(planes->depth, tile->height,
-                   gp_depth_code(depth->surface->format, depth->depth_value));
-    if (clears_stencil)
-        memset(planes->stencil, depth->stencil_value, sizeof planes->stencil);
-    tile->slots->depth[slot].written |= written;
+    if (cleared == CLEARED_WHOLE)
+        clear_depth(tile, depth, NULL);
+    FastBox part;
+    for (uint32_t i = 0; cleared == CLEARED_PARTS && i < pass->pass->clear_rect_count; i++)
+        if (clear_part(tile, pass->pass, i, &part))
+            clear_depth(tile, depth, &part);
+    tile->slots->depth[slot].written |= touched || cleared != CLEARED_NOWHERE;
 }
 
 /* --- the tile --------------------------------------------------------------------------------- */
@@ -106,17 +188,18 @@ void fast_begin_slots(Tile *tile, const FastSlots *surfaces)
 
 void fast_begin_pass(Tile *tile, const FastPass *pass, bool touched)
 {
+    const ClearedPart cleared = pass->clears ? cleared_part(tile, pass->pass) : CLEARED_NOWHERE;
     tile->pass = pass;
     tile->targets = 0;
     for (int t = 0; t < GP_MAX_TARGETS && pass->pass->color[t].surface; t++) {
-        begin_color(tile, pass, t, touched);
+        begin_color(tile, pass, t, touched, cleared);
         tile->targets++;
     }
     tile->depth_format = GP_FORMAT_NONE;
     if (!pass->pass->depth.surface)
         return;
     tile->depth_format = pass->pass->depth.surface->format;
-    begin_depth(tile, pass, touched);
+    begin_depth(tile, pass, touched, cleared);
 }
 
 static void store_color(Tile *tile, int slot)

@@ -28,7 +28,7 @@ enum {
     FAST_PIXELS = FAST_PITCH * (FAST_TILE + 3),
 };
 
-/* A colour target inside the tile: A8R8G8B8 as its words, all others by channel, as the floats that
+/* A colour target inside the tile: packed formats as their words, all others by channel, as the floats that
  * reading the texels back would give. */
 typedef union FastPlanes {
     uint32_t packed[FAST_PIXELS];

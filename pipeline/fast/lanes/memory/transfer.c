@@ -67,6 +67,7 @@ GP_INLINE void load_color(GpFormat format, const uint8_t *texel, FastPlanes *pla
     itg v[4];
     switch (format) {
     case GP_A8R8G8B8:
+    case GP_X8R8G8B8:
         store_words(planes->packed + at, load_words(texel));
         break;
     case GP_R8:
@@ -119,6 +120,7 @@ GP_INLINE void store_color(GpFormat format, uint8_t *texel, const FastPlanes *pl
     itg rg, ba, v[4];
     switch (format) {
     case GP_A8R8G8B8:
+    case GP_X8R8G8B8:
         put_words(texel, load_words(planes->packed + at), non_temporal);
         break;
     case GP_R8: /* nearest: the float is within 2^-24 of code / 255 */
@@ -183,7 +185,8 @@ static Rows rows_of(const Tile *tile, const GpSurface *surface)
     Rows rows = { .pitch = level->pitch, .width = tile->width, .height = tile->height };
     rows.bytes = gp_format_info(surface->format)->bytes;
     rows.texels = gp_surface_texel(level, rows.bytes, (uint32_t)tile->x0, (uint32_t)tile->y0);
-    rows.non_temporal = fast_is_past_caches(surface) && level->pitch % sizeof(itg) == 0;
+    rows.non_temporal = fast_is_past_caches(surface) &&
+                        ((uintptr_t)level->texels | level->pitch) % sizeof(itg) == 0;
     return rows;
 }
 

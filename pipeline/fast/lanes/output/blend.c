@@ -112,6 +112,7 @@ typedef struct BlendBlock {
     const flt *color; /* of the first packet; `stride` vectors further the next */
     int stride;
     float constant[4]; /* as the target clamps it */
+    uint32_t filled;   /* bits of a word that every store sets: X8R8G8B8's unused byte */
     FastPlanes *planes;
 } BlendBlock;
 
@@ -167,7 +168,7 @@ GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool wh
     memcpy(o.constant, m->constant, sizeof o.constant);
     const flt *color = m->color;
     for (int p = 0; p < m->count; p++, color += m->stride) {
-        if (!m->live[p] || adds_nothing(blend, color))
+        if (!m->live[p] || (!m->filled && adds_nothing(blend, color)))
             continue;
         const uint32_t at = place_of(m, p);
         itg before = itg_set(0);
@@ -186,7 +187,7 @@ GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool wh
             word = word_of_any(color);
         if (kept)
             word = (word & (int32_t)~kept) | (before & (int32_t)kept);
-        store_pixels(m, whole, p, at, m->planes->packed, word);
+        store_pixels(m, whole, p, at, m->planes->packed, word | (int32_t)m->filled);
     }
 }
 
@@ -225,10 +226,11 @@ GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
                         flt_quantize_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
         }
     for (int p = 0; p < pixels; p++)
-        store_pixels(m, true, p, place_of(m, p), m->planes->packed, word_of(target[p]));
+        store_pixels(m, true, p, place_of(m, p), m->planes->packed,
+                     word_of(target[p]) | (int32_t)m->filled);
 }
 
-/* Formats other than A8R8G8B8. */
+/* Formats that are not packed. */
 GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const BlendBlock *from,
                               bool whole)
 {
@@ -313,7 +315,7 @@ GP_INLINE void blend_channels_by(const GpBlend *blend, GpFormat format, const Bl
 
 GP_INLINE void blend_by(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
 {
-    if (format == GP_A8R8G8B8)
+    if (fast_is_packed(format))
         blend_words_by(blend, m, whole);
     else
         blend_channels_by(blend, format, m, whole);
@@ -356,7 +358,8 @@ void fast_blend_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
         GpFormat format = d->pass->color[t].surface->format;
         m.color = shaded->color + 4 * t;
         m.planes = tile->planes[t];
-        const GpBlend *blend = &state->blend[t];
+        const GpBlend *blend = &d->blend[t];
+        m.filled = (blend->keep & 15) != 15 ? fast_filled_bits(format) : 0;
         if (fast_is_bitwise(blend, format)) {
             fast_blend_bits(blend, m.planes, shaded, m.color);
             continue;

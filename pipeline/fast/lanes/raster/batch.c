@@ -19,7 +19,7 @@ typedef struct Corners {
 void fast_find_corners(const FastDraw *d, const uint32_t *primitives, uint32_t count,
                        BatchCorners *corners)
 {
-    const uint32_t *indices = d->draw->geometry.indices;
+    const uint32_t *indices = d->indices;
     corners->primitives = primitives;
     corners->count = count < GP_LANES ? count : GP_LANES;
     for (uint32_t lane = 0; lane < GP_LANES; lane++) {
@@ -242,7 +242,7 @@ void fast_write_record(const FastDraw *d, const TriangleBatch *b, uint32_t lane,
     record->kind = FAST_EDGES_32;
     record->face = front ? 1.0f : -1.0f;
     record->edges64 = 0;
-    const uint32_t *indices = d->draw->geometry.indices;
+    const uint32_t *indices = d->indices;
     const uint32_t at = 3 * (b->primitives[lane] - d->first_primitive);
     const uint32_t order[3] = { at, at + (front ? 1 : 2), at + (front ? 2 : 1) };
     for (int k = 0; k < 3; k++) {

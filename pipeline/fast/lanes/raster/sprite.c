@@ -28,7 +28,7 @@ static bool inside_clip_planes(const FastDraw *d, uint32_t vertex)
 GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
 {
     const uint32_t at = primitive - d->first_primitive;
-    return (d->draw->geometry.indices ? d->draw->geometry.indices[at] : at) - d->first_vertex;
+    return (d->indices ? d->indices[at] : at) - d->first_vertex;
 }
 
 void fast_prefetch_points(const FastDraw *d, const FastPrimitiveMask *mask)

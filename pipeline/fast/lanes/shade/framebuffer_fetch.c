@@ -17,7 +17,7 @@ static void begin_fetch_color(Tile *tile, int slot, FastFetch *fetch)
     for (int c = 0; c < 4; c++) {
         fetch->same[c] = cleared ? tile->slots->color[slot].value[c] : 1;
         if (!cleared && c < channels)
-            fetch->plane[c] = fetch->format == GP_A8R8G8B8
+            fetch->plane[c] = fast_is_packed(fetch->format)
                                   ? planes->packed
                                   : (const uint32_t *)(const void *)planes->channel[c];
     }
@@ -55,11 +55,13 @@ GP_INLINE itg load_places(const uint32_t *plane, const Places *places)
 GP_INLINE void read_planes(const FastFetch *fetch, const Places *places, flt rgba[4])
 {
     static const int byte[4] = { RED_BYTE, GREEN_BYTE, BLUE_BYTE, ALPHA_BYTE };
-    if (fetch->format == GP_A8R8G8B8 && fetch->plane[0]) {
+    if (fast_is_packed(fetch->format) && fetch->plane[0]) {
         const itg words = load_places(fetch->plane[0], places);
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             rgba[c] = flt_unpack_unorm8(words, byte[c]);
+        if (!fetch->plane[3])
+            rgba[3] = flt_set(1);
         return;
     }
     GP_UNROLL

@@ -41,12 +41,13 @@ GP_INLINE void write_words(const FastGathered *gathered, const Written *written,
 
 /* Color: of the first packet, `stride` vectors before that of the next. */
 
-static void write_packed(FastPlanes *planes, const FastGathered *gathered, int count,
-                         const flt *color, int stride)
+static void write_packed(FastPlanes *planes, GpFormat format, const FastGathered *gathered,
+                         int count, const flt *color, int stride)
 {
+    const int32_t filled = (int32_t)fast_filled_bits(format);
     Written written = { .plane = { planes->packed } };
     for (int p = 0; p < count; p++, color += stride) {
-        written.words[0] = word_of_any(color);
+        written.words[0] = word_of_any(color) | filled;
         write_words(&gathered[p], &written, 1);
     }
 }
@@ -71,8 +72,8 @@ static void write_gathered(Tile *tile, const FastDraw *d, const FastGathered *ga
     const int stride = gp_program_targets(d->draw->program) * 4;
     for (int t = 0; t < tile->targets; t++, color += 4) {
         const GpFormat format = d->pass->color[t].surface->format;
-        if (format == GP_A8R8G8B8)
-            write_packed(tile->planes[t], gathered, count, color, stride);
+        if (fast_is_packed(format))
+            write_packed(tile->planes[t], format, gathered, count, color, stride);
         else
             write_channels(tile->planes[t], format, gathered, count, color, stride);
     }

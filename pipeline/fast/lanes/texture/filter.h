@@ -123,8 +123,8 @@ GP_INLINE flt lerp_rows(utg upper, utg lower, flt part_upper, flt part_lower)
     return sum / (255.0f / ONE);
 }
 
-/* Blue and red are the even bytes of an A8R8G8B8 texel, green and alpha the odd ones; R8 has its
- * only channel where blue is. */
+/* Blue and red are the even bytes of an A8R8G8B8 texel, green and alpha the odd ones; R8 and L8 have
+ * their only channel where blue is. */
 GP_INLINE void filter_codes(const FastSampler *s, const Footprint *f, int taps, flt rgba[4])
 {
     itg word[4];
@@ -153,9 +153,14 @@ GP_INLINE void filter_codes(const FastSampler *s, const Footprint *f, int taps, 
         rgba[2] = lerp_rows(even_upper & 0xffff, even_lower & 0xffff, upper, lower);
         rgba[3] = lerp_rows(odd_upper >> 16, odd_lower >> 16, upper, lower);
     }
+    if (s->format == GP_A8R8G8B8)
+        return;
+    rgba[3] = flt_set(1);
+    if (s->format == GP_L8)
+        rgba[0] = rgba[1] = rgba[2];
     if (s->format == GP_R8) {
         rgba[0] = rgba[2];
-        rgba[1] = rgba[2] = rgba[3] = flt_set(1);
+        rgba[1] = rgba[2] = flt_set(1);
     }
 }
 

@@ -87,17 +87,16 @@ GP_INLINE void prefetch_indices(const uint32_t *indices, uint32_t lanes)
 /* Primitives of the present draw: their indices are wanted soon. */
 static void let_wait(Tile *tile, const FastPrimitiveMask *mask, Waiting *waiting)
 {
-    const GpGeometry *geometry = &tile->draw->draw->geometry;
+    const FastDraw *d = tile->draw;
     itg_compress(waiting->primitive + waiting->count, mask->lanes,
                  lane_numbers() + (int32_t)mask->first);
     waiting->count += (uint32_t)__builtin_popcount(mask->lanes);
-    if (geometry->primitive == GP_POINTS) {
+    if (d->draw->geometry.primitive == GP_POINTS) {
         let_points_wait(tile, mask, waiting);
         return;
     }
-    if (geometry->indices)
-        prefetch_indices(geometry->indices + 3 * (mask->first - tile->draw->first_primitive),
-                         mask->lanes);
+    if (d->indices)
+        prefetch_indices(d->indices + 3 * (mask->first - d->first_primitive), mask->lanes);
     if (waiting->count >= WAITING)
         draw_waiting(tile, waiting);
 }

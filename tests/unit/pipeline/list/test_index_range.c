@@ -66,6 +66,26 @@ static void many(void **state)
             agrees(&ranges, indices + 16 * (i / 3), 10 + i % 3);
 }
 
+/* Short and long indices at one address do not stand for each other. */
+static void short_indices(void **state)
+{
+    (void)state;
+    set_up();
+    const uint16_t *narrow = (const uint16_t *)(const void *)indices;
+    GpIndexRanges ranges = { .pool = NULL };
+    for (uint32_t count = 1; count < 2000; count += 37) {
+        uint32_t low = UINT32_MAX, high = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            low = narrow[i] < low ? narrow[i] : low;
+            high = narrow[i] > high ? narrow[i] : high;
+        }
+        agrees(&ranges, indices, count);
+        const GpGeometry geometry = { .indices16 = narrow, .index_count = count };
+        const GpIndexRange range = gp_index_range(&ranges, &geometry);
+        assert_true(range.low == low && range.high == high);
+    }
+}
+
 static void none(void **state)
 {
     (void)state;
@@ -82,6 +102,7 @@ static void none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(counts), cmocka_unit_test(threads),
-                                        cmocka_unit_test(many), cmocka_unit_test(none) };
+                                        cmocka_unit_test(many), cmocka_unit_test(short_indices),
+                                        cmocka_unit_test(none) };
     return cmocka_run_group_tests_name("index_range", tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@
 
 /* A small valid list that each case breaks in one place. */
 typedef struct Frame {
-    GpSurface *color, *other, *small, *depth24, *depth16;
+    GpSurface *color, *other, *small, *depth24, *depth16, *borrowed;
     ExerciseUniforms uniforms;
     float vertices[3 * 10];
     uint32_t indices[3];
@@ -15,6 +15,9 @@ typedef struct Frame {
     GpPass pass;
     GpList list;
 } Frame;
+
+static const uint16_t outside[] = { 0, 1, 9 };
+static const GpRect one_pixel = { 0, 0, 1, 1 };
 
 static GpSurface *surface(GpFormat format, uint32_t size, const char *name)
 {
@@ -52,9 +55,20 @@ static void set_up(Frame *w)
     w->list = (GpList){ &w->pass, 1 };
 }
 
+/* Another name for the colour target's memory. */
+static void borrow(Frame *w, GpFormat format, GpSurface **surface)
+{
+    const GpSurfaceDesc desc = {
+        .format = format, .width = 16, .height = 16, .memory = w->color->level[0].texels
+    };
+    gp_surface_destroy(&w->borrowed);
+    assert_int_equal(gp_surface_create(&desc, &w->borrowed, NULL), GP_OK);
+    *surface = w->borrowed;
+}
+
 static void tear_down(Frame *w)
 {
-    GpSurface **all[] = { &w->color, &w->other, &w->small, &w->depth24, &w->depth16 };
+    GpSurface **all[] = { &w->color, &w->other, &w->small, &w->depth24, &w->depth16, &w->borrowed };
     for (size_t i = 0; i < GP_COUNT(all); i++)
         gp_surface_destroy(all[i]);
 }
@@ -95,14 +109,33 @@ CASE(clear_of_no_stencil, (w.pass.depth.surface = w.depth16, w.pass.depth.clear_
      "depth.clear_stencil: D16 has no stencil")
 CASE(clear_depth_of_two, (w.pass.depth.clear_depth = true, w.pass.depth.depth_value = 2),
      "depth.depth_value: expected a number in [0, 1]")
+CASE(rectangles_missing, (w.pass.color[0].clear = true, w.pass.clear_rect_count = 2),
+     IN_PASS "clear_rects: NULL, but clear_rect_count is 2")
+CASE(rectangles_of_nothing, (w.pass.clear_rects = &one_pixel,
+                             w.pass.clear_rect_count = 1), "clear_rects: the pass clears nothing")
+CASE(memory_twice, borrow(&w, GP_X8R8G8B8, &w.pass.color[1].surface),
+     "color[1].surface: shares memory with color[0]")
+CASE(memory_of_depth, borrow(&w, GP_D24S8, &w.pass.depth.surface),
+     "depth.surface: shares memory with color[0]")
 CASE(draws_missing, w.pass.draws = NULL, IN_PASS "draws: NULL")
 CASE(program_missing, w.draw.program = NULL, IN_DRAW "program: NULL")
 CASE(uniforms_missing, w.draw.uniforms = NULL, IN_DRAW "uniforms: NULL")
 CASE(targets_missing, w.draw.program = &exercise_targets4, "writes target 1, which the pass")
 CASE(stream_missing, w.draw.geometry.streams[GP_COLOR].data = NULL, "geometry.streams[")
 CASE(stream_of_nine, w.draw.geometry.streams[GP_COLOR].components = 9, "has 9 components")
-CASE(stream_type, w.draw.geometry.streams[GP_COLOR].type = (GpComponentType)7, "component type")
+CASE(stream_type, w.draw.geometry.streams[GP_COLOR].type = (GpComponentType)99, "component type")
 CASE(index_out_of_range, w.indices[1] = 3, "geometry.indices: index 1 is 3, but there are 3")
+CASE(short_index_out_of_range, (w.draw.geometry.indices = NULL,
+                                w.draw.geometry.indices16 = outside),
+     "geometry.indices16: index 2 is 9, but there are 3")
+CASE(indices_twice, w.draw.geometry.indices16 = outside,
+     "geometry.indices16: there are indices of 32 bits too")
+CASE(strip_of_two, (w.draw.geometry.primitive = GP_TRIANGLE_STRIP,
+                    w.draw.geometry.index_count = 2), "2 of a triangle strip make no triangle")
+CASE(fan_of_one, (w.draw.geometry.primitive = GP_TRIANGLE_FAN, w.draw.geometry.indices = NULL,
+                  w.draw.geometry.vertex_count = 1), "geometry.vertex_count: 1 of a triangle fan")
+CASE(color_of_three, (w.draw.geometry.streams[GP_COLOR].type = GP_D3DCOLOR,
+                      w.draw.geometry.streams[GP_COLOR].components = 3), "a D3DCOLOR has 4")
 CASE(half_a_triangle, w.draw.geometry.index_count = 2, "geometry.index_count: 2 is no multiple")
 CASE(primitive_unknown, w.draw.geometry.primitive = (GpPrimitive)5, "geometry.primitive")
 CASE(viewport_without_size, w.draw.viewport.x = 3, "viewport: has a place but no size")
@@ -156,6 +189,10 @@ int main(void)
         cmocka_unit_test(sizes_differ),
         cmocka_unit_test(clear_of_no_stencil),
         cmocka_unit_test(clear_depth_of_two),
+        cmocka_unit_test(rectangles_missing),
+        cmocka_unit_test(rectangles_of_nothing),
+        cmocka_unit_test(memory_twice),
+        cmocka_unit_test(memory_of_depth),
         cmocka_unit_test(draws_missing),
         cmocka_unit_test(program_missing),
         cmocka_unit_test(uniforms_missing),
@@ -164,6 +201,11 @@ int main(void)
         cmocka_unit_test(stream_of_nine),
         cmocka_unit_test(stream_type),
         cmocka_unit_test(index_out_of_range),
+        cmocka_unit_test(short_index_out_of_range),
+        cmocka_unit_test(indices_twice),
+        cmocka_unit_test(strip_of_two),
+        cmocka_unit_test(fan_of_one),
+        cmocka_unit_test(color_of_three),
         cmocka_unit_test(half_a_triangle),
         cmocka_unit_test(primitive_unknown),
         cmocka_unit_test(viewport_without_size),

@@ -484,7 +484,7 @@ static void missing_channels_read_as_one(void **state)
     (void)state;
     for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
         const GpFormatInfo *info = gp_format_info(format);
-        int present = info->is_depth ? 1 : info->channels;
+        int present = info->is_depth ? 1 : format == GP_L8 ? 3 : info->channels;
         uint8_t zeros[16] = { 0 };
         float rgba[4];
         gp_texel_load(format, zeros, rgba);
@@ -507,6 +507,29 @@ static void unorm8_codes_are_the_bytes_by_channel(void **state)
     assert_memory_equal(code, "\x0d\x0c\x0b\x0e", 4);
     gp_texel_codes(GP_R8, "\x0b", code);
     assert_memory_equal(code, "\x0b\xff\xff\xff", 4);
+    gp_texel_codes(GP_L8, "\x0b", code);
+    assert_memory_equal(code, "\x0b\x0b\x0b\xff", 4);
+    gp_texel_codes(GP_X8R8G8B8, "\x0b\x0c\x0d\x0e", code);
+    assert_memory_equal(code, "\x0d\x0c\x0b\xff", 4);
+}
+
+/* Direct3D 9's L8 and X8R8G8B8: grey for all colours, alpha of 1 whatever the unused byte holds, which
+ * a store fills. */
+static void l8_is_grey_and_x8r8g8b8_opaque(void **state)
+{
+    (void)state;
+    static const float color[4] = { 0.2f, 0.4f, 0.6f, 0.8f };
+    uint8_t texel[4] = { 51, 7, 7, 7 };
+    float rgba[4];
+    gp_texel_load(GP_L8, texel, rgba);
+    for (int c = 0; c < 4; c++)
+        assert_true(rgba[c] == (c < 3 ? 0.2f : 1.0f));
+    gp_texel_store(GP_L8, texel, color, 0);
+    assert_memory_equal(texel, "\x33\x07\x07\x07", 4);
+    gp_texel_load(GP_X8R8G8B8, "\x99\x66\x33\x12", rgba);
+    assert_true(rgba[0] == 0.2f && rgba[1] == 0.4f && rgba[2] == 0.6f && rgba[3] == 1);
+    gp_texel_store(GP_X8R8G8B8, texel, color, 0);
+    assert_memory_equal(texel, "\x99\x66\x33\xff", 4);
 }
 
 static void texels_may_lie_at_any_address(void **state)
@@ -548,11 +571,12 @@ static void format_descriptions_do_not_contradict_themselves(void **state)
         assert_false(info->is_depth && info->is_target);
         assert_false(info->is_float && info->is_unorm8);
         if (info->is_unorm8)
-            assert_int_equal(info->bytes, info->channels);
+            assert_int_equal(info->bytes, info->channels + (format == GP_X8R8G8B8));
         if (info->is_depth)
             assert_int_equal(info->bytes * 8, info->depth_bits + (info->has_stencil ? 8 : 0));
     }
     assert_false(gp_format_info(GP_A8R8G8B8_SRGB)->is_target);
+    assert_false(gp_format_info(GP_L8)->is_target);
 }
 
 int main(void)
@@ -583,6 +607,7 @@ int main(void)
         cmocka_unit_test(r37_kept_channels_keep_their_bits),
         cmocka_unit_test(missing_channels_read_as_one),
         cmocka_unit_test(unorm8_codes_are_the_bytes_by_channel),
+        cmocka_unit_test(l8_is_grey_and_x8r8g8b8_opaque),
         cmocka_unit_test(texels_may_lie_at_any_address),
         cmocka_unit_test(format_names_lead_back_to_formats),
         cmocka_unit_test(format_descriptions_do_not_contradict_themselves),

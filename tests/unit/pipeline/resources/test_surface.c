@@ -149,6 +149,143 @@ static void destroy_accepts_null_and_sets_null(void **state)
     assert_null(s);
 }
 
+/* --- memory of the caller's ------------------------------------------------------------------- */
+
+static void borrowed_memory_is_kept_and_must_fit(void **state)
+{
+    (void)state;
+    uint8_t memory[3 * 11 + 2];
+    for (size_t i = 0; i < sizeof memory; i++)
+        memory[i] = (uint8_t)i;
+    GpSurfaceDesc desc = {
+        .format = GP_A8R8G8B8, .width = 2, .height = 3, .memory = memory + 1, .pitch = 11
+    };
+    GpSurface *s = NULL;
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    assert_int_equal(s->level[0].pitch, 11);
+    assert_ptr_equal(texel_at(s, 0, 1, 2), memory + 1 + 2 * 11 + 4);
+    gp_surface_clear_color_rect(s, (GpRect){ 1, 2, 9, 9 }, (const float[4]){ 0 });
+    gp_surface_destroy(&s);
+    for (size_t i = 0; i < sizeof memory; i++)
+        assert_int_equal(memory[i], i >= 27 && i < 31 ? 0 : i);
+
+    static const struct {
+        size_t pitch;
+        uint32_t width, height, levels;
+        bool no_memory;
+    } bad[] = {
+        { 7, 2, 3, 1, false },       { 11, 2, 3, 2, false },         { 8, 2, 3, 0, true },
+        { 1 << 28, 2, 8, 1, false }, { (size_t)-1, 2, 1, 1, false },
+    };
+    for (size_t i = 0; i < GP_COUNT(bad); i++) {
+        GpError error = { "" };
+        desc = (GpSurfaceDesc){ .format = GP_A8R8G8B8,
+                                .width = bad[i].width,
+                                .height = bad[i].height,
+                                .levels = bad[i].levels,
+                                .memory = bad[i].no_memory ? NULL : memory,
+                                .pitch = bad[i].pitch };
+        assert_int_equal(gp_surface_create(&desc, &s, &error), GP_ERROR_INVALID);
+        assert_int_not_equal(error.text[0], '\0');
+    }
+}
+
+/* Every pair of windows in one memory, against a look at each byte. */
+static void surfaces_share_where_a_texel_of_one_is_a_texel_of_the_other(void **state)
+{
+    (void)state;
+    enum { BYTES = 60, WINDOWS = 8 };
+    static const struct {
+        size_t start, pitch;
+        uint32_t width, height;
+    } windows[WINDOWS] = { { 0, 10, 5, 6 },  { 5, 10, 5, 5 }, { 4, 10, 2, 3 }, { 30, 10, 4, 3 },
+                           { 19, 10, 3, 2 }, { 8, 10, 4, 2 }, { 55, 5, 5, 1 }, { 29, 10, 1, 1 } };
+    uint8_t memory[BYTES];
+    GpSurface *s[WINDOWS];
+    for (int i = 0; i < WINDOWS; i++)
+        assert_int_equal(gp_surface_create(&(GpSurfaceDesc){ .format = GP_R8,
+                                                             .width = windows[i].width,
+                                                             .height = windows[i].height,
+                                                             .memory = memory + windows[i].start,
+                                                             .pitch = windows[i].pitch },
+                                           &s[i], NULL),
+                         GP_OK);
+    for (int i = 0; i < WINDOWS; i++)
+        for (int j = 0; j < WINDOWS; j++) {
+            bool expected = false;
+            memset(memory, 0, BYTES);
+            gp_surface_clear_color(s[i], (const float[4]){ 1, 1, 1, 1 });
+            for (uint32_t y = 0; y < s[j]->height; y++)
+                for (uint32_t x = 0; x < s[j]->width; x++)
+                    expected = expected || *texel_at(s[j], 0, x, y);
+            if (gp_surfaces_share(s[i], s[j]) != expected)
+                fail_msg("windows %d and %d", i, j);
+        }
+    GpSurface *own = make(GP_R8, 3, 3, 2);
+    assert_false(gp_surfaces_share(own, s[0]));
+    assert_false(gp_surfaces_share(own, NULL));
+    gp_surface_destroy(&own);
+    for (int i = 0; i < WINDOWS; i++)
+        gp_surface_destroy(&s[i]);
+}
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+static void reading_gives_texels_as_floats_and_as_they_are(void **state)
+{
+    (void)state;
+    for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
+        GpSurface *s = make(format, 7, 5, 2);
+        const size_t bytes = gp_format_info(format)->bytes;
+        for (uint32_t l = 0; l < 2; l++)
+            for (size_t i = 0; i < s->level[l].height * s->level[l].pitch; i++)
+                s->level[l].texels[i] = (uint8_t)(i * 37 + 11 + l);
+        const GpRect rect = { 2, 1, 5, 4 };
+        float rgba[7 * 5 * 4], one[4];
+        uint8_t raw[5 * 7 * 16 + 9 * 5];
+        for (uint32_t l = 0; l < 2; l++)
+            for (int part = 0; part < 2; part++) {
+                if (l && part)
+                    continue;
+                const GpRect r = part ? rect : l ? (GpRect){ 0, 0, 3, 2 } : (GpRect){ 0, 0, 7, 5 };
+                const uint32_t wide = (uint32_t)(r.x1 - r.x0), high = (uint32_t)(r.y1 - r.y0);
+                const size_t pitch = part ? wide * bytes + 9 : 0;
+                assert_int_equal(gp_surface_read_floats(s, l, part ? &rect : NULL, rgba, NULL), 0);
+                assert_int_equal(gp_surface_read_bytes(s, l, part ? &rect : NULL, raw, pitch, NULL),
+                                 0);
+                for (uint32_t y = 0; y < high; y++)
+                    for (uint32_t x = 0; x < wide; x++) {
+                        const uint32_t at_x = (uint32_t)r.x0 + x, at_y = (uint32_t)r.y0 + y;
+                        load(s, l, at_x, at_y, one);
+                        assert_memory_equal(rgba + 4 * (y * wide + x), one, sizeof one);
+                        assert_memory_equal(raw + y * (pitch ? pitch : wide * bytes) + x * bytes,
+                                            texel_at(s, l, at_x, at_y), bytes);
+                    }
+            }
+        gp_surface_destroy(&s);
+    }
+}
+
+static void reading_refuses_what_is_not_there(void **state)
+{
+    (void)state;
+    static const GpRect bad[] = { { -1, 0, 2, 2 }, { 0, 0, 5, 2 }, { 0, 0, 2, 4 }, { 3, 0, 2, 1 } };
+    GpSurface *s = make(GP_R8, 4, 3, 1);
+    uint8_t bytes[12];
+    float rgba[48];
+    GpError error = { "" };
+    for (size_t i = 0; i < GP_COUNT(bad); i++) {
+        assert_int_equal(gp_surface_read_bytes(s, 0, &bad[i], bytes, 0, &error), GP_ERROR_INVALID);
+        assert_int_equal(gp_surface_read_floats(s, 0, &bad[i], rgba, &error), GP_ERROR_INVALID);
+        assert_non_null(strstr(error.text, "'test'"));
+    }
+    assert_int_equal(gp_surface_read_floats(s, 1, NULL, rgba, &error), GP_ERROR_INVALID);
+    assert_string_equal(error.text, "surface 'test': level 1, but it has 1");
+    assert_int_equal(gp_surface_read_bytes(s, 0, NULL, bytes, 3, &error), GP_ERROR_INVALID);
+    assert_string_equal(error.text, "surface 'test': pitch 3 is less than a row's 4 bytes");
+    gp_surface_destroy(&s);
+}
+
 /* --- clears ----------------------------------------------------------------------------------- */
 
 static void clear_color_fills_level_0_and_no_other(void **state)
@@ -167,6 +304,32 @@ static void clear_color_fills_level_0_and_no_other(void **state)
         for (size_t b = 0; b < s->level[1].pitch * s->level[1].height; b++)
             assert_int_equal(s->level[1].texels[b], 0);
         gp_surface_destroy(&s);
+    }
+}
+
+static void clears_of_rectangles_are_cut_to_the_surface(void **state)
+{
+    (void)state;
+    static const GpRect rects[] = {
+        { 1, 1, 3, 2 }, { -4, -4, 2, 99 }, { 4, 2, 9, 9 },
+        { 3, 2, 3, 9 }, { 4, 1, 2, 3 },    { 9, 9, 12, 12 },
+    };
+    for (size_t i = 0; i < GP_COUNT(rects); i++) {
+        GpSurface *color = make(GP_R32F, 5, 3, 1), *depth = make(GP_D16, 5, 3, 1);
+        gp_surface_clear_color_rect(color, rects[i], (const float[4]){ 1 });
+        gp_surface_clear_depth_rect(depth, rects[i], 1, 0, true, false);
+        for (int t = 0; t < 15; t++) {
+            const int x = t % 5, y = t / 5;
+            const bool in =
+                x >= rects[i].x0 && x < rects[i].x1 && y >= rects[i].y0 && y < rects[i].y1;
+            float rgba[4];
+            load(color, 0, (uint32_t)x, (uint32_t)y, rgba);
+            assert_true(rgba[0] == (in ? 1 : 0));
+            load(depth, 0, (uint32_t)x, (uint32_t)y, rgba);
+            assert_true(rgba[0] == (in ? 1 : 0));
+        }
+        gp_surface_destroy(&color);
+        gp_surface_destroy(&depth);
     }
 }
 
@@ -324,6 +487,24 @@ static void hash_is_xxh3_of_the_raw_bytes_of_level_0(void **state)
     }
 }
 
+static void hash_does_not_see_what_lies_between_rows(void **state)
+{
+    (void)state;
+    uint8_t packed[31 * 40], apart[33 * 40];
+    memset(apart, 0xee, sizeof apart);
+    for (size_t i = 0; i < sizeof packed; i++)
+        apart[i / 31 * 33 + i % 31] = packed[i] = (uint8_t)(i * 2654435761u >> 13);
+    GpSurfaceDesc desc = {
+        .format = GP_R8, .width = 31, .height = 40, .memory = apart, .pitch = 33
+    };
+    GpSurface *s = NULL;
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    assert_true(gp_surface_hash(s) == XXH3_64bits(packed, sizeof packed));
+    apart[31] ^= 1;
+    assert_true(gp_surface_hash(s) == XXH3_64bits(packed, sizeof packed));
+    gp_surface_destroy(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -333,7 +514,12 @@ int main(void)
         cmocka_unit_test(create_reports_missing_memory_and_leaks_nothing),
         cmocka_unit_test(names_are_copied_and_cut),
         cmocka_unit_test(destroy_accepts_null_and_sets_null),
+        cmocka_unit_test(borrowed_memory_is_kept_and_must_fit),
+        cmocka_unit_test(surfaces_share_where_a_texel_of_one_is_a_texel_of_the_other),
+        cmocka_unit_test(reading_gives_texels_as_floats_and_as_they_are),
+        cmocka_unit_test(reading_refuses_what_is_not_there),
         cmocka_unit_test(clear_color_fills_level_0_and_no_other),
+        cmocka_unit_test(clears_of_rectangles_are_cut_to_the_surface),
         cmocka_unit_test(clear_depth_and_stencil_are_independent),
         cmocka_unit_test(clear_depth_reaches_every_texel_of_every_depth_format),
         cmocka_unit_test(mips_of_a_constant_are_that_constant),
@@ -341,6 +527,7 @@ int main(void)
         cmocka_unit_test(mips_of_floats_are_exact_means),
         cmocka_unit_test(r26_mips_of_srgb_are_means_of_light),
         cmocka_unit_test(hash_is_xxh3_of_the_raw_bytes_of_level_0),
+        cmocka_unit_test(hash_does_not_see_what_lies_between_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
