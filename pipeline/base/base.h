@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/* What a function came to. */
 typedef enum GpResult {
     GP_OK = 0,
     GP_ERROR_INVALID = -1,     /* a description that contradicts itself or a limit */
@@ -37,11 +38,14 @@ GpResult gp_fail(GpError *error, GpResult result, const char *format, ...)
 /* Name of a result, e.g. "invalid". Never NULL. */
 const char *gp_result_name(GpResult result);
 
+/* Says where a condition failed, and stops the program. */
 __attribute__((noreturn)) void gp_assert_failed(const char *condition, const char *file, int line);
 
+/* Stops the program where its own code, or the caller, broke a contract. */
 #define GP_ASSERT(condition)                                                                       \
     ((condition) ? (void)0 : gp_assert_failed(#condition, __FILE__, __LINE__))
 
+/* Elements of an array. */
 #define GP_COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
 /* Zeroed array of count elements of size bytes, aligned to 64 bytes; count or size 0 gives a valid
@@ -50,7 +54,7 @@ void *gp_alloc(size_t count, size_t size);
 void *gp_alloc_unset(size_t bytes); /* the same, but with whatever was there */
 void gp_free(void *memory);
 
-/* The bits of a float, and back. (Vectors of lanes are cast, which keeps their bits.) */
+/* The bits of a float. (Vectors of lanes are cast, which keeps their bits.) */
 static inline uint32_t gp_float_bits(float value)
 {
     union {
@@ -60,6 +64,7 @@ static inline uint32_t gp_float_bits(float value)
     return pun.u;
 }
 
+/* The float that has these bits. */
 static inline float gp_bits_float(uint32_t bits)
 {
     union {

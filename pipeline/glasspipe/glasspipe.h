@@ -20,14 +20,17 @@
 extern "C" {
 #endif
 
+/* Of the library; the first number changes where programs must be compiled anew. */
 #define GP_VERSION "0.1.0"
 
+/* Who runs a list; all give the same bits. */
 typedef enum GpExecutor {
     GP_EXECUTOR_FAST = 0,  /* tiles, lanes and threads */
     GP_EXECUTOR_REFERENCE, /* one unit after the other, one thread, can be traced */
     GP_EXECUTORS
 } GpExecutor;
 
+/* How a list is run. All zero: the fast executor, on all processors, at the widest lanes. */
 typedef struct GpDeviceDesc {
     GpExecutor executor;
     int threads;     /* 0: one a processor; never changes a bit */
@@ -37,6 +40,7 @@ typedef struct GpDeviceDesc {
     bool timed;      /* fast executor: looks at the clock inside tiles too, which costs some time */
 } GpDeviceDesc;
 
+/* An executor with its threads, its memory and its counters; gp_device_create makes one. */
 typedef struct GpDevice GpDevice;
 
 /* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace on another
@@ -53,11 +57,13 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error);
 /* The isa that the last run used ("sse2", ...), or the forced one before any. */
 const char *gp_device_isa(const GpDevice *device);
 
+/* As it was asked for. */
 GpExecutor gp_device_executor(const GpDevice *device);
 
 /* Threads that it runs on; the reference executor has one. */
 int gp_device_threads(const GpDevice *device);
 
+/* Work since the device was created, and times of the last run; valid as long as the device is. */
 const GpCounters *gp_device_counters(const GpDevice *device);
 const GpPhases *gp_device_phases(const GpDevice *device);
 

@@ -15,6 +15,7 @@
 extern "C" {
 #endif
 
+/* One draw: a program with its uniforms, over a geometry, under a state. Everything is borrowed. */
 typedef struct GpDraw {
     const char *name; /* for messages; may be NULL */
     const GpProgram *program;
@@ -25,12 +26,15 @@ typedef struct GpDraw {
     GpTexture textures[GP_MAX_SAMPLERS];
 } GpDraw;
 
+/* Where colours go, and what is there before the first draw. */
 typedef struct GpColorTarget {
     GpSurface *surface; /* NULL: no target i; the targets in use are 0..n-1 */
     bool clear;         /* before the first draw; otherwise the content is kept */
     float clear_color[4];
 } GpColorTarget;
 
+/* Where depth and stencil go, and what is there before the first draw; a surface of NULL: no
+ * depth. */
 typedef struct GpDepthTarget {
     GpSurface *surface;
     bool clear_depth, clear_stencil;
@@ -38,6 +42,7 @@ typedef struct GpDepthTarget {
     uint8_t stencil_value;
 } GpDepthTarget;
 
+/* Draws into the same targets, in their order. */
 typedef struct GpPass {
     const char *name;
     GpColorTarget color[GP_MAX_TARGETS];
@@ -51,6 +56,7 @@ typedef struct GpPass {
     uint32_t clear_rect_count;
 } GpPass;
 
+/* Passes in their order: the work of a frame. */
 typedef struct GpList {
     const GpPass *passes;
     uint32_t pass_count;

@@ -8,6 +8,7 @@
 extern "C" {
 #endif
 
+/* The units that a draw needs; all false: none. */
 typedef struct GpNeeds {
     bool pixel_shader; /* a colour is written, or the shader may discard or write depth */
     bool color;        /* some colour target keeps some channel written */

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* Which unit tells, or of what. */
 typedef enum GpTraceKind {
     GP_TRACE_CLEAR,       /* a target's pixel was cleared */
     GP_TRACE_VERTEX,      /* one vertex was shaded */
@@ -27,12 +28,15 @@ typedef enum GpTraceKind {
     GP_TRACE_KINDS
 } GpTraceKind;
 
+/* By value: "raster". */
 extern const char *const gp_trace_kind_names[GP_TRACE_KINDS];
 
+/* A pass clears its targets. */
 typedef struct GpTraceClear {
     const GpPass *pass; /* its targets say what was cleared, and to which values */
 } GpTraceClear;
 
+/* What the vertex shader was given and gave. */
 typedef struct GpTraceVertex {
     uint32_t vertex;
     int input_components, varying_components;
@@ -40,6 +44,7 @@ typedef struct GpTraceVertex {
     float clip[4]; /* clip-space position */
 } GpTraceVertex;
 
+/* How a triangle lies in the clip volume, and what is left of it. */
 typedef struct GpTraceClip {
     float clip[3][4];
     unsigned planes; /* bit i: some vertex is outside plane i: left right bottom top (guard band)
@@ -47,6 +52,7 @@ typedef struct GpTraceClip {
     int corners; /* of the polygon that is left; 0: nothing; 3: untouched or cut to a triangle */
 } GpTraceClip;
 
+/* A triangle on the screen, or why it is not there. */
 typedef struct GpTraceSetup {
     int32_t x[3], y[3]; /* 24.8 fixed point */
     float z[3], rw[3];  /* depth, 1/w */
@@ -55,12 +61,14 @@ typedef struct GpTraceSetup {
     const char *reason; /* NULL, or why it draws nothing: "facing", "zero area", ... */
 } GpTraceSetup;
 
+/* How a covered pixel lies in its triangle. */
 typedef struct GpTraceRaster {
     int64_t edge[3]; /* edge functions opposite the three vertices, in the order in which they were
                         submitted; at the centre, in 1/65536 pixels; their sum is |area2| */
     bool front;      /* clockwise */
 } GpTraceRaster;
 
+/* What a pixel gets of its triangle's corners. */
 typedef struct GpTraceInterpolate {
     float barycentric[3]; /* perspective-correct shares of the vertices, in submitted order */
     float depth;
@@ -68,6 +76,7 @@ typedef struct GpTraceInterpolate {
     const float *varyings;
 } GpTraceInterpolate;
 
+/* A texture read, and the texels that went into it. */
 typedef struct GpTraceTexture {
     int slot;
     const GpSurface *surface;
@@ -76,6 +85,7 @@ typedef struct GpTraceTexture {
     float texel[4];
 } GpTraceTexture;
 
+/* What the pixel shader gave. */
 typedef struct GpTracePixel {
     int targets;
     float color[GP_MAX_TARGETS][4];
@@ -83,6 +93,7 @@ typedef struct GpTracePixel {
     bool killed;
 } GpTracePixel;
 
+/* One test of a fragment. */
 typedef struct GpTraceTest {
     const char *unit; /* "scissor", "clip plane", "alpha test", "stencil", "depth" */
     GpCompare compare;
@@ -92,6 +103,7 @@ typedef struct GpTraceTest {
     int32_t stencil_before, stencil_after; /* -1 without stencil */
 } GpTraceTest;
 
+/* How a fragment met what the target held. */
 typedef struct GpTraceOutput {
     int target;
     const GpSurface *surface;
@@ -100,6 +112,7 @@ typedef struct GpTraceOutput {
     float result[4];                 /* as read back after the store */
 } GpTraceOutput;
 
+/* One thing that a unit did; `kind` says which member of the union holds. */
 typedef struct GpTraceEvent {
     GpTraceKind kind;
     uint32_t pass, draw, primitive;

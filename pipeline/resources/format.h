@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* How a texel is stored; the letters go from the highest bit down, as in Direct3D. */
 typedef enum GpFormat {
     GP_FORMAT_NONE = 0,
     GP_A8R8G8B8,
@@ -30,6 +31,7 @@ typedef enum GpFormat {
     GP_FORMATS
 } GpFormat;
 
+/* What a format can be used for. */
 typedef struct GpFormatInfo {
     const char *name;      /* as in scene files and hashes: "A8R8G8B8" */
     uint8_t bytes;         /* per texel */

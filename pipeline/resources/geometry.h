@@ -22,6 +22,7 @@ typedef enum GpSemantic {
     GP_SEMANTICS
 } GpSemantic;
 
+/* By value: "position", "texcoord0". */
 extern const char *const gp_semantic_names[GP_SEMANTICS];
 
 /* Which indices (or vertices) make primitive i. The first that is named is corner 0: flat varyings
@@ -72,6 +73,7 @@ typedef struct GpStream {
     GpComponentType type;
 } GpStream;
 
+/* Vertices and how they are joined; everything is borrowed until the run returns. */
 typedef struct GpGeometry {
     GpPrimitive primitive;
     uint32_t vertex_count;

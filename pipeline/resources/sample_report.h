@@ -16,6 +16,7 @@ typedef struct GpTexelUse {
     float value[4]; /* as loaded: r g b a */
 } GpTexelUse;
 
+/* Which texels went into a texture read. */
 typedef struct GpSampleReport {
     float lod; /* after bias and clamp, as an 8.8 fixed-point value */
     bool magnified;

@@ -20,6 +20,7 @@ enum {
     GP_MAX_INPUTS = 64,   /* floats: sixteen vertex inputs of four */
 };
 
+/* How a new value, on the left, is compared with what is there. The first passes always. */
 typedef enum GpCompare {
     GP_ALWAYS = 0,
     GP_NEVER,
@@ -32,6 +33,7 @@ typedef enum GpCompare {
     GP_COMPARES
 } GpCompare;
 
+/* Which triangles are left out. */
 typedef enum GpCull {
     GP_CULL_NONE = 0,
     GP_CULL_CW,  /* triangles that turn clockwise on the screen, y down: Direct3D's front faces */
@@ -39,6 +41,7 @@ typedef enum GpCull {
     GP_CULLS
 } GpCull;
 
+/* Which pixels a primitive covers, and its depth. */
 typedef struct GpRasterState {
     GpCull cull;
     bool scissor; /* keep only pixels inside [x0, x1) x [y0, y1) */
@@ -57,11 +60,13 @@ typedef struct GpViewport {
     bool d3d9_centers;
 } GpViewport;
 
+/* The depth test. All zero: none, and depth is not written. */
 typedef struct GpDepthState {
     GpCompare test; /* incoming TEST stored */
     bool write;     /* store the depth of fragments that pass; works with GP_ALWAYS too */
 } GpDepthState;
 
+/* What becomes of a stencil value. */
 typedef enum GpStencilOp {
     GP_STENCIL_KEEP = 0,
     GP_STENCIL_ZERO,
@@ -74,11 +79,13 @@ typedef enum GpStencilOp {
     GP_STENCIL_OPS
 } GpStencilOp;
 
+/* The stencil test of one facing. */
 typedef struct GpStencilFace {
     GpCompare test; /* (ref & ~ignore) TEST (stored & ~ignore) */
     GpStencilOp fail, depth_fail, pass;
 } GpStencilFace;
 
+/* The stencil test of both facings. All zero: off. */
 typedef struct GpStencilState {
     bool enable;
     bool two_sided;      /* false: `front` serves all; true: `back` serves counter-clockwise ones */
@@ -89,11 +96,13 @@ typedef struct GpStencilState {
     uint8_t keep;   /* bits that are never written (Direct3D's write mask, inverted) */
 } GpStencilState;
 
+/* Alpha of target 0 against a reference; fragments that fail are gone. */
 typedef struct GpAlphaTest {
     GpCompare test;    /* alpha of target 0 TEST reference/255; failing kills all targets */
     uint8_t reference; /* 0..255 */
 } GpAlphaTest;
 
+/* How the shader's colour and the target's become one. */
 typedef enum GpBlendOp {
     GP_BLEND_OFF = 0, /* the shader's colour replaces */
     GP_BLEND_ADD,
@@ -107,11 +116,13 @@ typedef enum GpBlendOp {
     GP_BLEND_OPS
 } GpBlendOp;
 
+/* Whether an operation is one of bits. */
 static inline bool gp_blend_is_logic(GpBlendOp op)
 {
     return op >= GP_BLEND_LOGIC_AND && op <= GP_BLEND_LOGIC_XOR;
 }
 
+/* What a side of blending is multiplied with. */
 typedef enum GpBlendFactor {
     GP_ZERO = 0,
     GP_ONE,
@@ -129,6 +140,7 @@ typedef enum GpBlendFactor {
     GP_BLEND_FACTORS
 } GpBlendFactor;
 
+/* Blending of one target. All zero: off, and all channels are written. */
 typedef struct GpBlend {
     GpBlendOp op; /* colour; and alpha too unless alpha_op says otherwise */
     GpBlendFactor src, dst;
@@ -137,6 +149,7 @@ typedef struct GpBlend {
     uint8_t keep; /* bit c: channel c (0 red .. 3 alpha) keeps its bits (R37) */
 } GpBlend;
 
+/* The fixed functions of a draw. All zero: fragments go straight to the targets. */
 typedef struct GpState {
     GpRasterState raster;
     GpDepthState depth;
@@ -148,7 +161,10 @@ typedef struct GpState {
 
 /* --- sampling --------------------------------------------------------------------------------- */
 
+/* How texels of one level are chosen or mixed. */
 typedef enum GpFilter { GP_POINT = 0, GP_LINEAR, GP_FILTERS } GpFilter;
+
+/* How levels are chosen or mixed. */
 typedef enum GpMipFilter {
     GP_MIP_NONE = 0,
     GP_MIP_POINT,
@@ -156,6 +172,7 @@ typedef enum GpMipFilter {
     GP_MIP_FILTERS
 } GpMipFilter;
 
+/* What a coordinate outside [0, 1] reads. */
 typedef enum GpAddress {
     GP_WRAP = 0,
     GP_MIRROR,
@@ -165,6 +182,7 @@ typedef enum GpAddress {
     GP_ADDRESSES
 } GpAddress;
 
+/* How a texture is read. All zero: the nearest texel of level 0, repeated. */
 typedef struct GpSampler {
     GpFilter min, mag;
     GpMipFilter mip;
@@ -184,6 +202,7 @@ typedef struct GpTexture {
 
 /* --- names, for scene files and messages: tables in state.c ----------------------------------- */
 
+/* By value, as scene files have them: "less-equal". */
 extern const char *const gp_compare_names[GP_COMPARES];
 extern const char *const gp_cull_names[GP_CULLS];
 extern const char *const gp_stencil_op_names[GP_STENCIL_OPS];

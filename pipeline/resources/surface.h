@@ -41,6 +41,7 @@ typedef struct GpSurfaceDesc {
     size_t pitch; /* bytes from one row to the next, at least a row's; 0: rows without padding */
 } GpSurfaceDesc;
 
+/* One level of a surface. */
 typedef struct GpLevel {
     uint8_t *texels; /* row 0 at the top */
     uint32_t width, height;

@@ -134,6 +134,7 @@ step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 GP_TEST_BUNN
 for name in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 aarch64; do
     step "code-$name" sh tests/tools/check_code.sh "$out/$name"
 done
+step docs sh tests/tools/docs.sh "$out/gcc-O2/include" tests/tools/docs.awk "$out/docs"
 step install sh tests/tools/check_install.sh "$out/gcc-O2"
 step peer peer
 # the longest last

@@ -34,6 +34,7 @@ check libc6-dev-arm64-cross file /usr/aarch64-linux-gnu/include/stdio.h
 check qemu-user command qemu-aarch64
 check pkg-config command pkg-config
 check cmake command cmake
+check doxygen command doxygen
 check openimageio-tools command idiff
 EOF
 }
