@@ -123,7 +123,7 @@ GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
 DIFFERENTIAL_TEST := $(BUILD)/test/differential
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
 
-.PHONY: all program run deps test lint check check-peer format install uninstall help clean bless
+.PHONY: all program run deps test lint check check-peer docs format install uninstall help clean bless
 all: program $(CORE_SO) $(CORE_A) $(STAGED)
 program: $(PROGRAM)
 
@@ -267,7 +267,9 @@ PICTURE_RESULT := $(BUILD)/test/pictures.tap
 PRINTED_RESULT := $(BUILD)/test/printed.tap
 # What users get, in short; `make check` has all of it.
 LIBRARY_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/library.tap $(BUILD)/test/headers.tap)
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) \
+# What a stranger's compiler says of shaders, and makes of them.
+SNIPPET_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/snippets.tap)
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) \
            $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
@@ -293,6 +295,9 @@ $(BUILD)/test/headers.tap: $(HEADERS) always
 $(BUILD)/test/library.tap: all always
 	$(call say,TEST,$(@F:.tap=))CC='$(CC)' CXX='$(CXX)' $(RUN_TEST) $@ sh tests/tools/check_library.sh \
 	    $(BUILD) short
+
+$(BUILD)/test/snippets.tap: $(CORE_A) $(HEADERS) always
+	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/check_snippets.sh $(BUILD)/include $(CORE_A)
 
 # Run here, and emulated inside.
 $(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTIAL_TEST) \
@@ -336,6 +341,10 @@ format:
 LINT_OBJECTS = $(CORE) $(IO) $(APPS) $(SHADERS) $(BUILD)/obj/apps/main.o
 lint: $(LINT_OBJECTS)
 	@CC='$(CC)' sh tests/tools/lint.sh $(BUILD) $^
+
+# The public headers as HTML; a function or struct without its comment is an error.
+docs: $(HEADERS)
+	@sh tests/tools/docs.sh $(BUILD)/include tests/tools/docs.awk out/docs
 
 check: | packages
 	+@sh tests/tools/check.sh $(BUILD)
@@ -417,6 +426,7 @@ help:
 	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
+	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
 	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'
 	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'
 	@echo 'make deps        install the Debian packages that building and testing need'

@@ -5,6 +5,7 @@
 #include "pipeline/fast/fast.h"
 #include "pipeline/base/fpcontrol.h"
 #include "pipeline/list/isa.h"
+#include "pipeline/list/list_check.h"
 #include "pipeline/reference/reference.h"
 
 #include <stdlib.h>
@@ -18,7 +19,8 @@ struct GpDevice {
     char isa[16];     /* as asked for; desc.isa may have been freed by the caller */
     int forced_lanes; /* 0: chosen for each list */
     const char *used_isa;
-    GpFast *fast; /* NULL: the reference executor */
+    GpFast *fast;               /* NULL: the reference executor */
+    GpCheckedPrograms programs; /* of the reference executor; the other has its own */
     GpCounters counters;
     GpPhases phases;
 };
@@ -118,8 +120,9 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
 {
     int lanes;
     double mark = fast_clock_ms();
-    GpResult result =
-        device->fast ? gp_fast_check(device->fast, list, error) : gp_list_check(list, error);
+    GpIndexRanges ranges = { .pool = NULL };
+    GpResult result = device->fast ? gp_fast_check(device->fast, list, error)
+                                   : gp_list_check_again(list, &device->programs, &ranges, error);
     if (result)
         return result;
     result = choose_lanes(device, list, &lanes, error);

@@ -49,7 +49,7 @@ void shader_limits_add(json_t *object, const GpProgram *program)
     GpShaderCounts vertex = { 0 }, pixel = { 0 };
     if (!program->count)
         return;
-    program->count(&vertex, &pixel);
+    program->count(program, &vertex, &pixel);
     json_object_set_new(object, "vertex_shader", limits_json(program->vertex_profile, &vertex));
     if (program->code[0]->pixel)
         json_object_set_new(object, "pixel_shader", limits_json(program->pixel_profile, &pixel));

@@ -113,17 +113,22 @@ static void resolve_blends(FastDraw *d)
     }
 }
 
-/* Samplers of the slots that the program reads; false when memory is short. */
+/* Samplers of the slots that the program reads, and none in the others; false when memory is short. */
 static bool prepare_samplers(FastArena *arena, FastDraw *d)
 {
     unsigned read = d->draw->program->samplers | d->draw->program->vertex_samplers;
+    static const FastSampler unbound[GP_MAX_SAMPLERS];
+    d->samplers = unbound;
     if (!read)
         return true;
-    d->samplers = fast_arena_take(arena, GP_MAX_SAMPLERS * sizeof *d->samplers);
-    for (int i = 0; d->samplers && i < GP_MAX_SAMPLERS; i++)
+    FastSampler *samplers = fast_arena_take(arena, GP_MAX_SAMPLERS * sizeof *samplers);
+    for (int i = 0; samplers && i < GP_MAX_SAMPLERS; i++)
         if (read >> i & 1)
-            fast_prepare_sampler(&d->draw->textures[i], &d->samplers[i]);
-    return d->samplers != NULL;
+            fast_prepare_sampler(&d->draw->textures[i], &samplers[i]);
+        else
+            samplers[i].sampling = FAST_UNBOUND;
+    d->samplers = samplers;
+    return samplers != NULL;
 }
 
 /* Whether all that a draw does is to bring words of one surface into another: unorm8 codes come

@@ -1,4 +1,4 @@
-/* The shader language: include this, and nothing else, in a shader file.
+/* The shader language: include this in a shader file, after all other headers.
  *
  * It takes short names (add min max any select lane float3 ...) that other code is likely to have:
  * keep shaders in files of their own. (A file that has main too may be compiled once, at four lanes.)
@@ -14,12 +14,14 @@
  *   vertex_shader(name, Uniforms, Vertex, Varying)   writes *position, out->..., *point_size
  *   pixel_shader(name, Uniforms, Varying)            returns the colour of target 0
  *   pixel_shader_targets(name, Uniforms, Varying, Targets)   writes out->..., a struct of float4
- *   program(name, vs, ps, declarations...)           ends the file; defines GpProgram name
+ *   program(name, vs, ps, declarations...)           ends the file; defines GpProgram name: its fields
+ *                                                    by their names, in any order
  *   depth_program(name, vs, declarations...)         the same without a pixel shader
  *
- * Helpers that read textures take `GpInvocation *gp`. Shaders are pure: no statics, no libm, no
- * allocation, no branches on lane values (select instead). Loops have constant bounds, and may be left
- * where no lane changes any more: while (.. && any(mask)).
+ * Helpers that read textures or derivatives take `GpInvocation *gp`. What a shader uses must be
+ * declared: where it is not, a draw is refused with the program's and the field's name. Shaders are
+ * pure: no statics, no libm, no allocation, no branches on lane values (select instead). Loops have
+ * constant bounds, and may be left where no lane changes any more: while (.. && any(mask)).
  *
  * #define GP_SHADER_PAIRS before the include where pixel shaders are long chains of arithmetic, each
  * step waiting for the one before: two packets then go through side by side. It changes no bit, costs
@@ -39,6 +41,16 @@
 #endif
 
 #include "pipeline/shader/program.h"
+
+/* One picture, whoever compiles (R50). Fused multiplications are seen when a program is first drawn, and
+ * refused there; clang leaves them out when asked here. */
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ ||        \
+    (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
+#error glasspipe: with -ffast-math, or a part of it, shaders draw other pictures
+#endif
+#ifdef __clang__
+#pragma STDC FP_CONTRACT OFF
+#endif
 
 #if defined __cplusplus && __cplusplus < 202002L
 #define vertex_shader(...)                                                                         \

@@ -1,6 +1,8 @@
 /* Validation of a list before its first pixel: every rule once, with the field's name. */
 #include "pipeline/list/list_check.h"
 
+#include "pipeline/list/isa.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -125,7 +127,7 @@ static GpResult check_targets(const Place *place)
 
 /* --- programs and geometry -------------------------------------------------------------------- */
 
-/* Counting one's shaders takes up to a tenth of a millisecond. */
+/* Counting and trying one's shaders takes up to a tenth of a millisecond. */
 static int find_checked(const GpCheckedPrograms *programs, const GpProgram *program)
 {
     for (int i = 0; i < GP_CHECKED_PROGRAMS; i++)
@@ -149,20 +151,32 @@ static void remember(GpCheckedPrograms *programs, const GpProgram *program)
     programs->facts[at] = gp_pixel_facts(program);
 }
 
+/* Every width that may be run: each was compiled by itself. */
+static GpResult try_program(const GpProgram *program, const void *uniforms, GpError *error)
+{
+    GpResult result = GP_OK;
+    for (int i = 0; i < GP_CODE_WIDTHS && !result; i++)
+        if (program->code[i] && gp_isa_runs(program->code[i]->isa))
+            result = gp_program_try(program, program->code[i], uniforms, error);
+    return result;
+}
+
 static GpResult check_program(const Place *place)
 {
     const GpProgram *program = draw_at(place)->program;
     if (!program)
         return refuse(place, "program", "NULL");
     GpError reason;
-    if (find_checked(place->programs, program) < 0) {
-        if (gp_program_check(program, &reason))
-            return refuse(place, "program", "%s", reason.text);
-        remember(place->programs, program);
-    }
+    const bool known = find_checked(place->programs, program) >= 0;
+    if (!known && gp_program_check(program, &reason))
+        return refuse(place, "program", "%s", reason.text);
     if (program->uniform_bytes && !draw_at(place)->uniforms)
         return refuse(place, "uniforms", "NULL, but %s has %zu bytes of them", program->name,
                       program->uniform_bytes);
+    if (!known && try_program(program, draw_at(place)->uniforms, &reason))
+        return refuse(place, "program", "%s", reason.text);
+    if (!known)
+        remember(place->programs, program);
     int targets = gp_program_targets(program);
     const GpPass *pass = pass_at(place);
     for (int i = 0; i < GP_MAX_TARGETS; i++)

@@ -35,6 +35,7 @@ typedef enum GpPrimitive {
     GP_PRIMITIVES
 } GpPrimitive;
 
+/* Vertices of one primitive. */
 static inline uint32_t gp_primitive_corners(GpPrimitive primitive)
 {
     return primitive == GP_POINTS ? 1 : 3;
@@ -59,6 +60,7 @@ typedef enum GpComponentType {
     GP_COMPONENT_TYPES
 } GpComponentType;
 
+/* Bytes of one component. */
 static inline size_t gp_component_bytes(GpComponentType type)
 {
     return type == GP_FLOAT32 ? 4 : type >= GP_UINT16 ? 2 : 1;
@@ -86,6 +88,7 @@ typedef struct GpGeometry {
 /* Number of triangles or points of a geometry. */
 uint32_t gp_geometry_primitives(const GpGeometry *geometry);
 
+/* Whether indices name the vertices. */
 static inline bool gp_geometry_is_indexed(const GpGeometry *geometry)
 {
     return geometry->indices || geometry->indices16;

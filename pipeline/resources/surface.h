@@ -22,11 +22,13 @@ typedef struct GpRect {
 /* What two rectangles have in common; it may be empty. */
 GpRect gp_rect_common(GpRect a, GpRect b);
 
+/* Whether it has no pixel. */
 static inline bool gp_rect_is_empty(GpRect rect)
 {
     return rect.x1 <= rect.x0 || rect.y1 <= rect.y0;
 }
 
+/* A surface to be made. */
 typedef struct GpSurfaceDesc {
     GpFormat format;
     uint32_t width, height; /* texels of level 0, 1..GP_MAX_SIZE */

@@ -5,20 +5,26 @@
  * what it costs. pipeline/shader/counting_graph.hpp says what is counted and how. The types and names are
  * those of the C vocabulary, widening included; `program(id, ...)` emits
  *
- *   extern "C" void id_count(GpShaderCounts *vertex, GpShaderCounts *pixel)
+ *   extern "C" void id_count(const GpProgram *id, GpShaderCounts *vertex, GpShaderCounts *pixel)
  *
- * which the C build of the same file refers to, weakly, as .count. C++ asks two things of a shader
- * that C does not: declarations in program(...) in the order of GpProgram's fields, and no C++
- * keyword as a name.
+ * which the C build of the same file refers to, weakly, as .count; what a program declares is in the
+ * C build alone. C++ asks one thing of a shader that C does not: no C++ keyword as a name.
  */
 #ifndef GP_COUNTING_HPP
 #define GP_COUNTING_HPP
 
 #include "pipeline/shader/counting_instructions.hpp"
 
-/* A program names the fields it sets and means the rest to be zero, as C's warnings understand and
+/* A struct is given the fields that matter and zeros in the rest, as C's warnings understand and
  * g++'s do not. */
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+#ifndef main /* as shader.h refuses it where lanes are named */
+#define main(...)                                                                                  \
+    gp_no_main;                                                                                    \
+    static_assert(false, "a shader file has no main: put it into a file of its own");              \
+    int gp_no_main_either(__VA_ARGS__)
+#endif
 
 namespace
 {
@@ -59,6 +65,25 @@ template <class S> void fill_inputs(Recorder *recorder, S *in)
     fill(in, parts);
 }
 
+/* GpShaderCounts.named_inputs of a vertex struct. */
+template <class In> void find_named_inputs(uint8_t *first)
+{
+    static const In in = {};
+    auto place = [](const auto &member) {
+        return uint8_t(
+            1 + (reinterpret_cast<const char *>(&member) - reinterpret_cast<const char *>(&in)) /
+                    int(sizeof(flt)));
+    };
+    if constexpr (requires { in.position; })
+        first[GP_POSITION] = place(in.position);
+    if constexpr (requires { in.normal; })
+        first[GP_NORMAL] = place(in.normal);
+    if constexpr (requires { in.color; })
+        first[GP_COLOR] = place(in.color);
+    if constexpr (requires { in.tangent; })
+        first[GP_TANGENT] = place(in.tangent);
+}
+
 template <class U, class In, class Out>
 GpShaderCounts gp_count_vertex(const GpProgram &declared,
                                void (*body)(GpInvocation *, const U *, const In *, float4 *, Out *,
@@ -82,6 +107,7 @@ GpShaderCounts gp_count_vertex(const GpProgram &declared,
     outputs.insert(outputs.begin(), { parts_of(position), -1 });
     outputs.push_back({ { point_size }, -1 });
     GpShaderCounts counts = recorder.finish(outputs);
+    find_named_inputs<In>(counts.named_inputs);
     counts.writes_point_size = recorder.kind_of(point_size) != Kind::unwritten;
     return counts;
 }
@@ -140,11 +166,12 @@ GpShaderCounts gp_count_pixel(const GpProgram &declared,
     static float4 name##_color(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                   \
                                GP_UNUSED const IN *in)
 
-#define GP_COUNT_OF(id, vertex_counts, pixel_counts, ...)                                          \
-    extern "C" void id##_count(GpShaderCounts *vertex, GpShaderCounts *pixel);                     \
-    extern "C" void id##_count(GpShaderCounts *vertex, GpShaderCounts *pixel)                      \
+#define GP_COUNT_OF(id, vertex_counts, pixel_counts)                                               \
+    extern "C" void id##_count(const GpProgram *declared, GpShaderCounts *vertex,                  \
+                               GpShaderCounts *pixel);                                             \
+    extern "C" void id##_count(GP_UNUSED const GpProgram *declared, GpShaderCounts *vertex,        \
+                               GpShaderCounts *pixel)                                              \
     {                                                                                              \
-        const GpProgram declared = { .name = #id, __VA_ARGS__ };                                   \
         if (vertex)                                                                                \
             *vertex = vertex_counts;                                                               \
         if (pixel)                                                                                 \
@@ -155,9 +182,8 @@ GpShaderCounts gp_count_pixel(const GpProgram &declared,
     static_assert(int(vs##_uniforms) == int(ps##_uniforms),                                        \
                   "both shaders share one uniform struct");                                        \
     static_assert(int(vs##_out) == int(ps##_in), "both shaders share one varying struct");         \
-    GP_COUNT_OF(id, gp_count_vertex(declared, vs), gp_count_pixel(declared, ps), __VA_ARGS__)
+    GP_COUNT_OF(id, gp_count_vertex(*declared, vs), gp_count_pixel(*declared, ps))
 
-#define depth_program(id, vs, ...)                                                                 \
-    GP_COUNT_OF(id, gp_count_vertex(declared, vs), GpShaderCounts{}, __VA_ARGS__)
+#define depth_program(id, vs, ...) GP_COUNT_OF(id, gp_count_vertex(*declared, vs), GpShaderCounts{})
 
 #endif

@@ -89,9 +89,16 @@ template <class V> V from_parts(const std::array<flt, 4> &parts)
     return value;
 }
 
+template <class V>
+concept Value = std::is_same_v<V, flt> || std::is_same_v<V, float2> || std::is_same_v<V, float3> ||
+    std::is_same_v<V, float4>;
+
 /* b as a V: itself, or one scalar in all components. */
 template <class V, class B> V widen(B b)
 {
+    static_assert(Value<V>, "a must be a flt or a vector");
+    static_assert(std::is_same_v<V, B> || Scalar<B>,
+                  "what goes with a must be as wide as a, or a flt, or a number");
     if constexpr (std::is_same_v<V, B>) {
         return b;
     } else {
@@ -363,11 +370,11 @@ template <Scalar A, Scalar B, Scalar C, Scalar D> float4 vec4(A a, B b, C c, D d
     return { lane(a), lane(b), lane(c), lane(d) };
 }
 
-template <class V> V dsx(V a)
+template <class V> V slope_x(V a)
 {
     return emit<V>(DERIVATIVE, a);
 }
-template <class V> V dsy(V a)
+template <class V> V slope_y(V a)
 {
     return emit<V>(DERIVATIVE, a);
 }
@@ -413,6 +420,8 @@ inline flt gp_vface(const GpInvocation *)
 {
     return recording->leaf(Kind::face, 0);
 }
+#define dsx(a)  ((void)gp, slope_x(a))
+#define dsy(a)  ((void)gp, slope_y(a))
 #define vpos()  gp_vpos(gp)
 #define vface() gp_vface(gp)
 

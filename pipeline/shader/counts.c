@@ -12,6 +12,6 @@ GpPixelFacts gp_pixel_facts(const GpProgram *program)
     if (!program->count || !program->code[0]->pixel)
         return (GpPixelFacts){ all, 0 };
     GpShaderCounts vertex, pixel;
-    program->count(&vertex, &pixel);
+    program->count(program, &vertex, &pixel);
     return (GpPixelFacts){ all & pixel.inputs_read, pixel.copied_slot };
 }

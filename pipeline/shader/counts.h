@@ -27,10 +27,13 @@ struct GpShaderCounts {
     uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
     int copied_slot; /* 1 + the slot whose texel, read in place, is all that the pixel shader gives,
                         as it is; 0: it does something else */
-    bool gradients;  /* dsx, dsy or texldd appear */
-    bool needs_quads;  /* dsx or dsy */
-    bool implicit_lod; /* texld, texldp or texldb appear */
-    bool explicit_lod; /* texldl appears */
+    uint8_t
+        named_inputs[GP_SEMANTICS]; /* 1 + the first component of the vertex struct's member that
+                                           is called as the semantic; 0: none is */
+    bool gradients;                 /* dsx, dsy or texldd appear */
+    bool needs_quads;               /* dsx or dsy */
+    bool implicit_lod;              /* texld, texldp or texldb appear */
+    bool explicit_lod;              /* texldl appears */
     bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
 };
 

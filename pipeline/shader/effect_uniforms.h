@@ -2,6 +2,7 @@
 #ifndef GP_EFFECT_UNIFORMS_H
 #define GP_EFFECT_UNIFORMS_H
 
+/* The uniforms of a shader that is drawn without a project. */
 typedef struct EffectUniforms {
     float view_projection[4][4]; /* world to clip: m4x4(in->position, c->view_projection) */
     float eye[3];                /* world */

@@ -4,15 +4,39 @@
 
 #include "pipeline/shader/types.h"
 
+/* Whoever asks what a shader uses finds values that no shader computes where it writes nothing. */
+#define GP_UNSET_BITS 0x7fa5a5a5u
+
+GP_INLINE float gp_unset_size(const GpShaderCall *call)
+{
+    return call->used ? gp_bits_float(GP_UNSET_BITS) : 1.0f;
+}
+
+/* Whether this file was compiled to round a * b + c once. */
+__attribute__((noinline, unused)) static bool gp_fuses(void)
+{
+    volatile float root =
+        1 + 0x1p-12f; /* its square ends in 2^-24, which a float has no room for */
+    const flt x = flt_set(root), rest = x * x - (1 + 0x1p-11f);
+    return rest[0] != 0;
+}
+
+GP_INLINE void gp_tell(const GpShaderCall *call, uint32_t used)
+{
+    if (call->used)
+        *call->used |= used | (gp_fuses() ? GP_USED_FUSED : 0);
+}
+
 #define GP_VERTEX_PACKETS(name, U, IN, varyings)                                                   \
     for (int k = 0; k < call->packets; k++) {                                                      \
         GpInvocation invocation = { .call = call, .packet = k };                                   \
-        flt size = flt_set(1);                                                                     \
+        flt size = flt_set(gp_unset_size(call));                                                   \
         name##_body(&invocation, (const U *)call->uniforms,                                        \
                     (const IN *)(const void *)call->in + k, (float4 *)(void *)call->position + k,  \
                     varyings, &size);                                                              \
         if (call->point_size)                                                                      \
             ((flt *)(void *)call->point_size)[k] = size;                                           \
+        used |= invocation.used;                                                                   \
     }
 
 /* The loop over packets and the inlined body live together in the shader's object file: calling a
@@ -28,12 +52,14 @@
     static void name(const GpShaderCall *call)                                                     \
     {                                                                                              \
         OUT *out = (OUT *)(void *)call->varying;                                                   \
+        uint32_t used = 0;                                                                         \
         if (out) {                                                                                 \
             GP_VERTEX_PACKETS(name, U, IN, &out[k])                                                \
         } else { /* positions only: what nobody asks for is left out by the compiler */            \
             OUT unused;                                                                            \
             GP_VERTEX_PACKETS(name, U, IN, &unused)                                                \
         }                                                                                          \
+        gp_tell(call, used);                                                                       \
     }                                                                                              \
     GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \
                                __attribute__((unused)) const U *c, const IN *in, float4 *position, \
@@ -54,22 +80,26 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
         GpInvocation invocation = { .call = call, .packet = k };                                   \
         name##_body(&invocation, (const U *)call->uniforms, in + k, out + k);                      \
         gp_end_packet(&invocation);                                                                \
+        used |= invocation.used;                                                                   \
     }
 #else
+/* What a shader leaves unwritten stays as it was: all of it is written, or the program is refused. */
 #define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
     for (int k = 0; k < call->packets; k += 2) {                                                   \
         const int l = k + 1 < call->packets ? k + 1 : k; /* the odd last one, once more */         \
         GpInvocation left = { .call = call, .packet = k }, right = { .call = call, .packet = l };  \
-        OUT left_out, right_out;                                                                   \
+        OUT left_out = out[k], right_out = out[l];                                                 \
         name##_body(&left, (const U *)call->uniforms, in + k, &left_out);                          \
         name##_body(&right, (const U *)call->uniforms, in + l, &right_out);                        \
         out[k] = left_out;                                                                         \
         out[l] = right_out;                                                                        \
         gp_end_packet(&left);                                                                      \
         gp_end_packet(&right);                                                                     \
+        used |= left.used;                                                                         \
     }
 #endif
 
+/* A pixel shader that writes a struct of float4, one a target. */
 #define pixel_shader_targets(name, U, IN, OUT)                                                     \
     enum {                                                                                         \
         name##_in = sizeof(IN) / sizeof(flt),                                                      \
@@ -81,12 +111,15 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
     {                                                                                              \
         const IN *in = (const IN *)(const void *)call->in;                                         \
         OUT *out = (OUT *)(void *)call->color;                                                     \
+        uint32_t used = 0;                                                                         \
         GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+        gp_tell(call, used);                                                                       \
     }                                                                                              \
     GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \
                                __attribute__((unused)) const U *c,                                 \
                                __attribute__((unused)) const IN *in, OUT *out)
 
+/* A pixel shader that returns the colour of target 0. */
 #define pixel_shader(name, U, IN)                                                                  \
     GP_INLINE float4 name##_color(GpInvocation *gp, const U *c, const IN *in);                     \
     pixel_shader_targets(name, U, IN, float4)                                                      \
@@ -118,7 +151,7 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
 #if GP_LANES == 4
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)                                            \
     extern const GpProgramCode id##_code8 GP_WEAK, id##_code16 GP_WEAK;                            \
-    extern void id##_count(GpShaderCounts *, GpShaderCounts *) GP_WEAK;                            \
+    extern void id##_count(const GpProgram *, GpShaderCounts *, GpShaderCounts *) GP_WEAK;         \
     extern const GpProgram id;                                                                     \
     const GpProgram id = { .name = #id,                                                            \
                            __VA_ARGS__,                                                            \
@@ -133,6 +166,8 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)
 #endif
 
+/* Defines the GpProgram `id` of two shaders; what follows them are fields of GpProgram, by their names,
+ * in any order. */
 #define program(id, vs, ps, ...)                                                                   \
     _Static_assert((int)vs##_uniforms == (int)ps##_uniforms,                                       \
                    "both shaders share one uniform struct");                                       \
@@ -140,6 +175,7 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
     GP_CODE_OF(id, vs, ps)                                                                         \
     GP_PROGRAM_OF(id, vs, ps##_in, ps##_out, __VA_ARGS__)
 
+/* The same without a pixel shader. */
 #define depth_program(id, vs, ...)                                                                 \
     GP_CODE_OF(id, vs, 0)                                                                          \
     GP_PROGRAM_OF(id, vs, 0, 0, __VA_ARGS__)

@@ -74,25 +74,35 @@ GP_MAP1(gp_abs, flt_abs)
 GP_MAP1(gp_frc, math_frc)
 GP_MAP1(gp_floor, math_floor)
 
-#define add(a, b)    GP_BY_WIDTH(gp_add, a)(a, gp_as(a, b))
-#define sub(a, b)    GP_BY_WIDTH(gp_sub, a)(a, gp_as(a, b))
-#define mul(a, b)    GP_BY_WIDTH(gp_mul, a)(a, gp_as(a, b))
-#define min(a, b)    GP_BY_WIDTH(gp_min, a)(a, gp_as(a, b))
-#define max(a, b)    GP_BY_WIDTH(gp_max, a)(a, gp_as(a, b))
-#define slt(a, b)    GP_BY_WIDTH(gp_slt, a)(a, gp_as(a, b))
-#define sge(a, b)    GP_BY_WIDTH(gp_sge, a)(a, gp_as(a, b))
-#define mad(a, b, c) GP_BY_WIDTH(gp_mad, a)(a, gp_as(a, b), gp_as(a, c))
-/* lrp(t, a, b) = t*(a-b) + b, of the width of a */
-#define lrp(t, a, b) GP_BY_WIDTH(gp_lrp, a)(gp_as(a, t), a, gp_as(a, b))
-/* cmp(s, a, b) = s >= 0 ? a : b, of the width of a */
-#define cmp(s, a, b) GP_BY_WIDTH(gp_cmp, a)(gp_as(a, s), a, gp_as(a, b))
-#define sat(a)       GP_BY_WIDTH(gp_sat, a)(a)
-#define neg(a)       GP_BY_WIDTH(gp_neg, a)(a)
-#define abs_(a)      GP_BY_WIDTH(gp_abs, a)(a)
-#define frc(a)       GP_BY_WIDTH(gp_frc, a)(a)
-#define floor_(a)    GP_BY_WIDTH(gp_floor, a)(a)
+#define GP_ONE(name, f, a)    (GP_WANT(#name "(a)", a), GP_BY_WIDTH(f, a)(a))
+#define GP_TWO(name, f, a, b) (GP_WANT2(#name "(a, b)", a, b), GP_BY_WIDTH(f, a)(a, gp_as(a, b)))
 
-/* condition ? a : b, lane by lane; condition is a comparison of flt */
+/* Component by component, of the width of a; slt, sge: 1 where a < b, a >= b, else 0. */
+#define add(a, b) GP_TWO(add, gp_add, a, b)
+#define sub(a, b) GP_TWO(sub, gp_sub, a, b)
+#define mul(a, b) GP_TWO(mul, gp_mul, a, b)
+#define min(a, b) GP_TWO(min, gp_min, a, b)
+#define max(a, b) GP_TWO(max, gp_max, a, b)
+#define slt(a, b) GP_TWO(slt, gp_slt, a, b)
+#define sge(a, b) GP_TWO(sge, gp_sge, a, b)
+/* mad(a, b, c) = a*b + c, rounded twice */
+#define mad(a, b, c)                                                                               \
+    (GP_WANT2("mad(a, b, c)", a, b), GP_WANT2("mad(a, b, c)", a, c),                               \
+     GP_BY_WIDTH(gp_mad, a)(a, gp_as(a, b), gp_as(a, c)))
+/* lrp(t, a, b) = t*(a-b) + b, of the width of a */
+#define lrp(t, a, b)                                                                               \
+    (GP_WANT2("lrp(t, a, b)", a, t), GP_WANT2("lrp(t, a, b)", a, b),                               \
+     GP_BY_WIDTH(gp_lrp, a)(gp_as(a, t), a, gp_as(a, b)))
+/* cmp(s, a, b) = s >= 0 ? a : b, of the width of a */
+#define cmp(s, a, b)                                                                               \
+    (GP_WANT2("cmp(s, a, b)", a, s), GP_WANT2("cmp(s, a, b)", a, b),                               \
+     GP_BY_WIDTH(gp_cmp, a)(gp_as(a, s), a, gp_as(a, b)))
+#define sat(a)    GP_ONE(sat, gp_sat, a)
+#define neg(a)    GP_ONE(neg, gp_neg, a)
+#define abs_(a)   GP_ONE(abs_, gp_abs, a)
+#define frc(a)    GP_ONE(frc, gp_frc, a)
+#define floor_(a) GP_ONE(floor_, gp_floor, a)
+
 GP_INLINE flt gp_sel1(msk m, flt a, flt b)
 {
     return flt_select(m, a, b);
@@ -110,7 +120,10 @@ GP_INLINE float4 gp_sel4(msk m, float4 a, float4 b)
     return (float4){ flt_select(m, a.x, b.x), flt_select(m, a.y, b.y), flt_select(m, a.z, b.z),
                      flt_select(m, a.w, b.w) };
 }
-#define sel(m, a, b) GP_BY_WIDTH(gp_sel, a)(m, a, gp_as(a, b))
+/* sel(mask, a, b) = mask ? a : b, lane by lane, of the width of a; mask is a comparison of flt */
+#define sel(m, a, b)                                                                               \
+    (GP_SAY(GP_WIDTH(m) == 5, "sel(mask, a, b): mask must be a comparison of flt"),                \
+     GP_WANT2("sel(mask, a, b)", a, b), GP_BY_WIDTH(gp_sel, a)(m, a, gp_as(a, b)))
 
 /* any(mask): whether a lane is true. To leave a loop whose further turns would change nothing, and
  * for nothing else: which pixels share a packet is the executor's business. */
@@ -151,6 +164,7 @@ GP_INLINE flt gp_rsq_lanes(flt a)
 }
 #else
 #define GP_LARGEST 3.40282346638528859812e+38f
+/* 1 / a; never infinite, but in software profiles. */
 GP_INLINE flt rcp(flt a)
 {
     return math_between(math_rcp(a), -GP_LARGEST, GP_LARGEST);
@@ -160,6 +174,7 @@ GP_INLINE flt gp_rsq_lanes(flt a)
     return flt_lesser(flt_set(GP_LARGEST), math_rsq(a)); /* NaN passes */
 }
 #endif
+/* 1 / sqrt |a|, with the same bound. */
 GP_INLINE flt rsq(flt a)
 {
     return gp_rsq_lanes(flt_abs(a));
@@ -177,10 +192,12 @@ GP_INLINE flt pow_(flt a, flt b) /* |a|^b */
 {
     return math_pow(flt_abs(a), b);
 }
+/* Of radians. */
 GP_INLINE flt sin_(flt a)
 {
     return math_sin(a);
 }
+/* Of radians. */
 GP_INLINE flt cos_(flt a)
 {
     return math_cos(a);
@@ -189,6 +206,7 @@ GP_INLINE float2 sincos_(flt a) /* (cos, sin), as Direct3D's register order */
 {
     return (float2){ math_cos(a), math_sin(a) };
 }
+/* Correctly rounded. */
 GP_INLINE flt sqrt_(flt a)
 {
     return flt_sqrt(a);
@@ -211,7 +229,13 @@ GP_INLINE float4 gp_nrm4(float4 v) /* by the length of xyz; w is scaled too */
 {
     return mul(v, gp_rsq_lanes(v.x * v.x + v.y * v.y + v.z * v.z));
 }
-#define nrm(v) _Generic((v), float2 : gp_nrm2, float3 : gp_nrm3, float4 : gp_nrm4)(v)
+/* nrm(v): v over its length, and of a float4 over that of its xyz */
+#define nrm(v)                                                                                     \
+    (GP_SAY(GP_WIDTH(v) % 5 > 1, "nrm(v): v must be a float2, a float3 or a float4"),              \
+     _Generic((v), float2                                                                          \
+              : gp_nrm2, float3                                                                    \
+              : gp_nrm3, default                                                                   \
+              : gp_nrm4)(v))
 
 /* lit and dst: CONVENTIONS.md, "Instructions", has the formulas. */
 GP_INLINE float4 lit(flt n_l, flt n_h, flt power)
@@ -244,7 +268,11 @@ GP_INLINE float4 gp_m4x4_4(float4 v, const float m[4][4])
     return (float4){ gp_row4(v, m[0]), gp_row4(v, m[1]), gp_row4(v, m[2]), gp_row4(v, m[3]) };
 }
 /* m4x4(v, m): a float3 is a point, w = 1 */
-#define m4x4(v, m) _Generic((v), float3 : gp_m4x4_3, float4 : gp_m4x4_4)(v, m)
+#define m4x4(v, m)                                                                                 \
+    (GP_SAY(GP_WIDTH(v) % 5 > 2, "m4x4(v, m): v must be a float3 or a float4"),                    \
+     _Generic((v), float3                                                                          \
+              : gp_m4x4_3, default                                                                 \
+              : gp_m4x4_4)(v, m))
 
 GP_INLINE float3 gp_m4x3_3(float3 v, const float m[4][4])
 {
@@ -255,7 +283,11 @@ GP_INLINE float3 gp_m4x3_4(float4 v, const float m[4][4])
     return (float3){ gp_row4(v, m[0]), gp_row4(v, m[1]), gp_row4(v, m[2]) };
 }
 /* m4x3(v, m): the upper three rows */
-#define m4x3(v, m) _Generic((v), float3 : gp_m4x3_3, float4 : gp_m4x3_4)(v, m)
+#define m4x3(v, m)                                                                                 \
+    (GP_SAY(GP_WIDTH(v) % 5 > 2, "m4x3(v, m): v must be a float3 or a float4"),                    \
+     _Generic((v), float3                                                                          \
+              : gp_m4x3_3, default                                                                 \
+              : gp_m4x3_4)(v, m))
 
 /* m3x3(v, m): the upper left 3x3, for directions */
 GP_INLINE float3 m3x3(float3 v, const float m[4][4])
@@ -267,15 +299,21 @@ GP_INLINE float3 m3x3(float3 v, const float m[4][4])
 
 /* --- building and taking apart ---------------------------------------------------------------- */
 
+/* The first components. */
 GP_INLINE float2 xy(float4 a)
 {
     return (float2){ a.x, a.y };
 }
+/* The first components. */
 GP_INLINE float3 xyz(float4 a)
 {
     return (float3){ a.x, a.y, a.z };
 }
-#define gp_lane(a) _Generic((a), flt : gp_same1, default : bcast)(a)
+#define gp_lane(a)                                                                                 \
+    (GP_SAY(GP_WIDTH(a) < 2, "rgba, vec2, vec3, vec4: each component must be a flt or a number"),  \
+     _Generic((a), flt                                                                             \
+              : gp_same1, default                                                                  \
+              : bcast)(a))
 /* rgba(color, alpha), and vec2..vec4 from flt or C numbers */
 #define rgba(color, alpha) gp_rgba(color, gp_lane(alpha))
 #define vec2(a, b)         ((float2){ gp_lane(a), gp_lane(b) })

@@ -4,17 +4,24 @@
 
 #include "pipeline/shader/instructions.h"
 
+GP_INLINE void gp_use(GpInvocation *gp, GpShaderUse what)
+{
+    gp->used |= what;
+}
+#define GP_USES(what) gp_use(gp, GP_USED_##what)
+
 /* --- derivatives: differences inside the 2x2 quad --------------------------------------------- */
 
 GP_MAP1(gp_dsx, flt_quad_dx)
 GP_MAP1(gp_dsy, flt_quad_dy)
-#define dsx(a) GP_BY_WIDTH(gp_dsx, a)(a)
-#define dsy(a) GP_BY_WIDTH(gp_dsy, a)(a)
+/* To the right and downward, of a's width. */
+#define dsx(a) (GP_USES(DERIVATIVES), GP_ONE(dsx, gp_dsx, a))
+#define dsy(a) (GP_USES(DERIVATIVES), GP_ONE(dsy, gp_dsy, a))
 
 /* --- discards, depth, registers --------------------------------------------------------------- */
 
 /* Kills the lanes of a mask; texkill: those in which any of x, y, z is below 0 (CHOOSE). */
-#define discard(mask) ((void)(gp->killed |= (msk)(mask)))
+#define discard(mask) (GP_USES(DISCARD), (void)(gp->killed |= (msk)(mask)))
 GP_INLINE msk gp_kill1(flt a)
 {
     return a < 0.0f;
@@ -31,10 +38,9 @@ GP_INLINE msk gp_kill4(float4 a)
 {
     return gp_kill3(xyz(a));
 }
-#define texkill(a)    discard(GP_BY_WIDTH(gp_kill, a)(a))
-#define odepth(value) ((void)(gp->depth = (value)))
+#define texkill(a)    discard(GP_ONE(texkill, gp_kill, a))
+#define odepth(value) (GP_USES(DEPTH), (void)(gp->depth = (value)))
 
-/* vpos: the pixel's x and y as integers (vPos); vface: +1 clockwise (front), -1 (vFace). */
 GP_INLINE float2 gp_vpos(const GpInvocation *gp)
 {
     return ((const float2 *)(const void *)gp->call->pixel)[gp->packet];
@@ -43,7 +49,8 @@ GP_INLINE flt gp_vface(const GpInvocation *gp)
 {
     return ((const flt *)(const void *)gp->call->face)[gp->packet];
 }
-#define vpos()  gp_vpos(gp)
-#define vface() gp_vface(gp)
+/* vpos: the pixel's x and y as integers (vPos); vface: +1 clockwise (front), -1 (vFace). */
+#define vpos()  (GP_USES(PIXEL), gp_vpos(gp))
+#define vface() (GP_USES(FACE), gp_vface(gp))
 
 #endif

@@ -1,8 +1,9 @@
-/* The check of a program: its declarations against each other, and its counted shaders against both its
- * declarations and its profiles. */
+/* The check of a program: its declarations against each other, and its shaders, counted or tried, against
+ * its declarations; counted ones against its profiles too. */
 #include "pipeline/shader/program.h"
 
 #include "pipeline/shader/profile.h"
+#include "pipeline/shader/trial.h"
 
 #include <string.h>
 
@@ -69,9 +70,10 @@ static GpResult check_code(const GpProgram *p, GpError *error)
         const GpProgramCode *code = p->code[i];
         if (!code)
             continue;
-        if (code->lanes != 4 << i || !code->vertex)
-            return REFUSE("program %s: code[%d]: not of %d lanes, or without a vertex shader",
-                          p->name, i, 4 << i);
+        if (code->lanes != 4 << i || !code->vertex || !code->isa)
+            return REFUSE(
+                "program %s: code[%d]: not of %d lanes, or without a vertex shader or an isa",
+                p->name, i, 4 << i);
         if (!code->pixel != !p->code[0]->pixel)
             return REFUSE("program %s: code[%d]: some widths have a pixel shader, some do not",
                           p->name, i);
@@ -103,7 +105,7 @@ static GpResult check_pixel_side(const GpProgram *p, GpError *error)
     return GP_OK;
 }
 
-/* --- the counted shaders against the declarations --------------------------------------------- */
+/* --- the shaders against the declarations ----------------------------------------------------- */
 
 static GpResult check_slots_declared(const GpProgram *p, const char *field, unsigned read,
                                      unsigned declared, GpError *error)
@@ -114,8 +116,7 @@ static GpResult check_slots_declared(const GpProgram *p, const char *field, unsi
     return GP_OK;
 }
 
-/* What an executor prepares only where it is declared. (A point size that is written and not declared
- * is dropped: programs may share a vertex shader.) */
+/* What an executor prepares only where it is declared. */
 static GpResult check_features_declared(const GpProgram *p, const GpShaderCounts *vertex,
                                         const GpShaderCounts *pixel, GpError *error)
 {
@@ -125,6 +126,7 @@ static GpResult check_features_declared(const GpProgram *p, const GpShaderCounts
     } features[] = {
         { "may_discard", pixel->discards, p->may_discard },
         { "writes_depth", pixel->writes_depth, p->writes_depth },
+        { "writes_point_size", vertex->writes_point_size, p->writes_point_size },
         { "uses_pixel", pixel->reads_pixel, p->uses_pixel },
         { "uses_face", pixel->reads_face, p->uses_face },
         { "uses_derivatives", pixel->needs_quads, p->uses_derivatives },
@@ -165,6 +167,24 @@ static GpResult check_outputs_written(const GpProgram *p, const GpShaderCounts *
     for (int t = 0; t < gp_program_targets(p); t++)
         if ((pixel->outputs_written >> 4 * t & 15) != 15)
             return REFUSE("program %s: target %d is not written whole", p->name, t);
+    return GP_OK;
+}
+
+/* Inputs of one width in another order than the struct's: told where its members are named as semantics
+ * are. */
+static GpResult check_named_inputs(const GpProgram *p, const GpShaderCounts *vertex, GpError *error)
+{
+    int first = 0;
+    for (size_t i = 0; i < GP_COUNT(p->inputs) && p->inputs[i].components; i++) {
+        const GpSemantic semantic = p->inputs[i].semantic;
+        const int named = vertex->named_inputs[semantic];
+        if (named && named != 1 + first)
+            return REFUSE("program %s: inputs[%d]: %s is declared at component %d, but the vertex "
+                          "struct has '%s' at %d: expected the order of the struct",
+                          p->name, (int)i, gp_semantic_names[semantic], first,
+                          gp_semantic_names[semantic], named - 1);
+        first += p->inputs[i].components;
+    }
     return GP_OK;
 }
 
@@ -219,14 +239,24 @@ static GpResult check_instructions(const GpProgram *p, GpProfile profile,
     return GP_OK;
 }
 
-static GpResult check_profiles(const GpProgram *p, const GpShaderCounts *vertex,
-                               const GpShaderCounts *pixel, GpError *error)
+/* The shaders against the declarations, and the vertex shader against what only pixels have. */
+static GpResult check_uses(const GpProgram *p, const GpShaderCounts *vertex,
+                           const GpShaderCounts *pixel, GpError *error)
 {
     if (vertex->gradients || vertex->implicit_lod || vertex->local_slots || vertex->discards ||
         vertex->reads_pixel || vertex->reads_face)
         return REFUSE("program %s: the vertex shader uses what only pixels have: derivatives, "
                       "texld, discard, vpos ...",
                       p->name);
+    GpResult result = check_features_declared(p, vertex, pixel, error);
+    if (!result)
+        result = check_outputs_written(p, vertex, pixel, error);
+    return result;
+}
+
+static GpResult check_profiles(const GpProgram *p, const GpShaderCounts *vertex,
+                               const GpShaderCounts *pixel, GpError *error)
+{
     GpResult result = check_counts(p, p->vertex_profile, vertex, error);
     if (!result)
         result = check_instructions(p, p->vertex_profile, vertex, error);
@@ -235,6 +265,14 @@ static GpResult check_profiles(const GpProgram *p, const GpShaderCounts *vertex,
     if (!result)
         result = check_instructions(p, p->pixel_profile, pixel, error);
     return result;
+}
+
+static bool declares_position(const GpProgram *p)
+{
+    for (size_t i = 0; i < GP_COUNT(p->inputs) && p->inputs[i].components; i++)
+        if (p->inputs[i].semantic == GP_POSITION)
+            return true;
+    return false;
 }
 
 GpResult gp_program_check(const GpProgram *program, GpError *error)
@@ -250,11 +288,33 @@ GpResult gp_program_check(const GpProgram *program, GpError *error)
         return GP_OK;
 
     GpShaderCounts vertex, pixel;
-    program->count(&vertex, &pixel);
-    GpResult result = check_features_declared(program, &vertex, &pixel, error);
+    program->count(program, &vertex, &pixel);
+    GpResult result = check_named_inputs(program, &vertex, error);
     if (!result)
-        result = check_outputs_written(program, &vertex, &pixel, error);
+        result = check_uses(program, &vertex, &pixel, error);
     if (!result)
         result = check_profiles(program, &vertex, &pixel, error);
+    return result;
+}
+
+GpResult gp_program_try(const GpProgram *p, const GpProgramCode *code, const void *uniforms,
+                        GpError *error)
+{
+    const GpTrial trial = gp_program_trial(p, code, uniforms);
+    if (trial.fused)
+        return REFUSE("program %s: its %s code rounds a * b + c once, which makes other pictures: "
+                      "compile it with -ffp-contract=off",
+                      p->name, code->isa);
+    if (trial.wrong_slot >= 0)
+        return REFUSE("program %s: slot %d is read, but there are samplers 0 to %d only", p->name,
+                      trial.wrong_slot, GP_MAX_SAMPLERS - 1);
+    if (!trial.writes_position)
+        return REFUSE("program %s: the vertex shader does not write all of *position", p->name);
+    GpResult result = check_uses(p, &trial.vertex, &trial.pixel, error);
+    if (!result && trial.other_input_moves && !trial.position_moves && declares_position(p))
+        return REFUSE(
+            "program %s: inputs: the clip-space position follows other inputs, but not %s: "
+            "expected the order of the vertex struct",
+            p->name, gp_semantic_names[GP_POSITION]);
     return result;
 }

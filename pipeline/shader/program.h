@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/* What a shader may be: the shader models of the time, and those without limits of number. */
 typedef enum GpProfile {
     GP_PROFILE_NONE = 0, /* nothing declared: treated as the _sw profile */
     GP_VS_2_0,
@@ -31,6 +32,7 @@ typedef enum GpProfile {
     GP_PROFILES
 } GpProfile;
 
+/* How a varying goes from corners to pixels. */
 typedef enum GpInterpolation {
     GP_PERSPECTIVE = 0, /* a/w linear, divided by 1/w (R16) */
     GP_LINEAR_SCREEN,   /* linear on the screen */
@@ -40,11 +42,13 @@ typedef enum GpInterpolation {
     GP_INTERPOLATIONS
 } GpInterpolation;
 
+/* One input of the vertex struct. */
 typedef struct GpInputDecl {
     GpSemantic semantic;
     uint8_t components; /* 1..4 */
 } GpInputDecl;
 
+/* One varying of the varying struct. */
 typedef struct GpVaryingDecl {
     const char *name;
     uint8_t components; /* 1..4; 0 ends the list */
@@ -73,12 +77,24 @@ typedef struct GpTextureRead {
 } GpTextureRead;
 
 struct GpShaderCall;
+
+/* Serves the texture reads of one packet. */
 typedef void (*GpTextureFn)(const struct GpShaderCall *call, const GpTextureRead *read);
 
 /* Reads of the pixel's own position in a surface bound to `slot` (gp_load_local), for one packet:
  * texel[4][lanes]. */
 typedef void (*GpLocalFn)(const struct GpShaderCall *call, int slot, int packet, int lanes,
                           float *texel);
+
+/* What a shader did, as it tells who asks. */
+typedef enum GpShaderUse {
+    GP_USED_DISCARD = 1 << 0,     /* discard or texkill */
+    GP_USED_DEPTH = 1 << 1,       /* odepth */
+    GP_USED_PIXEL = 1 << 2,       /* vpos */
+    GP_USED_FACE = 1 << 3,        /* vface */
+    GP_USED_DERIVATIVES = 1 << 4, /* dsx or dsy */
+    GP_USED_FUSED = 1 << 5, /* its code rounds a * b + c once: compiled with contraction (R50) */
+} GpShaderUse;
 
 /* One call: `packets` packets in a row. Arrays are [packet][component][lanes] floats, aligned to
  * a lane vector; the components are those of the shader's own structs, in order.
@@ -105,10 +121,14 @@ typedef struct GpShaderCall {
     float *color;    /* [packet][target][4][lanes] */
     float *depth;    /* [packet][lanes]; NULL unless the program writes depth */
     int32_t *killed; /* [packet][lanes], -1 killed; NULL unless the program may discard */
+
+    uint32_t *used; /* out: bits of GpShaderUse are added; NULL: nobody asks */
 } GpShaderCall;
 
+/* A shader: runs one call. */
 typedef void (*GpShaderFn)(const GpShaderCall *call);
 
+/* A program's shaders, compiled for one width of lanes. */
 typedef struct GpProgramCode {
     int lanes;
     const char *isa; /* "sse2", "avx2", "avx512", "neon", "generic" */
@@ -118,12 +138,17 @@ typedef struct GpProgramCode {
 /* What the counting build of a shader reports: pipeline/shader/counts.h. */
 typedef struct GpShaderCounts GpShaderCounts;
 
-/* Runs the counting build once; pixel may be NULL. */
-typedef void (*GpCountFn)(GpShaderCounts *vertex, GpShaderCounts *pixel);
+typedef struct GpProgram GpProgram;
+
+/* Runs the counting build of a program once, by its profiles, inputs and varyings; vertex and pixel may
+ * be NULL. */
+typedef void (*GpCountFn)(const GpProgram *program, GpShaderCounts *vertex, GpShaderCounts *pixel);
 
 enum { GP_CODE_WIDTHS = 3 }; /* lanes 4, 8, 16 */
 
-typedef struct GpProgram {
+/* What a program declares, and its code. All that the shaders use must be declared: what is not
+ * is refused before the first pixel, with the field's name. */
+struct GpProgram {
     const char *name;
     GpProfile vertex_profile, pixel_profile;
     GpInputDecl inputs[16];     /* in the order of the vertex struct; components 0 ends */
@@ -144,7 +169,7 @@ typedef struct GpProgram {
     uint8_t input_components, varying_components, pixel_input_components, color_components;
     const GpProgramCode *code[GP_CODE_WIDTHS]; /* by width 4, 8, 16; NULL where not compiled */
     GpCountFn count;                           /* NULL where the counting build is absent */
-} GpProgram;
+};
 
 /* Colour targets that a program writes. */
 static inline int gp_program_targets(const GpProgram *program)
@@ -171,6 +196,16 @@ static inline const GpProgramCode *gp_program_code(const GpProgram *program, int
  * errors GP_ERROR_INVALID, "program lava_program, ps_2_0: 101 slots, at most 96; ps_2_sw has no such
  *        limit" */
 GpResult gp_program_check(const GpProgram *program, GpError *error);
+
+/* Checks the code of one width against what the program declares, by running it: a few packets of made-up
+ * vertices and pixels tell what it reads and writes, since shaders do not branch on what a lane holds.
+ * So a program that was never counted is held to its declarations too. Takes some microseconds: to be
+ * asked once for a program.
+ * in   program: passed gp_program_check; code: one of its own, which this processor runs; uniforms: of
+ *      a draw that is to be run
+ * errors GP_ERROR_INVALID, "program lava_program: slot 3 is read, but not declared in samplers" */
+GpResult gp_program_try(const GpProgram *program, const GpProgramCode *code, const void *uniforms,
+                        GpError *error);
 
 /* Name of a profile as Direct3D writes it ("ps_2_0"). */
 const char *gp_profile_name(GpProfile profile);

@@ -26,7 +26,13 @@ GP_INLINE float4 gp_coord3(float3 a)
 {
     return (float4){ a.x, a.y, a.z, flt_set(0) };
 }
-#define gp_coord(a) _Generic((a), float2 : gp_coord2, float3 : gp_coord3, float4 : gp_same4)(a)
+#define gp_coord(a)                                                                                \
+    (GP_SAY(GP_WIDTH(a) % 5 > 1,                                                                   \
+            "texld(slot, a): a coordinate must be a float2, a float3 or a float4"),                \
+     _Generic((a), float2                                                                          \
+              : gp_coord2, float3                                                                  \
+              : gp_coord3, default                                                                 \
+              : gp_same4)(a))
 
 GP_INLINE float4 gp_project(float4 a)
 {
@@ -46,14 +52,14 @@ GP_INLINE float4 gp_project(float4 a)
     gp_read_texture(gp, slot, GP_LOD_GRADIENT, gp_coord(a),                                        \
                     (float4){ (dx).x, (dx).y, (dy).x, (dy).y })
 
-/* gp_load_local(slot): the texel at the pixel's own position in a surface that an earlier pass of
- * the same size rendered. */
 GP_INLINE float4 gp_read_local(GpInvocation *gp, int slot)
 {
     float4 texel;
     gp->call->read_local(gp->call, slot, gp->packet, GP_LANES, (float *)&texel);
     return texel;
 }
+/* gp_load_local(slot): the texel at the pixel's own position in a surface that an earlier pass of
+ * the same size rendered. */
 #define gp_load_local(slot) gp_read_local(gp, slot)
 
 #endif

@@ -100,7 +100,7 @@ GP_INLINE float tap(int i, int taps)
 /* How a flat surface's depth changes along u and v of the map: a tap beside the centre is compared
  * with the surface's depth there, or what is slanted would shade itself.
  * source Isidoro, "Shadow mapping: GPU-based tips and techniques", GDC 2006 */
-GP_INLINE float2 depth_slope(float3 place)
+GP_INLINE float2 depth_slope(GpInvocation *gp, float3 place)
 {
     float3 right = dsx(place), down = dsy(place);
     flt area = right.x * down.y - down.x * right.y;
@@ -114,7 +114,7 @@ GP_INLINE float2 depth_slope(float3 place)
 GP_INLINE flt soft(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
 {
     float3 place = plain_place(c, in->place);
-    float2 slope = depth_slope(place);
+    float2 slope = depth_slope(gp, place);
     flt surface = distance_at(c, place.z);
     flt reach = max(light_through(c, surface, bcast(c->nearest)), 0);
     flt sum = bcast(0), count = bcast(0), seen = bcast(0);

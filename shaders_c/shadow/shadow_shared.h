@@ -44,7 +44,8 @@ GP_INLINE void transform(const ShadowUniforms *c, float3 world, float3 normal, f
 }
 
 /* Positive where the surface, smooth as its normals say, is turned to the light. */
-GP_INLINE flt smooth(const ShadowUniforms *c, const Varying *in)
+GP_INLINE flt smooth(__attribute__((unused)) GpInvocation *gp, const ShadowUniforms *c,
+                     const Varying *in)
 {
     return dp3(in->surface.normal, towards_light(c, in->surface.world));
 }
@@ -52,7 +53,7 @@ GP_INLINE flt smooth(const ShadowUniforms *c, const Varying *in)
 /* The same for the triangle itself, whichever side is seen: the light is on the eye's side of its
  * plane. Where triangles are large beside the map's texels, this decides at the terminator, since a
  * triangle cannot shade itself. */
-GP_INLINE flt flat(const ShadowUniforms *c, const Varying *in)
+GP_INLINE flt flat(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
 {
     float3 plane = crs(dsx(in->surface.world), dsy(in->surface.world));
     float3 to_eye = sub(u3(c->eye), in->surface.world);
@@ -83,20 +84,20 @@ GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt s
 #define LIT_VARYINGS SURFACE_VARYINGS, { "place", 4, GP_PERSPECTIVE }
 
 /* The pixel shaders and programs of a way to ask the map and one to face the light, without and with a
- * texture: form(gp, c, varying) is what the map says, facing(shadow, varying) the other. The file has
+ * texture: form(gp, c, varying) is what the map says, facing(gp, shadow, varying) the other. The file has
  * the vertex shaders lit_vs and lit_textured_vs.
  * in   U: uniforms; shadow: what of them, c, is ShadowUniforms; maps: bits of samplers; model: of the
  *      profiles, 2_0, 3_0 or 3_SW */
 #define SHADOW_PAIR(form, facing, U, shadow, maps, model, derivatives)                             \
     pixel_shader(form##_##facing##_ps, U, Varying)                                                 \
     {                                                                                              \
-        return light_surface(shadow, in, form(gp, c, in), facing(shadow, in), sp3(bcast(1)));      \
+        return light_surface(shadow, in, form(gp, c, in), facing(gp, shadow, in), sp3(bcast(1)));      \
     }                                                                                              \
     pixel_shader(form##_##facing##_textured_ps, U, TexturedVarying)                                \
     {                                                                                              \
         const Varying *lit = &in->lit;                                                             \
         float3 texture = xyz(texld(0, in->uv));                                                    \
-        return light_surface(shadow, lit, form(gp, c, lit), facing(shadow, lit), texture);         \
+        return light_surface(shadow, lit, form(gp, c, lit), facing(gp, shadow, lit), texture);         \
     }                                                                                              \
     program(shadow_##form##_##facing##_program, lit_vs, form##_##facing##_ps,                      \
             .vertex_profile = GP_VS_##model, .pixel_profile = GP_PS_##model,                       \

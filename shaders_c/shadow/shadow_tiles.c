@@ -30,7 +30,7 @@ pixel_shader(request_ps, ShadowTilesUniforms, Varying)
     flt seen = texldp(1, in->place).x;
     float2 place = tile_place(c, in->place);
     flt tiles = bcast(c->tiles), column = floor_(place.x), row = floor_(place.y);
-    msk edge = (seen > 0.0f) & (seen < 1.0f) & (smooth(&c->shadow, in) > 0.0f);
+    msk edge = (seen > 0.0f) & (seen < 1.0f) & (smooth(gp, &c->shadow, in) > 0.0f);
     msk inside =
         (in->place.w > 0.0f) & (column >= 0.0f) & (column < tiles) & (row >= 0.0f) & (row < tiles);
     return sp4(sel(edge & inside, row * tiles + column + 1.0f, bcast(0)));

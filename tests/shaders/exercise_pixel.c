@@ -16,6 +16,13 @@ vertex_shader(plain_vs, ExerciseUniforms, Vertex, Varying)
     *position = m4x4(in->position, c->matrix);
     out->sprite = in->uv;
     out->color = in->color;
+}
+
+vertex_shader(sized_vs, ExerciseUniforms, Vertex, Varying)
+{
+    *position = m4x4(in->position, c->matrix);
+    out->sprite = in->uv;
+    out->color = in->color;
     *point_size = mad(in->color.x, c->scale[3], bcast(1));
 }
 
@@ -61,6 +68,6 @@ program(exercise_derivatives, plain_vs, derivatives_ps, .vertex_profile = GP_VS_
         .uses_derivatives = true)
 program(exercise_math, plain_vs, math_ps, .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
         .inputs = INPUTS, .varyings = VARYINGS)
-program(exercise_point, plain_vs, discard_ps, .vertex_profile = GP_VS_2_0,
+program(exercise_point, sized_vs, discard_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS, .may_discard = true,
         .writes_point_size = true)

@@ -93,7 +93,7 @@ typedef struct FastDraw {
     GpViewport viewport;           /* resolved */
     GpRect rect;                   /* pixels that viewport, targets and scissor allow */
     GpGuardBand band;
-    struct FastSampler *samplers; /* [GP_MAX_SAMPLERS], where the program reads textures */
+    const struct FastSampler *samplers; /* [GP_MAX_SAMPLERS]; none where the program reads none */
 
     /* vertex numbers, three a triangle or one a point, whatever the geometry's own way to say them;
      * NULL: vertices in order */

@@ -230,7 +230,7 @@ static void shade(const FastDraw *d, uint32_t packets, Block *block, float *vary
         .in = block->in,
         .textures = d->draw->textures,
         .read_texture = fast_read_texture,
-        .executor = d->samplers,
+        .executor = (void *)d->samplers, /* only read */
         .position = block->position,
         .varying = varying,
         .point_size = d->draw->program->writes_point_size ? block->size : NULL,

@@ -42,7 +42,7 @@ void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock 
         .in = block->in,
         .textures = d->draw->textures,
         .read_texture = fast_read_texture,
-        .executor = d->samplers,
+        .executor = (void *)d->samplers, /* only read */
         .read_local = fast_fetch_framebuffer,
         .local = tile,
         .pixel = block->pixel,

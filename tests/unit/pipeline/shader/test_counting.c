@@ -27,7 +27,7 @@ static GpShaderCounts pixel_counts(const GpProgram *program)
     GpShaderCounts vertex, pixel;
     if (!program->count)
         skip();
-    program->count(&vertex, &pixel);
+    program->count(program, &vertex, &pixel);
     return pixel;
 }
 
@@ -36,7 +36,7 @@ static GpShaderCounts vertex_counts(const GpProgram *program)
     GpShaderCounts vertex, pixel;
     if (!program->count)
         skip();
-    program->count(&vertex, &pixel);
+    program->count(program, &vertex, &pixel);
     return vertex;
 }
 
@@ -197,8 +197,8 @@ static void counting_again_or_one_side_gives_the_same(void **state)
 {
     (void)state;
     GpShaderCounts first = pixel_counts(&count_nrm3), vertex, pixel;
-    count_order4.count(&vertex, NULL);
-    count_nrm3.count(NULL, &pixel);
+    count_order4.count(&count_order4, &vertex, NULL);
+    count_nrm3.count(&count_nrm3, NULL, &pixel);
     assert_same_counts(&first, &pixel);
 }
 

@@ -218,7 +218,7 @@ static void shaders_are_within_their_profiles(void **state)
         if (!known[i].program->count)
             skip(); /* a build without a C++ compiler counts nothing */
         GpShaderCounts vertex, pixel;
-        known[i].program->count(&vertex, &pixel);
+        known[i].program->count(known[i].program, &vertex, &pixel);
         assert_int_equal(pixel.slots, known[i].slots);
         assert_int_equal(pixel.dependent_reads, known[i].dependent);
     }
