@@ -148,7 +148,9 @@ static void draw_triangle(GpReferenceDraw *d)
     for (int i = 0; i < 3; i++)
         vertex[i] = &d->vertices[d->corner_numbers[i] - d->first_vertex];
     GpClipPolygon polygon;
-    gp_clip_triangle(&d->band, vertex, d->modes.components, d->modes.flat, &polygon);
+    gp_clip_triangle(&d->band, vertex,
+                     &(GpClipVaryings){ d->modes.components, d->modes.flat, d->modes.screen },
+                     &polygon);
     d->reference->counters->primitives_clipped += polygon.cut;
     d->polygon = &polygon;
     gp_trace_clip(d);

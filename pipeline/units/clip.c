@@ -3,6 +3,8 @@
  * own. Rules R3, R10; of points R12. */
 #include "pipeline/units/clip.h"
 
+#include <string.h>
+
 /* Limits of the band in pixels: a little inside the fixed-point range [-32768, 32768), so that the
  * rounding of a cut corner cannot leave it. */
 static const float band_low = -32704.0f, band_high = 32704.0f;
@@ -43,18 +45,56 @@ static bool is_number(const float clip[4])
     return clip[0] == clip[0] && clip[1] == clip[1] && clip[2] == clip[2] && clip[3] == clip[3];
 }
 
-/* The corner where the edge from `inside` to `outside` meets a plane. */
-static void cut_edge(const GpVertex *inside, float inside_distance, const GpVertex *outside,
-                     float outside_distance, int components, uint64_t flat, GpVertex *corner)
+static double along(double t, double from, double to)
 {
-    float t = inside_distance / (inside_distance - outside_distance);
+    return from + t * (to - from);
+}
+
+/* Adds the corner where the edge from `inside` to `outside` meets a plane. In binary64, for what is
+ * left of an edge may be a hundred thousand times smaller than its ends. */
+static void cut_edge(const GpClipPolygon *before, int inside, float inside_distance, int outside,
+                     float outside_distance, GpClipPolygon *after)
+{
+    const GpVertex *from = &before->corner[inside], *to = &before->corner[outside];
+    const double d = (double)inside_distance, t = d / (d - (double)outside_distance);
+    GpVertex *corner = &after->corner[after->corners];
+    double *share = after->share[after->corners++];
     for (int c = 0; c < 4; c++)
-        corner->clip[c] = inside->clip[c] + t * (outside->clip[c] - inside->clip[c]);
-    for (int c = 0; c < components; c++) {
-        float from = inside->varying[c], to = outside->varying[c];
-        corner->varying[c] = flat >> c & 1 ? from : from + t * (to - from);
+        corner->clip[c] = (float)along(t, (double)from->clip[c], (double)to->clip[c]);
+    for (int k = 0; k < 3; k++)
+        share[k] = along(t, before->share[inside][k], before->share[outside][k]);
+    corner->point_size = from->point_size;
+}
+
+/* The weighted sum of a triangle's values, from the one with the greatest weight on: triangles on
+ * both sides of an edge find the same, and equal values stay. */
+static float weighted(const GpVertex *const triangle[3], int component, const double weight[3])
+{
+    const int first = weight[1] > weight[0] ? 1 : 0, most = weight[2] > weight[first] ? 2 : first;
+    const double value = (double)triangle[most]->varying[component];
+    double sum = value;
+    for (int k = 0; k < 3; k++)
+        if (k != most)
+            sum += weight[k] * ((double)triangle[k]->varying[component] - value);
+    return (float)sum;
+}
+
+/* Varyings of a new corner. Its place between the vertices as the screen shows them is that in clip
+ * space times their w, be they behind the eye too. */
+static void set_varyings(const GpVertex *const triangle[3], const GpClipVaryings *varyings,
+                         const double share[3], GpVertex *corner)
+{
+    double screen[3], w = 0;
+    for (int k = 0; k < 3; k++)
+        w += screen[k] = share[k] * (double)triangle[k]->clip[3];
+    for (int k = 0; k < 3; k++)
+        screen[k] /= w;
+    for (int c = 0; c < varyings->components; c++) {
+        if (varyings->flat >> c & 1)
+            corner->varying[c] = triangle[0]->varying[c];
+        else
+            corner->varying[c] = weighted(triangle, c, varyings->screen >> c & 1 ? screen : share);
     }
-    corner->point_size = inside->point_size;
 }
 
 static float between(float value, float low, float high)
@@ -73,29 +113,41 @@ static void settle_corner(const GpGuardBand *band, float clip[4])
     clip[2] = between(clip[2], 0, w);
 }
 
+/* After all cuts. Flat values survive the loss of the first corner. */
+static void finish_corner(const GpGuardBand *band, const GpVertex *const triangle[3],
+                          const GpClipVaryings *varyings, const double share[3], GpVertex *corner)
+{
+    const bool is_new = share[0] != 1 && share[1] != 1 && share[2] != 1;
+    for (int c = 0; !is_new && c < varyings->components; c++)
+        if (varyings->flat >> c & 1)
+            corner->varying[c] = triangle[0]->varying[c];
+    if (is_new)
+        set_varyings(triangle, varyings, share, corner);
+    settle_corner(band, corner->clip);
+}
+
 static void cut_polygon(const GpGuardBand *band, int plane, const GpClipPolygon *before,
-                        int components, uint64_t flat, GpClipPolygon *after)
+                        GpClipPolygon *after)
 {
     after->corners = 0;
     for (int i = 0; i < before->corners; i++) {
-        const GpVertex *from = &before->corner[i];
-        const GpVertex *to = &before->corner[(i + 1) % before->corners];
-        float from_distance = plane_distance(band, plane, from->clip);
-        float to_distance = plane_distance(band, plane, to->clip);
-        bool from_inside = from_distance >= 0, to_inside = to_distance >= 0;
-        if (from_inside)
-            after->corner[after->corners++] = *from;
-        if (from_inside && !to_inside)
-            cut_edge(from, from_distance, to, to_distance, components, flat,
-                     &after->corner[after->corners++]);
-        if (!from_inside && to_inside)
-            cut_edge(to, to_distance, from, from_distance, components, flat,
-                     &after->corner[after->corners++]);
+        const int next = (i + 1) % before->corners;
+        float distance = plane_distance(band, plane, before->corner[i].clip);
+        float next_distance = plane_distance(band, plane, before->corner[next].clip);
+        bool inside = distance >= 0, next_inside = next_distance >= 0;
+        if (inside) {
+            after->corner[after->corners] = before->corner[i];
+            memcpy(after->share[after->corners++], before->share[i], sizeof before->share[i]);
+        }
+        if (inside && !next_inside)
+            cut_edge(before, i, distance, next, next_distance, after);
+        if (!inside && next_inside)
+            cut_edge(before, next, next_distance, i, distance, after);
     }
 }
 
-void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3], int components,
-                      uint64_t flat, GpClipPolygon *polygon)
+void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3],
+                      const GpClipVaryings *varyings, GpClipPolygon *polygon)
 {
     /* Near and far first: where they have cut, w is positive and the other planes mean what they
      * say. */
@@ -116,14 +168,13 @@ void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3]
     polygon->corners = 3;
     for (int i = 0; i < 3; i++) {
         polygon->corner[i] = *triangle[i];
-        for (int c = 0; c < components; c++) /* flat values survive the loss of the first corner */
-            if (flat >> c & 1)
-                polygon->corner[i].varying[c] = triangle[0]->varying[c];
+        for (int k = 0; k < 3; k++)
+            polygon->share[i][k] = k == i;
     }
     for (int i = 0; i < GP_CLIP_PLANES && polygon->corners; i++)
         if (polygon->planes >> plane_order[i] & 1) {
             GpClipPolygon before = *polygon;
-            cut_polygon(band, plane_order[i], &before, components, flat, polygon);
+            cut_polygon(band, plane_order[i], &before, polygon);
             polygon->cut = true;
         }
 
@@ -133,7 +184,7 @@ void gp_clip_triangle(const GpGuardBand *band, const GpVertex *const triangle[3]
             return;
         }
     for (int i = 0; polygon->cut && i < polygon->corners; i++)
-        settle_corner(band, polygon->corner[i].clip);
+        finish_corner(band, triangle, varyings, polygon->share[i], &polygon->corner[i]);
 }
 
 bool gp_clip_point(const GpVertex *vertex)

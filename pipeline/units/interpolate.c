@@ -12,8 +12,9 @@ GpVaryingModes gp_varying_modes(const GpProgram *program)
         if (sprite)
             modes.sprite = modes.components;
         for (int c = 0; c < varying->components; c++) {
-            if (varying->mode == GP_FLAT)
-                modes.flat |= (uint64_t)1 << modes.components;
+            const uint64_t bit = (uint64_t)1 << modes.components;
+            modes.flat |= varying->mode == GP_FLAT ? bit : 0;
+            modes.screen |= varying->mode == GP_LINEAR_SCREEN ? bit : 0;
             modes.mode[modes.components++] = sprite ? GP_PERSPECTIVE : varying->mode;
         }
     }

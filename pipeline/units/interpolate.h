@@ -9,7 +9,7 @@
 typedef struct GpVaryingModes {
     int components;
     GpInterpolation mode[GP_MAX_VARYINGS]; /* in triangles; never GP_SPRITE_COORD */
-    uint64_t flat;                         /* bit i: component i is flat */
+    uint64_t flat, screen;                 /* bit i: component i is flat; linear on the screen */
     int sprite; /* first of the two components that take a point sprite's coordinates, or -1 */
 } GpVaryingModes;
 

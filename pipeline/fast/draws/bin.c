@@ -155,7 +155,8 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
         shade_again(d, numbers[i], &vertex[i]);
     GpClipPolygon polygon;
     gp_clip_triangle(&d->band, (const GpVertex *const[3]){ &vertex[0], &vertex[1], &vertex[2] },
-                     d->modes.components, d->modes.flat, &polygon);
+                     &(GpClipVaryings){ d->modes.components, d->modes.flat, d->modes.screen },
+                     &polygon);
     range->clipped += polygon.cut;
     GpScreenVertex screen[GP_MAX_CLIPPED];
     for (int i = 0; i < polygon.corners; i++)

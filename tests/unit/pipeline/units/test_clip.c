@@ -20,7 +20,8 @@ static GpVertex vertex_at(float x, float y, float z, float w)
 static GpClipPolygon clip(const GpGuardBand *band, const GpVertex v[3], uint64_t flat)
 {
     GpClipPolygon polygon;
-    gp_clip_triangle(band, (const GpVertex *const[3]){ &v[0], &v[1], &v[2] }, 4, flat, &polygon);
+    gp_clip_triangle(band, (const GpVertex *const[3]){ &v[0], &v[1], &v[2] },
+                     &(GpClipVaryings){ .components = 4, .flat = flat }, &polygon);
     return polygon;
 }
 
@@ -180,6 +181,40 @@ static void varyings_stay_affine_in_clip_space(void **state)
     }
 }
 
+/* z/w is linear on the screen: a new corner has that of its own place, whatever the planes that cut,
+ * and where the end outside is behind the eye too. */
+static void what_is_linear_on_the_screen_stays_so_on_cut_edges(void **state)
+{
+    (void)state;
+    GpGuardBand band = band_of(256, 256);
+    Random random = { 13 };
+    unsigned planes = 0;
+    int behind = 0;
+    for (int i = 0; i < 20000; i++) {
+        GpVertex v[3];
+        for (int k = 0; k < 3; k++) {
+            float w = random_float(&random, 0.25f, 4) * (random_int(&random, 0, 9) < 3 ? -1 : 1);
+            float x = random_int(&random, 0, 4) == 0 ? 1000 : 2;
+            v[k] = vertex_at(random_float(&random, -x, x), random_float(&random, -x, x),
+                             random_float(&random, -1, 3), w);
+            v[k].varying[1] = v[k].clip[2] / w;
+            behind += w < 0;
+        }
+        GpClipPolygon polygon;
+        gp_clip_triangle(&band, (const GpVertex *const[3]){ &v[0], &v[1], &v[2] },
+                         &(GpClipVaryings){ .components = 4, .screen = 1 << 1 }, &polygon);
+        planes |= polygon.corners ? polygon.planes : 0;
+        for (int k = 0; k < polygon.corners; k++) {
+            const float *at = polygon.corner[k].clip;
+            /* the vertices' own roundings, for w up to 4 there */
+            const float rounding = 1e-6f * (1 + 4 / at[3]);
+            assert_true(fabsf(polygon.corner[k].varying[1] - at[2] / at[3]) < rounding);
+        }
+    }
+    assert_int_equal(planes, (1u << GP_CLIP_PLANES) - 1);
+    assert_true(behind > 1000);
+}
+
 static void points_are_kept_by_their_vertex_alone(void **state)
 {
     (void)state;
@@ -203,6 +238,7 @@ int main(void)
         cmocka_unit_test(shared_edges_are_cut_at_the_same_point),
         cmocka_unit_test(flat_values_survive_the_loss_of_the_first_corner),
         cmocka_unit_test(varyings_stay_affine_in_clip_space),
+        cmocka_unit_test(what_is_linear_on_the_screen_stays_so_on_cut_edges),
         cmocka_unit_test(points_are_kept_by_their_vertex_alone),
     };
     return cmocka_run_group_tests_name("clip", tests, NULL, NULL);
