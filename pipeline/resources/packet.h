@@ -50,7 +50,11 @@ typedef struct GpTriangle {
     /* depth = z_base + E_1 * z_step[0] + E_2 * z_step[1], in binary64 */
     double z_base, z_step[2];
     float inverse_area; /* 1 / area2 */
-    float rw_ratio[2];  /* rw of corners 1 and 2 over that of corner 0 */
+
+    /* interpolants are summed from the corner that is nearest to the eye on: it has the greatest rw,
+     * and is the first of those that have */
+    int nearest;
+    float rw_ratio[2]; /* rw of the two corners after it, in their order, over its own: 0..1 */
 } GpTriangle;
 
 /* A point sprite ready for the rasterizer: covers centres in [left, right) x [top, bottom). */

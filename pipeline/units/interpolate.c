@@ -21,32 +21,38 @@ GpVaryingModes gp_varying_modes(const GpProgram *program)
     return modes;
 }
 
-/* Screen-linear share of corner 1 or 2: an exact integer over an exact integer, with one rounding
+/* Screen-linear share of a corner: an exact integer over an exact integer, with one rounding
  * for each and one for the product, however thin the triangle is. */
 static float screen_share(const GpTriangle *t, const GpQuad *quad, int corner, int pixel)
 {
     return (float)quad->edge[corner][pixel] * t->inverse_area;
 }
 
+/* A corner's share is E_i rw_i over the sum of all three: terms of one sign, of which none is a
+ * difference, so that each share keeps its digits however far the corners are apart. */
 void gp_interpolate_barycentrics(const GpTriangle *t, GpQuad *quad)
 {
-    float ratio1 = t->rw_ratio[0], ratio2 = t->rw_ratio[1];
+    const int first = t->nearest, second = (first + 1) % 3, third = (first + 2) % 3;
+    const float ratio1 = t->rw_ratio[0], ratio2 = t->rw_ratio[1];
+    const bool even = ratio1 == 1.0f && ratio2 == 1.0f;
     for (int pixel = 0; pixel < 4; pixel++) {
-        float l1 = screen_share(t, quad, 1, pixel), l2 = screen_share(t, quad, 2, pixel);
-        /* 1/w over that of corner 0; the only reciprocal of the pixel */
-        float rw = 1.0f + (l1 * (ratio1 - 1.0f) + l2 * (ratio2 - 1.0f));
-        float w = 1.0f / rw;
-        quad->barycentric[1][pixel] = l1 * ratio1 * w;
-        quad->barycentric[2][pixel] = l2 * ratio2 * w;
-        quad->barycentric[0][pixel] =
-            1.0f - (quad->barycentric[1][pixel] + quad->barycentric[2][pixel]);
+        const float part0 = (float)quad->edge[first][pixel];
+        const float part1 = (float)quad->edge[second][pixel] * ratio1;
+        const float part2 = (float)quad->edge[third][pixel] * ratio2;
+        const float w = 1.0f / (part0 + (part1 + part2)); /* the only reciprocal of the pixel */
+        quad->barycentric[first][pixel] = even ? screen_share(t, quad, first, pixel) : part0 * w;
+        quad->barycentric[second][pixel] = even ? screen_share(t, quad, second, pixel) : part1 * w;
+        quad->barycentric[third][pixel] = even ? screen_share(t, quad, third, pixel) : part2 * w;
     }
 }
 
-/* v0 + (s1 (v1 - v0) + s2 (v2 - v0)): equal corner values come out unchanged, bit for bit. */
-static float blend_corners(float v0, float v1, float v2, float s1, float s2)
+/* v0 + (s1 (v1 - v0) + s2 (v2 - v0)), from the nearest corner on: equal corner values come out
+ * unchanged, bit for bit. */
+static float blend_corners(const GpTriangle *t, const float v[3], const float share[3])
 {
-    return v0 + (s1 * (v1 - v0) + s2 * (v2 - v0));
+    const int first = t->nearest, second = (first + 1) % 3, third = (first + 2) % 3;
+    return v[first] +
+           (share[second] * (v[second] - v[first]) + share[third] * (v[third] - v[first]));
 }
 
 void gp_interpolate_clip(const GpTriangle *t, unsigned planes, GpQuad *quad)
@@ -55,11 +61,12 @@ void gp_interpolate_clip(const GpTriangle *t, unsigned planes, GpQuad *quad)
         if (!(planes >> i & 1))
             continue;
         for (int pixel = 0; pixel < 4; pixel++) {
-            float distance =
-                blend_corners(t->corner[0].clip_distance[i], t->corner[1].clip_distance[i],
-                              t->corner[2].clip_distance[i], quad->barycentric[1][pixel],
-                              quad->barycentric[2][pixel]);
-            if (!(distance >= 0))
+            float distance[3], share[3];
+            for (int k = 0; k < 3; k++) {
+                distance[k] = t->corner[k].clip_distance[i];
+                share[k] = quad->barycentric[k][pixel];
+            }
+            if (!(blend_corners(t, distance, share) >= 0))
                 quad->mask &= ~(1u << pixel);
         }
     }
@@ -85,18 +92,15 @@ void gp_interpolate_varyings(const GpTriangle *t, const GpVaryingModes *modes, u
     for (int c = 0; c < modes->components; c++) {
         if (!(wanted >> c & 1))
             continue;
-        float v0 = t->corner[0].varying[c];
-        float v1 = t->corner[1].varying[c], v2 = t->corner[2].varying[c];
+        const float v[3] = { t->corner[0].varying[c], t->corner[1].varying[c],
+                             t->corner[2].varying[c] };
+        const bool on_screen = modes->mode[c] == GP_LINEAR_SCREEN;
         for (int pixel = 0; pixel < 4; pixel++) {
-            float *value = &quad->varying[c][pixel];
-            if (modes->mode[c] == GP_FLAT)
-                *value = v0;
-            else if (modes->mode[c] == GP_LINEAR_SCREEN)
-                *value = blend_corners(v0, v1, v2, screen_share(t, quad, 1, pixel),
-                                       screen_share(t, quad, 2, pixel));
-            else
-                *value = blend_corners(v0, v1, v2, quad->barycentric[1][pixel],
-                                       quad->barycentric[2][pixel]);
+            float share[3];
+            for (int k = 0; k < 3; k++)
+                share[k] =
+                    on_screen ? screen_share(t, quad, k, pixel) : quad->barycentric[k][pixel];
+            quad->varying[c][pixel] = modes->mode[c] == GP_FLAT ? v[0] : blend_corners(t, v, share);
         }
     }
 }

@@ -79,6 +79,16 @@ static void set_depth(GpTriangle *t, const GpRasterState *state)
     t->z_base = z0 + offset;
 }
 
+static void set_shading(GpTriangle *t)
+{
+    const GpScreenVertex *v = t->corner;
+    const int nearer = v[1].rw > v[0].rw ? 1 : 0;
+    t->inverse_area = 1.0f / (float)t->area2;
+    t->nearest = v[2].rw > v[nearer].rw ? 2 : nearer;
+    for (int i = 0; i < 2; i++)
+        t->rw_ratio[i] = v[(t->nearest + 1 + i) % 3].rw / v[t->nearest].rw;
+}
+
 GpSetupResult gp_setup_triangle(const GpScreenVertex corner[3], const GpRasterState *state,
                                 const GpRect *rect, GpTriangle *triangle)
 {
@@ -99,9 +109,7 @@ GpSetupResult gp_setup_triangle(const GpScreenVertex corner[3], const GpRasterSt
 
     set_edges(triangle);
     set_depth(triangle, state);
-    triangle->inverse_area = 1.0f / (float)triangle->area2;
-    triangle->rw_ratio[0] = triangle->corner[1].rw / triangle->corner[0].rw;
-    triangle->rw_ratio[1] = triangle->corner[2].rw / triangle->corner[0].rw;
+    set_shading(triangle);
     return GP_SETUP_DRAWN;
 }
 

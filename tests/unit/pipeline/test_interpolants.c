@@ -1,5 +1,5 @@
 /* What a pixel shader gets, on every device, against exact values: behind cuts, and at extreme w. */
-#include "pipeline/glasspipe.h"
+#include <glasspipe/glasspipe.h>
 #include "shaders_c/voxel/methods/layers.h"
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
@@ -21,14 +21,14 @@ typedef struct Maps {
     ExerciseUniforms uniforms;
 } Maps;
 
-static void begin_maps(Maps *maps)
+static void begin_maps(uint32_t width, Maps *maps)
 {
     *maps = (Maps){ .uniforms.color = { 1, 1, 1, 1 } };
     for (int i = 0; i < 4; i++)
         maps->uniforms.matrix[i][i] = 1;
-    maps->color = frame_surface(&maps->frame, GP_A32B32G32R32F, SIZE, SIZE, 1);
-    maps->linear = frame_surface(&maps->frame, GP_A32B32G32R32F, SIZE, SIZE, 1);
-    maps->depth = frame_surface(&maps->frame, GP_D32F, SIZE, SIZE, 1);
+    maps->color = frame_surface(&maps->frame, GP_A32B32G32R32F, width, SIZE, 1);
+    maps->linear = frame_surface(&maps->frame, GP_A32B32G32R32F, width, SIZE, 1);
+    maps->depth = frame_surface(&maps->frame, GP_D32F, width, SIZE, 1);
     GpPass *pass =
         frame_pass(&maps->frame, "maps", maps->color, maps->depth, (const float[4]){ 0 });
     pass->color[1] = (GpColorTarget){ .surface = maps->linear, .clear = true };
@@ -138,7 +138,7 @@ static void z_over_w_is_linear_on_the_screen_behind_every_cut(void **state)
         for (int i = 0; i < 12; i++) {
             Corner corner[3];
             Maps maps;
-            begin_maps(&maps);
+            begin_maps(SIZE, &maps);
             make_cut_triangle(&random, cut, corner);
             draw_corners(&maps, corner, 3);
             run_everywhere(&maps.frame);
@@ -183,10 +183,174 @@ static void layers_of_cut_triangles_are_their_depths(void **state)
     frame_free(&frame);
 }
 
+/* --- extreme w -------------------------------------------------------------------------------- */
+
+enum { MOST = 40, ORDERS = 6, CHANNELS = 6 };
+
+/* Triangles on known places of the 24.8 grid. Of equal depth each, and each before the last. */
+typedef struct Triangle {
+    int64_t x[3], y[3];
+    Corner corner[3]; /* values: random, w, 0 or 1, equal; on the screen: random, equal */
+} Triangle;
+
+static void make_triangle(Random *random, int number, int32_t reach, Triangle *t)
+{
+    const int32_t middle[2] = { random_int(random, 0, SIZE * 256),
+                                random_int(random, 0, SIZE * 256) };
+    const float depth = 0.9f - 0.02f * (float)number;
+    for (int k = 0; k < 3; k++) {
+        const float w = powf(10, random_float(random, -4.5f, 4.5f));
+        t->x[k] = middle[0] + random_int(random, -reach, reach);
+        t->y[k] = middle[1] + random_int(random, -reach, reach);
+        const float x = (float)t->x[k] / (128 * SIZE) - 1, y = 1 - (float)t->y[k] / (128 * SIZE);
+        t->corner[k] = (Corner){ { x * w, y * w, depth * w, w },
+                                 { random_float(random, -1, 1), w, (float)(k == 1), 0.3f },
+                                 { random_float(random, -1, 1), 0.7f } };
+    }
+}
+
+/* Edge functions at a pixel's centre; false outside. */
+static bool find_edges(const Triangle *t, int x, int y, double edge[3])
+{
+    bool positive = false, negative = false;
+    for (int k = 0; k < 3; k++) {
+        const int a = (k + 1) % 3, b = (k + 2) % 3;
+        const int64_t dx = t->x[b] - t->x[a], dy = t->y[b] - t->y[a];
+        const int64_t value = dx * (y * 256 + 128 - t->y[a]) - dy * (x * 256 + 128 - t->x[a]);
+        positive |= value > 0;
+        negative |= value < 0;
+        edge[k] = fabs((double)value);
+    }
+    return positive != negative;
+}
+
+static double value_of(const Corner *corner, int channel)
+{
+    return (double)(channel < 4 ? corner->color[channel] : corner->uv[channel - 4]);
+}
+
+/* What CONVENTIONS.md promises of a pixel. Returns whether it lies in the triangle; on an edge, which
+ * may be another's, it is not looked at. */
+static bool check_pixel(const Triangle *t, int x, int y, const float given[CHANNELS])
+{
+    const double half = 0x1p-24;
+    double edge[3], sum[2] = { 0, 0 }, share[2][3];
+    if (!find_edges(t, x, y, edge))
+        return false;
+    if (edge[0] == 0 || edge[1] == 0 || edge[2] == 0)
+        return true;
+    for (int on_screen = 0; on_screen < 2; on_screen++) {
+        for (int k = 0; k < 3; k++) {
+            const double w = (double)t->corner[k].position[3];
+            sum[on_screen] += share[on_screen][k] = edge[k] / (on_screen ? 1 : w);
+        }
+        for (int k = 0; k < 3; k++)
+            share[on_screen][k] /= sum[on_screen];
+    }
+    int nearest = 0;
+    for (int k = 1; k < 3; k++)
+        nearest = t->corner[k].position[3] < t->corner[nearest].position[3] ? k : nearest;
+    for (int c = 0; c < CHANNELS; c++) {
+        const double first = value_of(&t->corner[nearest], c);
+        double exact = first, spread = 0;
+        for (int k = 0; k < 3; k++) {
+            const double to = value_of(&t->corner[k], c) - first, weight = share[c >= 4][k];
+            exact += weight * to;
+            spread += weight * fabs(to);
+        }
+        const double bound = half * fabs(exact) + 18 * half * spread;
+        if (!(fabs((double)given[c] - exact) <= bound))
+            fail_msg("(%d, %d), value %d: %.9g instead of %.9g", x, y, c, (double)given[c], exact);
+    }
+    return true;
+}
+
+typedef enum Way { OPAQUE, BLENDED, SORTED, WAYS } Way;
+
+/* The same triangles six times side by side, with their corners in every order. */
+static void draw_orders(Maps *maps, Way way, const Triangle *triangles, uint32_t count,
+                        Corner corners[ORDERS][3 * MOST])
+{
+    static const uint8_t orders[ORDERS][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 },
+                                               { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
+    for (int order = 0; order < ORDERS; order++) {
+        for (uint32_t i = 0; i < 3 * count; i++)
+            corners[order][i] = triangles[i / 3].corner[orders[order][i % 3]];
+        GpDraw *draw = draw_corners(maps, corners[order], 3 * count);
+        draw->viewport = (GpViewport){ .x = (float)(order * SIZE), .width = SIZE, .height = SIZE };
+        if (way == BLENDED) {
+            draw->state.depth = (GpDepthState){ .write = false };
+            draw->state.blend[0] = draw->state.blend[1] =
+                (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ZERO };
+        } else if (way == SORTED) {
+            draw->state.depth = (GpDepthState){ GP_LESS, true };
+            draw->state.alpha_test = (GpAlphaTest){ .test = GP_GREATER, .reference = 1 };
+        }
+    }
+}
+
+static void read_values(const Maps *maps, int x, int y, float values[CHANNELS])
+{
+    memcpy(values, texel(maps->color, x, y), 4 * sizeof *values);
+    memcpy(values + 4, texel(maps->linear, x, y), 2 * sizeof *values);
+}
+
+/* Pixels of the last triangle that has them; all orders have the same bits. */
+static int check_orders(const Maps *maps, const Triangle *triangles, int count)
+{
+    int checked = 0;
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            float values[CHANNELS], others[CHANNELS];
+            read_values(maps, x, y, values);
+            for (int order = 1; order < ORDERS; order++) {
+                read_values(maps, order * SIZE + x, y, others);
+                assert_memory_equal(others, values, sizeof values);
+            }
+            if (values[3] == 0)
+                continue;
+            assert_true(values[3] == 0.3f && values[5] == 0.7f);
+            for (int i = count - 1; i >= 0; i--)
+                if (check_pixel(&triangles[i], x, y, values)) {
+                    checked++;
+                    break;
+                }
+        }
+    return checked;
+}
+
+static void r16_no_value_depends_on_which_corner_comes_first(void **state)
+{
+    (void)state;
+    static const struct {
+        int32_t reach; /* sub-pixels */
+        int count, least;
+    } kinds[] = { { 400, MOST, 60 }, { 3000, 20, 1000 }, { 16000, 8, 4000 }, { 500000, 6, 4000 } };
+    static Corner corners[ORDERS][3 * MOST];
+    Random random = { 163 };
+    for (size_t kind = 0; kind < GP_COUNT(kinds); kind++)
+        for (Way way = OPAQUE; way < WAYS; way++) {
+            int checked = 0;
+            for (int i = 0; i < 3; i++) {
+                Triangle triangles[MOST];
+                Maps maps;
+                begin_maps(ORDERS * SIZE, &maps);
+                for (int k = 0; k < kinds[kind].count; k++)
+                    make_triangle(&random, k, kinds[kind].reach, &triangles[k]);
+                draw_orders(&maps, way, triangles, (uint32_t)kinds[kind].count, corners);
+                run_everywhere(&maps.frame);
+                checked += check_orders(&maps, triangles, kinds[kind].count);
+                frame_free(&maps.frame);
+            }
+            assert_true(checked > kinds[kind].least);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(z_over_w_is_linear_on_the_screen_behind_every_cut),
+        cmocka_unit_test(r16_no_value_depends_on_which_corner_comes_first),
         cmocka_unit_test(layers_of_cut_triangles_are_their_depths),
     };
     return cmocka_run_group_tests_name("interpolants", tests, NULL, NULL);

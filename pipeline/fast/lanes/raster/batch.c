@@ -167,12 +167,26 @@ static void set_depth(const FastDraw *d, const Corners *corners, TriangleBatch *
         b->base[lane] += depth_offset(&d->draw->state.raster, b, lane);
 }
 
-/* What interpolation needs besides the edges (R16). */
+/* What interpolation needs, from the nearest corner on (R16): as gp_setup_triangle. */
 static void set_shading(const Corners *corners, TriangleBatch *b)
 {
-    b->inverse_area = 1.0f / flt_from_itg(corners->area2);
-    for (int k = 0; k < 2; k++)
-        b->ratio[k] = (flt)corners->at[k + 1][3] / (flt)corners->at[0][3];
+    const itg *const at[3] = { corners->at[0], corners->at[1], corners->at[2] };
+    const flt rw[3] = { (flt)at[0][3], (flt)at[1][3], (flt)at[2][3] };
+    const msk second = (msk)(rw[1] > rw[0]);
+    const flt nearer = flt_select(second, rw[1], rw[0]);
+    const msk third = (msk)(rw[2] > nearer);
+    const flt nearest = flt_select(third, rw[2], nearer);
+    b->area2 = corners->area2;
+    b->shade_first = itg_select(third, itg_set(2), (itg)second & 1);
+    GP_UNROLL
+    for (int i = 0; i < 2; i++) { /* the one after 0, 1 or 2; the one after that */
+        const int k0 = 1 + i, k1 = i ? 0 : 2, k2 = i;
+        b->shade_edge[i] =
+            itg_select(third, b->edge[k2], itg_select(second, b->edge[k1], b->edge[k0]));
+        b->shade_steps[i] =
+            itg_select(third, b->steps[k2], itg_select(second, b->steps[k1], b->steps[k0]));
+        b->ratio[i] = flt_select(third, rw[k2], flt_select(second, rw[k1], rw[k0])) / nearest;
+    }
 }
 
 void fast_set_up_batch(const Filler *f, const BatchCorners *found, TriangleBatch *b)
@@ -224,29 +238,34 @@ void fast_set_up_batch(const Filler *f, const BatchCorners *found, TriangleBatch
 void fast_write_record(const FastDraw *d, const TriangleBatch *b, uint32_t lane,
                        FastTriangleRecord *record)
 {
+    /* corners from the nearest on, of triangles that turn the other way and of front ones */
+    static const uint8_t turned[2][3][3] = { { { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } },
+                                             { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 } } };
+    static const uint8_t first_of[3] = { 0, 2, 1 };
     const bool front = b->front >> lane & 1;
+    const uint8_t *order = turned[front][b->shade_first[lane]];
     const uint32_t x = (uint32_t)b->x[lane], y = (uint32_t)b->y[lane];
-    int32_t c[3];
-    for (int i = 1; i < 3; i++) {
-        const int32_t step = b->steps[i][lane];
-        c[i] = (int32_t)((uint32_t)b->edge[i][lane] - ((uint32_t)fast_step_right(step) * x +
-                                                       (uint32_t)fast_step_down(step) * y));
+    int32_t c[2];
+    for (int i = 0; i < 2; i++) {
+        const int32_t step = b->shade_steps[i][lane];
+        c[i] = (int32_t)((uint32_t)b->shade_edge[i][lane] - ((uint32_t)fast_step_right(step) * x +
+                                                             (uint32_t)fast_step_down(step) * y));
     }
-    record->c1 = c[1];
-    record->step1 = b->steps[1][lane];
-    record->c2 = c[2];
-    record->step2 = b->steps[2][lane];
-    record->inverse_area = b->inverse_area[lane];
+    record->c1 = c[0];
+    record->step1 = b->shade_steps[0][lane];
+    record->c2 = c[1];
+    record->step2 = b->shade_steps[1][lane];
+    record->area = b->area2[lane];
     record->ratio1 = b->ratio[0][lane];
     record->ratio2 = b->ratio[1][lane];
     record->kind = FAST_EDGES_32;
     record->face = front ? 1.0f : -1.0f;
     record->edges64 = 0;
+    record->flat = first_of[b->shade_first[lane]];
     const uint32_t *indices = d->indices;
     const uint32_t at = 3 * (b->primitives[lane] - d->first_primitive);
-    const uint32_t order[3] = { at, at + (front ? 1 : 2), at + (front ? 2 : 1) };
     for (int k = 0; k < 3; k++) {
-        uint32_t number = (indices ? indices[order[k]] : order[k]) - d->first_vertex;
+        uint32_t number = (indices ? indices[at + order[k]] : at + order[k]) - d->first_vertex;
         record->corner[k] = d->varyings + (size_t)number * d->stride;
     }
 }

@@ -25,7 +25,11 @@ typedef struct TriangleBatch {
     itg steps[3];          /* both, in the low and the high half */
     dbl base, step[2];     /* of depth */
     flt nearest;           /* no pixel's depth is below */
-    flt inverse_area, ratio[2];
+
+    /* for shading: the corner that is nearest to the eye, and of the two after it, edges and ratios as in a record */
+    itg area2, shade_first;
+    itg shade_edge[2], shade_steps[2];
+    flt ratio[2];
 } TriangleBatch;
 
 /* Looks up the corners of the first of `count` triangles, up to GP_LANES, and asks memory for them:

@@ -190,18 +190,18 @@ static bool hides_tile(const Filler *f, const Coverage *coverage)
 static void write_record(Tile *tile, const GpTriangle *t, FastTriangleRecord *record)
 {
     FastEdges64 *edges = &tile->records->edges64[tile->records->edges64_count];
-    *record = (FastTriangleRecord){ .inverse_area = t->inverse_area,
-                                    .ratio1 = t->rw_ratio[0],
+    *record = (FastTriangleRecord){ .ratio1 = t->rw_ratio[0],
                                     .ratio2 = t->rw_ratio[1],
                                     .face = t->front ? 1.0f : -1.0f,
                                     .kind = FAST_EDGES_64,
-                                    .edges64 = tile->records->edges64_count++ };
-    for (int i = 0; i < 3; i++)
-        record->corner[i] = t->corner[i].varying;
-    for (int i = 0; i < 2; i++) {
-        edges->edge.c[i] = edge_at_origin(tile, t, i + 1);
-        edges->edge.a[i] = t->a[i + 1] * GP_SUBPIXELS;
-        edges->edge.b[i] = t->b[i + 1] * GP_SUBPIXELS;
+                                    .edges64 = (uint16_t)tile->records->edges64_count++,
+                                    .flat = (uint16_t)((3 - t->nearest) % 3) };
+    for (int i = 0; i < 3; i++) {
+        const int k = (t->nearest + i) % 3;
+        record->corner[i] = t->corner[k].varying;
+        edges->edge.c[i] = edge_at_origin(tile, t, k);
+        edges->edge.a[i] = t->a[k] * GP_SUBPIXELS;
+        edges->edge.b[i] = t->b[k] * GP_SUBPIXELS;
     }
 }
 

@@ -232,7 +232,7 @@ static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
         tile->records->record[filler.number] =
             (FastTriangleRecord){ .face = 1.0f,
                                   .kind = FAST_SPRITE,
-                                  .edges64 = tile->records->edges64_count++,
+                                  .edges64 = (uint16_t)tile->records->edges64_count++,
                                   .corner = { varying, varying, varying } };
         edges->sprite.left = s->left[lane];
         edges->sprite.top = s->top[lane];

@@ -9,7 +9,7 @@
 enum { LANES_SHARE = GP_LANES > 4 };
 
 /* The first words of a record. */
-enum { EDGE, STEP, INVERSE_AREA = 4, RATIO, KIND = 7 };
+enum { EDGE, STEP, AREA = 4, RATIO, KIND = 7 };
 
 /* Where in the runs the lanes of a gathered packet find their values. */
 typedef struct Spread {
@@ -51,26 +51,44 @@ static void fetch_words(const FastTriangleRecord *records, FastLaneRuns *runs)
     runs->wide = msk_bits(wide);
 }
 
-/* Four or eight components of the corners, from `first` on, of which some are wanted. */
+/* Four or eight components from `first` on, of a corner of each run; flat: of that which has the flat
+ * values. */
+GP_INLINE void load_components(const FastTriangleRecord *records, const uint32_t *record,
+                               int corner, bool flat, int first, int components, itg v[8])
+{
+    const void *from[GP_LANES];
+    GP_UNROLL
+    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
+        const FastTriangleRecord *r = &records[record[lane]];
+        from[lane] = r->corner[flat ? r->flat : corner] + first;
+    }
+    if (components > 4)
+        lanes_load8(from, v);
+    else
+        lanes_load4(from, v);
+}
+
+/* Components of the corners, from `first` on, of which some are wanted. */
 GP_INLINE void fetch_components(const FastTriangleRecord *records, int first, int components,
-                                unsigned wanted, FastLaneRuns *runs)
+                                unsigned wanted, unsigned flat, FastLaneRuns *runs)
 {
     for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
         itg v[3][8];
-        GP_UNROLL
-        for (int k = 0; k < 3; k++) {
-            const void *from[GP_LANES];
+        if (wanted & flat) {
+            load_components(records, runs->record + at, 0, true, first, components, v[0]);
             GP_UNROLL
-            for (uint32_t lane = 0; lane < GP_LANES; lane++)
-                from[lane] = records[runs->record[at + lane]].corner[k] + first;
-            if (components > 4)
-                lanes_load8(from, v[k]);
-            else
-                lanes_load4(from, v[k]);
+            for (int i = 0; i < components; i++)
+                if (wanted & flat & 1u << i)
+                    flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
         }
+        if (!(wanted & ~flat))
+            continue;
+        GP_UNROLL
+        for (int k = 0; k < 3; k++)
+            load_components(records, runs->record + at, k, false, first, components, v[k]);
         GP_UNROLL
         for (int i = 0; i < components; i++) {
-            if (!(wanted >> i & 1))
+            if (!(wanted & ~flat & 1u << i))
                 continue;
             flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
             flt_store(runs->corner[first + i][1] + at, (flt)v[1][i] - (flt)v[0][i]);
@@ -79,16 +97,17 @@ GP_INLINE void fetch_components(const FastTriangleRecord *records, int first, in
     }
 }
 
-static void fetch_runs(const FastTriangleRecord *records, uint64_t wanted, FastLaneRuns *runs)
+static void fetch_runs(const FastDraw *d, const FastTriangleRecord *records, FastLaneRuns *runs)
 {
+    const uint64_t wanted = d->needs.varyings, flat = d->modes.flat;
     keep_lanes(runs->record + runs->count, itg_set((int32_t)runs->record[0]));
     fetch_words(records, runs);
     for (int first = 0; first < GP_MAX_VARYINGS && wanted >> first; first += 8) {
-        const unsigned eight = wanted >> first & 0xff;
+        const unsigned eight = wanted >> first & 0xff, flat8 = flat >> first & 0xff;
         if (eight >> 4)
-            fetch_components(records, first, 8, eight, runs);
+            fetch_components(records, first, 8, eight, flat8, runs);
         else if (eight)
-            fetch_components(records, first, 4, eight, runs);
+            fetch_components(records, first, 4, eight, flat8, runs);
     }
 }
 
@@ -106,37 +125,60 @@ GP_INLINE flt spread_flt(const void *values, const Spread *spread)
 
 /* --- triangles -------------------------------------------------------------------------------- */
 
-/* Edge values of triangles too large for 32 bits: exact, rounded once. */
-static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edge[2])
+/* Edge values and areas of triangles too large for 32 bits: exact, rounded once. */
+static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edge[3], flt *area)
 {
     for (int lane = 0; lane < GP_LANES; lane++) {
         const FastTriangleRecord *record = &tile->records->record[gathered->record[lane]];
         const FastEdges64 *edges = &tile->records->edges64[record->edges64];
         const int64_t x = gathered->x[lane], y = gathered->y[lane];
-        for (int i = 0; i < 2 && record->kind == FAST_EDGES_64; i++)
-            edge[i][lane] = (float)(edges->edge.c[i] + edges->edge.a[i] * x + edges->edge.b[i] * y);
+        if (record->kind != FAST_EDGES_64)
+            continue;
+        int64_t sum = 0;
+        for (int i = 0; i < 3; i++) {
+            const int64_t value = edges->edge.c[i] + edges->edge.a[i] * x + edges->edge.b[i] * y;
+            edge[i][lane] = (float)value;
+            sum += value;
+        }
+        (*area)[lane] = (float)sum;
     }
 }
 
-static void set_weights(const Tile *tile, const FastGathered *gathered, const Spread *spread, int p,
-                        FastWeights *weights)
+static void set_weights(const Tile *tile, const FastDraw *d, const FastGathered *gathered,
+                        const Spread *spread, int p, FastWeights *weights)
 {
     const FastLaneRuns *runs = tile->lane_runs;
     const itg place = gathered->x | gathered->y << 16;
-    flt edge[2];
+    const itg area2 = spread_itg(runs->word[AREA], spread);
+    itg left = area2;
+    flt edge[3], area = flt_from_itg(area2);
     GP_UNROLL
     for (int i = 0; i < 2; i++) {
         itg first = spread_itg(runs->word[EDGE + 2 * i], spread);
         itg stepped = itg_dot2(spread_itg(runs->word[STEP + 2 * i], spread), place);
-        edge[i] = flt_from_itg((itg)((utg)first + ((utg)stepped << GP_SUBPIXEL_BITS)));
+        itg value = (itg)((utg)first + ((utg)stepped << GP_SUBPIXEL_BITS));
+        left = (itg)((utg)left - (utg)value);
+        edge[1 + i] = flt_from_itg(value);
     }
+    edge[0] = flt_from_itg(left);
     if (runs->wide)
-        set_edges_64(tile, gathered, edge);
+        set_edges_64(tile, gathered, edge, &area);
+    const flt ratio1 = spread_flt(runs->word[RATIO], spread);
+    const flt ratio2 = spread_flt(runs->word[RATIO + 1], spread);
+    const msk even = (msk)(ratio1 == 1.0f) & (msk)(ratio2 == 1.0f);
+    const unsigned even_lanes = msk_bits(even);
+    if (even_lanes != ALL_LANES)
+        set_perspective(weights, p, edge[0], edge[1] * ratio1, edge[2] * ratio2);
+    if (!even_lanes && !d->varyings_by[GP_LINEAR_SCREEN])
+        return;
+    const flt scale = 1.0f / area;
     GP_UNROLL
-    for (int i = 0; i < 2; i++)
-        weights->screen[i][p] = edge[i] * spread_flt(runs->word[INVERSE_AREA], spread);
-    correct_weights(weights, p, spread_flt(runs->word[RATIO], spread),
-                    spread_flt(runs->word[RATIO + 1], spread));
+    for (int i = 0; i < 2; i++) {
+        const flt screen = edge[1 + i] * scale;
+        weights->screen[i][p] = screen;
+        weights->perspective[i][p] =
+            even_lanes == ALL_LANES ? screen : flt_select(even, screen, weights->perspective[i][p]);
+    }
 }
 
 /* v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
@@ -166,9 +208,9 @@ static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastGathe
     runs->count = 0;
     for (int p = 0; p < count; p++)
         spread[p] = add_runs(&gathered[p], runs);
-    fetch_runs(tile->records->record, d->needs.varyings, runs);
+    fetch_runs(d, tile->records->record, runs);
     for (int p = 0; p < count; p++)
-        set_weights(tile, &gathered[p], &spread[p], p, &weights);
+        set_weights(tile, d, &gathered[p], &spread[p], p, &weights);
     for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
         const int c = __builtin_ctzll(left);
         const bool screen = d->modes.mode[c] == GP_LINEAR_SCREEN;

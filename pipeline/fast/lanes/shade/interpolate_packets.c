@@ -30,79 +30,106 @@ static bool narrow_edge(const FastEdges64 *edges, int i, FastEdge *edge)
     return true;
 }
 
-bool fast_narrow_edges(const FastRecords *records, const FastTriangleRecord *r, FastEdge edge[2])
+/* Edges 1 and 2; edge 0 is what they leave of the area. */
+static void small_edges(const FastTriangleRecord *r, FastEdge edge[3])
+{
+    edge[1] = (FastEdge){ r->c1, fast_step_right(r->step1), fast_step_down(r->step1), 1 };
+    edge[2] = (FastEdge){ r->c2, fast_step_right(r->step2), fast_step_down(r->step2), 1 };
+    edge[0].c = (int32_t)((uint32_t)r->area - (uint32_t)edge[1].c - (uint32_t)edge[2].c);
+    edge[0].a = -(edge[1].a + edge[2].a);
+    edge[0].b = -(edge[1].b + edge[2].b);
+    edge[0].unit = 1;
+}
+
+GP_INLINE int64_t large_area(const FastEdges64 *edges)
+{
+    return edges->edge.c[0] + edges->edge.c[1] + edges->edge.c[2];
+}
+
+bool fast_narrow_edges(const FastRecords *records, const FastTriangleRecord *r, bool perspective,
+                       FastNarrowEdges *narrow)
 {
     const FastEdges64 *edges = &records->edges64[r->edges64];
-    if (r->kind == FAST_EDGES_64)
-        return narrow_edge(edges, 0, &edge[0]) && narrow_edge(edges, 1, &edge[1]);
-    edge[0] = (FastEdge){ r->c1, fast_step_right(r->step1), fast_step_down(r->step1), 1 };
-    edge[1] = (FastEdge){ r->c2, fast_step_right(r->step2), fast_step_down(r->step2), 1 };
+    if (r->kind == FAST_EDGES_64) {
+        narrow->inverse_area = 1.0f / (float)large_area(edges);
+        narrow->edge[0] = (FastEdge){ 0, 0, 0, 1 };
+        return narrow_edge(edges, 1, &narrow->edge[1]) && narrow_edge(edges, 2, &narrow->edge[2]) &&
+               (!perspective || narrow_edge(edges, 0, &narrow->edge[0]));
+    }
+    narrow->inverse_area = 1.0f / (float)r->area;
+    small_edges(r, narrow->edge);
     return true;
 }
 
 /* --- barycentrics ----------------------------------------------------------------------------- */
 
-GP_INLINE void set_weights(const FastTriangleRecord *r, bool perspective, int p,
-                           const flt screen[2], FastWeights *weights)
+/* The units are exact, so the products are those of the whole edges. */
+GP_INLINE void weights_32(const FastTriangleRecord *r, const FastNarrowEdges *narrow,
+                          bool perspective, bool screen, const FastPacket *packets, int count,
+                          FastWeights *weights)
 {
-    weights->screen[0][p] = screen[0];
-    weights->screen[1][p] = screen[1];
-    if (perspective)
-        correct_weights(weights, p, flt_set(r->ratio1), flt_set(r->ratio2));
-}
-
-/* The scale is exact, so the product is that of the whole edge. */
-GP_INLINE void weights_32(const FastTriangleRecord *r, const FastEdge edge[2], bool perspective,
-                          const FastPacket *packets, int count, FastWeights *weights)
-{
+    const FastEdge *edge = narrow->edge;
     const itg column = packet_columns(packets->wide), row = packet_rows(packets->wide);
-    utg across[2];
-    flt scale[2];
+    const flt share0 = flt_set(edge[0].unit), share1 = flt_set(edge[1].unit * r->ratio1);
+    const flt share2 = flt_set(edge[2].unit * r->ratio2);
+    utg across[3];
+    flt scale[3];
     GP_UNROLL
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         across[i] = (utg)(column * edge[i].a + row * edge[i].b) + (uint32_t)edge[i].c;
-        scale[i] = flt_set(r->inverse_area * edge[i].unit);
+        scale[i] = flt_set(narrow->inverse_area * edge[i].unit);
     }
     for (int p = 0; p < count; p++) {
-        flt screen[2];
+        flt value[3];
         GP_UNROLL
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < 3; i++) {
             const uint32_t first =
                 (uint32_t)edge[i].a * packets[p].x + (uint32_t)edge[i].b * packets[p].y;
-            screen[i] = flt_from_itg((itg)(across[i] + first)) * scale[i];
+            value[i] = flt_from_itg((itg)(across[i] + first));
         }
-        set_weights(r, perspective, p, screen, weights);
+        if (screen) {
+            weights->screen[0][p] = value[1] * scale[1];
+            weights->screen[1][p] = value[2] * scale[2];
+        }
+        if (perspective)
+            set_perspective(weights, p, value[0] * share0, value[1] * share1, value[2] * share2);
     }
 }
 
 /* Edges that need more bits: exact in binary64, rounded once. */
-GP_INLINE void weights_64(const FastTriangleRecord *r, const FastEdges64 *edges, bool perspective,
-                          const FastPacket *packets, int count, FastWeights *weights)
+static void weights_64(const FastTriangleRecord *r, const FastEdges64 *edges, bool perspective,
+                       const FastPacket *packets, int count, FastWeights *weights)
 {
-    weights->has_perspective = perspective;
     const dbl column = dbl_from_itg(packet_columns(packets->wide));
     const dbl row = dbl_from_itg(packet_rows(packets->wide));
+    const float inverse_area = 1.0f / (float)large_area(edges);
+    weights->has_perspective = perspective;
     for (int p = 0; p < count; p++) {
-        flt screen[2];
+        flt value[3];
         GP_UNROLL
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < 3; i++) {
             const double a = (double)edges->edge.a[i], b = (double)edges->edge.b[i];
             const double first = (double)edges->edge.c[i] + (a * packets[p].x + b * packets[p].y);
             const dbl edge = first + (column * a + row * b);
-            screen[i] = __builtin_convertvector(edge, flt) * r->inverse_area;
+            value[i] = __builtin_convertvector(edge, flt);
         }
-        set_weights(r, perspective, p, screen, weights);
+        weights->screen[0][p] = value[1] * inverse_area;
+        weights->screen[1][p] = value[2] * inverse_area;
+        if (perspective)
+            set_perspective(weights, p, value[0], value[1] * r->ratio1, value[2] * r->ratio2);
     }
 }
 
-void fast_find_weights(const FastTriangleRecord *r, const FastEdge edge[2], bool perspective,
-                       const FastPacket *packets, int count, FastWeights *weights)
+void fast_find_weights(const FastDraw *d, const FastTriangleRecord *r, const FastNarrowEdges *edges,
+                       bool perspective, const FastPacket *packets, int count, FastWeights *weights)
 {
     weights->has_perspective = perspective;
-    if (perspective)
-        weights_32(r, edge, true, packets, count, weights);
+    if (!perspective)
+        weights_32(r, edges, false, true, packets, count, weights);
+    else if (d->varyings_by[GP_LINEAR_SCREEN])
+        weights_32(r, edges, true, true, packets, count, weights);
     else
-        weights_32(r, edge, false, packets, count, weights);
+        weights_32(r, edges, true, false, packets, count, weights);
 }
 
 /* --- interpolation ---------------------------------------------------------------------------- */
@@ -153,7 +180,7 @@ static void repeat_run(const FastTriangleRecord *r, uint64_t components, int cou
     for (; components; components &= components - 1) {
         const int c = __builtin_ctzll(components);
         for (int p = 0; p < count; p++)
-            in[c + p * stride] = flt_set(r->corner[0][c]);
+            in[c + p * stride] = flt_set(r->corner[r->flat][c]);
     }
 }
 
@@ -181,10 +208,10 @@ static void interpolate_triangle(const Tile *tile, const FastDraw *d, const Fast
 {
     const FastTriangleRecord *r = &tile->records->record[packets->record];
     const bool perspective = fast_needs_perspective(d, r);
-    FastEdge edge[2];
+    FastNarrowEdges edges;
     FastWeights weights;
-    if (fast_narrow_edges(tile->records, r, edge))
-        fast_find_weights(r, edge, perspective, packets, count, &weights);
+    if (fast_narrow_edges(tile->records, r, perspective, &edges))
+        fast_find_weights(d, r, &edges, perspective, packets, count, &weights);
     else
         weights_64(r, &tile->records->edges64[r->edges64], perspective, packets, count, &weights);
     fast_interpolate_run(d, r, &weights, count, in);

@@ -12,16 +12,23 @@ typedef struct FastEdge {
     float unit;
 } FastEdge;
 
-/* A triangle's edges 1 and 2; false where one needs more bits. */
+/* Those of a triangle, and 1 over its doubled area. */
+typedef struct FastNarrowEdges {
+    FastEdge edge[3]; /* 0 only for weights in perspective */
+    float inverse_area;
+} FastNarrowEdges;
+
+/* False where an edge needs more bits. */
 bool fast_narrow_edges(const FastRecords *records, const FastTriangleRecord *triangle,
-                       FastEdge edge[2]);
+                       bool perspective, FastNarrowEdges *edges);
 
 /* Whether weights in perspective are wanted, and differ from those on the screen. */
 bool fast_needs_perspective(const FastDraw *draw, const FastTriangleRecord *triangle);
 
 /* Weights of a run. */
-void fast_find_weights(const FastTriangleRecord *triangle, const FastEdge edge[2], bool perspective,
-                       const FastPacket *packets, int count, FastWeights *weights);
+void fast_find_weights(const FastDraw *draw, const FastTriangleRecord *triangle,
+                       const FastNarrowEdges *edges, bool perspective, const FastPacket *packets,
+                       int count, FastWeights *weights);
 
 /* A run's inputs, from its weights: [packet][component]. */
 void fast_interpolate_run(const FastDraw *draw, const FastTriangleRecord *triangle,

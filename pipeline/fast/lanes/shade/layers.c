@@ -11,18 +11,19 @@
  * shape. */
 typedef struct Layer {
     const FastTriangleRecord *record;
-    FastEdge edge[2];
+    FastNarrowEdges edges;
     bool perspective;
     bool as_last; /* the weights are those of the layer before it */
 } Layer;
 
 static bool same_weights(const Layer *a, const Layer *b)
 {
+    const FastEdge *one = a->edges.edge, *other = b->edges.edge;
     bool same = a->record->ratio1 == b->record->ratio1 && a->record->ratio2 == b->record->ratio2 &&
-                a->record->inverse_area == b->record->inverse_area;
-    for (int i = 0; i < 2; i++)
-        same &= a->edge[i].c == b->edge[i].c && a->edge[i].a == b->edge[i].a &&
-                a->edge[i].b == b->edge[i].b && a->edge[i].unit == b->edge[i].unit;
+                a->edges.inverse_area == b->edges.inverse_area;
+    for (int i = 0; i < 3; i++)
+        same &= one[i].c == other[i].c && one[i].a == other[i].a && one[i].b == other[i].b &&
+                one[i].unit == other[i].unit;
     return same;
 }
 
@@ -32,7 +33,7 @@ static bool find_layers(const Tile *tile, const FastLayers *layers, Layer *layer
     for (uint32_t k = 0; k < layers->count; k++, layer++) {
         layer->record = &tile->records->record[layers->record[k]];
         layer->perspective = fast_needs_perspective(tile->draw, layer->record);
-        if (!fast_narrow_edges(tile->records, layer->record, layer->edge))
+        if (!fast_narrow_edges(tile->records, layer->record, layer->perspective, &layer->edges))
             return false;
         layer->as_last = k > 0 && same_weights(layer, layer - 1);
     }
@@ -50,8 +51,8 @@ static void interpolate_layers(const Tile *tile, const Layer *layer, const FastP
     flt *in = fast_inputs(tile);
     for (int k = 0; k < block->layers; k++, layer++, in += count * d->modes.components) {
         if (varies && !layer->as_last)
-            fast_find_weights(layer->record, layer->edge, layer->perspective, block->packets, count,
-                              &weights);
+            fast_find_weights(d, layer->record, &layer->edges, layer->perspective, block->packets,
+                              count, &weights);
         fast_interpolate_run(d, layer->record, &weights, count, in);
     }
 }

@@ -12,15 +12,17 @@ enum {
 };
 
 /* What shading needs of a triangle or point in this tile: a cache line, whose first eight words go
- * into lanes together. */
+ * into lanes together. Corners, and the edges opposite them, count from the nearest one on. */
 typedef struct FastTriangleRecord {
     _Alignas(64) int32_t c1; /* edge 1 at the tile's first centre, modulo 2^32, and its step */
     int32_t step1;           /* in a sub-pixel to the right (low half) and down (high half) */
-    int32_t c2, step2;       /* edge 2. Both are those of small triangles only */
-    float inverse_area, ratio1, ratio2;
-    uint32_t kind; /* FastKind */
+    int32_t c2, step2;       /* edge 2 */
+    int32_t area;            /* doubled; these five are those of small triangles only */
+    float ratio1, ratio2;    /* 1/w of corners 1 and 2 over that of corner 0 */
+    uint32_t kind;           /* FastKind */
     float face;
-    uint32_t edges64;       /* number of the 64-bit edges */
+    uint16_t edges64;       /* number of the 64-bit edges */
+    uint16_t flat;          /* which corner has the flat values */
     const float *corner[3]; /* varyings; of a point the first */
 } FastTriangleRecord;
 
@@ -41,7 +43,7 @@ GP_INLINE int32_t fast_step_down(int32_t step)
  * sub-pixels, and 1 over its side. */
 typedef union FastEdges64 {
     struct {
-        int64_t c[2], a[2], b[2];
+        int64_t c[3], a[3], b[3];
     } edge;
     struct {
         int32_t left, top;
