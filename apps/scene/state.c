@@ -150,7 +150,7 @@ void scene_read_viewport(Node node, GpViewport *viewport)
     if (node_exists(&rectangle) && !(box[2] > 0 && box[3] > 0))
         node_fail(&rectangle, GP_ERROR_FORMAT, "expected x, y, and a width and height above 0");
     node_numbers(range, depth, 2, 0, 1);
-    if (depth[1] <= depth[0])
+    if (depth[1] < depth[0])
         node_fail(&range, GP_ERROR_FORMAT, "expected the smaller depth first");
     *viewport = (GpViewport){ .x = box[0],
                               .y = box[1],
@@ -158,6 +158,7 @@ void scene_read_viewport(Node node, GpViewport *viewport)
                               .height = box[3],
                               .min_depth = depth[0],
                               .max_depth = depth[1],
+                              .has_depth_range = true,
                               .d3d9_centers = node_bool(node_member(&node, "d3d9_centers"),
                                                         viewport->d3d9_centers) };
     node_close(&node);

@@ -73,7 +73,8 @@ static void read_sampler(Node *object, GpSampler *sampler)
     node_numbers(node_member(object, "border"), sampler->border, 4, 0, 1);
     sampler->lod_bias = node_number(node_member(object, "lod_bias"), 0, -16, 15);
     sampler->min_lod = node_number(node_member(object, "min_lod"), 0, 0, GP_MAX_LEVELS);
-    sampler->max_lod = node_number(node_member(object, "max_lod"), 0, 0, GP_MAX_LEVELS);
+    sampler->max_lod = node_number(node_member(object, "max_lod"), GP_MAX_LEVELS, 0, GP_MAX_LEVELS);
+    sampler->has_max_lod = true;
     sampler->compare = node_bool(node_member(object, "compare"), false);
 }
 

@@ -56,8 +56,9 @@ typedef struct GpRasterState {
  * d3d9_centers puts the centre of pixel (i, j) at (i, j) instead of (i+1/2, j+1/2) (R1). */
 typedef struct GpViewport {
     float x, y, width, height;
-    float min_depth, max_depth; /* both 0 means 0 and 1 */
+    float min_depth, max_depth; /* both 0 means 0 and 1, unless has_depth_range */
     bool d3d9_centers;
+    bool has_depth_range; /* min_depth and max_depth hold as they are: to say 0 and 0 */
 } GpViewport;
 
 /* The depth test. All zero: none, and depth is not written. */
@@ -189,10 +190,17 @@ typedef struct GpSampler {
     GpAddress address_u, address_v;
     float border[4]; /* border[0] is the depth where a depth surface is compared */
     float lod_bias;
-    float min_lod; /* clamp of the level of detail; the finest level allowed */
-    float max_lod; /* 0 means no upper clamp */
-    bool compare;  /* depth-compare sampling (R49): returns how much of r <= stored holds */
+    float min_lod;    /* clamp of the level of detail; the finest level allowed */
+    float max_lod;    /* 0 means no upper clamp, unless has_max_lod */
+    bool compare;     /* depth-compare sampling (R49): returns how much of r <= stored holds */
+    bool has_max_lod; /* max_lod holds as it is: to say 0 */
 } GpSampler;
+
+/* The upper clamp of the level of detail; infinite where there is none. */
+static inline float gp_sampler_max_lod(const GpSampler *sampler)
+{
+    return sampler->has_max_lod || sampler->max_lod != 0 ? sampler->max_lod : __builtin_inff();
+}
 
 /* One texture slot of a draw. Borrowed until the list has run. */
 typedef struct GpTexture {

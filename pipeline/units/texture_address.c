@@ -85,7 +85,7 @@ GpLevelPair gp_level_pair(const GpSampler *sampler, uint32_t levels, float lod)
     float biased = lod + sampler->lod_bias;
     if (biased != biased)
         biased = 0.0f;
-    if (sampler->max_lod != 0.0f && biased > sampler->max_lod)
+    if (biased > gp_sampler_max_lod(sampler))
         biased = sampler->max_lod;
     if (biased < sampler->min_lod)
         biased = sampler->min_lod;

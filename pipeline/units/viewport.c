@@ -11,7 +11,7 @@ GpViewport gp_viewport_resolve(const GpViewport *viewport, uint32_t width, uint3
         v.width = (float)width;
         v.height = (float)height;
     }
-    if (v.min_depth == 0 && v.max_depth == 0)
+    if (v.min_depth == 0 && v.max_depth == 0 && !v.has_depth_range)
         v.max_depth = 1;
     if (v.d3d9_centers) {
         v.x += 0.5f;

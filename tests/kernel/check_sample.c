@@ -137,6 +137,7 @@ static GpSampler any_sampler(Random *random, GpFormat format)
         s.min_lod = below(random, 8) ? random_float(random, -1, 6) : odd_float(random);
     if (below(random, 3) == 0)
         s.max_lod = below(random, 8) ? random_float(random, -1, 6) : odd_float(random);
+    s.has_max_lod = below(random, 8) == 0;
     return s;
 }
 

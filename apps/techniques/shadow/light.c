@@ -47,8 +47,9 @@ static GpViewport map_viewport(const ShadowLight *light, int face)
     float size = (float)light->size;
     if (!light->cube)
         return (GpViewport){ .d3d9_centers = true };
-    return (
-        GpViewport){ (float)(face / 2) * size, (float)(face % 2) * size, size, size, 0, 1, false };
+    return (GpViewport){
+        .x = (float)(face / 2) * size, .y = (float)(face % 2) * size, .width = size, .height = size
+    };
 }
 
 /* The triangles of an object that are drawn into a light's map; a map of all that the light shines at,

@@ -42,7 +42,7 @@ void fast_prepare_sampler(const GpTexture *texture, FastSampler *sampler)
     sampler->address_v = from->address_v;
     sampler->lod_bias = from->lod_bias;
     sampler->min_lod = from->min_lod;
-    sampler->max_lod = from->max_lod;
+    sampler->max_lod = gp_sampler_max_lod(from);
     /* Without mip levels the level does not depend on the level of detail, so that of 0 will do. */
     if (sampler->mip == GP_MIP_NONE)
         sampler->level =

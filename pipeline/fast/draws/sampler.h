@@ -27,12 +27,12 @@ typedef struct FastSampler {
     GpFilter min, mag;
     GpMipFilter mip;
     GpAddress address_u, address_v;
-    bool has_border; /* some axis is GP_BORDER */
-    bool one_level;  /* the same level and filter for every level of detail */
-    uint32_t level;  /* where mip is GP_MIP_NONE, or there is but one */
-    float lod_bias, min_lod, max_lod;
-    uint32_t border_code; /* FAST_CODES: the texel; FAST_COMPARE: its depth code */
-    float border[4];      /* FAST_FLOATS: as loaded */
+    bool has_border;                  /* some axis is GP_BORDER */
+    bool one_level;                   /* the same level and filter for every level of detail */
+    uint32_t level;                   /* where mip is GP_MIP_NONE, or there is but one */
+    float lod_bias, min_lod, max_lod; /* no upper clamp is infinite */
+    uint32_t border_code;             /* FAST_CODES: the texel; FAST_COMPARE: its depth code */
+    float border[4];                  /* FAST_FLOATS: as loaded */
     FastLevel levels[GP_MAX_LEVELS];
 } FastSampler;
 

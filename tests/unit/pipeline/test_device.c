@@ -132,7 +132,9 @@ static void r01_d3d9_centres_draw_the_picture_of_a_moved_viewport(void **state)
         Drawing f = new_drawing(GP_A8R8G8B8);
         link_drawing(&f, 1, &exercise_color, triangle, 3);
         float shift = i ? 0 : 0.5f;
-        f.draw[0].viewport = (GpViewport){ shift, shift, SIZE, SIZE, 0, 1, i == 1 };
+        f.draw[0].viewport = (GpViewport){
+            .x = shift, .y = shift, .width = SIZE, .height = SIZE, .d3d9_centers = i == 1
+        };
         run_drawing(&f);
         hash[i] = gp_surface_hash(f.color);
         free_drawing(&f);
@@ -295,6 +297,25 @@ static void stencil_scissor_and_alpha_test_stop_fragments(void **state)
         }
         run_drawing(&f);
         assert_int_equal(pixels_not_zero(f.color), expected);
+        free_drawing(&f);
+    }
+}
+
+static void a_viewport_of_depth_0_writes_0(void **state)
+{
+    (void)state;
+    for (int said = 0; said < 2; said++) {
+        Drawing f = new_drawing(GP_A8R8G8B8);
+        link_drawing(&f, 2, &exercise_color, full_screen, 6);
+        for (int i = 0; i < 2; i++) {
+            f.draw[i].viewport.has_depth_range = said;
+            f.draw[i].state.depth = (GpDepthState){ GP_LESS, true };
+        }
+        run_drawing(&f);
+        uint32_t code;
+        memcpy(&code, f.depth->level[0].texels, sizeof code);
+        const float depth = gp_depth_from_code(GP_D24S8, code >> 8);
+        assert_true(said ? depth == 0 : fabsf(depth - 0.5f) < 1e-6f);
         free_drawing(&f);
     }
 }
@@ -499,6 +520,7 @@ int main(void)
         cmocka_unit_test(r35_fragments_arrive_in_primitive_order),
         cmocka_unit_test(r37_kept_channels_keep_their_bits),
         cmocka_unit_test(stencil_scissor_and_alpha_test_stop_fragments),
+        cmocka_unit_test(a_viewport_of_depth_0_writes_0),
         cmocka_unit_test(an_invalid_draw_is_named_and_changes_nothing),
         cmocka_unit_test(devices_refuse_what_they_cannot_be),
         cmocka_unit_test(a_watched_pixel_reports_every_unit_in_order),

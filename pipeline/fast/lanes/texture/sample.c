@@ -97,8 +97,7 @@ GP_INLINE flt bias_lod(const FastSampler *s, flt lod)
 {
     flt biased = lod + s->lod_bias;
     biased = flt_select(biased == biased, biased, flt_set(0));
-    if (s->max_lod != 0.0f)
-        biased = flt_select(biased > s->max_lod, flt_set(s->max_lod), biased);
+    biased = flt_select(biased > s->max_lod, flt_set(s->max_lod), biased);
     return flt_select(biased < s->min_lod, flt_set(s->min_lod), biased);
 }
 

@@ -2,6 +2,7 @@
 #include "apps/base/json_lines.h"
 #include "apps/scene/scene.h"
 
+#include "pipeline/units/viewport.h"
 #include "shaders_c/materials/phong.h"
 #include "tests/support/random.h"
 #include "tests/support/scene_text.h"
@@ -175,6 +176,26 @@ static void state_names_are_those_of_the_tables(void **state)
         assert_true(s->blend[i].dst == GP_INV_SRC_ALPHA && s->blend[i].keep == 10);
     }
     scene_free(&scene);
+}
+
+/* What 0 stands for where nothing is said may be said, too. */
+static void depths_and_levels_of_0_can_be_said(void **state)
+{
+    (void)state;
+    for (int said = 0; said < 2; said++) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "{ \"objects\": [ { \"mesh\": \"builtin:quad\", \"viewport\": { %s },"
+                 "\"material\": { \"program\": \"textured\", \"textures\": [ { \"image\": "
+                 "\"builtin:dots\"%s } ] } } ] }",
+                 said ? "\"depth\": [0, 0]" : "", said ? ", \"max_lod\": 0" : "");
+        Scene scene = load(text);
+        const GpDraw *draw = &scene.list.passes[0].draws[0];
+        const GpViewport v = gp_viewport_resolve(&draw->viewport, 64, 64);
+        assert_true(v.min_depth == 0 && v.max_depth == (said ? 0 : 1));
+        assert_true(gp_sampler_max_lod(&draw->textures[0].sampler) == (said ? 0 : GP_MAX_LEVELS));
+        scene_free(&scene);
+    }
 }
 
 /* A world-space plane keeps what lies on its positive side. */
@@ -494,6 +515,7 @@ int main(void)
         cmocka_unit_test(fit_puts_the_box_on_its_floor),
         cmocka_unit_test(a_mirrored_mesh_keeps_its_outside),
         cmocka_unit_test(state_names_are_those_of_the_tables),
+        cmocka_unit_test(depths_and_levels_of_0_can_be_said),
         cmocka_unit_test(clip_planes_are_given_in_the_world),
         cmocka_unit_test(passes_share_and_read_targets),
         cmocka_unit_test(pictures_from_files_keep_their_bytes),

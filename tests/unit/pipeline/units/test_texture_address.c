@@ -253,6 +253,18 @@ static void r44_bias_comes_before_the_clamp_and_the_lower_bound_wins(void **stat
     }
 }
 
+static void r44_an_upper_bound_of_0_is_one_where_it_is_said(void **state)
+{
+    (void)state;
+    GpSampler sampler = { .mip = GP_MIP_LINEAR };
+    assert_true(gp_level_pair(&sampler, 14, 3.0f).lod == 3.0f);
+    sampler.has_max_lod = true;
+    assert_true(gp_level_pair(&sampler, 14, 3.0f).lod == 0.0f);
+    assert_true(gp_level_pair(&sampler, 14, 3.0f).magnified);
+    sampler.max_lod = 2.0f;
+    assert_true(gp_level_pair(&sampler, 14, 3.0f).lod == 2.0f);
+}
+
 static void r44_magnifies_if_and_only_if_the_clamped_lod_is_not_positive(void **state)
 {
     (void)state;
@@ -348,6 +360,7 @@ int main(void)
         cmocka_unit_test(r43_linear_uses_the_fraction_as_weight_without_snapping),
         cmocka_unit_test(r43_no_mip_filter_reads_the_finest_level_allowed),
         cmocka_unit_test(r44_bias_comes_before_the_clamp_and_the_lower_bound_wins),
+        cmocka_unit_test(r44_an_upper_bound_of_0_is_one_where_it_is_said),
         cmocka_unit_test(r44_magnifies_if_and_only_if_the_clamped_lod_is_not_positive),
         cmocka_unit_test(r44_odd_lods_choose_a_level_that_exists),
         cmocka_unit_test(r44_lod_is_log2_of_the_longer_axis),

@@ -75,6 +75,18 @@ static void r17_within_half_a_step_of_the_exact_position(void **state)
     }
 }
 
+static void a_depth_range_of_0_to_0_is_one_where_it_is_said(void **state)
+{
+    (void)state;
+    GpViewport given = { .width = 0 };
+    GpViewport v = gp_viewport_resolve(&given, 64, 64);
+    assert_true(v.min_depth == 0 && v.max_depth == 1);
+    given.has_depth_range = true;
+    v = gp_viewport_resolve(&given, 64, 64);
+    assert_true(v.min_depth == 0 && v.max_depth == 0);
+    assert_true(transform(&v, 0, 0, 0.75f, 1).z == 0);
+}
+
 static void r14_fractional_edges_round_toward_negative_infinity(void **state)
 {
     (void)state;
@@ -113,6 +125,7 @@ int main(void)
         cmocka_unit_test(r02_snaps_to_256ths_ties_to_even),
         cmocka_unit_test(r17_maps_the_corners_of_clip_space_to_those_of_the_viewport),
         cmocka_unit_test(r17_within_half_a_step_of_the_exact_position),
+        cmocka_unit_test(a_depth_range_of_0_to_0_is_one_where_it_is_said),
         cmocka_unit_test(r14_fractional_edges_round_toward_negative_infinity),
         cmocka_unit_test(zero_viewport_means_the_whole_target),
         cmocka_unit_test(positions_off_the_number_range_are_refused),
