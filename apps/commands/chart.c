@@ -67,17 +67,18 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "no technique '%s' (there are: %s)", command->name, list);
     if (command->own_name && (!command->own_name[0] || strchr(command->own_name, '/')))
         argp_error(state, "--name: expected a name without '/', not '%s'", command->own_name);
-    chart_sweep_check(state, command->sweep);
-    if (command->sweep->rows && strcmp(command->sweep->experiment->name, command->name) != 0)
-        argp_error(state, "settings are those of %s: name %s first",
-                   command->sweep->experiment->name, command->name);
-    if (!command->scaling)
+    if (!command->scaling) {
+        chart_sweep_check(state, command->sweep);
+        if (command->sweep->rows && strcmp(command->sweep->experiment->name, command->name) != 0)
+            argp_error(state, "settings are those of %s: name %s first",
+                       command->sweep->experiment->name, command->name);
         return;
-    if (command->own_name || command->sweep->rows)
-        argp_error(state, "--scaling has names and settings of its own");
+    }
     const Technique *technique = technique_find(command->techniques, command->name);
     if (!technique || !technique->scaling)
         argp_error(state, "--scaling: %s has no table of what grows", command->name);
+    if (command->own_name || command->sweep->options.given)
+        argp_error(state, "--scaling has names and settings of its own");
     if (command->scene || command->options.size[0])
         argp_error(state, "--scaling draws scenes and sizes of its own");
 }

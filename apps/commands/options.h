@@ -10,7 +10,7 @@
 /* What the program tells its caller. */
 enum {
     EXIT_DONE = 0,
-    EXIT_DIFFERS = 1,  /* compared, and the pictures differ; or a check failed */
+    EXIT_DIFFERS = 1,  /* compared, and they differ; a check failed; an error was not reached */
     EXIT_USAGE = 2,    /* a wrong command, option or argument */
     EXIT_INPUT = 3,    /* an input file that is missing, broken, or asks for the impossible */
     EXIT_INTERNAL = 4, /* no memory, or the output could not be written */

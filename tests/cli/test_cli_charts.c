@@ -197,8 +197,8 @@ static void lists_of_volumes_and_their_names(void **state)
     expect_refused(2, "chart shadow --method plain,soft", "expected plain or hardware, not 'soft'");
     expect_refused(2, "chart voxelize --map 5", "map");
     expect_refused(2, "chart shadow --name a/b", "--name: expected a name without '/'");
-    expect_refused(2, "chart voxelize --scaling -n 8",
-                   "--scaling has names and settings of its own");
+    expect_refused(2, "chart voxelize --scaling -n 8", "names and settings of its own");
+    expect_refused(2, "chart voxelize --scaling --name a", "names and settings of its own");
 }
 
 /* What the light reaches, beside the truth: white, black, and nothing between on a plain map. */
