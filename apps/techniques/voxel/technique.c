@@ -30,8 +30,9 @@ const Technique voxel_technique = {
             "MESH is OFF, OBJ, PLY, STL or OM, whose vertices are points where it has no faces; "
             "builtin:NAME; implicit:quartic, or implicit: and a polynomial in x, y and z that is "
             "below 0 inside; or parametric:NAME, sphere, torus, moebius, klein or teapot. A "
-            "solid of a mesh that is not closed comes with a warning. With --json the volume is "
-            "made a second time, which is the one that is timed.",
+            "solid of a mesh that is not closed comes with a warning, and so does one of parts "
+            "that overlap: counting triangles leaves those hollow, --method winding full. With "
+            "--json the volume is made a second time, which is the one that is timed.",
     .settings = voxel_settings,
     .defaults = &voxel_option_defaults,
     .setting_bytes = sizeof(VoxelOptions),

@@ -5,16 +5,9 @@
 
 /* --- vertices --------------------------------------------------------------------------------- */
 
-/* A square over the columns. Where they are wider than high, or higher than wide, it is too large,
- * and finds nothing in its other pixels. */
-GP_INLINE float4 square_centre(const FlatTextureLayout *flat, const Placed *triangle)
-{
-    return flat_position(flat, add(triangle->first, triangle->side * 0.5f));
-}
-
 vertex_shader(voxel_touched_vs, VoxelColumnsUniforms, Vertex, Varying)
 {
-    Placed triangle = place_touched(c, in, out);
+    Placed triangle = place_touched(c, in, VOXEL_MARGIN, out);
     describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
     *position = square_centre(&c->flat, &triangle);
     *point_size = triangle.side;
@@ -57,14 +50,15 @@ GP_INLINE float4 rectangle_corner(const FlatTextureLayout *flat, const Placed *t
 
 vertex_shader(voxel_touched_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
 {
-    Placed triangle = place_touched(c, &in->triangle, out);
+    Placed triangle = place_touched(c, &in->triangle, VOXEL_MARGIN, out);
     describe_triangle(&triangle, VOXEL_TOUCHED_REACH, out);
     *position = rectangle_corner(&c->flat, &triangle, in->corner);
 }
 
 vertex_shader(voxel_sampled_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Varying)
 {
-    Placed triangle = place_touched(c, &in->triangle, out); /* slots: 512 are not enough for more */
+    Placed triangle =
+        place_touched(c, &in->triangle, VOXEL_MARGIN, out); /* slots: 512 are not enough for more */
     describe_triangle(&triangle, 0, out);
     *position = rectangle_corner(&c->flat, &triangle, in->corner);
 }
@@ -81,22 +75,9 @@ vertex_shader(voxel_sampled_rectangle_vs, VoxelColumnsUniforms, CornerVertex, Va
 
 /* --- voxels that are touched ------------------------------------------------------------------ */
 
-/* Bits first <= k < end. */
-GP_INLINE float2 touched_run(flt low, flt high)
-{
-    return vec2(-floor_((1 + VOXEL_MARGIN) - low), floor_(high + (1 + VOXEL_MARGIN)));
-}
-
 pixel_shader(voxel_touched_ps, VoxelColumnsUniforms, Varying)
 {
-    flt x = vpos().x - in->place.x, y = vpos().y - in->place.y;
-    Interval z = { in->ends.x, in->ends.y };
-    z = within(z, in->plane.x + in->plane.y * x + in->plane.z * y, in->plane.w);
-    z = within_view(z, in->single.x, in->single.y, in->pair_x, in->ends.z, x);
-    z = within_view(z, in->single.z, in->single.w, in->pair_y, in->ends.w, y);
-
-    float2 run = touched_run(z.low, z.high);
-    return bits_between(run.x, sel(in_box(in, x, y) & in_edges(in, x, y), run.y, run.x));
+    return touched_bits(in, vpos().x - in->place.x, vpos().y - in->place.y, VOXEL_MARGIN);
 }
 
 program(voxel_touched_program, voxel_touched_vs, voxel_touched_ps, SPRITE_DECLARATIONS)
@@ -112,8 +93,8 @@ typedef struct RunVarying {
 vertex_shader(voxel_column_vs, VoxelColumnsUniforms, Vertex, RunVarying)
 {
     Varying triangle_out;
-    Placed triangle = place_touched(c, in, &triangle_out);
-    out->run = touched_run(triangle_out.ends.x, triangle_out.ends.y);
+    Placed triangle = place_touched(c, in, VOXEL_MARGIN, &triangle_out);
+    out->run = touched_run(triangle_out.ends.x, triangle_out.ends.y, VOXEL_MARGIN);
     *position = flat_position(&c->flat, add(triangle.first, 0.5f));
     *point_size = min(triangle.side, 1);
 }

@@ -165,11 +165,11 @@ typedef struct Range {
     flt first, count; /* none: count is 0 or less */
 } Range;
 
-/* Those that an interval touches. */
-GP_INLINE Range range_touched(flt low, flt high, float last)
+/* Those that an interval touches, where they are wider by a margin to each side. */
+GP_INLINE Range range_touched(flt low, flt high, float last, float margin)
 {
-    flt first = max(floor_(low - VOXEL_MARGIN), 0);
-    return (Range){ first, min(floor_(high + VOXEL_MARGIN), last) - first + 1.0f };
+    flt first = max(floor_(low - margin), 0);
+    return (Range){ first, min(floor_(high + margin), last) - first + 1.0f };
 }
 
 /* Those whose centres it holds. */
@@ -208,17 +208,17 @@ typedef struct Placed {
 } Placed;
 
 GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Triangle *t, Range columns,
-                                Range rows, Varying *out)
+                                Range rows, float margin, Varying *out)
 {
     flt highest = min(t->high.z, c->flat.size - 0.5f);
-    flt slab = floor_(max(t->low.z - VOXEL_MARGIN, 0) * (1.0f / 32)) + c->step;
+    flt slab = floor_(max(t->low.z - margin, 0) * (1.0f / 32)) + c->step;
     flt floor = slab * 32.0f;
 
     float2 origin = patch_origin(&c->flat, slab);
     float2 first = vec2(origin.x + columns.first, origin.y + rows.first);
     float3 centre = vec3(columns.first + 0.5f, rows.first + 0.5f, floor);
-    msk there = (msk)(floor <= highest + VOXEL_MARGIN) & (msk)(columns.count > 0.0f) &
-                (msk)(rows.count > 0.0f);
+    msk there =
+        (msk)(floor <= highest + margin) & (msk)(columns.count > 0.0f) & (msk)(rows.count > 0.0f);
     out->place = vec4(first.x, first.y, columns.count, rows.count);
     out->ends = vec4(t->low.z - floor, highest - floor, 0, 0);
     return (Placed){ .a = sub(t->a, centre),
@@ -229,12 +229,13 @@ GP_INLINE Placed place_triangle(const VoxelColumnsUniforms *c, const Triangle *t
 }
 
 /* Over all columns that the triangle's box touches. */
-GP_INLINE Placed place_touched(const VoxelColumnsUniforms *c, const Vertex *in, Varying *out)
+GP_INLINE Placed place_touched(const VoxelColumnsUniforms *c, const Vertex *in, float margin,
+                               Varying *out)
 {
     Triangle t = triangle_in_voxels(c, in);
     const float last = c->flat.size - 1;
-    return place_triangle(c, &t, range_touched(t.low.x, t.high.x, last),
-                          range_touched(t.low.y, t.high.y, last), out);
+    return place_triangle(c, &t, range_touched(t.low.x, t.high.x, last, margin),
+                          range_touched(t.low.y, t.high.y, last, margin), margin, out);
 }
 
 /* Over those in which lines through centres may meet it: a line along x has its centres in y and z,
@@ -247,8 +248,10 @@ GP_INLINE Placed place_sampled(const VoxelColumnsUniforms *c, const Vertex *in, 
     Range z = range_sampled(t.low.z, t.high.z, last);
     msk along_x = (msk)(y.count > 0.0f) & (msk)(z.count > 0.0f);
     msk along_y = (msk)(x.count > 0.0f) & (msk)(z.count > 0.0f);
-    return place_triangle(c, &t, sel_range(along_x, range_touched(t.low.x, t.high.x, last), x),
-                          sel_range(along_y, range_touched(t.low.y, t.high.y, last), y), out);
+    const float margin = VOXEL_MARGIN;
+    return place_triangle(
+        c, &t, sel_range(along_x, range_touched(t.low.x, t.high.x, last, margin), x),
+        sel_range(along_y, range_touched(t.low.y, t.high.y, last, margin), y), margin, out);
 }
 
 /* reach: half a column's width, as far as triangles are seen from its centre; or 0 */
@@ -268,6 +271,13 @@ GP_INLINE void describe_triangle(const Placed *triangle, float reach, Varying *o
     out->edge[0] = see_from_above(a, b, c, turn, reach);
     out->edge[1] = see_from_above(b, c, a, turn, reach);
     out->edge[2] = see_from_above(c, a, b, turn, reach);
+}
+
+/* A square over the columns. Where they are wider than high, or higher than wide, it is too large,
+ * and finds nothing in its other pixels. */
+GP_INLINE float4 square_centre(const FlatTextureLayout *flat, const Placed *triangle)
+{
+    return flat_position(flat, add(triangle->first, triangle->side * 0.5f));
 }
 
 /* --- pixels ----------------------------------------------------------------------------------- */
@@ -302,6 +312,24 @@ GP_INLINE msk in_edges(const Varying *in, flt x, flt y)
     for (int i = 0; i < 3; i++)
         inside[i] = in->edge[i].x + in->edge[i].y * x + in->edge[i].z * y >= 0.0f;
     return inside[0] & inside[1] & inside[2];
+}
+
+/* Bits first <= k < end of what is touched between two heights. */
+GP_INLINE float2 touched_run(flt low, flt high, float margin)
+{
+    return vec2(-floor_((1 + margin) - low), floor_(high + (1 + margin)));
+}
+
+/* The voxels of a column that a triangle touches. in x, y: the column, from the first */
+GP_INLINE float4 touched_bits(const Varying *in, flt x, flt y, float margin)
+{
+    Interval z = { in->ends.x, in->ends.y };
+    z = within(z, in->plane.x + in->plane.y * x + in->plane.z * y, in->plane.w);
+    z = within_view(z, in->single.x, in->single.y, in->pair_x, in->ends.z, x);
+    z = within_view(z, in->single.z, in->single.w, in->pair_y, in->ends.w, y);
+
+    float2 run = touched_run(z.low, z.high, margin);
+    return bits_between(run.x, sel(in_box(in, x, y) & in_edges(in, x, y), run.y, run.x));
 }
 
 #endif

@@ -2,6 +2,7 @@
 #include "apps/techniques/voxel/inputs/parametric.h"
 
 #include "apps/scene/teapot.h"
+#include "shaders_c/voxel/inputs/parametric.h"
 #include "shaders_c/voxel/inputs/points.h"
 
 #include <math.h>
@@ -11,24 +12,51 @@
 
 #define TURN 6.28318530717958647692
 
-/* Lengths of the derivatives by u and v are at most those of slope; the surface is in the box from
- * -reach to reach. */
+/* The most that derivatives are long: by u and v, and by u u, u v and v v. */
+typedef struct Bends {
+    double slope[2], bend[3];
+} Bends;
+
+/* The surface is in the box from -reach to reach. */
 typedef struct Surface {
     const char *name;
     const GpProgram *program;
     float radius, width;
-    double slope[2];
+    Bends bends;
     float reach[3];
 } Surface;
 
-/* A point of the band is at most radius + width/2 from the axis, and width/2 from the circle, about
- * which it turns half as fast; of the figure of eight at most 5/4, and (1, 2) is the longest
- * derivative of (sin v, sin 2v). */
+#define SQUARE (TURN * TURN)
+
+/* A point of the band is at most a = width/2 from the circle, about which it turns half as fast; one
+ * of the figure of eight a = 5/4, and (1, 2) is the longest derivative of (sin v, sin 2v), (1, 4) more
+ * than its second. Going round at a distance r + a from the axis and turning, by u u it is at most
+ * a/4 + (r + a) + a, and by u v 3/2 of what it is by v; a turn is the unit. */
 static const Surface surfaces[] = {
-    { "sphere", &voxel_sphere_program, 1, 0, { TURN, TURN / 2 }, { 1, 1, 1 } },
-    { "torus", &voxel_torus_program, 0.7f, 0.3f, { TURN, TURN * 0.3 }, { 1, 0.3f, 1 } },
-    { "moebius", &voxel_moebius_program, 0.75f, 0.5f, { TURN * 1.01, 0.5 }, { 1, 0.25f, 1 } },
-    { "klein", &voxel_klein_program, 2, 0, { TURN * 3.31, TURN * 2.237 }, { 3.25f, 1.25f, 3.25f } },
+    { "sphere",
+      &voxel_sphere_program,
+      1,
+      0,
+      { { TURN, TURN / 2 }, { SQUARE, SQUARE / 2, SQUARE / 4 } },
+      { 1, 1, 1 } },
+    { "torus",
+      &voxel_torus_program,
+      0.7f,
+      0.3f,
+      { { TURN, TURN * 0.3 }, { SQUARE, SQUARE * 0.3, SQUARE * 0.3 } },
+      { 1, 0.3f, 1 } },
+    { "moebius",
+      &voxel_moebius_program,
+      0.75f,
+      0.5f,
+      { { TURN * 1.01, 0.5 }, { SQUARE * 1.3125, TURN * 0.75, 0 } },
+      { 1, 0.25f, 1 } },
+    { "klein",
+      &voxel_klein_program,
+      2,
+      0,
+      { { TURN * 3.31, TURN * 2.237 }, { SQUARE * 4.8125, SQUARE * 3.356, SQUARE * 4.124 } },
+      { 3.25f, 1.25f, 3.25f } },
 };
 
 static const char teapot[] = "teapot";
@@ -66,51 +94,124 @@ GpResult voxel_parametric_box(const char *name, uint32_t size, VoxelBox *box, Gp
     return GP_OK;
 }
 
-/* --- grids of points -------------------------------------------------------------------------- */
+/* --- grids ------------------------------------------------------------------------------------ */
 
-static double points_along(double slope, double step, const VoxelBox *box)
+/* Longer than this, in voxels, no leg of a triangle is: the squares over their columns stay small, and
+ * none reaches over more than two slabs. */
+#define LONGEST 2.0
+
+/* Cells along u and v. */
+typedef struct Grid {
+    double cells[2];
+} Grid;
+
+/* A third of the bound for each of u u, u v and v v would do; legs are as long as halves of the rest
+ * allow, and both are cut where u v takes more than its half. */
+static Grid choose_grid(const Bends *bends, double chord, const VoxelBox *box)
 {
-    return ceil(slope * box->scale / step) + 1;
+    const double room = 2 * chord / box->scale; /* of h h |Suu| and k k |Svv|: 8 / 4 */
+    double leg[2];
+    for (int i = 0; i < 2; i++) {
+        const double bend = bends->bend[2 * i], longest = LONGEST / (bends->slope[i] * box->scale);
+        leg[i] = fmin(fmin(longest, bend > 0 ? sqrt(room / bend) : longest), 1);
+    }
+    const double mixed = leg[0] * leg[1] * bends->bend[1] / room;
+    Grid grid;
+    for (int i = 0; i < 2; i++)
+        grid.cells[i] = ceil(sqrt(fmax(mixed, 1)) / leg[i]);
+    return grid;
 }
 
-static double points_of(const double slope[2], double step, const VoxelBox *box)
+static double triangles_of(const Grid *grid)
 {
-    return points_along(slope[0], step, box) * points_along(slope[1], step, box);
+    return 2 * grid->cells[0] * grid->cells[1];
 }
 
-/* Appends the points of a surface, at most `step` voxels apart. */
-static void draw_grid(Frame *frame, const GpProgram *program,
-                      const VoxelParametricUniforms *uniforms, const double slope[2], double step,
-                      const VoxelBox *box)
+/* Triangles of a draw: as many as stay in a core's caches from their vertices to their pixels. */
+enum { A_DRAW = 1 << 15 };
+
+/* Appends rows of cells: of each its upper and its lower triangle, in the slab that holds its lowest
+ * point and in the one above. in uv: of the first row's corners; cells: their first corners */
+static void draw_rows(Frame *frame, const GpProgram *program, VoxelParametricUniforms *uniforms,
+                      float (*uv)[2], uint32_t columns, const uint32_t *cells, uint32_t count,
+                      uint32_t rows)
 {
-    const uint32_t columns = (uint32_t)points_along(slope[0], step, box);
-    const uint32_t rows = (uint32_t)points_along(slope[1], step, box);
-    float(*uv)[2] = frame_alloc(frame, (size_t)columns * rows, sizeof *uv);
-    for (uint32_t row = 0; uv && row < rows; row++)
-        for (uint32_t column = 0; column < columns; column++) {
-            float *point = uv[(size_t)row * columns + column];
-            point[0] = (float)(column / (columns - 1.0));
-            point[1] = (float)(row / (rows - 1.0));
+    for (uint32_t half = 0; half < 2; half++)
+        for (uint32_t step = 0; step < 2; step++) {
+            const uint32_t corner[3] = { half ? columns + 1 : 0, 1, columns };
+            GpGeometry triangles = { .primitive = GP_POINTS,
+                                     .vertex_count = columns * rows - 1,
+                                     .indices = cells,
+                                     .index_count = count };
+            for (int i = 0; i < 3; i++)
+                triangles.streams[GP_TEXCOORD0 + i] =
+                    (GpStream){ uv + corner[i], 0, 2, GP_FLOAT32 };
+            triangles.streams[GP_POSITION] = triangles.streams[GP_TEXCOORD0];
+            uniforms->columns.step = (float)step;
+            frame_draw_copied(frame, program, uniforms, &triangles)->state.blend[0].op =
+                GP_BLEND_LOGIC_OR;
         }
-    const GpGeometry grid = { .primitive = GP_POINTS,
-                              .vertex_count = columns * rows,
-                              .streams = { [GP_TEXCOORD0] = { uv, 0, 2, GP_FLOAT32 } } };
-    frame_draw_copied(frame, program, uniforms, &grid)->state.blend[0].op = GP_BLEND_LOGIC_OR;
 }
 
-static VoxelPointsUniforms place_points(const VoxelBox *box, const FlatTexture *flat)
+/* Appends the triangles of a surface. */
+static void draw_grid(Frame *frame, const GpProgram *program, VoxelParametricUniforms *uniforms,
+                      const Grid *grid)
 {
-    return (VoxelPointsUniforms){
-        .flat = flat_texture_layout(flat),
-        .scale = (float)box->scale,
-        .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
-    };
+    const uint32_t columns = (uint32_t)grid->cells[0] + 1, rows = (uint32_t)grid->cells[1];
+    const uint32_t band = columns > A_DRAW ? 1 : A_DRAW / columns; /* rows of a draw */
+    float(*uv)[2] = frame_alloc(frame, (size_t)columns * (rows + 1), sizeof *uv);
+    uint32_t *cells = frame_alloc(frame, (size_t)band * columns, sizeof *cells), count = 0;
+    if (!uv || !cells)
+        return;
+    for (uint32_t i = 0; i < columns * (rows + 1); i++) {
+        uv[i][0] = (float)(i % columns / grid->cells[0]);
+        uv[i][1] = (float)(i / columns / grid->cells[1]);
+    }
+    for (uint32_t i = 0; i < band * columns; i++)
+        if (i % columns + 1 < columns)
+            cells[count++] = i;
+    for (uint32_t row = 0; row < rows; row += band) {
+        const uint32_t these = rows - row < band ? rows - row : band;
+        draw_rows(frame, program, uniforms, uv + (size_t)row * columns, columns, cells,
+                  these * (columns - 1), these);
+    }
 }
 
-/* A patch's derivative is a mean of three times the steps between its control points. */
-static void bound_slopes(const float control[4][4][3], double slope[2])
+static VoxelColumnsUniforms place_surface(const VoxelBox *box, const FlatTexture *flat)
 {
-    slope[0] = slope[1] = 0;
+    return (VoxelColumnsUniforms){ .flat = flat_texture_layout(flat), .motion = voxel_still(box) };
+}
+
+/* Longest of the sums a - b - c + d, or a - 2 b + c where b is c, of control points that lie so. */
+static double most_bent(const float control[4][4][3], const int (*steps)[2], double times)
+{
+    double most = 0;
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++) {
+            if (row + steps[2][0] > 3 || column + steps[2][1] > 3)
+                continue;
+            double square = 0;
+            for (int k = 0; k < 3; k++) {
+                const double d = (double)control[row][column][k] -
+                                 (double)control[row + steps[0][0]][column + steps[0][1]][k] -
+                                 (double)control[row + steps[1][0]][column + steps[1][1]][k] +
+                                 (double)control[row + steps[2][0]][column + steps[2][1]][k];
+                square += d * d;
+            }
+            most = fmax(most, times * sqrt(square));
+        }
+    return most;
+}
+
+/* A patch's derivatives are means of steps between its control points, three times them by u and by v,
+ * of steps of steps six times them by u u and by v v, and nine by u v. */
+static Bends bound_bends(const float control[4][4][3])
+{
+    static const int by_uu[3][2] = { { 0, 1 }, { 0, 1 }, { 0, 2 } };
+    static const int by_vv[3][2] = { { 1, 0 }, { 1, 0 }, { 2, 0 } };
+    static const int by_uv[3][2] = { { 0, 1 }, { 1, 0 }, { 1, 1 } };
+    Bends bends = { .bend = { most_bent(control, by_uu, 6), most_bent(control, by_uv, 9),
+                              most_bent(control, by_vv, 6) } };
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 3; j++) {
             const float *pair[2][2] = { { control[i][j], control[i][j + 1] },
@@ -121,59 +222,63 @@ static void bound_slopes(const float control[4][4][3], double slope[2])
                     const double d = (double)pair[way][1][k] - (double)pair[way][0][k];
                     square += d * d;
                 }
-                const double length = 3 * sqrt(square);
-                slope[way] = length > slope[way] ? length : slope[way];
+                bends.slope[way] = fmax(bends.slope[way], 3 * sqrt(square));
             }
         }
+    return bends;
 }
 
-static GpResult check_points(double points, double step, GpError *error)
+static GpResult check_triangles(double triangles, double chord, GpError *error)
 {
-    if (points <= VOXEL_PARAMETRIC_MAX_POINTS)
+    if (triangles <= VOXEL_PARAMETRIC_MOST)
         return GP_OK;
-    return gp_fail(error, GP_ERROR_INVALID, "%.3g points of %g voxels apart: at most %d", points,
-                   step, VOXEL_PARAMETRIC_MAX_POINTS);
+    return gp_fail(error, GP_ERROR_INVALID,
+                   "%.3g triangles, to be within %g voxels of the surface: at most %d", triangles,
+                   chord, VOXEL_PARAMETRIC_MOST);
 }
 
-static GpResult draw_teapot(double step, const VoxelBox *box, Frame *frame, const FlatTexture *flat,
-                            GpError *error)
+static GpResult draw_teapot(double chord, const VoxelBox *box, Frame *frame,
+                            const FlatTexture *flat, GpError *error)
 {
     float control[TEAPOT_PATCHES][4][4][3];
-    double slope[TEAPOT_PATCHES][2], points = 0;
+    Grid grids[TEAPOT_PATCHES];
+    double triangles = 0;
     teapot_control(control);
     for (int i = 0; i < TEAPOT_PATCHES; i++) {
-        bound_slopes(control[i], slope[i]);
-        points += points_of(slope[i], step, box);
+        const Bends bends = bound_bends(control[i]);
+        grids[i] = choose_grid(&bends, chord, box);
+        triangles += triangles_of(&grids[i]);
     }
-    GpResult result = check_points(points, step, error);
+    GpResult result = check_triangles(triangles, chord, error);
     if (result)
         return result;
     flat_texture_pass(frame, "patches", flat);
     for (int i = 0; i < TEAPOT_PATCHES; i++) {
-        VoxelParametricUniforms uniforms = { .place = place_points(box, flat) };
+        VoxelParametricUniforms uniforms = { .columns = place_surface(box, flat) };
         memcpy(uniforms.control, control[i], sizeof control[i]);
-        draw_grid(frame, &voxel_bezier_program, &uniforms, slope[i], step, box);
+        draw_grid(frame, &voxel_bezier_program, &uniforms, &grids[i]);
     }
     return frame_result(frame, error);
 }
 
-GpResult voxel_parametric(const char *name, double step, const VoxelBox *box, Frame *frame,
+GpResult voxel_parametric(const char *name, double chord, const VoxelBox *box, Frame *frame,
                           const FlatTexture *flat, GpError *error)
 {
-    GP_ASSERT(flat->bits == 1 && step > 0);
+    GP_ASSERT(flat->bits == 1 && chord > 0);
     if (strcmp(name, teapot) == 0)
-        return draw_teapot(step, box, frame, flat, error);
+        return draw_teapot(chord, box, frame, flat, error);
     const Surface *surface = find_surface(name);
     if (!surface)
         return refuse_name(name, error);
-    GpResult result = check_points(points_of(surface->slope, step, box), step, error);
+    const Grid grid = choose_grid(&surface->bends, chord, box);
+    GpResult result = check_triangles(triangles_of(&grid), chord, error);
     if (result)
         return result;
-    const VoxelParametricUniforms uniforms = { .place = place_points(box, flat),
-                                               .radius = surface->radius,
-                                               .width = surface->width };
+    VoxelParametricUniforms uniforms = { .columns = place_surface(box, flat),
+                                         .radius = surface->radius,
+                                         .width = surface->width };
     flat_texture_pass(frame, surface->name, flat);
-    draw_grid(frame, surface->program, &uniforms, surface->slope, step, box);
+    draw_grid(frame, surface->program, &uniforms, &grid);
     return frame_result(frame, error);
 }
 
@@ -185,7 +290,11 @@ GpResult voxel_points(const float *positions, uint32_t count, const VoxelBox *bo
     GP_ASSERT(flat->bits == 1);
     if (count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
-    const VoxelPointsUniforms uniforms = place_points(box, flat);
+    const VoxelPointsUniforms uniforms = {
+        .flat = flat_texture_layout(flat),
+        .scale = (float)box->scale,
+        .offset = { (float)box->offset[0], (float)box->offset[1], (float)box->offset[2] },
+    };
     const GpGeometry points = { .primitive = GP_POINTS,
                                 .vertex_count = count,
                                 .streams = { [GP_POSITION] = { positions, 0, 3, GP_FLOAT32 } } };

@@ -195,6 +195,6 @@ GpResult voxel_scene_draw(const VoxelScene *scene, const VoxelSetting *setting, 
     if (scene->input == VOXEL_FUNCTION)
         return voxel_implicit(&scene->function, box, setting->kind, frame, flat, error);
     if (scene->input == VOXEL_PARAMETRIC)
-        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_STEP, box, frame, flat, error);
+        return voxel_parametric(scene->surface, VOXEL_PARAMETRIC_CHORD, box, frame, flat, error);
     return voxel_points(scene->mesh.positions, scene->mesh.vertex_count, box, frame, flat, error);
 }
