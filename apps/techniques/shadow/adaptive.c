@@ -101,7 +101,7 @@ static uint32_t run_length(const ShadowLight *light, const uint32_t tiles[], uin
 }
 
 /* The map's view of `length` tiles in a row. */
-static void crop(double from[4][4], uint32_t tile, uint32_t length, float to[4][4])
+static void crop(const double from[4][4], uint32_t tile, uint32_t length, float to[4][4])
 {
     double x = (2.0 * (tile % TILES) + length) / TILES - 1;
     double y = 1 - (2.0 * (tile / TILES) + 1) / TILES;

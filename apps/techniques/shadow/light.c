@@ -59,9 +59,9 @@ static GpGeometry find_caster(const ShadowBuild *build, const ShadowLight *light
     GpGeometry geometry = build->scene->list.passes[0].draws[object].geometry;
     if (build->setting->fit == LIGHT_FIT_LIGHT)
         return geometry;
-    const bool casts = caster_casts(&light->casters, object);
-    geometry.indices = casts ? light->casters.objects[object].indices : NULL;
-    geometry.index_count = casts ? light->casters.objects[object].index_count : 0;
+    const bool casts = caster_casts(light->casters, object);
+    geometry.indices = casts ? light->casters->objects[object].indices : NULL;
+    geometry.index_count = casts ? light->casters->objects[object].index_count : 0;
     return geometry;
 }
 
@@ -112,21 +112,21 @@ static void begin_map(const ShadowBuild *build, ShadowLight *light)
                    farthest);
 }
 
-ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source)
+ShadowLight shadow_draw_map(const ShadowBuild *build, uint32_t number)
 {
     const Scene *scene = build->scene;
+    const SceneLight *source = &scene->lights[number];
     ShadowLight light = { .source = source,
                           .cube = light_shines_around(source),
+                          .view = shadow_kept_views(build->kept, number, build->setting->fit),
                           .size = shadow_map_size(build->setting, source),
-                          .casters = scene_casters(scene, source, build->frame) };
-    const int faces = light.cube ? 6 : 1;
-    for (int face = 0; face < faces; face++)
-        light.view[face] = light_fit(&light.casters, face, (LightFit)build->setting->fit);
+                          .casters = shadow_kept_casters(build->kept, number) };
     begin_map(build, &light);
-    for (int face = 0; face < faces; face++) {
+    for (int face = 0; face < (light.cube ? 6 : 1); face++) {
         GpViewport viewport = map_viewport(&light, face);
+        LightView view = light.view[face];
         float clip[4][4];
-        matrix_round(light.view[face].clip, clip);
+        matrix_round(view.clip, clip);
         const void *uniforms = frame_copy(build->frame, clip, sizeof clip);
         for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++)
             shadow_draw_caster(build, &light, i, uniforms, &viewport, light.cube);
@@ -134,24 +134,22 @@ ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source)
     return light;
 }
 
-void shadow_choose(const Scene *scene, const SceneLight *source, ShadowSetting *setting)
+void shadow_choose(const Scene *scene, ShadowKept *kept, uint32_t number, ShadowSetting *setting)
 {
     static const ShadowDepth depths[GP_FORMATS] = { [GP_D16] = SHADOW_D16,
                                                     [GP_D24S8] = SHADOW_D24,
                                                     [GP_D32F] = SHADOW_D32F,
                                                     [GP_R32F] = SHADOW_R32F };
-    Frame frame = { .color = NULL }; /* for what casts */
-    const SceneCasters casters = scene_casters(scene, source, &frame);
+    const SceneLight *source = &scene->lights[number];
     const ShadowLight light = { .source = source,
                                 .cube = light_shines_around(source),
-                                .size = shadow_map_size(setting, source),
-                                .view = { light_fit(&casters, 0, setting->fit) } };
+                                .view = shadow_kept_views(kept, number, setting->fit),
+                                .size = shadow_map_size(setting, source) };
     const double bias = bias_of(setting, &light), slope = slope_of(setting, &light);
     setting->depth = depths[shadow_map_format(setting, source)];
     setting->map = light.size;
     setting->bias = bias;
     setting->slope = slope;
-    frame_free(&frame);
 }
 
 /* --- what programs know of it -------------------------------------------------------------------- */

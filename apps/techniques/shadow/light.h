@@ -3,12 +3,14 @@
 #define APPS_TECHNIQUES_SHADOW_LIGHT_H
 
 #include "apps/frame/frame.h"
+#include "apps/techniques/shadow/kept.h"
 #include "apps/techniques/shadow/setting.h"
 #include "shaders_c/shadow/shadow_tiles.h"
 
 /* What all parts of a frame share. */
 typedef struct ShadowBuild {
     const Scene *scene;
+    ShadowKept *kept; /* of the scene */
     const ShadowSetting *setting;
     GpDevice *device;
     Frame *frame;
@@ -19,21 +21,22 @@ enum { SHADOW_TILES = 16 }; /* of an adaptive map, a side */
 typedef struct ShadowLight {
     const SceneLight *source;
     bool cube; /* it shines to all sides: six views, +x -x +y -y +z -z, in one map of 3 x 2 */
-    LightView view[6];
-    uint32_t size; /* of a view, in texels */
+    const LightView *view; /* [6] of a cube */
+    uint32_t size;         /* of a view, in texels */
     GpSurface *map;
-    SceneCasters casters; /* what is drawn into the map, but where it is to have all, as printed */
+    const SceneCasters
+        *casters; /* what is drawn into the map, but where it is to have all, as printed */
 
     /* adaptive */
     GpSurface *table, *atlas;     /* no atlas: no tile was asked for */
     uint32_t tile, columns, rows; /* texels a side of a tile; tiles of the atlas */
 } ShadowLight;
 
-/* The views of a light of the scene, and the pass that draws its map. */
-ShadowLight shadow_draw_map(const ShadowBuild *build, const SceneLight *source);
+/* The views of a light of the scene, by its number, and the pass that draws its map. */
+ShadowLight shadow_draw_map(const ShadowBuild *build, uint32_t number);
 
 /* Sets what a setting leaves open to what it is for a light: map, depth, bias and slope. */
-void shadow_choose(const Scene *scene, const SceneLight *source, ShadowSetting *setting);
+void shadow_choose(const Scene *scene, ShadowKept *kept, uint32_t number, ShadowSetting *setting);
 
 /* An object as the light sees it, in a part of the map: a draw of the present pass, or none where the
  * object casts nothing.

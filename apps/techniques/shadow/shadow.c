@@ -64,19 +64,22 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
 
 /* --- the frame -------------------------------------------------------------------------------- */
 
-GpResult shadow_build(const Scene *scene, const ShadowSetting *setting, GpDevice *device,
-                      Frame *frame, GpError *error)
+GpResult shadow_build(const Scene *scene, ShadowKept *kept, const ShadowSetting *setting,
+                      GpDevice *device, Frame *frame, GpError *error)
 {
     GpResult result = shadow_check(scene, setting, error);
     if (result)
         return result;
-    const ShadowBuild build = { scene, setting, device, frame };
+    const ShadowBuild build = { scene, kept ? kept : shadow_keep(scene, frame), setting, device,
+                                frame };
+    if (!build.kept)
+        result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     bool adaptive = setting->fit == LIGHT_FIT_ADAPTIVE;
     frame->color =
         frame_surface(frame, GP_A8R8G8B8, scene->picture->width, scene->picture->height, 1);
     frame->depth = frame_surface(frame, GP_D32F, scene->picture->width, scene->picture->height, 1);
     for (uint32_t i = 0; i < scene->light_count && !result; i++) {
-        ShadowLight light = shadow_draw_map(&build, &scene->lights[i]);
+        ShadowLight light = shadow_draw_map(&build, i);
         if (adaptive)
             result = shadow_draw_tiles(&build, &light, error);
         if (!result)
@@ -84,6 +87,8 @@ GpResult shadow_build(const Scene *scene, const ShadowSetting *setting, GpDevice
     }
     if (!result)
         result = frame_result(frame, error);
+    if (!result)
+        result = shadow_kept_result(build.kept, error);
     if (result)
         frame_free(frame);
     return result;

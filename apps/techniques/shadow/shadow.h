@@ -3,14 +3,16 @@
 #define APPS_TECHNIQUES_SHADOW_SHADOW_H
 
 #include "apps/frame/frame.h"
+#include "apps/techniques/shadow/kept.h"
 #include "apps/techniques/shadow/setting.h"
 
 /* Builds the frame of a scene whose objects have the program phong or textured_phong.
- * in   device: runs what an adaptive map asks first; frame: zeroed
+ * in   kept: the scene's, which outlives the frame; NULL: the frame finds its own
+ *      device: runs what an adaptive map asks first; frame: zeroed
  * out  frame->color: A8R8G8B8; with one light, alpha is its visibility; 0 where nothing was drawn
  * errors GP_ERROR_INVALID: the setting contradicts itself, the scene has passes of its own, no light
  *        or an object of another program, with the reason; *frame is then empty */
-GpResult shadow_build(const Scene *scene, const ShadowSetting *setting, GpDevice *device,
-                      Frame *frame, GpError *error);
+GpResult shadow_build(const Scene *scene, ShadowKept *kept, const ShadowSetting *setting,
+                      GpDevice *device, Frame *frame, GpError *error);
 
 #endif

@@ -5,6 +5,7 @@
 #include "apps/techniques/shadow/paper_tables.h"
 #include "apps/techniques/shadow/shadow.h"
 #include "apps/truth/shadow_error.h"
+#include "pipeline/base/pool.h"
 
 #include <math.h>
 #include <string.h>
@@ -88,8 +89,21 @@ static const char *const usual[] = { "fit, near sides", "fit to the eye", "adapt
 
 typedef struct Opened {
     Scene scene;
+    Frame memory; /* of what is kept */
+    ShadowKept *kept;
     ShadowTruth truth;
+    GpPool *pool; /* for errors alone, once their truth is found */
 } Opened;
+
+static void close_scene(void *made)
+{
+    Opened *opened = made;
+    gp_pool_destroy(&opened->pool);
+    shadow_truth_free(&opened->truth);
+    frame_free(&opened->memory);
+    scene_free(&opened->scene);
+    gp_free(opened);
+}
 
 static GpResult open_scene(const TechniqueInput *input, void **made, GpError *error)
 {
@@ -98,37 +112,36 @@ static GpResult open_scene(const TechniqueInput *input, void **made, GpError *er
         return gp_fail(error, GP_ERROR_MEMORY, "no memory");
     const SceneOptions options = { .width = input->width, .height = input->height };
     GpResult result = scene_load(input->path, &options, &opened->scene, error);
-    if (result)
+    if (result) {
         gp_free(opened);
-    else
-        *made = opened;
-    return result;
-}
-
-static void close_scene(void *made)
-{
-    Opened *opened = made;
-    shadow_truth_free(&opened->truth);
-    scene_free(&opened->scene);
-    gp_free(opened);
+        return result;
+    }
+    opened->kept = shadow_keep(&opened->scene, &opened->memory);
+    if (!opened->kept) {
+        close_scene(opened);
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory");
+    }
+    *made = opened;
+    return GP_OK;
 }
 
 static GpResult build(void *made, const void *setting, GpDevice *device, Frame *frame,
                       GpError *error)
 {
     const Opened *opened = made;
-    return shadow_build(&opened->scene, setting, device, frame, error);
+    return shadow_build(&opened->scene, opened->kept, setting, device, frame, error);
 }
 
 /* What lights agree in; what one light has otherwise than another stays open. */
 static void resolve(const void *made, void *object)
 {
-    const Scene *scene = &((const Opened *)made)->scene;
+    const Opened *opened = made;
+    const Scene *scene = &opened->scene;
     ShadowSetting *setting = object;
     const ShadowSetting open = *setting;
     for (uint32_t i = 0; i < scene->light_count; i++) {
         ShadowSetting one = open;
-        shadow_choose(scene, &scene->lights[i], &one);
+        shadow_choose(scene, opened->kept, i, &one);
         const ShadowSetting *first = i == 0 ? &one : setting;
         setting->map = one.map == first->map ? one.map : open.map;
         setting->depth = one.depth == first->depth ? one.depth : open.depth;
@@ -227,12 +240,25 @@ static GpResult find_truth(void *made, int threads, GpError *error)
 
 static GpResult find_truth_error(void *made, int threads, GpError *error)
 {
+    Opened *opened = made;
+    if (!opened->pool && gp_pool_create(threads, &opened->pool, error))
+        return GP_ERROR_MEMORY;
     return cast_truth(made, threads, true, error);
 }
 
 static const char *const metrics[] = { "acne", "leak", "rmse", "covered", NULL };
 
-/* Alpha is the visibility; where depth stayed clear, nothing was drawn. */
+/* Alpha is the visibility; where depth stayed clear, nothing was drawn. in: pixels from `first` on */
+static void read_visibility(const Frame *frame, size_t first, size_t pixels, float *visibility)
+{
+    for (size_t i = 0; i < pixels; i++) {
+        float depth;
+        memcpy(&depth, frame->depth->level[0].texels + (first + i) * sizeof depth, sizeof depth);
+        uint8_t alpha = frame->color->level[0].texels[4 * (first + i) + 3];
+        visibility[i] = depth < 1 ? (float)alpha / 255 : SHADOW_NOTHING;
+    }
+}
+
 static GpResult measure(void *made, const Frame *frame, TechniqueError *measured, GpError *error)
 {
     const Opened *opened = made;
@@ -240,12 +266,7 @@ static GpResult measure(void *made, const Frame *frame, TechniqueError *measured
     float *visibility = gp_alloc(pixels, sizeof *visibility);
     if (!visibility)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    for (size_t i = 0; i < pixels; i++) {
-        float depth;
-        memcpy(&depth, frame->depth->level[0].texels + i * sizeof depth, sizeof depth);
-        uint8_t alpha = frame->color->level[0].texels[4 * i + 3];
-        visibility[i] = depth < 1 ? (float)alpha / 255 : SHADOW_NOTHING;
-    }
+    read_visibility(frame, 0, pixels, visibility);
     const ShadowError shadow = shadow_error(&opened->truth, visibility, NULL);
     gp_free(visibility);
     *measured =
@@ -253,6 +274,47 @@ static GpResult measure(void *made, const Frame *frame, TechniqueError *measured
                           .metrics = { shadow.acne, shadow.leak, shadow.rmse, shadow.covered },
                           .whole = shadow.covered };
     return GP_OK;
+}
+
+/* The rows of a picture, each held against the truth by itself. */
+typedef struct Rows {
+    const ShadowTruth *truth;
+    const Frame *frame;
+    float *visibility;
+    ShadowError *errors; /* [rows] */
+} Rows;
+
+static void measure_row(void *context, uint32_t row, int worker)
+{
+    const Rows *rows = context;
+    const uint32_t width = rows->truth->width;
+    const size_t first = (size_t)row * width;
+    const ShadowTruth truth = { width, 1, rows->truth->visibility + first, NULL };
+    (void)worker;
+    read_visibility(rows->frame, first, width, rows->visibility + first);
+    rows->errors[row] = shadow_error(&truth, rows->visibility + first, NULL);
+}
+
+/* Pixels are counted, and so by any thread. */
+static GpResult measure_error(void *made, const Frame *frame, TechniqueError *measured,
+                              GpError *error)
+{
+    const Opened *opened = made;
+    const uint32_t width = opened->truth.width, height = opened->truth.height;
+    const Rows rows = { &opened->truth, frame,
+                        gp_alloc_unset((size_t)width * height * sizeof(float)),
+                        gp_alloc(height, sizeof(ShadowError)) };
+    const bool has_memory = rows.visibility && rows.errors;
+    *measured = (TechniqueError){ .error = 0 };
+    if (has_memory)
+        gp_pool_run(opened->pool, height, measure_row, (void *)&rows);
+    for (uint32_t i = 0; i < height && has_memory; i++) {
+        measured->error += rows.errors[i].acne + rows.errors[i].leak;
+        measured->whole += rows.errors[i].covered;
+    }
+    gp_free(rows.visibility);
+    gp_free(rows.errors);
+    return has_memory ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
 }
 
 static const Experiment experiments[] = {
@@ -266,7 +328,8 @@ static const Experiment experiments[] = {
       .metrics = metrics,
       .find_truth = find_truth,
       .find_truth_error = find_truth_error,
-      .measure = measure },
+      .measure = measure,
+      .measure_error = measure_error },
     { .name = NULL },
 };
 

@@ -46,7 +46,7 @@ static Frame build(const Scene *scene, const ShadowSetting *setting)
     GpError error = { "" };
     GpDevice *device;
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, &error), GP_OK);
-    if (shadow_build(scene, setting, device, &frame, &error))
+    if (shadow_build(scene, NULL, setting, device, &frame, &error))
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
     return frame;
@@ -210,7 +210,8 @@ static void refuses_what_has_no_tiles(void **state)
         setting.slope = 0;
         Frame frame = { .color = NULL };
         GpError error = { "" };
-        assert_int_equal(shadow_build(&scene, &setting, NULL, &frame, &error), GP_ERROR_INVALID);
+        assert_int_equal(shadow_build(&scene, NULL, &setting, NULL, &frame, &error),
+                         GP_ERROR_INVALID);
         assert_non_null(strstr(error.text, cases[i].reason));
         assert_null(frame.color);
         scene_free(&scene);
