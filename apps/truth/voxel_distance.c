@@ -4,7 +4,7 @@
 #include "apps/truth/triangle.h"
 #include "apps/truth/voxel_nearest.h"
 
-enum { POINTS = 50000, MOST_VOXELS = 50000 };
+enum { PLACES = 50000 }; /* points of the model; and voxels, at most */
 
 /* --- the model --------------------------------------------------------------------------------- */
 
@@ -33,8 +33,8 @@ static void spread(const TruthTriangle *triangles, uint32_t count, double (*poin
     uint32_t at = 0;
     for (uint32_t i = 0; i < count; i++)
         whole += area_of(&triangles[i]);
-    for (uint32_t i = 0; i < POINTS; i++) {
-        const double place = (i + 0.5) / POINTS * whole;
+    for (uint32_t i = 0; i < PLACES; i++) {
+        const double place = (i + 0.5) / PLACES * whole;
         double area, in_square[2];
         while ((area = area_of(&triangles[at])) + before <= place && at + 1 < count) {
             before += area;
@@ -51,7 +51,7 @@ GpResult voxel_distance_make(const TruthTriangle *triangles, uint32_t count,
     uint32_t *order = gp_alloc(count, sizeof *order);
     VoxelDistance made = { .triangles = gp_alloc(count, sizeof *made.triangles),
                            .nodes = gp_alloc(2 * (size_t)count - 1, sizeof *made.nodes),
-                           .points = gp_alloc(POINTS, sizeof *made.points) };
+                           .points = gp_alloc(PLACES, sizeof *made.points) };
     GpResult result = order && made.triangles && made.nodes && made.points
                           ? truth_tree_build(triangles, count, order, made.nodes)
                           : GP_ERROR_MEMORY;
@@ -76,28 +76,63 @@ void voxel_distance_free(VoxelDistance *distance)
     *distance = (VoxelDistance){ .nodes = NULL };
 }
 
+/* --- squares ----------------------------------------------------------------------------------- */
+
+enum { BLOCK = 500 }; /* places that a thread takes at once */
+
+static const double not_asked = -1;
+
+/* Squares of distances, found by all threads. */
+typedef struct Squares {
+    const VoxelDistance *distance;
+    const VoxelBox *space;
+    const VoxelPyramid *pyramid;
+    double (*find)(const struct Squares *squares, uint32_t place);
+    uint32_t count;  /* of places: points, or voxels */
+    size_t *voxels;  /* [PLACES] */
+    double *squares; /* [count]; not_asked: none */
+} Squares;
+
+static void find_block(void *context, uint32_t block, int worker)
+{
+    const Squares *squares = context;
+    const uint32_t first = block * BLOCK, left = squares->count - first;
+    (void)worker;
+    for (uint32_t i = first; i < first + (left < BLOCK ? left : BLOCK); i++)
+        squares->squares[i] = squares->find(squares, i);
+}
+
+/* The root of their mean; 0 of none. */
+static double find_root(Squares *squares, GpPool *pool)
+{
+    double sum = 0;
+    uint32_t asked = 0;
+    gp_pool_run(pool, (squares->count + BLOCK - 1) / BLOCK, find_block, squares);
+    for (uint32_t i = 0; i < squares->count; i++) {
+        if (squares->squares[i] == not_asked)
+            continue;
+        sum += squares->squares[i];
+        asked++;
+    }
+    return asked ? sqrt(sum / asked) : 0;
+}
+
 /* --- from the model to voxels ------------------------------------------------------------------ */
 
-static double to_voxels(const VoxelDistance *distance, const VoxelBox *space,
-                        const VoxelPyramid *pyramid)
+/* In voxels. */
+static double square_to_voxel(const Squares *squares, uint32_t number)
 {
-    const double most = space->scale * distance->longest;
-    double sum = 0;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < POINTS; i++) {
-        double point[3];
-        bool inside = true;
-        for (int k = 0; k < 3; k++) {
-            point[k] = space->scale * distance->points[i][k] + space->offset[k];
-            inside = inside && point[k] >= 0 && point[k] <= space->size;
-        }
-        if (!inside) /* cut off by its placement, and not asked for */
-            continue;
-        const double apart = voxel_pyramid_nearest(pyramid, point, most);
-        sum += apart * apart;
-        count++;
+    const VoxelBox *space = squares->space;
+    const double *place = squares->distance->points[number];
+    double point[3];
+    for (int k = 0; k < 3; k++) {
+        point[k] = space->scale * place[k] + space->offset[k];
+        if (!(point[k] >= 0 && point[k] <= space->size))
+            return not_asked; /* cut off by its placement */
     }
-    return count ? sqrt(sum / count) / most : 0;
+    const double apart =
+        voxel_pyramid_nearest(squares->pyramid, point, space->scale * squares->distance->longest);
+    return apart * apart;
 }
 
 /* --- from voxels to the model ------------------------------------------------------------------ */
@@ -132,37 +167,54 @@ static void look_into(const VoxelDistance *distance, const TruthNode *node, cons
         look_into(distance, &child[1 - near], point, square);
 }
 
-/* Of every voxel, or of every second, third .. where there are too many. */
-static double to_model(const VoxelDistance *distance, const VoxelBox *space, const uint8_t *bits)
+/* In the model's unit. */
+static double square_to_model(const Squares *squares, uint32_t number)
 {
-    const size_t end = (size_t)space->size * space->size * space->size;
-    const uint64_t step = voxel_count(bits, space->size) / MOST_VOXELS + 1;
-    uint64_t rank = 0, count = 0;
-    double sum = 0;
-    for (size_t i = 0; (i = voxel_next(bits, space->size, i)) < end; i++) {
-        if (rank++ % step)
-            continue;
-        uint32_t at[3];
-        double centre[3], square = HUGE_VAL;
-        voxel_place(i, space->size, at);
-        for (int k = 0; k < 3; k++)
-            centre[k] = (at[k] + 0.5 - space->offset[k]) / space->scale;
-        look_into(distance, &distance->nodes[0], centre, &square);
-        sum += square;
-        count++;
-    }
-    return count ? sqrt(sum / (double)count) / distance->longest : 0;
+    const VoxelBox *space = squares->space;
+    uint32_t at[3];
+    double centre[3], square = HUGE_VAL;
+    voxel_place(squares->voxels[number], space->size, at);
+    for (int k = 0; k < 3; k++)
+        centre[k] = (at[k] + 0.5 - space->offset[k]) / space->scale;
+    look_into(squares->distance, &squares->distance->nodes[0], centre, &square);
+    return square;
+}
+
+/* Every voxel, or every second, third .. where there are too many. returns how many */
+static uint32_t choose_voxels(const uint8_t *bits, uint32_t size, size_t *voxels)
+{
+    const size_t end = (size_t)size * size * size;
+    const uint64_t step = voxel_count(bits, size) / PLACES + 1;
+    uint64_t rank = 0;
+    uint32_t count = 0;
+    for (size_t i = 0; (i = voxel_next(bits, size, i)) < end; i++)
+        if (rank++ % step == 0)
+            voxels[count++] = i;
+    return count;
 }
 
 GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelBox *space,
-                             const uint8_t *bits, VoxelApart *apart)
+                             const uint8_t *bits, GpPool *pool, VoxelApart *apart)
 {
-    VoxelPyramid pyramid;
-    GpResult result = voxel_pyramid_make(bits, space->size, &pyramid);
-    if (result)
-        return result;
-    apart->to_voxels = to_voxels(distance, space, &pyramid);
-    apart->to_model = to_model(distance, space, bits);
+    VoxelPyramid pyramid = { .levels = 0 };
+    Squares squares = { .distance = distance,
+                        .space = space,
+                        .pyramid = &pyramid,
+                        .voxels = gp_alloc(PLACES, sizeof *squares.voxels),
+                        .squares = gp_alloc(PLACES, sizeof *squares.squares) };
+    GpResult result = squares.voxels && squares.squares
+                          ? voxel_pyramid_make(bits, space->size, &pyramid)
+                          : GP_ERROR_MEMORY;
+    if (!result) {
+        squares.find = square_to_voxel;
+        squares.count = PLACES;
+        apart->to_voxels = find_root(&squares, pool) / (space->scale * distance->longest);
+        squares.find = square_to_model;
+        squares.count = choose_voxels(bits, space->size, squares.voxels);
+        apart->to_model = find_root(&squares, pool) / distance->longest;
+    }
     voxel_pyramid_free(&pyramid);
-    return GP_OK;
+    gp_free(squares.voxels);
+    gp_free(squares.squares);
+    return result;
 }

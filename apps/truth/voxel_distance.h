@@ -19,6 +19,7 @@
 
 #include "apps/truth/ray_tree.h"
 #include "apps/truth/voxel_truth.h"
+#include "pipeline/base/pool.h"
 
 /* A model to be measured against, in its own space. */
 typedef struct VoxelDistance {
@@ -41,8 +42,9 @@ typedef struct VoxelApart {
 } VoxelApart;
 
 /* in     space: from the model's space to that of the volume
+ * order  squares are added up point after point, voxel after voxel: bits do not depend on the threads
  * errors GP_ERROR_MEMORY */
 GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelBox *space,
-                             const uint8_t *bits, VoxelApart *apart);
+                             const uint8_t *bits, GpPool *pool, VoxelApart *apart);
 
 #endif

@@ -5,7 +5,8 @@
 
 enum {
     PROBES = 2000000,
-    CELLS = 512, /* a side of the grid by which those above and below a triangle are found */
+    BLOCKS = 100, /* of them, which threads share out */
+    CELLS = 512,  /* a side of the grid by which those above and below a triangle are found */
 };
 
 static const double wider = 1.125; /* than the model's box */
@@ -151,15 +152,35 @@ static bool find_voxel(const VoxelBox *space, const double point[3], size_t *pla
     return true;
 }
 
-double voxel_probes_wrong(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *bits)
+/* Probes by blocks, which any thread counts. */
+typedef struct Held {
+    const VoxelProbes *probes;
+    const VoxelBox *space;
+    const uint8_t *bits;
+    uint32_t wrong[BLOCKS];
+} Held;
+
+static void count_wrong(void *context, uint32_t block, int worker)
 {
-    uint64_t wrong = 0;
-    for (uint32_t i = 0; i < PROBES; i++) {
+    Held *held = context;
+    (void)worker;
+    for (uint32_t i = block * (PROBES / BLOCKS); i < (block + 1) * (PROBES / BLOCKS); i++) {
         double point[3];
         size_t voxel;
-        place_of(probes, i, point);
-        if (find_voxel(space, point, &voxel))
-            wrong += ((probes->inside[i / 8] >> i % 8) ^ (bits[voxel / 8] >> voxel % 8)) & 1;
+        place_of(held->probes, i, point);
+        if (find_voxel(held->space, point, &voxel))
+            held->wrong[block] +=
+                ((held->probes->inside[i / 8] >> i % 8) ^ (held->bits[voxel / 8] >> voxel % 8)) & 1;
     }
+}
+
+double voxel_probes_wrong(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *bits,
+                          GpPool *pool)
+{
+    Held held = { probes, space, bits, { 0 } };
+    uint64_t wrong = 0;
+    gp_pool_run(pool, BLOCKS, count_wrong, &held);
+    for (int i = 0; i < BLOCKS; i++)
+        wrong += held.wrong[i];
     return (double)wrong / fmax((double)probes->inside_count, 1);
 }

@@ -5,6 +5,7 @@
 #define APPS_TRUTH_VOXEL_PROBES_H
 
 #include "apps/truth/voxel_truth.h"
+#include "pipeline/base/pool.h"
 
 /* Points spread evenly over a cube around a model, an eighth wider than its box is long, which is all
  * of a volume of 23 voxels a side or more; in its own space. */
@@ -30,6 +31,7 @@ void voxel_probes_free(VoxelProbes *probes); /* zeroes it; a zeroed one is fine 
  * in   space: from the model's space to that of the volume
  * note The probes' number leaves a few in a hundred of it uncertain where a hundredth is wrong of a
  *      slender model: volumes of one size and its double are well apart. */
-double voxel_probes_wrong(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *bits);
+double voxel_probes_wrong(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *bits,
+                          GpPool *pool);
 
 #endif

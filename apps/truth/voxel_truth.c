@@ -25,8 +25,14 @@ static void set_voxel(uint8_t *bits, uint32_t size, const int64_t at[3])
 
 uint64_t voxel_count(const uint8_t *bits, uint32_t size)
 {
-    uint64_t count = 0;
-    for (size_t i = 0; i < voxel_bytes(size); i++)
+    const size_t bytes = voxel_bytes(size);
+    uint64_t count = 0, word;
+    size_t i = 0;
+    for (; i + sizeof word <= bytes; i += sizeof word) {
+        memcpy(&word, bits + i, sizeof word);
+        count += (unsigned)__builtin_popcountll(word);
+    }
+    for (; i < bytes; i++)
         count += (unsigned)__builtin_popcount(bits[i]);
     return count;
 }

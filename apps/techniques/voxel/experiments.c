@@ -37,13 +37,12 @@ static const char *const usual_solid[] = { "xor", NULL };
  * tells what a finer volume is worth. voxel_truths finds each when a frame is measured. */
 static GpResult find_truth(void *scene, int threads, GpError *error)
 {
-    const VoxelModels *models = scene;
-    (void)threads;
+    VoxelModels *models = scene;
     if (models->scene.input != VOXEL_MESH)
         return gp_fail(error, GP_ERROR_INVALID, "expected a mesh: there is no other truth");
     if (models->pair.scenes[1] || models->scene.twist != 0)
         return gp_fail(error, GP_ERROR_INVALID, "expected one mesh that is not twisted");
-    return GP_OK;
+    return voxel_truths_prepare(&models->truths, threads, error);
 }
 
 static VoxelTruthKind truth_of(const VoxelSetting *setting)

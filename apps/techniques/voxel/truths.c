@@ -1,6 +1,7 @@
 /* Exact voxels found when they are asked for, and what a volume has wrong. */
 #include "apps/techniques/voxel/truths.h"
 
+#include "apps/base/content.h"
 #include "apps/truth/voxel_winding.h"
 
 #include <string.h>
@@ -88,6 +89,7 @@ void voxel_truths_free(VoxelTruths *truths)
     voxel_distance_free(&truths->distance);
     for (int i = 0; i < 2; i++)
         voxel_probes_free(&truths->probes[i]);
+    gp_pool_destroy(&truths->pool);
     *truths = (VoxelTruths){ .count = 0 };
 }
 
@@ -105,11 +107,22 @@ void voxel_truth_compare(const VoxelTruth *truth, const uint8_t *bits, uint64_t 
 
 static const VoxelBox model_space = { .scale = 1 };
 
-double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
-                             const uint8_t *bits)
+GpResult voxel_truths_prepare(VoxelTruths *truths, int threads, GpError *error)
+{
+    return truths->pool ? GP_OK : gp_pool_create(threads, &truths->pool, error);
+}
+
+/* The triangles, as the model has them. NULL without memory; the caller frees them. */
+static TruthTriangle *model_triangles(const VoxelScene *scene)
+{
+    return voxel_true_triangles(scene, &model_space);
+}
+
+static double find_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+                            const uint8_t *bits)
 {
     if (!truths->has_distance) {
-        TruthTriangle *triangles = voxel_true_triangles(scene, &model_space);
+        TruthTriangle *triangles = model_triangles(scene);
         truths->has_distance =
             triangles &&
             !voxel_distance_make(triangles, scene->mesh.triangle_count, &truths->distance);
@@ -117,22 +130,64 @@ double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint3
     }
     const VoxelBox space = voxel_scene_box(scene, size);
     VoxelApart apart;
-    if (!truths->has_distance || voxel_distance_find(&truths->distance, &space, bits, &apart))
+    if (!truths->has_distance ||
+        voxel_distance_find(&truths->distance, &space, bits, truths->pool, &apart))
         return (double)NAN;
     return 1000 * fmax(apart.to_voxels, apart.to_model);
 }
 
-double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
-                                 uint32_t size, const uint8_t *bits)
+static double find_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
+                                uint32_t size, const uint8_t *bits)
 {
     VoxelProbes *probes = &truths->probes[inside];
     bool *has = &truths->has_probes[inside];
     if (!*has) {
-        TruthTriangle *triangles = voxel_true_triangles(scene, &model_space);
+        TruthTriangle *triangles = model_triangles(scene);
         *has =
             triangles && !voxel_probes_make(triangles, scene->mesh.triangle_count, inside, probes);
         gp_free(triangles);
     }
     const VoxelBox space = voxel_scene_box(scene, size);
-    return *has ? 1000 * voxel_probes_wrong(probes, &space, bits) : (double)NAN;
+    return *has ? 1000 * voxel_probes_wrong(probes, &space, bits, truths->pool) : (double)NAN;
+}
+
+/* --- once for a volume ------------------------------------------------------------------------ */
+
+/* in   against: the surface, or the inside by one of two rules
+ * out  hash: for remember; returns NULL where the volume is new */
+static const VoxelFound *recall(const VoxelTruths *truths, int against, uint32_t size,
+                                const uint8_t *bits, uint64_t *hash)
+{
+    const uint32_t about[2] = { (uint32_t)against, size };
+    *hash = content_hash_bytes(bits, voxel_bytes(size), content_hash_bytes(about, sizeof about, 0));
+    for (int i = 0; i < truths->found_count; i++)
+        if (truths->found[i].hash == *hash)
+            return &truths->found[i];
+    return NULL;
+}
+
+static double remember(VoxelTruths *truths, uint64_t hash, double error)
+{
+    if (!isnan(error) && truths->found_count < VOXEL_MAX_FOUND)
+        truths->found[truths->found_count++] = (VoxelFound){ hash, error };
+    return error;
+}
+
+enum { SURFACE, INSIDES }; /* against what: the insides have a number each */
+
+double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
+                             const uint8_t *bits)
+{
+    uint64_t hash;
+    const VoxelFound *found = recall(truths, SURFACE, size, bits, &hash);
+    return found ? found->error : remember(truths, hash, find_distance(truths, scene, size, bits));
+}
+
+double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
+                                 uint32_t size, const uint8_t *bits)
+{
+    uint64_t hash;
+    const VoxelFound *found = recall(truths, INSIDES + (int)inside, size, bits, &hash);
+    return found ? found->error
+                 : remember(truths, hash, find_wrong_volume(truths, scene, inside, size, bits));
 }

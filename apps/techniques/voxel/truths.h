@@ -24,13 +24,24 @@ typedef struct VoxelTruth {
     uint8_t *least, *most;
 } VoxelTruth;
 
+/* The error of a volume that was measured: settings that make the same volume share it. */
+typedef struct VoxelFound {
+    uint64_t hash; /* of its bits, and of what they were held against */
+    double error;
+} VoxelFound;
+
+enum { VOXEL_MAX_FOUND = 64 };
+
 /* Those of one scene, in the order of their finding. */
 typedef struct VoxelTruths {
     VoxelTruth truths[VOXEL_MAX_TRUTHS];
     int count;
+    GpPool *pool; /* that finds errors: voxel_truths_prepare */
     bool has_distance, has_probes[2];
     VoxelDistance distance;
     VoxelProbes probes[2]; /* by parity; by winding number */
+    VoxelFound found[VOXEL_MAX_FOUND];
+    int found_count;
 } VoxelTruths;
 
 /* A mesh's triangles in a volume. NULL without memory; the caller frees them. */
@@ -39,6 +50,10 @@ TruthTriangle *voxel_true_triangles(const VoxelScene *scene, const VoxelBox *spa
 /* The truth of a kind and a size: kept, or found now. NULL without memory, or without room. */
 const VoxelTruth *voxel_truths_find(VoxelTruths *truths, const VoxelScene *scene,
                                     VoxelTruthKind kind, uint32_t size);
+
+/* Before errors are asked for. in threads: 1..1024; errors do not depend on them
+ * errors GP_ERROR_MEMORY */
+GpResult voxel_truths_prepare(VoxelTruths *truths, int threads, GpError *error);
 
 /* How far a volume of `size` is from the model's surface, and the surface from it: the larger of
  * both (voxel_distance.h); and how much of the model's inside it has wrong (voxel_probes.h). In

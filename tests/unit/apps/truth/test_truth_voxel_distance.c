@@ -18,9 +18,16 @@ static void set(uint8_t *volume, uint32_t size, size_t x, size_t y, size_t z, bo
 
 static VoxelApart find(const VoxelDistance *distance, const VoxelBox *space, const uint8_t *volume)
 {
-    VoxelApart apart;
-    assert_int_equal(voxel_distance_find(distance, space, volume, &apart), GP_OK);
-    return apart;
+    VoxelApart apart[2];
+    const int threads[2] = { 1, 3 };
+    for (int i = 0; i < 2; i++) {
+        GpPool *pool;
+        assert_int_equal(gp_pool_create(threads[i], &pool, NULL), GP_OK);
+        assert_int_equal(voxel_distance_find(distance, space, volume, pool, &apart[i]), GP_OK);
+        gp_pool_destroy(&pool);
+    }
+    assert_memory_equal(&apart[0], &apart[1], sizeof apart[0]);
+    return apart[0];
 }
 
 static void expect_near(double value, double expected, double share)

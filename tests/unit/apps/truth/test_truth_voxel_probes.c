@@ -14,6 +14,21 @@ static void turn(size_t x, size_t y, size_t z)
     bits[i / 8] = (uint8_t)(bits[i / 8] ^ 1u << i % 8);
 }
 
+/* The same by any number of threads. */
+static double wrong_of(const VoxelProbes *probes, const VoxelBox *space, const uint8_t *volume)
+{
+    double wrong[2];
+    const int threads[2] = { 1, 3 };
+    for (int i = 0; i < 2; i++) {
+        GpPool *pool;
+        assert_int_equal(gp_pool_create(threads[i], &pool, NULL), GP_OK);
+        wrong[i] = voxel_probes_wrong(probes, space, volume, pool);
+        gp_pool_destroy(&pool);
+    }
+    assert_true(wrong[0] == wrong[1]);
+    return wrong[0];
+}
+
 static void expect_near(double value, double expected, double share)
 {
     if (!(fabs(value - expected) <= share * expected))
@@ -61,7 +76,7 @@ static void a_box_of_voxels_has_nothing_wrong(void **state)
     VoxelProbes probes;
     make_box(&probes);
     expect_near((double)probes.inside_count, PROBES * VOXELS / 729.0, 1e-3);
-    assert_true(voxel_probes_wrong(&probes, &same, bits) == 0);
+    assert_true(wrong_of(&probes, &same, bits) == 0);
     voxel_probes_free(&probes);
 }
 
@@ -71,11 +86,11 @@ static void a_voxel_more_or_less_is_its_volume(void **state)
     VoxelProbes probes;
     make_box(&probes);
     turn(7, 8, 9); /* lost */
-    expect_near(voxel_probes_wrong(&probes, &same, bits), 1.0 / VOXELS, 0.02);
+    expect_near(wrong_of(&probes, &same, bits), 1.0 / VOXELS, 0.02);
     turn(7, 11, 9); /* and one outside */
-    expect_near(voxel_probes_wrong(&probes, &same, bits), 2.0 / VOXELS, 0.02);
+    expect_near(wrong_of(&probes, &same, bits), 2.0 / VOXELS, 0.02);
     turn(12, 7, 7); /* beyond its end, seen as far as the cube of probes goes: by half */
-    expect_near(voxel_probes_wrong(&probes, &same, bits), 2.5 / VOXELS, 0.02);
+    expect_near(wrong_of(&probes, &same, bits), 2.5 / VOXELS, 0.02);
     voxel_probes_free(&probes);
 }
 
@@ -85,9 +100,9 @@ static void nothing_is_all_wrong_and_everything_is_worse(void **state)
     VoxelProbes probes;
     make_box(&probes);
     memset(bits, 0, sizeof bits);
-    assert_true(voxel_probes_wrong(&probes, &same, bits) == 1);
+    assert_true(wrong_of(&probes, &same, bits) == 1);
     memset(bits, 0xff, sizeof bits);
-    expect_near(voxel_probes_wrong(&probes, &same, bits), (729.0 - VOXELS) / VOXELS, 1e-3);
+    expect_near(wrong_of(&probes, &same, bits), (729.0 - VOXELS) / VOXELS, 1e-3);
     voxel_probes_free(&probes);
 }
 
@@ -99,7 +114,7 @@ static void what_is_cut_off_is_not_wrong(void **state)
     VoxelProbes probes;
     make_box(&probes);
     memset(bits, 0, sizeof bits);
-    expect_near(voxel_probes_wrong(&probes, &moved, bits), 0.5, 3e-3);
+    expect_near(wrong_of(&probes, &moved, bits), 0.5, 3e-3);
     voxel_probes_free(&probes);
 }
 
@@ -115,7 +130,7 @@ static double wrong_at(const char *name, uint32_t size, VoxelProbes *probes)
     uint8_t *volume = gp_alloc(voxel_bytes(size), 1);
     voxel_solid(triangles, count, size, volume);
     assert_int_equal(voxel_probes_make(triangles, count, VOXEL_BY_PARITY, probes), GP_OK);
-    double wrong = voxel_probes_wrong(probes, &(VoxelBox){ .size = size, .scale = 1 }, volume);
+    double wrong = wrong_of(probes, &(VoxelBox){ .size = size, .scale = 1 }, volume);
     gp_free(volume);
     gp_free(triangles);
     return wrong;

@@ -40,16 +40,21 @@ static ShadowSetting setting_of(LightFit fit)
                             .slope = 2 };
 }
 
-static Frame build(const Scene *scene, const ShadowSetting *setting)
+static Frame build_with(const Scene *scene, ShadowKept *kept, const ShadowSetting *setting)
 {
     Frame frame = { .color = NULL };
     GpError error = { "" };
     GpDevice *device;
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, &error), GP_OK);
-    if (shadow_build(scene, NULL, setting, device, &frame, &error))
+    if (shadow_build(scene, kept, setting, device, &frame, &error))
         fail_msg("%s", error.text);
     gp_device_destroy(&device);
     return frame;
+}
+
+static Frame build(const Scene *scene, const ShadowSetting *setting)
+{
+    return build_with(scene, NULL, setting);
 }
 
 static void draw(const Frame *frame, GpExecutor executor, int threads)
@@ -149,6 +154,28 @@ static void every_executor_draws_the_same(void **state)
     scene_free(&scene);
 }
 
+/* Twice through all fits: each is found, and then known; of two lights, which are not alike. */
+static void what_is_kept_draws_the_same(void **state)
+{
+    (void)state;
+    Scene scene = load("\"direction\": [-0.75, 1, 0.25] }, { \"position\": [6, 8, 3], "
+                       "\"at\": [0, 0, 0], \"shadow\": { \"fovy\": 50 }");
+    Frame memory = { .color = NULL };
+    ShadowKept *kept = shadow_keep(&scene, &memory);
+    assert_non_null(kept);
+    for (int i = 0; i < 2 * (LIGHT_FIT_ADAPTIVE + 1); i++) {
+        const ShadowSetting setting = setting_of(i % (LIGHT_FIT_ADAPTIVE + 1));
+        Frame frame = build_with(&scene, kept, &setting), fresh = build(&scene, &setting);
+        draw(&frame, GP_EXECUTOR_FAST, 2);
+        draw(&fresh, GP_EXECUTOR_FAST, 2);
+        assert_true(gp_surface_hash(frame.color) == gp_surface_hash(fresh.color));
+        frame_free(&frame);
+        frame_free(&fresh);
+    }
+    frame_free(&memory);
+    scene_free(&scene);
+}
+
 static void the_list_holds_what_the_tiles_cost(void **state)
 {
     (void)state;
@@ -223,6 +250,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tiles_bring_shadows_nearer_to_the_truth),
         cmocka_unit_test(every_executor_draws_the_same),
+        cmocka_unit_test(what_is_kept_draws_the_same),
         cmocka_unit_test(the_list_holds_what_the_tiles_cost),
         cmocka_unit_test(every_light_has_its_tiles),
         cmocka_unit_test(without_edges_there_are_no_tiles),
