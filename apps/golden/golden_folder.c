@@ -106,7 +106,7 @@ static void run_one(void *context, uint32_t item, int worker)
     GoldenScene *scene = &runs->folder->scenes[item];
     golden_run(runs->task, scene->name, runs->devices[worker], runs->pools[worker], &scene->result);
     const uint32_t done = atomic_fetch_add(&runs->done, 1) + 1;
-    if (worker == 0 && runs->progress)
+    if (worker == 0 && runs->progress && done < runs->folder->count)
         runs->progress(done, runs->folder->count);
 }
 
@@ -122,6 +122,8 @@ GpResult golden_folder_run(const GoldenTask *task, GpDevice *const *devices, uin
     Runs runs = { task, folder, devices, pools, progress, 0 };
     if (!result)
         gp_pool_run(pools[device_count], folder->count, run_one, &runs);
+    if (!result && progress)
+        progress(folder->count, folder->count);
     for (uint32_t i = 0; pools && i <= device_count; i++)
         gp_pool_destroy(&pools[i]);
     gp_free(pools);

@@ -37,7 +37,12 @@ cc=$(if [ -n "${CC:-}" ]; then first "$CC"; else first cc gcc clang; fi) ||
 cxx=$(if [ -n "${CXX:-}" ]; then first "$CXX"; else first c++ g++ clang++; fi) || cxx=
 
 flags="-O2 -fPIC -Wall -Wextra $(rule GP_MODEL) -I$prefix/include"
-$cc --version | grep -qi clang || flags="$flags $(rule GP_GCC_OPT)"
+# Messages are about the user's lines, not about the inside of the vocabulary's macros.
+if $cc --version | grep -qi clang; then
+    flags="$flags -fmacro-backtrace-limit=1"
+else
+    flags="$flags $(rule GP_GCC_OPT) -ftrack-macro-expansion=0"
+fi
 flags="$flags -x c"
 isas=$(rule "GP_ISAS_$(uname -m)")
 isas=${isas:-$(rule GP_ISAS_generic)}
@@ -65,6 +70,7 @@ compile() {
         # shellcheck disable=SC2046,SC2086
         $cc $flags -DGP_LANES="$1" "-DGP_ISA_NAME=\"${name%%:*}\"" \
             $(echo "${name#*:}" | tr , ' ') -c "$file" -o "$work/lanes$1.o"
+        return
     done
 }
 
