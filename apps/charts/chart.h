@@ -26,6 +26,7 @@ typedef struct Chart {
     int metric_count;
     char machine[128], isa[16];
     int threads;
+    double others; /* processors that other programs kept busy meanwhile; below 0: unknown */
     uint32_t width, height; /* of the pictures; 0 where settings make volumes */
     ChartPoint *points;     /* owned, in the order of the sweep */
     uint32_t count;

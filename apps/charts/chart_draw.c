@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH = 1240, HEIGHT = 800, LEGEND_X = 928, LEGEND_ROW = 24 };
+enum { WIDTH = 1240, HEIGHT = 800, LEGEND_X = 928, LEGEND_ROW = 24, PANE = 190 };
 
 static const PlotBox plot_box = { 104, 134, 896, 712 };
 
@@ -48,19 +48,48 @@ static void draw_front(const Plot *plot, Text *svg)
              svg_soft, first->x, first->y, plot->box.top, last->x, last->y, plot->box.right);
 }
 
-/* What shows where the pointer rests. */
-static void add_tooltip(const Chart *chart, const ChartPoint *point, Text *svg)
+/* All that is known of a point: a name, then lines. */
+static Text list_facts(const Chart *chart, const ChartPoint *point)
 {
-    text_add_escaped(svg, "<title>%s\n%s\n", point->method, point->options);
-    plot_tooltip_times(svg, &point->time);
+    Text facts = { .data = NULL };
     char number[32];
+    text_add(&facts, "%s\n%s\n", point->method, point->options);
+    plot_tooltip_times(&facts, &point->time);
     text_for_people(point->measured.error, 6, number);
-    text_add_escaped(svg, "\n%s: %s", chart->error_name, number);
+    text_add(&facts, "\n%s: %s", chart->error_name, number);
     for (int i = 0; i < chart->metric_count; i++) {
         text_for_people(point->measured.metrics[i], 6, number);
-        text_add_escaped(svg, "\n%s: %s", chart->metrics[i], number);
+        text_add(&facts, "\n%s: %s", chart->metrics[i], number);
     }
-    text_add(svg, "</title>");
+    return facts;
+}
+
+/* How much of a line goes into one of a pane: whole words, if there are any. */
+static size_t line_length(const char *line, size_t length)
+{
+    enum { LETTERS = 44 };
+    if (length <= LETTERS)
+        return length;
+    for (size_t i = LETTERS; i > LETTERS / 2; i--)
+        if (line[i] == ' ')
+            return i;
+    return LETTERS;
+}
+
+/* The same at a place of its own, where the pointer or the keyboard is on the point. */
+static void draw_pane(const char *facts, double y, Text *svg)
+{
+    enum { LINE = 15 };
+    text_add(svg, "<g class=\"pane\">");
+    while (*facts) {
+        char line[64];
+        const size_t rest = strcspn(facts, "\n"), length = line_length(facts, rest);
+        snprintf(line, sizeof line, "%.*s", (int)length, facts);
+        svg_words(svg, LEGEND_X, y, "start", " font-size=\"11.5\"", line);
+        facts += length + (facts[length] == '\n' || facts[length] == ' ');
+        y += LINE;
+    }
+    text_add(svg, "</g>");
 }
 
 static void draw_bar(const PlotPoint *point, Text *svg)
@@ -73,19 +102,24 @@ static void draw_bar(const PlotPoint *point, Text *svg)
              point->point->best ? plot_color(point->method) : svg_frame);
 }
 
-/* Beaten points first, so that they cover none of the front. */
-static void draw_points(const Chart *chart, const Plot *plot, Text *svg)
+/* Beaten points first, so that they cover none of the front, whose points the keyboard reaches. */
+static void draw_points(const Chart *chart, const Plot *plot, double pane_y, Text *svg)
 {
     for (int best = 0; best < 2; best++) {
         for (uint32_t i = 0; i < plot->count; i++) {
             const PlotPoint *point = &plot->points[i];
             if (point->point->best != (best == 1))
                 continue;
-            text_add(svg, "<g>");
-            add_tooltip(chart, point->point, svg);
+            Text facts = list_facts(chart, point->point);
+            svg->failed |= facts.failed;
+            text_add(svg, best ? "<g class=\"best\" tabindex=\"0\" role=\"img\">" : "<g>");
+            text_add_escaped(svg, "<title>%s</title>", facts.data ? facts.data : "");
             draw_bar(point, svg);
             plot_marker(svg, point->x, point->y, point->method, best == 0);
+            if (best && facts.data)
+                draw_pane(facts.data, pane_y, svg);
             text_add(svg, "</g>\n");
+            text_free(&facts);
         }
     }
 }
@@ -145,11 +179,12 @@ static void draw_legend(const Chart *chart, const Plot *plot, Text *svg)
 
 static void draw_notes(const Chart *chart, const Plot *plot, Text *svg)
 {
-    char scene[320];
+    char scene[320], words[336];
     chart_print_scene(chart, scene, sizeof scene);
-    plot_note(svg, 0, "Scene %s. Measured on %s, %s, %d thread%s.", scene, chart->machine,
-              chart->isa, chart->threads, chart->threads == 1 ? "" : "s");
-    plot_note(svg, 1, "%u settings of %d method%s, %u of them best.", chart->count,
+    snprintf(words, sizeof words, "Scene %s. ", scene);
+    plot_machine(svg, 1, words,
+                 &(PlotMachine){ chart->machine, chart->isa, chart->threads, chart->others });
+    plot_note(svg, 0, "%u settings of %d method%s, %u of them best.", chart->count,
               plot->method_count, plot->method_count == 1 ? "" : "s", plot->best_count);
 }
 
@@ -160,17 +195,19 @@ void chart_draw(const Chart *chart, Text *svg)
         svg->failed = true;
         return;
     }
-    int needed = (int)plot_box.top + (plot.method_count + 5) * LEGEND_ROW;
-    int height = needed > HEIGHT ? needed : HEIGHT;
+    const int pane = (int)plot_box.top + (plot.method_count + 5) * LEGEND_ROW + LEGEND_ROW / 2;
+    const int needed = pane + PANE;
+    const int height = needed > HEIGHT ? needed : HEIGHT;
     plot_begin(svg, WIDTH, height, chart->title);
     draw_notes(chart, &plot, svg);
     draw_axes(chart, &plot, svg);
     draw_front(&plot, svg);
-    draw_points(chart, &plot, svg);
+    draw_points(chart, &plot, pane, svg);
     draw_labels(&plot, svg);
     draw_legend(chart, &plot, svg);
-    plot_end(svg, height,
-             "How to read: left and low is better. In colour: no other setting is both faster and "
-             "more exact. Grey: another setting is both faster and more exact.");
+    plot_end(
+        svg, height,
+        "How to read: left and low is better. In colour: no other setting is both faster and "
+        "more exact; point at one, or reach it by the tab key, for all its numbers. Grey: beaten.");
     plot_free(&plot);
 }

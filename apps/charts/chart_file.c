@@ -118,11 +118,12 @@ json_t *chart_json(const Chart *chart)
         json_array_append_new(metrics, json_string(chart->metrics[i]));
     for (uint32_t k = 0; k < chart->count; k++)
         json_array_append_new(points, point_json(&chart->points[k], chart->metric_count));
-    return json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:i, s:I, s:I, s:o}", "technique",
+    return json_pack("{s:s, s:s, s:s, s:s, s:o, s:s, s:s, s:i, s:o, s:I, s:I, s:o}", "technique",
                      chart->technique, "title", chart->title, "scene", chart->scene, "error_name",
                      chart->error_name, "metrics", metrics, "machine", chart->machine, "isa",
-                     chart->isa, "threads", chart->threads, "width", (json_int_t)chart->width,
-                     "height", (json_int_t)chart->height, "points", points);
+                     chart->isa, "threads", chart->threads, "others", json_number(chart->others),
+                     "width", (json_int_t)chart->width, "height", (json_int_t)chart->height,
+                     "points", points);
 }
 
 static void write_json(const Chart *chart, Text *text)
@@ -237,6 +238,8 @@ static void read_chart(Node root, Chart *chart)
     read_text(node_member(&root, "machine"), chart->machine, sizeof chart->machine);
     read_text(node_member(&root, "isa"), chart->isa, sizeof chart->isa);
     chart->threads = (int)read_integer(node_member(&root, "threads"), INT32_MAX);
+    const Node others = node_member(&root, "others"); /* charts did not always have it */
+    chart->others = others.value ? read_later_number(others) : -1;
     chart->width = (uint32_t)read_integer(node_member(&root, "width"), UINT32_MAX);
     chart->height = (uint32_t)read_integer(node_member(&root, "height"), UINT32_MAX);
     Node metrics = node_member(&root, "metrics"), points = node_member(&root, "points");

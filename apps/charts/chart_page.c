@@ -3,6 +3,10 @@
 #include "apps/base/page.h"
 #include "apps/charts/chart_draw.h"
 #include "apps/charts/chart_file.h"
+#include "apps/charts/chart_pictures.h"
+#include "apps/charts/chart_words.h"
+#include "apps/charts/svg.h"
+#include "apps/techniques/registry.h"
 
 #include "pipeline/io/file.h"
 
@@ -12,12 +16,31 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Pictures of charts are as wide as can be read; on a narrow page they scroll. Their own titles are
+ * the section's. */
 static const char style[] =
-    "nav a { margin-right: 18px }\n"
-    "svg { display: block; width: 100%; height: auto; border-radius: 8px }\n"
-    ".pictures { display: grid; gap: 16px;\n"
-    "            grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)) }\n"
-    "figure img { width: 100%; border-radius: 6px }\n";
+    "nav a { display: inline-block; margin-right: 18px }\n"
+    "svg { display: block; width: 100%; min-width: 940px; height: auto; border-radius: 8px }\n"
+    "svg { margin-top: -36px } svg .title { display: none }\n"
+    "figure { margin: 0 0 28px }\n"
+    ".beside { display: grid; gap: 8px; grid-template-columns: 1fr 2fr; align-items: start }\n"
+    ".alone { max-width: 400px }\n"
+    ".beside img, .alone img { width: 100%; border-radius: 6px; display: block }\n"
+    "@media (max-width: 700px) { .beside { grid-template-columns: 1fr } }\n"
+    "dl { display: grid; grid-template-columns: minmax(110px, 220px) 1fr; gap: 4px 18px;\n"
+    "     margin: 12px 0; max-width: 1000px }\n"
+    "dt { font-weight: 600 } dd { margin: 0 }\n"
+    "@media (max-width: 700px) { dl { grid-template-columns: 1fr } dd { margin-bottom: 8px } }\n"
+    "p { max-width: 900px } summary { cursor: pointer; padding: 4px 0 }\n"
+    "a:focus-visible, summary:focus-visible, .wide:focus-visible\n"
+    "  { outline: 3px solid var(--soft); outline-offset: 2px }\n";
+
+/* What scrolls can be reached and scrolled by keys. */
+static void begin_wide(const char *label, Text *page)
+{
+    text_add_escaped(
+        page, "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"%s\">\n", label);
+}
 
 /* --- tables ----------------------------------------------------------------------------------- */
 
@@ -51,7 +74,8 @@ static void add_row(const Chart *chart, const ChartPoint *point, Text *page)
 static void add_table(const Chart *chart, const ChartPoint *const *points, uint32_t count,
                       Text *page)
 {
-    text_add(page, "<div class=\"wide\"><table>\n<thead><tr>");
+    begin_wide("table of settings", page);
+    text_add(page, "<table>\n<thead><tr>");
     add_head(chart, page);
     text_add(page, "</tr></thead>\n<tbody>\n");
     for (uint32_t i = 0; i < count; i++) {
@@ -64,44 +88,81 @@ static void add_table(const Chart *chart, const ChartPoint *const *points, uint3
 
 /* --- pictures --------------------------------------------------------------------------------- */
 
-/* A picture that is not there any more is left out: the chart is right without it. */
-static void add_picture(const char *folder, const ChartPoint *point, Text *page)
+/* Reads a file of the folder. returns false where there is none, or its name is no file's */
+static bool read_beside(const char *folder, const char *name, GpFile *file)
 {
     char path[CHART_MAX_PATH];
-    GpFile file = { .data = NULL };
-    snprintf(path, sizeof path, "%s/%s", folder, point->picture);
-    if (!point->picture[0] || strchr(point->picture, '/') || gp_file_read(path, &file, NULL))
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return name[0] && !strchr(name, '/') && gp_file_read(path, file, NULL) == GP_OK;
+}
+
+/* A picture that is not there any more is left out: the chart is right without it. */
+static void add_picture(const char *folder, const Chart *chart, const ChartPoint *point, Text *page)
+{
+    GpFile file = { .data = NULL }, difference = { .data = NULL };
+    char name[128], ms[32], error[32];
+    if (!read_beside(folder, point->picture, &file))
         return;
-    text_add(page, "<figure>");
-    page_add_png(page, &file, " alt=\"\"");
-    char ms[32], error[32];
+    chart_difference_name(point->picture, name, sizeof name);
+    const bool both = read_beside(folder, name, &difference);
+    text_add(page, "<figure><div class=\"%s\">", both ? "beside" : "alone");
+    page_add_png(page, &file, " alt=\"the picture of this setting\"");
+    if (both)
+        page_add_png(page, &difference, " alt=\"its difference from the truth\"");
     text_for_people(point->time.ms, 3, ms);
     text_for_people(point->measured.error, 6, error);
-    text_add_escaped(page,
-                     "<figcaption>%s: <code>%s</code>, %s ms, error %s</figcaption></figure>\n",
-                     point->method, point->options, ms, error);
+    text_add_escaped(
+        page, "</div>\n<figcaption>%s: <code>%s</code>, %s ms, %s: %s</figcaption></figure>\n",
+        point->method, point->options, ms, chart->error_name, error);
     gp_file_free(&file);
+    gp_file_free(&difference);
+}
+
+static void add_pictures(const char *folder, const Chart *chart, const Experiment *experiment,
+                         const ChartPoint *const *best, uint32_t count, Text *page)
+{
+    text_add(page, "<div class=\"pictures\">\n");
+    if (experiment && experiment->difference)
+        text_add_escaped(
+            page,
+            "<p>Pictures of some of them, the fastest first. Beside each is its difference from "
+            "the "
+            "truth: the picture in pale grey, in colour where it is wrong, and right of that, four "
+            "times as large, the part in the black frame, which has most of it. Orange: %s; blue: "
+            "%s. The colour is full where this picture is furthest from the truth; where nothing "
+            "is "
+            "coloured, nothing differs.</p>\n",
+            experiment->over, experiment->under);
+    for (uint32_t i = 0; i < count; i++)
+        add_picture(folder, chart, best[i], page);
+    text_add(page, "</div>\n");
 }
 
 /* --- sections --------------------------------------------------------------------------------- */
 
-static void add_chart(const char *folder, const Chart *chart, const char *name, Text *page)
+static void add_chart(const char *folder, const Chart *chart, const char *name,
+                      const Technique *const *techniques, Text *page)
 {
+    char scene[320];
     const ChartPoint **points = gp_alloc(chart->count, sizeof(const ChartPoint *));
     if (!points) {
         page->failed = true;
         return;
     }
+    chart_print_scene(chart, scene, sizeof scene);
     uint32_t best = chart_list_best(chart, points);
-    text_add_escaped(page, "<section id=\"%s\">\n<h2>%s</h2>\n", name, chart->title);
+    text_add_escaped(page, "<section id=\"%s\">\n<h2>%s</h2>\n<p>%s</p>\n", name, chart->title,
+                     scene);
+    begin_wide("chart", page);
     chart_draw(chart, page);
+    text_add(page, "</div>\n");
+    chart_add_words(chart, techniques, page);
     text_add(page, "<p>The best settings, the fastest first: for each, nothing else measured is "
                    "both faster and more exact.</p>\n");
     add_table(chart, points, best, page);
-    text_add(page, "<div class=\"pictures\">\n");
-    for (uint32_t i = 0; i < best; i++)
-        add_picture(folder, points[i], page);
-    text_add(page, "</div>\n<details><summary>All %u settings</summary>\n", chart->count);
+    add_pictures(folder, chart, experiment_find(techniques, chart->technique, NULL), points, best,
+                 page);
+    text_add(page, "<details><summary>All %u settings</summary>\n", chart->count);
     for (uint32_t i = 0; i < chart->count; i++)
         points[i] = &chart->points[i];
     add_table(chart, points, chart->count, page);
@@ -124,9 +185,11 @@ static void add_scaling(const char *folder, const Technique *technique, Text *co
     const char *title = technique->scaling->title;
     text_add_escaped(contents, "<a href=\"#%s\">%s</a>\n", name, title);
     text_add_escaped(sections, "<section id=\"%s\">\n<h2>%s</h2>\n", name, title);
-    text_add(sections, "%.*s", (int)file.size, file.data);
+    begin_wide("chart", sections);
+    text_add(sections, "%.*s</div>\n", (int)file.size, file.data);
     for (const char *const *text = technique->scaling->text; *text; text++)
         text_add_escaped(sections, "<p>%s</p>\n", *text);
+    chart_add_scaling_words(technique->scaling, sections);
     text_add(sections, "</section>\n");
     gp_file_free(&file);
 }
@@ -140,7 +203,8 @@ static int is_json(const struct dirent *entry)
 }
 
 /* Adds a chart's section and its line of the contents, or why there is none. */
-static void add_file(const char *folder, const char *file, Text *contents, Text *sections)
+static void add_file(const char *folder, const char *file, const Technique *const *techniques,
+                     Text *contents, Text *sections)
 {
     char path[CHART_MAX_PATH], name[256];
     Chart chart = { .points = NULL };
@@ -154,20 +218,29 @@ static void add_file(const char *folder, const char *file, Text *contents, Text 
         return;
     }
     text_add_escaped(contents, "<a href=\"#%s\">%s (%s)</a>\n", name, chart.title, chart.scene);
-    add_chart(folder, &chart, name, sections);
+    add_chart(folder, &chart, name, techniques, sections);
     chart_free(&chart);
 }
 
 static void join(const Text *contents, const Text *sections, Text *page)
 {
-    page_begin(page, "glasspipe: speed against accuracy", style);
-    text_add(page,
-             "<h1>Speed against accuracy</h1>\n"
-             "<p>Each chart holds every setting of a technique against its exact result. "
-             "Tooltips tell all numbers of a point.</p>\n<nav>\n%s</nav>\n%s",
-             contents->data ? contents->data : "", sections->data ? sections->data : "");
+    Text all = { .data = NULL };
+    text_add(&all, "%s", style);
+    svg_add_dark_style(&all);
+    page_begin(page, "glasspipe: speed against accuracy", all.data ? all.data : "");
+    text_add(
+        page,
+        "<h1>Speed against accuracy</h1>\n"
+        "<p>What the same picture or volume costs when it is made in different ways, and how "
+        "near each of them comes to the exact result, which is calculated by other means. Each "
+        "point of a chart is one setting; the pointer on it, or the tab key, shows all of its "
+        "numbers.</p>\n<nav>\n%s</nav>\n",
+        contents->data ? contents->data : "");
+    chart_add_common_words(page);
+    text_add(page, "%s", sections->data ? sections->data : "");
     page_end(page);
-    page->failed |= contents->failed || sections->failed;
+    page->failed |= all.failed || contents->failed || sections->failed;
+    text_free(&all);
 }
 
 GpResult chart_write_page(const char *folder, const Technique *const *techniques, GpError *error)
@@ -178,7 +251,7 @@ GpResult chart_write_page(const char *folder, const Technique *const *techniques
         return gp_fail(error, GP_ERROR_IO, "%.200s: %s", folder, strerror(errno));
     Text contents = { .data = NULL }, sections = { .data = NULL }, page = { .data = NULL };
     for (int i = 0; i < count; i++) {
-        add_file(folder, entries[i]->d_name, &contents, &sections);
+        add_file(folder, entries[i]->d_name, techniques, &contents, &sections);
         free(entries[i]);
     }
     free(entries);

@@ -1,13 +1,12 @@
 #include "apps/charts/chart_run.h"
 #include "apps/charts/chart_file.h"
+#include "apps/charts/chart_pictures.h"
 
 #include "apps/base/machine.h"
-#include "apps/frame/picture.h"
 #include "apps/techniques/timed_setting.h"
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /* What the settings of one chart share. */
 typedef struct Run {
@@ -138,48 +137,18 @@ static GpResult sweep_all(Run *run)
 
 /* --- pictures --------------------------------------------------------------------------------- */
 
-static GpResult write_picture(const Run *run, ChartPoint *point, const char *name)
-{
-    char path[CHART_MAX_PATH];
-    Frame frame = { .color = NULL };
-    RunStatistics statistics;
-    bool goes;
-    snprintf(path, sizeof path, "%s/%s", run->job->folder, name);
-    GpResult result = draw_first(run, point->options, &frame, &statistics, &goes, run->error);
-    if (!result)
-        result = picture_write_surface(path, frame_picture(&frame), true, run->error);
-    frame_free(&frame);
-    if (!result)
-        snprintf(point->picture, sizeof point->picture, "%s", name);
-    return result;
-}
-
-/* Pictures of points spread over the front, its ends among them. Those that an earlier chart had
- * more of are removed. */
 static GpResult write_pictures(Run *run)
 {
-    Chart *chart = &run->chart;
-    const ChartPoint **best = gp_alloc(chart->count, sizeof(const ChartPoint *));
-    char stem[64], name[96], path[CHART_MAX_PATH];
-    if (!best)
-        return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
-    uint32_t count = chart_list_best(chart, best);
-    uint32_t wanted = count < CHART_MAX_PICTURES ? count : CHART_MAX_PICTURES;
-    chart_name(run->job->experiment, run->job->scene, stem, sizeof stem);
-    if (run->job->name)
-        text_copy(stem, sizeof stem, run->job->name);
-    GpResult result = GP_OK;
-    for (uint32_t i = 0; i < CHART_MAX_PICTURES && !result; i++) {
-        snprintf(name, sizeof name, "%s_%u.png", stem, i + 1);
-        snprintf(path, sizeof path, "%s/%s", run->job->folder, name);
-        uint32_t place = wanted > 1 ? i * (count - 1) / (wanted - 1) : 0;
-        if (i < wanted)
-            result = write_picture(run, &chart->points[best[place] - chart->points], name);
-        else
-            unlink(path);
-    }
-    gp_free(best);
-    return result;
+    const ChartJob *job = run->job;
+    char stem[64];
+    chart_name(job->experiment, job->scene, stem, sizeof stem);
+    const ChartPictures pictures = { .technique = job->technique,
+                                     .experiment = job->experiment,
+                                     .scene = run->scene,
+                                     .folder = job->folder,
+                                     .stem = job->name ? job->name : stem,
+                                     .device = job->device };
+    return chart_write_pictures(&pictures, &run->chart, run->error);
 }
 
 /* --- all of it -------------------------------------------------------------------------------- */
@@ -206,8 +175,10 @@ static GpResult run_opened(Run *run)
     if (!result)
         result =
             job->experiment->find_truth(run->scene, gp_device_threads(job->device), run->error);
+    const MachineLoad load = machine_load_begin();
     if (!result)
         result = sweep_all(run);
+    run->chart.others = machine_others(&load);
     if (!result && job->folder)
         result = write_pictures(run);
     return result;

@@ -64,9 +64,13 @@ void plot_begin(Text *svg, int width, int height, const char *title)
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
         "height=\"%d\" role=\"img\" font-family=\"system-ui, 'DejaVu Sans', sans-serif\" "
         "font-size=\"12\">\n<title>%s</title>\n"
+        "<style>.pane { visibility: hidden } .best:hover .pane, .best:focus .pane "
+        "{ visibility: visible } .best:focus { outline: none } .best:focus > path "
+        "{ stroke: currentColor; stroke-width: 2 }</style>\n"
         "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n<g fill=\"%s\">\n",
         width, height, width, height, title, svg_ink);
-    svg_words(svg, PLOT_MARGIN, 48, "start", " font-size=\"24\" font-weight=\"bold\"", title);
+    svg_words(svg, PLOT_MARGIN, 48, "start",
+              " class=\"title\" font-size=\"24\" font-weight=\"bold\"", title);
 }
 
 void plot_note(Text *svg, int line, const char *format, ...)
@@ -77,6 +81,18 @@ void plot_note(Text *svg, int line, const char *format, ...)
     vsnprintf(note, sizeof note, format, args);
     va_end(args);
     svg_words(svg, PLOT_MARGIN, 74 + 20 * line, "start", " font-size=\"13\"", note);
+}
+
+void plot_machine(Text *svg, int line, const char *scene, const PlotMachine *machine)
+{
+    const double busy = 0.1;
+    plot_note(svg, line, "%sMeasured on %s, %s, %d thread%s.", scene, machine->machine,
+              machine->isa, machine->threads, machine->threads == 1 ? "" : "s");
+    if (machine->others >= busy)
+        plot_note(svg, line + 1,
+                  "The machine was busy: other programs kept %.1f processors at work meanwhile, so "
+                  "that times are longer and spread wider.",
+                  machine->others);
 }
 
 void plot_end(Text *svg, int height, const char *words)

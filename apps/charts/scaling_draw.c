@@ -9,7 +9,9 @@
 enum {
     WIDTH = 1240,
     HEIGHT = 730,
-    LEGEND_Y = 106,
+    POWERS_BELOW = 72, /* below a box: the powers that were measured, */
+    POWERS_ROW = 18,   /* a row each */
+    LEGEND_Y = 118,
     NAME_LEFT = 66, /* of the time axis, from its box */
     STRIP = 52,     /* above the scale of times, for names of scenes */
     STRIP_ROWS = 3,
@@ -33,10 +35,14 @@ typedef struct Panel {
     PlotScale x, y;
 } Panel;
 
-static bool has_place(const ScalingPoint *point)
+/* Of the bar, too, where there is one. */
+static void add_times(PlotRange *times, const Timing *time)
 {
-    return point->amount > 0 && point->time.ms > 0 && isfinite(point->amount) &&
-           isfinite(point->time.ms);
+    plot_range_add(times, time->ms);
+    if (time->low_ms > 0 && isfinite(time->high_ms)) {
+        plot_range_add(times, time->low_ms);
+        plot_range_add(times, time->high_ms);
+    }
 }
 
 /* Times have one scale in all panels, so that they can be compared. */
@@ -45,9 +51,9 @@ static Panel make_panel(const Scaling *scaling, int number)
     PlotRange amounts = { 0 }, times = { 0 };
     for (uint32_t i = 0; i < scaling->count; i++) {
         const ScalingPoint *point = &scaling->points[i];
-        if (has_place(point))
-            plot_range_add(&times, point->time.ms);
-        if (has_place(point) && point->panel == number)
+        if (scaling_has_place(point))
+            add_times(&times, &point->time);
+        if (scaling_has_place(point) && point->panel == number)
             plot_range_add(&amounts, point->amount);
     }
     Panel panel = { .scaling = scaling,
@@ -81,7 +87,7 @@ static const ScalingPoint *next_point(const Panel *panel, int line, const Scalin
     for (point = point ? point + 1 : scaling->points; point < scaling->points + scaling->count;
          point++)
         if (point->panel == panel->number && (line == ANY_LINE || point->line == line) &&
-            has_place(point))
+            scaling_has_place(point))
             return point;
     return NULL;
 }
@@ -92,6 +98,18 @@ static void add_tooltip(const Panel *panel, const ScalingPoint *point, Text *svg
                      point->scene, point->options, point->amount, panel->table->axis);
     plot_tooltip_times(svg, &point->time);
     text_add(svg, "</title>");
+}
+
+/* The middle half of the frames' times. */
+static void draw_bar(const Panel *panel, const ScalingPoint *point, int series, Text *svg)
+{
+    const Timing *time = &point->time;
+    const double x = plot_place(&panel->x, point->amount), cap = 3;
+    if (!(time->low_ms > 0 && time->low_ms < time->high_ms && isfinite(time->high_ms)))
+        return;
+    text_add(svg, "<path d=\"M%.1f %.1fh%.1fm-%.1f 0V%.1fm-%.1f 0h%.1f\" stroke=\"%s\"/>", x - cap,
+             plot_place(&panel->y, time->low_ms), 2 * cap, cap,
+             plot_place(&panel->y, time->high_ms), cap, 2 * cap, plot_color(series));
 }
 
 static void draw_line(const Panel *panel, int line, Text *svg)
@@ -109,6 +127,7 @@ static void draw_line(const Panel *panel, int line, Text *svg)
     for (const ScalingPoint *point = NULL; (point = next_point(panel, line, point));) {
         text_add(svg, "<g>");
         add_tooltip(panel, point, svg);
+        draw_bar(panel, point, series, svg);
         plot_marker(svg, plot_place(&panel->x, point->amount),
                     plot_place(&panel->y, point->time.ms), series, false);
         text_add(svg, "</g>\n");
@@ -213,17 +232,47 @@ static void draw_legend(const Scaling *scaling, Text *svg)
     }
 }
 
+/* What the lines' slopes are, as they were measured. returns how many rows */
+static int draw_powers(const Panel *panel, Text *svg)
+{
+    static const char style[] = " font-size=\"12\"";
+    double y = panel->box.bottom + POWERS_BELOW;
+    int rows = 1;
+    svg_words(
+        svg, panel->box.left, y, "start", style,
+        "Measured: time grows as this power of the amount; in brackets, from point to point:");
+    for (int line = 0; panel->table->lines[line].name; line++) {
+        char words[160];
+        ScalingPower power;
+        if (!scaling_power(panel->scaling, panel->number, line, &power))
+            continue;
+        snprintf(words, sizeof words, "%s: %.2f (%.2f to %.2f)", panel->table->lines[line].name,
+                 power.power, power.least, power.most);
+        svg_words(svg, panel->box.left, y + POWERS_ROW * rows++, "start", style, words);
+    }
+    return rows;
+}
+
 void scaling_draw(const Scaling *scaling, Text *svg)
 {
-    plot_begin(svg, WIDTH, HEIGHT, scaling->technique->scaling->title);
-    plot_note(svg, 0, "Measured on %s, %s, %d thread%s.", scaling->machine, scaling->isa,
-              scaling->threads, scaling->threads == 1 ? "" : "s");
-    draw_legend(scaling, svg);
+    Text panels = { .data = NULL };
+    int most_rows = 0;
     for (int number = 0; number < TECHNIQUE_PANELS; number++) {
         Panel panel = make_panel(scaling, number);
-        draw_panel(&panel, svg);
+        draw_panel(&panel, &panels);
+        const int rows = draw_powers(&panel, &panels);
+        most_rows = rows > most_rows ? rows : most_rows;
     }
-    plot_end(svg, HEIGHT,
+    const int height = HEIGHT + POWERS_ROW * most_rows;
+    plot_begin(svg, WIDTH, height, scaling->technique->scaling->title);
+    plot_machine(
+        svg, 0, "",
+        &(PlotMachine){ scaling->machine, scaling->isa, scaling->threads, scaling->others });
+    draw_legend(scaling, svg);
+    text_add(svg, "%s", panels.data ? panels.data : "");
+    svg->failed |= panels.failed;
+    text_free(&panels);
+    plot_end(svg, height,
              "How to read: low is better. A line that rises less steeply than a dotted one grows "
-             "by less than that.");
+             "by less than that. Bars: the middle half of the frames' times.");
 }

@@ -25,6 +25,24 @@ static void write_csv(const Scaling *scaling, Text *csv)
     }
 }
 
+/* An object for each line that a power can be measured of. */
+static json_t *powers_json(const Scaling *scaling)
+{
+    json_t *powers = json_array();
+    for (int p = 0; p < TECHNIQUE_PANELS; p++) {
+        const TechniquePanel *panel = &scaling->technique->scaling->panels[p];
+        for (int line = 0; panel->lines[line].name; line++) {
+            ScalingPower power;
+            if (scaling_power(scaling, p, line, &power))
+                json_array_append_new(
+                    powers, json_pack("{s:s, s:s, s:f, s:f, s:f}", "grows", panel->axis, "method",
+                                      panel->lines[line].name, "power", power.power, "least",
+                                      power.least, "most", power.most));
+        }
+    }
+    return powers;
+}
+
 json_t *scaling_json(const Scaling *scaling)
 {
     json_t *points = json_array();
@@ -39,9 +57,11 @@ json_t *scaling_json(const Scaling *scaling)
                       json_number(point->time.min_ms), "cpu_ms", json_number(point->time.cpu_ms),
                       "frames", (json_int_t)point->time.frames));
     }
-    return json_pack("{s:s, s:s, s:s, s:s, s:i, s:o}", "technique", scaling->technique->name,
-                     "title", scaling->technique->scaling->title, "machine", scaling->machine,
-                     "isa", scaling->isa, "threads", scaling->threads, "points", points);
+    return json_pack("{s:s, s:s, s:s, s:s, s:i, s:o, s:o, s:o}", "technique",
+                     scaling->technique->name, "title", scaling->technique->scaling->title,
+                     "machine", scaling->machine, "isa", scaling->isa, "threads", scaling->threads,
+                     "others", json_number(scaling->others), "powers", powers_json(scaling),
+                     "points", points);
 }
 
 GpResult scaling_write(const char *path, const Scaling *scaling, GpError *error)

@@ -102,6 +102,7 @@ GpResult scaling_run(const Technique *technique, GpDevice *device, const ChartLi
                      double seconds, Scaling *scaling, GpError *error)
 {
     Run run = { .listener = listener, .error = error };
+    const MachineLoad load = machine_load_begin();
     GpResult result = technique_clock_open(device, seconds, &run.clock, error);
     run.scaling.technique = technique;
     run.scaling.points = gp_alloc(count_points(technique->scaling), sizeof *run.scaling.points);
@@ -112,6 +113,7 @@ GpResult scaling_run(const Technique *technique, GpDevice *device, const ChartLi
         result = run_panel(&run, panel);
     if (!result && run.scaling.count == 0)
         result = GP_ERROR_IO; /* the last scene's message is there */
+    run.scaling.others = machine_others(&load);
     gp_free(run.clock.each);
     text_free(&run.missing);
     if (result)

@@ -6,6 +6,10 @@
 
 extern const char svg_ink[], svg_soft[], svg_grid[], svg_frame[]; /* colours */
 
+/* A style sheet that turns pictures on white to dark ones where the reader has it so; of the page's
+ * variables it takes --sheet, --ink and --soft. */
+void svg_add_dark_style(Text *style);
+
 void svg_line(Text *svg, double x1, double y1, double x2, double y2, const char *color);
 
 /* The same in dots, to compare with. */

@@ -106,3 +106,11 @@ GpResult technique_expand_all(const char *options, SettingText **texts, size_t *
     technique_expand(options, *texts, *count);
     return GP_OK;
 }
+
+const char *technique_word(const TechniqueWord *words, const char *word)
+{
+    for (; words && words->word; words++)
+        if (strcmp(words->word, word) == 0)
+            return words->sentence;
+    return NULL;
+}

@@ -17,6 +17,15 @@
 
 enum { TECHNIQUE_MAX_METRICS = 8 };
 
+/* What a name in a chart means, for one who was not there: a sentence. */
+typedef struct TechniqueWord {
+    const char *word; /* as the chart has it: a metric, a method; NULL ends a table */
+    const char *sentence;
+} TechniqueWord;
+
+/* The sentence of a word, or NULL. */
+const char *technique_word(const TechniqueWord *words, const char *word);
+
 /* Settings of one colour in the chart: a text of options in which a value may be a list, a|b|c; all
  * combinations are drawn. */
 typedef struct TechniqueSweep {
@@ -44,7 +53,11 @@ typedef struct Experiment {
     const char *error_name;     /* of the axis: "wrong pixels" */
     const char *const *metrics; /* names of further numbers, NULL at the end: "acne", "leak" */
     const char *part_of; /* what the error is a part of: "the covered pixels"; NULL: of nothing */
-    const char *given;   /* the options that mean this experiment of its technique, beside --error:
+    const TechniqueWord
+        *words;        /* of the error's name, all metrics, all methods of the sweep, and of
+                                   what else these sentences need */
+    const char *truth; /* how the exact result is found: sentences */
+    const char *given; /* the options that mean this experiment of its technique, beside --error:
                             "--kind solid"; NULL: none does */
 
     /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
@@ -57,6 +70,14 @@ typedef struct Experiment {
     GpResult (*find_truth_error)(void *scene, int threads, GpError *error);
     GpResult (*measure_error)(void *scene, const Frame *frame, TechniqueError *measured,
                               GpError *error);
+
+    /* How far each pixel of a frame's picture, as it was drawn and shown, is above that of the truth,
+     * or below it; 0: nowhere. May append passes to the frame and draw them.
+     * out  off: [height][width] of the picture
+     * errors those of measure and show. NULL: pictures have no difference beside them */
+    GpResult (*difference)(void *scene, const void *setting, GpDevice *device, Frame *frame,
+                           float *off, GpError *error);
+    const char *over, *under; /* what that means: "lit where the truth is dark, a leak" */
 } Experiment;
 
 /* --- scaling ---------------------------------------------------------------------------------- */
@@ -90,7 +111,9 @@ enum { TECHNIQUE_PANELS = 2 };
 typedef struct TechniqueScaling {
     const char *title;
     const char *const
-        *text; /* paragraphs for the page of charts: what grows with what; NULL ends */
+        *text; /* paragraphs for the page of charts: why what grows with what, and no figures, which
+                  are measured anew each time; NULL ends */
+    const TechniqueWord *words; /* of all lines, and of both axes */
     TechniquePanel panels[TECHNIQUE_PANELS];
 } TechniqueScaling;
 

@@ -4,6 +4,7 @@
 #include "apps/techniques/shadow/light.h"
 #include "apps/techniques/shadow/paper_tables.h"
 #include "apps/techniques/shadow/shadow.h"
+#include "apps/techniques/shadow/words.h"
 #include "apps/truth/shadow_error.h"
 #include "pipeline/base/pool.h"
 
@@ -262,7 +263,7 @@ static void read_visibility(const Frame *frame, size_t first, size_t pixels, flo
 static GpResult measure(void *made, const Frame *frame, TechniqueError *measured, GpError *error)
 {
     const Opened *opened = made;
-    size_t pixels = (size_t)opened->truth.width * opened->truth.height;
+    const size_t pixels = (size_t)opened->truth.width * opened->truth.height;
     float *visibility = gp_alloc(pixels, sizeof *visibility);
     if (!visibility)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
@@ -317,6 +318,20 @@ static GpResult measure_error(void *made, const Frame *frame, TechniqueError *me
     return has_memory ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
 }
 
+static GpResult find_difference(void *made, const void *setting, GpDevice *device, Frame *frame,
+                                float *off, GpError *error)
+{
+    const ShadowTruth *truth = &((const Opened *)made)->truth;
+    const size_t pixels = (size_t)truth->width * truth->height;
+    (void)setting;
+    (void)device;
+    (void)error;
+    read_visibility(frame, 0, pixels, off);
+    for (size_t i = 0; i < pixels; i++)
+        off[i] = truth->visibility[i] < 0 || off[i] < 0 ? 0 : off[i] - truth->visibility[i];
+    return GP_OK;
+}
+
 static const Experiment experiments[] = {
     { .name = "shadow",
       .title = "Shadow maps: time against wrong pixels",
@@ -326,6 +341,11 @@ static const Experiment experiments[] = {
       .error_name = "wrong pixels",
       .part_of = "the covered pixels",
       .metrics = metrics,
+      .words = shadow_words,
+      .truth = shadow_truth_words,
+      .difference = find_difference,
+      .over = "more light than in truth, a leak where the pixel counts as wrong",
+      .under = "less light, acne where it counts as wrong",
       .find_truth = find_truth,
       .find_truth_error = find_truth_error,
       .measure = measure,

@@ -1,6 +1,9 @@
 #include "apps/techniques/voxel/experiments.h"
 
 #include "apps/techniques/voxel/models.h"
+#include "apps/techniques/voxel/words.h"
+
+#include <string.h>
 
 /* --- sweeps ----------------------------------------------------------------------------------- */
 
@@ -116,6 +119,67 @@ static GpResult measure(void *scene, const Frame *frame, TechniqueError *measure
     return GP_OK;
 }
 
+/* Puts the nearest exact volume into a flat texture of one bit a voxel. */
+static void make_true(const FlatTexture *flat, const VoxelTruth *truth)
+{
+    const size_t size = flat->size;
+    for (uint32_t slab = 0; slab < flat->slabs; slab++)
+        for (size_t y = 0; y < size; y++)
+            for (size_t x = 0; x < size; x++) {
+                uint8_t *texel = flat_texture_texel(flat, slab, (uint32_t)x, (uint32_t)y);
+                uint32_t word, least = 0, most = 0;
+                memcpy(&word, texel, sizeof word);
+                for (uint32_t k = 0; k < flat->per_texel; k++) {
+                    const size_t z = (size_t)slab * flat->per_texel + k;
+                    const size_t i = x + size * (y + size * z);
+                    if (z >= size)
+                        break;
+                    least |= (truth->least[i / 8] >> i % 8 & 1u) << k;
+                    most |= (truth->most[i / 8] >> i % 8 & 1u) << k;
+                }
+                word = (word | least) & most;
+                memcpy(texel, &word, sizeof word);
+            }
+}
+
+static float brightness(const GpSurface *picture, size_t pixel)
+{
+    const uint8_t *texel = picture->level[0].texels + 4 * pixel;
+    return (float)(texel[0] + texel[1] + texel[2]) / (3 * 255);
+}
+
+/* The picture beside that of the exact voxels, drawn in the same way. */
+static GpResult find_difference(void *scene, const void *setting, GpDevice *device, Frame *frame,
+                                float *off, GpError *error)
+{
+    VoxelModels *models = scene;
+    const VoxelMade *made = frame->made;
+    const VoxelTruth *truth = voxel_truths_find(&models->truths, &models->scene,
+                                                truth_of(&made->setting), made->setting.size);
+    const GpSurface *drawn = frame->color;
+    const uint32_t passes = frame->list.pass_count;
+    const size_t pixels = (size_t)drawn->width * drawn->height;
+    if (!truth)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result = voxel_models_show(scene, setting, frame, error);
+    if (result)
+        return result;
+    make_true(&made->pair.result, truth);
+    GpList list = frame->list;
+    list.passes += passes;
+    list.pass_count -= passes;
+    result = gp_device_run(device, &list, error);
+    for (size_t i = 0; !result && i < pixels; i++)
+        off[i] = brightness(drawn, i) - brightness(frame->color, i);
+    frame->color = (GpSurface *)drawn;
+    return result;
+}
+
+#define BESIDE_EXACT_VOXELS                                                                        \
+    .difference = find_difference,                                                                 \
+    .over = "brighter than in the picture of the exact voxels of the same size",                   \
+    .under = "darker than there"
+
 const Experiment voxel_experiments[] = {
     { .name = "voxelize",
       .title = "Voxelization: time against distance from the model",
@@ -125,9 +189,12 @@ const Experiment voxel_experiments[] = {
       .error_name = "RMS distance, thousandths of the model's size",
       .part_of = "the model's size",
       .metrics = metrics,
+      .words = voxel_surface_words,
+      .truth = voxel_surface_truth,
       .find_truth = find_truth,
       .measure = measure,
-      .measure_error = measure_error },
+      .measure_error = measure_error,
+      BESIDE_EXACT_VOXELS },
     { .name = "solids",
       .title = "Solid voxels: time against wrong volume",
       .scene = "builtin:knot",
@@ -137,9 +204,12 @@ const Experiment voxel_experiments[] = {
       .part_of = "the enclosed volume",
       .given = "--kind solid",
       .metrics = metrics,
+      .words = voxel_solid_words,
+      .truth = voxel_solid_truth,
       .find_truth = find_truth,
       .measure = measure,
-      .measure_error = measure_error },
+      .measure_error = measure_error,
+      BESIDE_EXACT_VOXELS },
     { .name = NULL },
 };
 
@@ -192,23 +262,22 @@ static const char *const scaling_text[] = {
     "however small it is, so that a smaller volume makes no triangle cheaper that is smaller than "
     "a voxel already. Larger ones cost by the columns of voxels that they cross: as the square of "
     "N.",
-    "Surfaces, conservative and thin, are mostly triangles: their time rises by no more than the "
-    "side. The solid draws up to 128 layers of voxels at once into targets of their own and copies "
-    "the whole volume out of them: little at first, towards the cube of N in the end. So does the "
-    "printed method, and sooner: it draws three volumes, gathers their slabs, and turns two of "
-    "them by a lookup for every voxel.",
-    "With more triangles no line rises as steeply as their number, for the volume's share is the "
-    "same for all: least with the printed method, whose volume costs most. Thin surfaces hardly "
-    "rise at all: the lists, made once for a model that stands still, leave out triangles so small "
-    "that no line through the centres of voxels can meet them; three of four of the largest mesh "
-    "here. Meshes of about as many triangles differ all the same: by how large these are, and how "
-    "many lie over each other.",
+    "The solid draws up to 128 layers of voxels at once into targets of their own and copies the "
+    "whole volume out of them, which is work for every voxel: as the cube of N once it outweighs "
+    "the triangles. So is the printed method's, which draws three volumes, gathers their slabs, "
+    "and "
+    "turns two of them by a lookup for every voxel.",
+    "With more triangles the volume's share stays the same for all. Thin surfaces need not draw "
+    "triangles so small that no line through the centres of voxels can meet them: the lists, made "
+    "once for a model that stands still, leave them out. Meshes of about as many triangles differ "
+    "all the same: by how large these are, and how many lie over each other.",
     NULL
 };
 
 const TechniqueScaling voxel_scaling = {
     .title = "Voxelization: time against size",
     .text = scaling_text,
+    .words = voxel_scaling_words,
     .panels = { { .title = "Larger volumes, of the builtin knot",
                   .axis = "voxels a side",
                   .doubles = true,

@@ -38,6 +38,7 @@ static void json_restores_every_bit(void **state)
                     .machine = "m",
                     .isa = "i",
                     .threads = 3,
+                    .others = 0.1,
                     .width = 4294967295,
                     .height = 1,
                     .count = 300 };
@@ -65,6 +66,7 @@ static void json_restores_every_bit(void **state)
     assert_string_equal(read.metrics[0], "x");
     assert_int_equal(read.metric_count, 2);
     assert_int_equal(read.threads, 3);
+    expect_same_bits(read.others, chart.others);
     assert_int_equal(read.width, 4294967295);
     assert_int_equal(read.count, chart.count);
     for (uint32_t i = 0; i < chart.count; i++) {

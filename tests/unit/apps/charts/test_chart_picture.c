@@ -57,6 +57,8 @@ static Text draw(const Chart *chart)
     return svg;
 }
 
+static const PlotBox box = { 100, 50, 900, 650 };
+
 /* --- pictures ----------------------------------------------------------------------------------- */
 
 static void pictures_are_well_formed_for_any_names_and_metrics(void **state)
@@ -83,7 +85,7 @@ static void every_point_with_metrics_is_drawn_with_its_tooltip(void **state)
     (void)state;
     Chart chart = make_chart(60, 5);
     Text svg = draw(&chart);
-    assert_int_equal(markup_count(svg.data, "<g><title>"), 55);
+    assert_int_equal(markup_count(svg.data, "<title>"), 1 + 55); /* the picture's own */
     assert_non_null(strstr(svg.data, "not shown: 5 that no axis can hold"));
     for (uint32_t i = 0; i < chart.count; i++) {
         char options[32];
@@ -92,6 +94,47 @@ static void every_point_with_metrics_is_drawn_with_its_tooltip(void **state)
     }
     text_free(&svg);
     chart_free(&chart);
+}
+
+/* By the pointer and by keys, for those whose label found no room, too. */
+static void every_best_point_can_be_asked_for_its_numbers(void **state)
+{
+    (void)state;
+    Chart chart = make_chart(60, 4);
+    Plot plot;
+    for (uint32_t i = 0; i < chart.count; i++) {
+        chart.points[i].time.ms = 1 + 1e-3 * i; /* so near that labels find no room */
+        chart.points[i].measured.error = 60 - i;
+    }
+    chart_mark_best(&chart);
+    assert_int_equal(plot_create(&chart, box, &plot), GP_OK);
+    Text svg = draw(&chart);
+    assert_int_equal(plot.best_count, 60);
+    assert_in_range(plot.label_count, 1, 59);
+    assert_int_equal(markup_count(svg.data, "<g class=\"best\" tabindex=\"0\""), plot.best_count);
+    assert_int_equal(markup_count(svg.data, "<g class=\"pane\">"), plot.best_count);
+    text_free(&svg);
+    plot_free(&plot);
+    chart_free(&chart);
+}
+
+static void a_busy_machine_is_told(void **state)
+{
+    (void)state;
+    static const struct {
+        double others;
+        int told;
+    } rows[] = { { -1, 0 }, { 0, 0 }, { 0.05, 0 }, { 1.26, 1 } };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        Chart chart = make_chart(10, 2);
+        chart.others = rows[i].others;
+        Text svg = draw(&chart);
+        assert_int_equal(markup_count(svg.data, "other programs kept 1.3 processors at work"),
+                         rows[i].told);
+        assert_int_equal(markup_count(svg.data, "The machine was busy"), rows[i].told);
+        text_free(&svg);
+        chart_free(&chart);
+    }
 }
 
 static void a_page_of_equal_points_has_its_axes(void **state)
@@ -112,8 +155,6 @@ static void a_page_of_equal_points_has_its_axes(void **state)
 }
 
 /* --- geometry ----------------------------------------------------------------------------------- */
-
-static const PlotBox box = { 100, 50, 900, 650 };
 
 static void scales_are_logarithmic_and_hold_every_point(void **state)
 {
@@ -330,6 +371,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_well_formed_for_any_names_and_metrics),
         cmocka_unit_test(every_point_with_metrics_is_drawn_with_its_tooltip),
+        cmocka_unit_test(every_best_point_can_be_asked_for_its_numbers),
+        cmocka_unit_test(a_busy_machine_is_told),
         cmocka_unit_test(a_page_of_equal_points_has_its_axes),
         cmocka_unit_test(scales_are_logarithmic_and_hold_every_point),
         cmocka_unit_test(ticks_rise_and_lie_between_the_ends),

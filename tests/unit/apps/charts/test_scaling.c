@@ -226,6 +226,55 @@ static void powers_are_straight_lines(void **state)
     scaling_free(&scaling);
 }
 
+/* Times were made as the square: nothing else is said, whatever a technique expects. */
+static void powers_are_those_of_the_points(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    Scaling scaling = make_scaling(&technique);
+    ScalingPower power = { .power = 77 };
+    Text svg = { .data = NULL };
+    assert_true(scaling_power(&scaling, 0, 0, &power));
+    assert_true(fabs(power.power - 2) < 1e-9 && fabs(power.least - 2) < 1e-9 &&
+                fabs(power.most - 2) < 1e-9);
+    scaling.points[2].time.ms *= 4; /* 8 16 32: the square, then the fourth power */
+    assert_true(scaling_power(&scaling, 0, 0, &power));
+    assert_true(fabs(power.power - 3) < 1e-9 && fabs(power.least - 2) < 1e-9 &&
+                fabs(power.most - 4) < 1e-9);
+    scaling.points[1].amount = 9; /* too near to the first to have a slope with it */
+    assert_true(scaling_power(&scaling, 0, 0, &power));
+    assert_true(power.least == power.most &&
+                fabs(power.least -
+                     log(scaling.points[2].time.ms / scaling.points[0].time.ms) / log(4)) < 1e-9);
+    scaling.points[1].amount = 16;
+    power.power = 77;
+    assert_false(scaling_power(&scaling, 0, 1, &power)); /* one of two times is no number */
+    assert_true(power.power == 77);
+    scaling_draw(&scaling, &svg);
+    assert_non_null(strstr(svg.data, ">thin, &quot;1&quot;: 3.00 (2.00 to 4.00)<"));
+    json_t *object = scaling_json(&scaling), *powers = json_object_get(object, "powers");
+    assert_int_equal(json_array_size(powers), 2);
+    assert_true(fabs(json_number_value(json_object_get(json_array_get(powers, 0), "most")) - 4) <
+                1e-9);
+    json_decref(object);
+    text_free(&svg);
+    scaling_free(&scaling);
+}
+
+static void bars_are_the_middle_half_of_the_times(void **state)
+{
+    (void)state;
+    const Technique technique = voxels(&table);
+    Scaling scaling = make_scaling(&technique);
+    Text svg = { .data = NULL };
+    scaling.points[0].time.low_ms = 0.9 * scaling.points[0].time.ms;
+    scaling.points[0].time.high_ms = 3 * scaling.points[0].time.ms;
+    scaling_draw(&scaling, &svg);
+    assert_int_equal(markup_count(svg.data, "h6.0m-3.0 0V"), 1);
+    text_free(&svg);
+    scaling_free(&scaling);
+}
+
 static void no_points_are_a_picture_too(void **state)
 {
     (void)state;
@@ -296,6 +345,7 @@ static void the_page_shows_the_scaling_of_techniques_that_declare_it(void **stat
     assert_int_equal(markup_count(content, "<section id=\"voxelize_scaling\">"), 1);
     assert_int_equal(markup_count(content, "<a href=\"#voxelize_scaling\">"), 1);
     assert_non_null(strstr(content, "Two costs add up."));
+    assert_non_null(strstr(content, "<dt>solid: xor</dt>"));
     scaling_free(&scaling);
 }
 
@@ -309,6 +359,8 @@ int main(void)
         cmocka_unit_test(the_tables_of_techniques_are_whole),
         cmocka_unit_test(the_picture_is_well_formed_and_has_every_point),
         cmocka_unit_test(powers_are_straight_lines),
+        cmocka_unit_test(powers_are_those_of_the_points),
+        cmocka_unit_test(bars_are_the_middle_half_of_the_times),
         cmocka_unit_test(no_points_are_a_picture_too),
         IN_FOLDER(files_are_csv_and_svg),
         cmocka_unit_test(json_has_an_object_for_each_point),

@@ -129,6 +129,26 @@ static const TechniqueSweep blur_sweep[] = {
 
 static const char *const blur_metrics[] = { "worst", NULL };
 
+static const TechniqueWord blur_words[] = {
+    { "codes", "How far a pixel's blue is from the truth, of 255, on average." },
+    { "worst", "The same of the pixel that is furthest from it." },
+    { "bytes", "What lies between two steps is rounded to whole codes." },
+    { "floats", "What lies between two steps is kept as it is." },
+    { .word = NULL },
+};
+
+static GpResult blur_difference(void *opened, const void *setting, GpDevice *device, Frame *frame,
+                                float *off, GpError *error)
+{
+    const Blurred *blurred = opened;
+    (void)setting;
+    (void)device;
+    (void)error;
+    for (size_t i = 0; i < (size_t)frame->color->width * frame->color->height; i++)
+        off[i] = (float)(frame->color->level[0].texels[4 * i] - blurred->truth[i]);
+    return GP_OK;
+}
+
 static const Experiment blur_experiments[] = {
     { .name = "blur",
       .title = "Blur: time against codes",
@@ -136,6 +156,11 @@ static const Experiment blur_experiments[] = {
       .sweep = blur_sweep,
       .error_name = "codes",
       .metrics = blur_metrics,
+      .words = blur_words,
+      .truth = "The same steps, in double precision.",
+      .difference = blur_difference,
+      .over = "bluer than in truth",
+      .under = "less blue",
       .find_truth = blur_find_truth,
       .measure = blur_measure },
     { .name = NULL },
@@ -285,6 +310,39 @@ static void a_chart_is_drawn_and_an_error_chooses_from_it(void **state)
                      EXIT_USAGE);
 }
 
+/* Every head of a table, every method and every option on the page, and what pictures show. */
+static void a_page_explains_all_its_words(void **state)
+{
+    (void)state;
+    static char page[1 << 20];
+    static const char *const said[] = {
+        "<dt>exact result</dt><dd>The same steps, in double precision.</dd>",
+        "<dt>worst</dt><dd>The same of the pixel that is furthest from it.</dd>",
+        "<dt>bytes</dt>",
+        "<dt>floats</dt>",
+        "<dt><code>--steps</code></dt><dd>How often, 1 to 6 (default: 6).</dd>",
+        "<dt><code>--between</code></dt>",
+        "Orange: bluer than in truth; blue: less blue.",
+    };
+    assert_int_equal(glasspipe("chart blur -t 0 -o ."), EXIT_DONE);
+    assert_int_equal(access("blur_1_difference.png", R_OK), 0);
+    read_file("index.html", page, sizeof page);
+    for (size_t i = 0; i < GP_COUNT(said); i++)
+        expect_contains(page, said[i]);
+    int heads = 0;
+    for (const char *at = page; (at = strstr(at, "<th")); at++) {
+        char word[128];
+        if (sscanf(at, "<th%*[^>]>%63[^<]<", &word[4]) != 1 &&
+            sscanf(at, "<th>%63[^<]<", &word[4]) != 1)
+            continue; /* the thead itself */
+        memcpy(word, "<dt>", 4);
+        strcat(word, "</dt>");
+        expect_contains(page, word);
+        heads++;
+    }
+    assert_int_equal(heads, 2 * 5); /* of the best, and of all */
+}
+
 /* Nobody told the technique how: it has a truth, and that is enough. */
 static void an_error_is_kept_without_any_chart(void **state)
 {
@@ -310,6 +368,7 @@ int main(void)
         TEST(the_command_draws_and_tells),
         TEST(mistakes_are_told),
         TEST(a_chart_is_drawn_and_an_error_chooses_from_it),
+        TEST(a_page_explains_all_its_words),
         TEST(an_error_is_kept_without_any_chart),
     };
     return cmocka_run_group_tests_name("a made-up technique", tests, NULL, NULL);

@@ -35,6 +35,38 @@ static void every_technique_can_read_its_own_sweeps(void **state)
     }
 }
 
+static void expect_sentence(const TechniqueWord *words, const char *word)
+{
+    const char *sentence = technique_word(words, word);
+    if (!sentence)
+        fail_msg("'%s' has no sentence", word);
+    if (strlen(sentence) < 20 || sentence[strlen(sentence) - 1] != '.')
+        fail_msg("'%s': no sentence: %s", word, sentence);
+}
+
+/* Whoever reads a chart was not there. */
+static void every_name_in_a_chart_has_its_sentence(void **state)
+{
+    (void)state;
+    for (const Technique *const *one = technique_registry; *one; one++) {
+        for (const Experiment *experiment = (*one)->experiments; experiment->name; experiment++) {
+            assert_true(experiment->truth && strlen(experiment->truth) > 40);
+            assert_true(!experiment->difference || (experiment->over && experiment->under));
+            expect_sentence(experiment->words, experiment->error_name);
+            for (int i = 0; experiment->metrics && experiment->metrics[i]; i++)
+                expect_sentence(experiment->words, experiment->metrics[i]);
+            for (const TechniqueSweep *sweep = experiment->sweep; sweep->method; sweep++)
+                expect_sentence(experiment->words, sweep->method);
+        }
+        const TechniqueScaling *scaling = (*one)->scaling;
+        for (int p = 0; scaling && p < TECHNIQUE_PANELS; p++) {
+            expect_sentence(scaling->words, scaling->panels[p].axis);
+            for (const TechniqueLine *line = scaling->panels[p].lines; line->name; line++)
+                expect_sentence(scaling->words, line->name);
+        }
+    }
+}
+
 /* A key of a chart needs no more than a word for each part, and none that a file may hold. */
 static void fields_are_whole(void **state)
 {
@@ -86,6 +118,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_technique_can_read_its_own_sweeps),
+        cmocka_unit_test(every_name_in_a_chart_has_its_sentence),
         cmocka_unit_test(fields_are_whole),
         cmocka_unit_test(tables_are_whole),
     };
