@@ -9,6 +9,11 @@ json_t *json_number(double value)
     return json_string(isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
 }
 
+json_t *json_milliseconds(double value)
+{
+    return json_number(round(value * 1e6) / 1e6);
+}
+
 json_t *json_floats(const float *values, int count)
 {
     json_t *array = json_array();

@@ -7,6 +7,9 @@
 /* A number; JSON has no NaN or infinity, which become the strings "nan", "inf" and "-inf". */
 json_t *json_number(double value);
 
+/* Milliseconds as a clock knows them, to the nanosecond. */
+json_t *json_milliseconds(double value);
+
 /* An array of count floats. */
 json_t *json_floats(const float *values, int count);
 

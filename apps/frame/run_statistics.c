@@ -78,9 +78,9 @@ json_t *run_json(const RunStatistics *statistics, uint64_t hash, const GpSurface
     json_t *object = json_pack(
         "{s:s, s:s, s:I, s:I, s:o, s:o, s:o, s:i, s:s}", "hash", digits, "format",
         gp_format_info(surface->format)->name, "width", (json_int_t)surface->width, "height",
-        (json_int_t)surface->height, "ms", json_number(statistics->ms), "first_ms",
-        json_number(statistics->first_ms), "cpu_ms", json_number(statistics->cpu_ms), "threads",
-        statistics->threads, "isa", statistics->isa);
+        (json_int_t)surface->height, "ms", json_milliseconds(statistics->ms), "first_ms",
+        json_milliseconds(statistics->first_ms), "cpu_ms", json_milliseconds(statistics->cpu_ms),
+        "threads", statistics->threads, "isa", statistics->isa);
     run_add_counters(statistics, object);
     return object;
 }
