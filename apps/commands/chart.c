@@ -1,7 +1,6 @@
 /* glasspipe chart: speed against accuracy of a technique's settings. */
 #include "apps/commands/chart.h"
 
-#include "apps/base/machine.h"
 #include "apps/base/text.h"
 #include "apps/charts/chart_file.h"
 #include "apps/charts/chart_page.h"
@@ -11,12 +10,12 @@
 #include "apps/commands/chart_sweep.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
+#include "apps/commands/progress.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 typedef struct ChartCommand {
     Options options; /* first: see options.h */
@@ -110,28 +109,9 @@ static const CommandSyntax syntax = {
 
 /* --- messages --------------------------------------------------------------------------------- */
 
-/* What the listener knows. */
-typedef struct Listening {
-    const Options *options;
-    double start_ms;
-} Listening;
-
 static void tell_notice(const void *user, const char *line)
 {
-    notice(((const Listening *)user)->options, "%s", line);
-}
-
-/* Rewrites a line on a terminal once the work takes longer than a second. */
-static void tell_progress(const void *user, uint32_t done, uint32_t total, const char *text)
-{
-    const Listening *listening = user;
-    bool long_work = machine_clock_ms(CLOCK_MONOTONIC) - listening->start_ms > 1000;
-    if (listening->options->quiet || !long_work || !isatty(STDERR_FILENO))
-        return;
-    if (done < total)
-        fprintf(stderr, "\r\033[K%u/%u %s", done + 1, total, text);
-    else
-        fputs("\r\033[K", stderr);
+    notice(((const Progress *)user)->options, "%s", line);
 }
 
 /* --- results ---------------------------------------------------------------------------------- */
@@ -237,8 +217,8 @@ static int chart_scaling(const ChartCommand *command, GpDevice *device,
 
 static int run_command(const ChartCommand *command)
 {
-    const Listening listening = { &command->options, machine_clock_ms(CLOCK_MONOTONIC) };
-    const ChartListener listener = { tell_notice, tell_progress, &listening };
+    const Progress progress = progress_begin(&command->options);
+    const ChartListener listener = { tell_notice, progress_tell, &progress };
     GpDevice *device;
     int code = options_device(&command->options, NULL, &device);
     if (code)

@@ -4,6 +4,7 @@
 #include "apps/base/machine.h"
 #include "apps/charts/chart_file.h"
 #include "apps/charts/promise.h"
+#include "apps/commands/progress.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -194,6 +195,7 @@ static int trust(const TechniqueArgs *args, const char *curve, const Chart *char
 static int keep(const TechniqueArgs *args, const Place *place, const Chart *chart, void *scene,
                 GpDevice *device, json_t **told)
 {
+    const Progress progress = progress_begin(&args->options);
     const PromiseJob job = { .technique = args->technique,
                              .experiment = args->experiment,
                              .chart = chart->points ? chart : NULL,
@@ -203,9 +205,9 @@ static int keep(const TechniqueArgs *args, const Place *place, const Chart *char
                              .extension = args->extension,
                              .device = device,
                              .most = args->most,
-                             .per_cent = args->per_cent };
+                             .per_cent = args->per_cent,
+                             .listener = { .progress = progress_tell, .user = &progress } };
     const TechniqueInput input = technique_input(args);
-    const double start = machine_clock_ms(CLOCK_MONOTONIC);
     Measured measured;
     Promise promise;
     GpError error = { "" }, unwritten = { "" };
@@ -225,9 +227,13 @@ static int keep(const TechniqueArgs *args, const Place *place, const Chart *char
     else
         notice(&args->options, "chose %s (%s): error %s", promise.chosen.options,
                promise.chosen.method, what);
-    notice(&args->options, "looked at %u setting%s, %u of them remembered, in %.2f s",
-           promise.tried, promise.tried == 1 ? "" : "s", promise.tried - promise.drawn,
-           (machine_clock_ms(CLOCK_MONOTONIC) - start) / 1e3);
+    char ruled_out[64] = "";
+    if (promise.ruled_out > 0)
+        snprintf(ruled_out, sizeof ruled_out, ", %u ruled out undrawn", promise.ruled_out);
+    notice(&args->options, "looked at %u setting%s, %u of them remembered%s, in %.2f s",
+           promise.tried, promise.tried == 1 ? "" : "s",
+           promise.tried - promise.drawn - promise.ruled_out, ruled_out,
+           (machine_clock_ms(CLOCK_MONOTONIC) - progress.start_ms) / 1e3);
     if (args->options.json)
         *told = tell(args, &promise.chosen, &promise.measured, promise.is_kept);
     const int code = apply(args, place->curve, promise.chosen.options);

@@ -71,6 +71,11 @@ typedef struct Experiment {
     GpResult (*measure_error)(void *scene, const Frame *frame, TechniqueError *measured,
                               GpError *error);
 
+    /* An error that no frame of a setting is below, for certain and without drawing it, so that
+     * --error draws only what may reach it; in roundings too. in scene: its truth is found; out least:
+     * without metrics; 0: nothing is known. NULL: nothing ever is */
+    void (*least_error)(void *scene, const void *setting, TechniqueError *least);
+
     /* How far each pixel of a frame's picture, as it was drawn and shown, is above that of the truth,
      * or below it; 0: nowhere. May append passes to the frame and draw them.
      * out  off: [height][width] of the picture

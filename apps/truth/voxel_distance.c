@@ -119,19 +119,41 @@ static double find_root(Squares *squares, GpPool *pool)
 
 /* --- from the model to voxels ------------------------------------------------------------------ */
 
+/* A point in voxels. False: it is cut off by its placement, and not asked for */
+static bool find_point(const Squares *squares, uint32_t number, double point[3])
+{
+    const VoxelBox *space = squares->space;
+    for (int k = 0; k < 3; k++) {
+        point[k] = space->scale * squares->distance->points[number][k] + space->offset[k];
+        if (!(point[k] >= 0 && point[k] <= space->size))
+            return false;
+    }
+    return true;
+}
+
 /* In voxels. */
 static double square_to_voxel(const Squares *squares, uint32_t number)
 {
-    const VoxelBox *space = squares->space;
-    const double *place = squares->distance->points[number];
     double point[3];
+    if (!find_point(squares, number, point))
+        return not_asked;
+    const double apart = voxel_pyramid_nearest(squares->pyramid, point,
+                                               squares->space->scale * squares->distance->longest);
+    return apart * apart;
+}
+
+/* The same where all voxels are set. */
+static double square_to_any_voxel(const Squares *squares, uint32_t number)
+{
+    const double most = squares->space->scale * squares->distance->longest;
+    double point[3], square = 0;
+    if (!find_point(squares, number, point))
+        return not_asked;
     for (int k = 0; k < 3; k++) {
-        point[k] = space->scale * place[k] + space->offset[k];
-        if (!(point[k] >= 0 && point[k] <= space->size))
-            return not_asked; /* cut off by its placement */
+        const double off = point[k] - (fmin(floor(point[k]), squares->space->size - 1.0) + 0.5);
+        square += off * off;
     }
-    const double apart =
-        voxel_pyramid_nearest(squares->pyramid, point, space->scale * squares->distance->longest);
+    const double apart = sqrt(fmin(square, most * most));
     return apart * apart;
 }
 
@@ -217,4 +239,19 @@ GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelBox *spac
     gp_free(squares.voxels);
     gp_free(squares.squares);
     return result;
+}
+
+GpResult voxel_distance_least(const VoxelDistance *distance, const VoxelBox *space, GpPool *pool,
+                              double *least)
+{
+    Squares squares = { .distance = distance,
+                        .space = space,
+                        .find = square_to_any_voxel,
+                        .count = PLACES,
+                        .squares = gp_alloc(PLACES, sizeof *squares.squares) };
+    if (!squares.squares)
+        return GP_ERROR_MEMORY;
+    *least = find_root(&squares, pool) / (space->scale * distance->longest);
+    gp_free(squares.squares);
+    return GP_OK;
 }

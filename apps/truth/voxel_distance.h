@@ -47,4 +47,12 @@ typedef struct VoxelApart {
 GpResult voxel_distance_find(const VoxelDistance *distance, const VoxelBox *space,
                              const uint8_t *bits, GpPool *pool, VoxelApart *apart);
 
+/* What to_voxels is at least, whatever is set: each point is in a voxel, and no centre is nearer to it
+ * than that one's. Each step rounds as in voxel_distance_find and keeps what is not more not more, so
+ * that no error that is found lies below.
+ * out    least: as VoxelApart's to_voxels
+ * errors GP_ERROR_MEMORY */
+GpResult voxel_distance_least(const VoxelDistance *distance, const VoxelBox *space, GpPool *pool,
+                              double *least);
+
 #endif

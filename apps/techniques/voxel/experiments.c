@@ -85,6 +85,16 @@ static double wrong_of(VoxelModels *models, const VoxelSetting *setting, const u
                : voxel_truths_distance(&models->truths, &models->scene, setting->size, bits);
 }
 
+/* Each voxel has a centre, and a point of the model is as far from the nearest of all at least. */
+static void find_least_error(void *scene, const void *setting, TechniqueError *least)
+{
+    VoxelModels *models = scene;
+    const VoxelOptions *options = setting;
+    *least = (TechniqueError){ .error = voxel_truths_least_distance(&models->truths, &models->scene,
+                                                                    options->voxels.size),
+                               .whole = 1000 };
+}
+
 static GpResult measure_error(void *scene, const Frame *frame, TechniqueError *measured,
                               GpError *error)
 {
@@ -194,6 +204,7 @@ const Experiment voxel_experiments[] = {
       .find_truth = find_truth,
       .measure = measure,
       .measure_error = measure_error,
+      .least_error = find_least_error,
       BESIDE_EXACT_VOXELS },
     { .name = "solids",
       .title = "Solid voxels: time against wrong volume",

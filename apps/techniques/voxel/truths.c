@@ -118,19 +118,34 @@ static TruthTriangle *model_triangles(const VoxelScene *scene)
     return voxel_true_triangles(scene, &model_space);
 }
 
+/* False without memory. */
+static bool make_distance(VoxelTruths *truths, const VoxelScene *scene)
+{
+    if (truths->has_distance)
+        return true;
+    TruthTriangle *triangles = model_triangles(scene);
+    truths->has_distance =
+        triangles && !voxel_distance_make(triangles, scene->mesh.triangle_count, &truths->distance);
+    gp_free(triangles);
+    return truths->has_distance;
+}
+
+double voxel_truths_least_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size)
+{
+    const VoxelBox space = voxel_scene_box(scene, size);
+    double least;
+    if (!make_distance(truths, scene) ||
+        voxel_distance_least(&truths->distance, &space, truths->pool, &least))
+        return 0;
+    return 1000 * least;
+}
+
 static double find_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size,
                             const uint8_t *bits)
 {
-    if (!truths->has_distance) {
-        TruthTriangle *triangles = model_triangles(scene);
-        truths->has_distance =
-            triangles &&
-            !voxel_distance_make(triangles, scene->mesh.triangle_count, &truths->distance);
-        gp_free(triangles);
-    }
     const VoxelBox space = voxel_scene_box(scene, size);
     VoxelApart apart;
-    if (!truths->has_distance ||
+    if (!make_distance(truths, scene) ||
         voxel_distance_find(&truths->distance, &space, bits, truths->pool, &apart))
         return (double)NAN;
     return 1000 * fmax(apart.to_voxels, apart.to_model);

@@ -64,6 +64,9 @@ double voxel_truths_distance(VoxelTruths *truths, const VoxelScene *scene, uint3
 double voxel_truths_wrong_volume(VoxelTruths *truths, const VoxelScene *scene, VoxelInside inside,
                                  uint32_t size, const uint8_t *bits);
 
+/* What voxel_truths_distance is at least, whatever a volume holds; 0 without memory. */
+double voxel_truths_least_distance(VoxelTruths *truths, const VoxelScene *scene, uint32_t size);
+
 void voxel_truths_free(VoxelTruths *truths); /* zeroes it; a zeroed one is fine */
 
 /* Voxels of a volume of bits that must be set and are not, and those that must not be and are. */

@@ -247,6 +247,52 @@ static void volumes_keep_their_error_on_any_model(void **state)
     }
 }
 
+/* What is known without drawing changes how many are drawn, and nothing else. */
+static void what_is_ruled_out_would_not_have_been_chosen(void **state)
+{
+    (void)state;
+    static const TechniqueSweep sweep[] = {
+        { "thin", "--method thin --size 8|16|24" },
+        { "conservative", "--method conservative --size 8|16|24" },
+        { "slices", "--method slices --size 8|16" },
+        { .method = NULL },
+    };
+    static const double most[] = { 0, 20, 25, 30, 60, 200 };
+    const Technique *technique = technique_find(technique_registry, "voxelize");
+    GpDevice *device = new_device();
+    uint32_t ruled_out = 0;
+    void *scene;
+    assert_int_equal(technique_open(technique, "builtin:torus", 0, 0, &scene, NULL), GP_OK);
+    for (size_t i = 0; i < GP_COUNT(most); i++) {
+        Promise promises[2];
+        for (int all = 0; all < 2; all++) {
+            Experiment experiment = technique->experiments[0];
+            experiment.sweep = sweep;
+            if (all)
+                experiment.least_error = NULL;
+            const PromiseJob job = { .technique = technique,
+                                     .experiment = &experiment,
+                                     .scene = scene,
+                                     .setting = technique->defaults,
+                                     .extension = "nrrd",
+                                     .device = device,
+                                     .most = most[i] };
+            Measured measured = { .settings = json_object() };
+            assert_int_equal(promise_choose(&job, &measured, &promises[all], NULL), GP_OK);
+            measured_close(&measured);
+        }
+        assert_string_equal(promises[0].chosen.options, promises[1].chosen.options);
+        assert_true(promises[0].measured.error == promises[1].measured.error);
+        assert_int_equal(promises[0].is_kept, promises[1].is_kept);
+        assert_int_equal(promises[0].tried, promises[1].tried);
+        assert_int_equal(promises[0].drawn + promises[0].ruled_out, promises[1].drawn);
+        ruled_out += promises[0].ruled_out;
+    }
+    assert_true(ruled_out > 10);
+    technique->close(scene);
+    gp_device_destroy(&device);
+}
+
 /* Where half of a light is enough to know, the errors are those of all of it. */
 static void the_truth_for_errors_alone_has_the_same_errors(void **state)
 {
@@ -444,6 +490,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(shadows_keep_their_error_on_any_scene),
         IN_FOLDER(volumes_keep_their_error_on_any_model),
+        IN_FOLDER(what_is_ruled_out_would_not_have_been_chosen),
         IN_FOLDER(the_truth_for_errors_alone_has_the_same_errors),
         IN_FOLDER(the_key_changes_with_all_that_a_measurement_depends_on),
         IN_FOLDER(settings_aside_are_in_the_key_and_pictures_of_volumes_are_not),

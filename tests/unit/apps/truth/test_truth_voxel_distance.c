@@ -16,6 +16,7 @@ static void set(uint8_t *volume, uint32_t size, size_t x, size_t y, size_t z, bo
     volume[i / 8] = (uint8_t)((volume[i / 8] & ~(1u << i % 8)) | (unsigned)value << i % 8);
 }
 
+/* The same by any number of threads, and never below what is the least. */
 static VoxelApart find(const VoxelDistance *distance, const VoxelBox *space, const uint8_t *volume)
 {
     VoxelApart apart[2];
@@ -23,7 +24,10 @@ static VoxelApart find(const VoxelDistance *distance, const VoxelBox *space, con
     for (int i = 0; i < 2; i++) {
         GpPool *pool;
         assert_int_equal(gp_pool_create(threads[i], &pool, NULL), GP_OK);
+        double least;
         assert_int_equal(voxel_distance_find(distance, space, volume, pool, &apart[i]), GP_OK);
+        assert_int_equal(voxel_distance_least(distance, space, pool, &least), GP_OK);
+        assert_true(least <= apart[i].to_voxels);
         gp_pool_destroy(&pool);
     }
     assert_memory_equal(&apart[0], &apart[1], sizeof apart[0]);
@@ -160,6 +164,29 @@ static uint8_t *touched_voxels(const TruthTriangle *triangles, uint32_t count,
     return volume;
 }
 
+/* The least is what a full volume has, to the bit, wherever the model lies. */
+static void nothing_is_nearer_than_a_full_volume(void **state)
+{
+    (void)state;
+    static const double places[][4] = { { 1, 0, 0, 0 }, { 0.7, 5, -3, 2.125 }, { 3, -20, 1, 0.1 } };
+    VoxelDistance distance;
+    GpPool *pool;
+    make_square(&distance);
+    memset(bits, 0xff, sizeof bits);
+    assert_int_equal(gp_pool_create(2, &pool, NULL), GP_OK);
+    for (size_t i = 0; i < GP_COUNT(places); i++) {
+        const double *place = places[i];
+        const VoxelBox space = { .size = SIZE,
+                                 .scale = place[0],
+                                 .offset = { place[1], place[2], place[3] } };
+        double least;
+        assert_int_equal(voxel_distance_least(&distance, &space, pool, &least), GP_OK);
+        assert_true(least > 0 && least == find(&distance, &space, bits).to_voxels);
+    }
+    gp_pool_destroy(&pool);
+    voxel_distance_free(&distance);
+}
+
 /* A point's nearest centre is that of its own voxel, whatever the model and the size. */
 static void touched_voxels_are_half_a_voxel_away(void **state)
 {
@@ -277,6 +304,7 @@ int main(void)
         cmocka_unit_test(a_strange_voxel_is_as_far_as_it_is),
         cmocka_unit_test(nothing_is_a_whole_side_away),
         cmocka_unit_test(what_is_cut_off_is_not_lost),
+        cmocka_unit_test(nothing_is_nearer_than_a_full_volume),
         cmocka_unit_test(touched_voxels_are_half_a_voxel_away),
         cmocka_unit_test(centres_are_as_far_from_a_sphere_as_their_radius_says),
         cmocka_unit_test(the_pyramid_finds_the_nearest_of_all),

@@ -1,0 +1,23 @@
+#include "apps/commands/progress.h"
+
+#include "apps/base/machine.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+Progress progress_begin(const Options *options)
+{
+    return (Progress){ options, machine_clock_ms(CLOCK_MONOTONIC) };
+}
+
+void progress_tell(const void *user, uint32_t done, uint32_t total, const char *text)
+{
+    const Progress *progress = user;
+    const bool is_long = machine_clock_ms(CLOCK_MONOTONIC) - progress->start_ms > 1000;
+    if (progress->options->quiet || !is_long || !isatty(STDERR_FILENO))
+        return;
+    if (done < total)
+        fprintf(stderr, "\r\033[K%u/%u %s", done + 1, total, text);
+    else
+        fputs("\r\033[K", stderr);
+}
