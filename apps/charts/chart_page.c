@@ -22,7 +22,7 @@ static const char style[] =
     "nav a { display: inline-block; margin-right: 18px }\n"
     "svg { display: block; width: 100%; min-width: 940px; height: auto; border-radius: 8px }\n"
     "svg { margin-top: -36px } svg .title { display: none }\n"
-    "figure { margin: 0 0 28px }\n"
+    "th, td { white-space: nowrap } figure { margin: 0 0 28px }\n"
     ".beside { display: grid; gap: 8px; grid-template-columns: 1fr 2fr; align-items: start }\n"
     ".alone { max-width: 400px }\n"
     ".beside img, .alone img { width: 100%; border-radius: 6px; display: block }\n"

@@ -14,8 +14,9 @@ static const TechniqueWord common[] = {
     { "frame", "One picture, or one volume, from nothing to done." },
     { "ms", "Milliseconds that one frame took, from its begin to its end: the median of those that "
             "were drawn, so that as many took longer as took less." },
-    { "middle half", "Half of the frames took as long as the bar through a point is wide: from the "
-                     "lower quartile of their times to the upper one." },
+    { "middle half",
+      "The bar through a point: a quarter of the frames took less time than its lesser "
+      "end, and a quarter more than its greater one." },
     { "best", "No other setting is both faster and nearer to the exact result. Best settings have "
               "colours, and a line joins them: the least error that can be had within a time." },
     { "beaten", "Grey: another setting is as fast and as near to the exact result, and better in "

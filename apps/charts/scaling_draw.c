@@ -232,6 +232,12 @@ static void draw_legend(const Scaling *scaling, Text *svg)
     }
 }
 
+/* To two digits, and none of them "-0.00". */
+static double rounded(double power)
+{
+    return round(100 * power) / 100 + 0.0;
+}
+
 /* What the lines' slopes are, as they were measured. returns how many rows */
 static int draw_powers(const Panel *panel, Text *svg)
 {
@@ -247,7 +253,7 @@ static int draw_powers(const Panel *panel, Text *svg)
         if (!scaling_power(panel->scaling, panel->number, line, &power))
             continue;
         snprintf(words, sizeof words, "%s: %.2f (%.2f to %.2f)", panel->table->lines[line].name,
-                 power.power, power.least, power.most);
+                 rounded(power.power), rounded(power.least), rounded(power.most));
         svg_words(svg, panel->box.left, y + POWERS_ROW * rows++, "start", style, words);
     }
     return rows;

@@ -58,8 +58,8 @@ const TechniqueWord shadow_words[] = {
     { "fit, near sides",
       "As fit to casters, with only the sides that face the light in the map, and "
       "depths of 32 bits." },
-    { "fit to the eye", "As fit, near sides, but the map is warped, so that its texels are smaller "
-                        "near to the eye." },
+    { "fit to the eye", "As fit, near sides, but the map covers only what of that is seen, and is "
+                        "warped, so that its texels are smaller near to the eye." },
     { "adaptive", "As fit, near sides, but where shadows end in the picture, tiles of the map are "
                   "drawn again, finer." },
     { "soft", "A map of plain depths; how far away the caster is tells how wide the half shadow of "

@@ -94,8 +94,8 @@ const TechniqueWord voxel_solid_words[] = {
       "axes, then each row of voxels filled between one surface and the next, and "
       "of the three answers the majority." },
     { "slices",
-      "The model once for each layer of voxels, cut to it by two planes; what is cut open "
-      "is filled by turning bits over." },
+      "The oldest method: the model once for each layer of voxels, cut to what lies before the "
+      "layer's centres; each triangle there turns over the voxels that it covers." },
     { "layered depths", "Surfaces are peeled off one behind the other along one axis, and rows "
                         "filled from each odd one to the next." },
     { "six faces", "The model's depths as seen from the six faces of its box; what lies behind all "
