@@ -37,8 +37,7 @@ typedef struct TechniqueSweep {
 typedef struct TechniqueError {
     double error;                          /* what the chart's axis shows; 0: none */
     double metrics[TECHNIQUE_MAX_METRICS]; /* as many as the experiment names */
-    double
-        whole; /* 100 per cent of the error: pixels covered; 0 where the experiment has no such */
+    double whole; /* 100 per cent of the error: pixels covered; 0 where there is no such */
 } TechniqueError;
 
 /* Speed against accuracy: a chart. */

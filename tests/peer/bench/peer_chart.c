@@ -85,7 +85,9 @@ static void draw_row(const PlotScale *scale, const Row *row, double y, Text *svg
 {
     const bool mean = strcmp(row->name, "mean") == 0;
     const char *style = mean ? svg_bold : " font-size=\"13\"";
-    const char *color = !row->target ? without_target : row->ratio >= row->target ? met : missed;
+    const char *color = row->target == 0            ? without_target
+                        : row->ratio >= row->target ? met
+                                                    : missed;
     const double one = plot_place(scale, 1), end = plot_place(scale, row->ratio);
     char note[80], first[32], second[32];
     svg_rectangle(svg, end < one ? end : one, y + 4, end < one ? one - end : end - one, PITCH - 8,

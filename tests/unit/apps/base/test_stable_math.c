@@ -9,7 +9,7 @@
 /* Units in the last place between a value and the truth. */
 static double ulps(double value, long double truth)
 {
-    const long double unit = ldexpl(DBL_EPSILON, ilogbl(truth));
+    const long double unit = ldexpl(1, ilogbl(truth) - (DBL_MANT_DIG - 1));
     return (double)fabsl(((long double)value - truth) / unit);
 }
 

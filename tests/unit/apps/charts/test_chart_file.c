@@ -98,7 +98,7 @@ static void csv_quotes_what_needs_it(void **state)
           .time.cpu_ms = 2,
           .time.low_ms = 0.25,
           .time.frames = 7,
-          .measured = { 1e-300, { 3, (double)NAN } },
+          .measured = { .error = 1e-300, .metrics = { 3, (double)NAN } },
           .best = true },
         { .method = "plain", .options = "--two\nlines --c 3 --cc=4", .time.ms = 1.0 / 3 },
     };

@@ -164,7 +164,7 @@ static void what_is_kept_draws_the_same(void **state)
     ShadowKept *kept = shadow_keep(&scene, &memory);
     assert_non_null(kept);
     for (int i = 0; i < 2 * (LIGHT_FIT_ADAPTIVE + 1); i++) {
-        const ShadowSetting setting = setting_of(i % (LIGHT_FIT_ADAPTIVE + 1));
+        const ShadowSetting setting = setting_of((LightFit)(i % (LIGHT_FIT_ADAPTIVE + 1)));
         Frame frame = build_with(&scene, kept, &setting), fresh = build(&scene, &setting);
         draw(&frame, GP_EXECUTOR_FAST, 2);
         draw(&fresh, GP_EXECUTOR_FAST, 2);
