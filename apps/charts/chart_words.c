@@ -65,22 +65,27 @@ static void add_known(const TechniqueWord *words, const char *word, const char *
         add_word(word, sentence ? sentence : otherwise, page);
 }
 
-static bool is_method(const Experiment *experiment, const char *word)
+/* Of the sweep, or of one of one's own, where settings name methods. */
+static bool is_method(const Experiment *experiment, const Technique *technique, const char *word)
 {
     for (const TechniqueSweep *row = experiment->sweep; row->method; row++)
         if (strcmp(row->method, word) == 0)
             return true;
+    for (const SettingField *field = technique->settings; field->name; field++)
+        for (int i = 0; field->names && field->names[i]; i++)
+            if (strcmp(field->names[i], word) == 0)
+                return true;
     return false;
 }
 
 /* Words of the subject, which the other sentences use. */
-static void add_terms(const Experiment *experiment, Text *page)
+static void add_terms(const Experiment *experiment, const Technique *technique, Text *page)
 {
     for (const TechniqueWord *word = experiment->words; word && word->word; word++) {
         bool is_metric = strcmp(experiment->error_name, word->word) == 0;
         for (int i = 0; experiment->metrics && experiment->metrics[i]; i++)
             is_metric |= strcmp(experiment->metrics[i], word->word) == 0;
-        if (!is_metric && !is_method(experiment, word->word))
+        if (!is_metric && !is_method(experiment, technique, word->word))
             add_word(word->word, word->sentence, page);
     }
 }
@@ -131,7 +136,7 @@ void chart_add_words(const Chart *chart, const Technique *const *techniques, Tex
     add_known(experiment->words, chart->error_name, NULL, page);
     for (int i = 0; i < chart->metric_count; i++)
         add_known(experiment->words, chart->metrics[i], NULL, page);
-    add_terms(experiment, page);
+    add_terms(experiment, technique, page);
     add_methods(chart, experiment, page);
     add_options(chart, technique, page);
     end(page);

@@ -34,19 +34,20 @@ const TechniqueWord shadow_words[] = {
     { "plain, nearest", "The map's depths are kept as colours, and a pixel is compared with the "
                         "texel that is nearest "
                         "to it, with a fixed bias: the simplest of the printed methods." },
-    { "plain, four compares", "The same with the four texels around the pixel, each compared, and "
-                              "their answers mixed by how near they are." },
+    { "plain, four compares",
+      "As plain, nearest, with the four texels around the pixel, each compared, and "
+      "their answers mixed by how near they are." },
     { "hardware, nearest",
       "The map is a depth surface that compares by itself when it is read; one "
       "texel, a fixed bias." },
     { "hardware, 2x2", "A depth surface that compares its four texels and mixes their answers; a "
                        "fixed bias." },
     { "slope-scaled bias",
-      "The same without a fixed bias: the map's depths are moved away from the "
+      "As hardware, 2x2, without a fixed bias: the map's depths are moved away from the "
       "light, the more the steeper a surface lies to it." },
     { "dark by triangles",
-      "The same, and a triangle that faces away from the light is dark whatever "
-      "the map says; the methods above ask smoothed normals." },
+      "As slope-scaled bias, and a triangle that faces away from the light is dark "
+      "whatever the map and its smoothed normals say." },
     { "16 bits", "As dark by triangles, with 16 bits for a depth in the map." },
     { "far sides", "As dark by triangles, but only sides that face away from the light are drawn "
                    "into the map, so that errors of depth lie inside of things." },
