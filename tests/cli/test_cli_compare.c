@@ -226,7 +226,8 @@ static void write_random_pair(Random *random, const char *extension)
 /* Between two differences of codes, so that no rounding decides. */
 static double random_threshold(Random *random, int most)
 {
-    return (random_int(random, 0, most) + (double)random_float(random, 0.2f, 0.8f)) / 255;
+    const double code = random_int(random, 0, most);
+    return (code + (double)random_float(random, 0.2f, 0.8f)) / 255;
 }
 
 static void fifty_random_pairs_have_the_verdicts_of_idiff(void **state)
@@ -244,11 +245,14 @@ static void fifty_random_pairs_have_the_verdicts_of_idiff(void **state)
         char limits[256];
         write_random_pair(&random, extension);
         const double fail = random_threshold(&random, 12), warn = random_threshold(&random, 12);
+        const double hard_warn = warn + random_threshold(&random, 20);
+        const int warn_percent = random_int(&random, 0, 60);
+        const double hard_fail = fail + random_threshold(&random, 20);
+        const int fail_percent = random_int(&random, 0, 60);
         snprintf(limits, sizeof limits,
                  "-fail %.6f -failpercent %d -hardfail %.6f -warn %.6f -warnpercent %d "
                  "-hardwarn %.6f",
-                 fail, random_int(&random, 0, 60), fail + random_threshold(&random, 20), warn,
-                 random_int(&random, 0, 60), warn + random_threshold(&random, 20));
+                 fail, fail_percent, hard_fail, warn, warn_percent, hard_warn);
         const int theirs = shell("idiff %s 0.%s 1.%s", limits, extension, extension);
         const int code = shell("glasspipe compare $(echo %s | sed 's/-[a-z]/-&/g') 0.%s 1.%s",
                                limits, extension, extension);
