@@ -13,7 +13,7 @@ static void make_scenes(int count)
         char path[64], text[sizeof scene];
         snprintf(path, sizeof path, "set/s%02d.json", i);
         strcpy(text, scene);
-        char digits[8];
+        char digits[16];
         snprintf(digits, sizeof digits, "%02d", i);
         memcpy(strstr(text, "0.25, 0.5") + 2, digits, 2); /* the background's red */
         write_file(path, text);
@@ -59,7 +59,7 @@ static void each_way_to_fail_has_its_state_and_stops_no_other(void **state)
     (void)state;
     make_scenes(6);
     for (int i = 0; i < 5; i++) {
-        char name[8];
+        char name[16];
         snprintf(name, sizeof name, "s%02d", i);
         bless(name);
     }
@@ -180,7 +180,7 @@ static void a_hundred_small_scenes_take_a_moment(void **state)
     struct rusage before, after;
     make_scenes(10);
     for (int i = 0; i < 10; i++) {
-        char name[8];
+        char name[16];
         snprintf(name, sizeof name, "s%02d", i);
         bless(name);
         assert_int_equal(shell("for d in 1 2 3 4 5 6 7 8 9; do for e in json hash png; do "

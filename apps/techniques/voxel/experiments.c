@@ -144,8 +144,8 @@ static void make_true(const FlatTexture *flat, const VoxelTruth *truth)
                     const size_t i = x + size * (y + size * z);
                     if (z >= size)
                         break;
-                    least |= (truth->least[i / 8] >> i % 8 & 1u) << k;
-                    most |= (truth->most[i / 8] >> i % 8 & 1u) << k;
+                    least |= (uint32_t)(truth->least[i / 8] >> i % 8 & 1) << k;
+                    most |= (uint32_t)(truth->most[i / 8] >> i % 8 & 1) << k;
                 }
                 word = (word | least) & most;
                 memcpy(texel, &word, sizeof word);
