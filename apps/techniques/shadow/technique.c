@@ -227,6 +227,7 @@ static GpResult cast_truth(void *made, int threads, bool only_lit, GpError *erro
                               .threads = threads,
                               .only_lit = only_lit };
     TruthScene *triangles = NULL;
+    shadow_truth_free(&opened->truth); /* of an earlier question */
     GpResult result = collect_triangles(scene, &triangles);
     if (!result)
         result = shadow_truth_cast(triangles, &view, &opened->truth);
