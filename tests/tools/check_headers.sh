@@ -7,20 +7,9 @@
 set -u
 include=$1
 shift
-count=0 failed=0
+. tests/tools/tap.sh
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-
-result() {
-    count=$((count + 1))
-    if [ "$1" = 0 ]; then
-        echo "ok $count - $2"
-    else
-        echo "not ok $count - $2"
-        sed 's/^/# /' "$log"
-        failed=1
-    fi
-}
 
 # The standards of one header: the vocabulary is C in lanes, and C++20 in counting.
 standards() {
@@ -59,7 +48,7 @@ for compiler; do
             esac
         done
     done
-    result "$good" "every header compiles alone: $compiler"
+    result "$good" "every header compiles alone: $compiler" "$log"
 done
 
 # Names at file scope, of what the preprocessor left of our own files, and our macros.
@@ -102,7 +91,7 @@ for compiler; do
     found=$(grep -vE '^(gp_|Gp|GP_|GLASSPIPE_H$)' "$log")
     echo "$found" >"$log"
     [ -z "$found" ]
-    result $? "glasspipe.h has no name without gp_, Gp or GP_"
+    result $? "glasspipe.h has no name without gp_, Gp or GP_" "$log"
     break
 done
 echo "1..$count"

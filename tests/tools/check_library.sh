@@ -15,27 +15,11 @@ readme=$root/README.md
 export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
 CC=${CC:-gcc} CXX=${CXX:-g++}
 unset MAKEFLAGS MFLAGS MAKELEVEL GP_ISA
-count=0 failed=0
+. tests/tools/tap.sh
 
 # One block of the README, which names its file in the first line.
 block() {
     awk -v first="$1" '/^```/ { inside = 0 } inside || $0 == first { inside = 1; print }' "$readme"
-}
-
-result() {
-    count=$((count + 1))
-    if [ "$1" = 0 ]; then
-        echo "ok $count - $2"
-    else
-        echo "not ok $count - $2"
-        sed 's/^/# /' "$use/log"
-        failed=1
-    fi
-}
-
-skip() {
-    count=$((count + 1))
-    echo "ok $count - $1 # SKIP $2"
 }
 
 # Draws at each width that the processor has: one hash, the README's picture.
@@ -73,7 +57,7 @@ project() {
 by_make() {
     (project "$1" && make CC="$CC" CXX="$CXX" CFLAGS='-Wall -Wextra -Werror' \
         CXXFLAGS='-std=c++17 -Wall -Wextra -Werror' && draws ./draw .) >"$use/log" 2>&1
-    result $? "$1 by make: one hash at every width, and the README's picture"
+    result $? "$1 by make: one hash at every width, and the README's picture" "$use/log"
 }
 
 by_cmake() {
@@ -81,7 +65,7 @@ by_cmake() {
         -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_STANDARD=17 \
         -DCMAKE_C_FLAGS='-Wall -Wextra -Werror' -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' &&
         cmake --build build -j2 && cd build && draws ./draw .) >"$use/log" 2>&1
-    result $? "$1 by CMake: one hash at every width, and the README's picture"
+    result $? "$1 by CMake: one hash at every width, and the README's picture" "$use/log"
 }
 
 # A main beside shaders that are compiled for several widths would stand there several times.
@@ -89,7 +73,7 @@ main_is_refused() {
     (project C && echo 'int main(void) { return 0; }' >>triangle.c &&
         ! make CC="$CC" CXX="$CXX" triangle.lanes8.o 2>message &&
         grep 'a shader file has no main' message) >"$use/log" 2>&1
-    result $? "a main in a shader file is refused with a sentence"
+    result $? "a main in a shader file is refused with a sentence" "$use/log"
 }
 
 by_make C

@@ -2,11 +2,11 @@
 #include "apps/compare/comparison_page.h"
 #include "apps/compare/comparison_views.h"
 #include "tests/support/markup.h"
+#include "tests/support/one_pool.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
 
-static GpPool *pool;
 static const char *const names[2] = { "a<b>.png", "\"c\" & d.png" };
 static const ComparisonSettings no_settings;
 
@@ -99,19 +99,6 @@ static void a_part_ends_where_the_picture_does(void **state)
     picture_free(&part);
 }
 
-static int begin(void **state)
-{
-    (void)state;
-    return gp_pool_create(1, &pool, NULL);
-}
-
-static int end(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -120,5 +107,5 @@ int main(void)
         cmocka_unit_test(differences_are_scaled_and_those_of_alpha_are_grey),
         cmocka_unit_test(a_part_ends_where_the_picture_does),
     };
-    return cmocka_run_group_tests(tests, begin, end);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }

@@ -4,6 +4,7 @@
  * alone, which the paper's formulas give. */
 #include "apps/compare/flip.h"
 #include "apps/compare/flip_color.h"
+#include "tests/support/one_pool.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
@@ -12,7 +13,6 @@
 enum { WIDTH = 96, HEIGHT = 70 };
 
 static float values[2][HEIGHT * WIDTH * 4], map[HEIGHT * WIDTH];
-static GpPool *pool;
 
 static FlipReport flip(uint32_t width, uint32_t height, int channels, double ppd)
 {
@@ -166,19 +166,6 @@ static void grey_alpha_and_values_beyond_codes_are_taken_as_stated(void **state)
     assert_true(flip(1, 1, 1, 500).max > 0.5);
 }
 
-static int begin(void **state)
-{
-    (void)state;
-    return gp_pool_create(1, &pool, NULL);
-}
-
-static int end(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -188,5 +175,5 @@ int main(void)
         cmocka_unit_test(threads_change_no_bit_and_order_of_pictures_none_of_the_map),
         cmocka_unit_test(grey_alpha_and_values_beyond_codes_are_taken_as_stated),
     };
-    return cmocka_run_group_tests(tests, begin, end);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }
