@@ -48,7 +48,7 @@ for compiler; do
             esac
         done
     done
-    result "$good" "every header compiles alone: $compiler" "$log"
+    tried "$good" "every header compiles alone: $compiler" "$log"
 done
 
 # Names at file scope, of what the preprocessor left of our own files, and our macros.
@@ -91,7 +91,7 @@ for compiler; do
     found=$(grep -vE '^(gp_|Gp|GP_|GLASSPIPE_H$)' "$log")
     echo "$found" >"$log"
     [ -z "$found" ]
-    result $? "glasspipe.h has no name without gp_, Gp or GP_" "$log"
+    tried $? "glasspipe.h has no name without gp_, Gp or GP_" "$log"
     break
 done
 echo "1..$count"

@@ -57,7 +57,7 @@ project() {
 by_make() {
     (project "$1" && make CC="$CC" CXX="$CXX" CFLAGS='-Wall -Wextra -Werror' \
         CXXFLAGS='-std=c++17 -Wall -Wextra -Werror' && draws ./draw .) >"$use/log" 2>&1
-    result $? "$1 by make: one hash at every width, and the README's picture" "$use/log"
+    tried $? "$1 by make: one hash at every width, and the README's picture" "$use/log"
 }
 
 by_cmake() {
@@ -65,7 +65,7 @@ by_cmake() {
         -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_CXX_STANDARD=17 \
         -DCMAKE_C_FLAGS='-Wall -Wextra -Werror' -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' &&
         cmake --build build -j2 && cd build && draws ./draw .) >"$use/log" 2>&1
-    result $? "$1 by CMake: one hash at every width, and the README's picture" "$use/log"
+    tried $? "$1 by CMake: one hash at every width, and the README's picture" "$use/log"
 }
 
 # A main beside shaders that are compiled for several widths would stand there several times.
@@ -73,7 +73,7 @@ main_is_refused() {
     (project C && echo 'int main(void) { return 0; }' >>triangle.c &&
         ! make CC="$CC" CXX="$CXX" triangle.lanes8.o 2>message &&
         grep 'a shader file has no main' message) >"$use/log" 2>&1
-    result $? "a main in a shader file is refused with a sentence" "$use/log"
+    tried $? "a main in a shader file is refused with a sentence" "$use/log"
 }
 
 by_make C

@@ -6,15 +6,9 @@
 # A line of mistakes is "STATEMENT # WORDS": compiled inside a pixel shader, the statement is refused with
 # words of ours. All stand in one file, since each is refused by itself.
 include=$1 library=$2
-number=0 failed=0
+. tests/tools/tap.sh
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-
-result() {
-    number=$((number + 1))
-    echo "$1 $number - $2"
-    [ "$1" != "not ok" ] || failed=1
-}
 
 mistakes() {
     cat <<'EOF'
@@ -164,5 +158,5 @@ for compiler in gcc clang; do
         result ok "$compiler # SKIP not installed"
     fi
 done
-echo "1..$number"
+echo "1..$count"
 exit $failed

@@ -10,7 +10,7 @@
 program=$1
 cases=tests/golden/pictures.txt
 data=${GLASSPIPE_DATA:-../shared/data}
-number=0 failed=0
+. tests/tools/tap.sh
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -28,12 +28,6 @@ draw() {
     esac
     # shellcheck disable=SC2086 # arguments of several words, none with blanks
     ${EMULATOR:-} "$program" $1 -q -o "$output" 2>&1 | tr '\n' ' ' | sed 's/ $//'
-}
-
-result() {
-    number=$((number + 1))
-    echo "$1 $number - $2"
-    [ "$1" = ok ] || failed=1
 }
 
 # lacks_data FILE DRAWN: a scene that names data; a case of bench that draws nothing
@@ -103,5 +97,5 @@ for command in $("$program" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*
     fi
 done
 [ "$techniques" -ge 2 ] || result "not ok" "only $techniques techniques are found in the help"
-echo "1..$number"
+echo "1..$count"
 exit "$failed"

@@ -14,13 +14,7 @@ root=$(pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 unset GLASSPIPE_DATA
-number=0 failed=0
-
-result() {
-    number=$((number + 1))
-    echo "$1 $number - $2"
-    [ "$1" = ok ] || failed=1
-}
+. tests/tools/tap.sh
 
 # Puts the lines together that end with a backslash.
 joined() {
@@ -43,7 +37,7 @@ run_one() { # PAGE COMMAND, in the page's folder
     case "$2 " in
     *"glasspipe chart "* | *"glasspipe bench " | *"glasspipe bench --images "*)
         if [ -z "$GP_TEST_PRINTED" ]; then
-            result ok "$1: $2 # SKIP takes minutes; GP_TEST_PRINTED=1 runs it"
+            skip "$1: $2" "takes minutes; GP_TEST_PRINTED=1 runs it"
             return
         fi
         ;;
@@ -109,9 +103,9 @@ for page in "$root"/apps/man/*.1; do
         cd "$scratch/checkout" || exit 1
         PATH=$scratch/checkout/out/bin:$PATH run_page "$name --help" <"$scratch/help"
     else
-        result ok "$name --help # SKIP its commands are the page's; GP_TEST_PRINTED=1 runs them in the checkout"
+        skip "$name --help" "its commands are the page's; GP_TEST_PRINTED=1 runs them in the checkout"
     fi
 done
 [ "$pages" -ge 9 ] || result "not ok" "only $pages manual pages"
-echo "1..$number"
+echo "1..$count"
 exit "$failed"

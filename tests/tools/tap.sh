@@ -4,20 +4,24 @@
 # shellcheck shell=sh disable=SC2034
 count=0 failed=0
 
-# result STATUS NAME LOG: ok where the status is 0; where it is not, the log stands behind
+# result WORD NAME: the word is "ok" or "not ok"
 result() {
     count=$((count + 1))
+    echo "$1 $count - $2"
+    [ "$1" = ok ] || failed=1
+}
+
+# tried STATUS NAME LOG: ok where the status is 0; where it is not, the log stands behind
+tried() {
     if [ "$1" = 0 ]; then
-        echo "ok $count - $2"
+        result ok "$2"
     else
-        echo "not ok $count - $2"
+        result "not ok" "$2"
         sed 's/^/# /' "$3"
-        failed=1
     fi
 }
 
 # skip NAME REASON
 skip() {
-    count=$((count + 1))
-    echo "ok $count - $1 # SKIP $2"
+    result ok "$1 # SKIP $2"
 }
