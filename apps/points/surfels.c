@@ -1,0 +1,13 @@
+#include "apps/points/surfels.h"
+
+GpResult surfels_alloc(Surfels *surfels, uint32_t count)
+{
+    *surfels = (Surfels){ .surfels = gp_alloc(count, sizeof(Surfel)), .count = count };
+    return surfels->surfels ? GP_OK : GP_ERROR_MEMORY;
+}
+
+void surfels_free(Surfels *surfels)
+{
+    gp_free(surfels->surfels);
+    *surfels = (Surfels){ .surfels = NULL };
+}

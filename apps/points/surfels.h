@@ -1,0 +1,47 @@
+/* Surfels: the points of a surface, each a small disc of it.
+ *
+ * source Pfister, Zwicker, van Baar and Gross, "Surfels: surface elements as rendering primitives",
+ *        SIGGRAPH 2000; Zwicker et al., "Surface splatting", SIGGRAPH 2001.
+ */
+#ifndef APPS_POINTS_SURFELS_H
+#define APPS_POINTS_SURFELS_H
+
+#include "pipeline/base/base.h"
+
+/* As vertex streams take it: 32 bytes. */
+typedef struct Surfel {
+    float position[3]; /* of the model, finite */
+    float radius; /* standard deviation of the Gaussian on the disc, in the model's unit, > 0; discs
+                          of that radius leave no hole where the sampling is watertight */
+    float normal[3];  /* unit length, outwards */
+    uint8_t color[3]; /* red, green, blue, as stored in files; white where there is none */
+    uint8_t share;    /* of the area 2 pi radius^2, how much this surfel stands for, in 255ths, at
+                          least 1: sums of Gaussians times their share are 1 on a flat surface,
+                          however dense its points are */
+} Surfel;
+
+typedef struct Surfels {
+    Surfel *surfels; /* [count] */
+    uint32_t count;
+    bool had_normals, had_radii, had_colors; /* the file stored them; what it did not was made */
+} Surfels;
+
+/* The area that a surfel stands for, from its radius and share; and the share of an area. */
+static inline double surfel_area(const Surfel *surfel)
+{
+    return 6.283185307179586 / 255 * surfel->share * surfel->radius * surfel->radius;
+}
+
+static inline uint8_t surfel_share(double area, double radius)
+{
+    const double share = area / (6.283185307179586 * radius * radius) * 255 + 0.5;
+    return share < 1 ? 1 : share > 255 ? 255 : (uint8_t)share;
+}
+
+/* errors GP_ERROR_MEMORY; owns: the caller, until surfels_free */
+GpResult surfels_alloc(Surfels *surfels, uint32_t count);
+
+/* Frees and zeroes; a zeroed one is fine. */
+void surfels_free(Surfels *surfels);
+
+#endif
