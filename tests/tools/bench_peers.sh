@@ -65,7 +65,7 @@ run() {
 our_cases=" $("$glasspipe" bench -l | xargs) "
 cases=
 # shellcheck disable=SC2046 # names without spaces
-[ $# -gt 0 ] || set -- $("$peer" -l)
+[ $# -gt 0 ] || set -- $(sed '/^mean /d; s/[# ].*//' "$here/../peer/bench/cases.txt")
 for case in "$@"; do
     case $our_cases in
     *" $case "*) cases="$cases $case" ;;
