@@ -8,6 +8,8 @@
 
 #include "pipeline/base/base.h"
 
+#include <math.h>
+
 /* As vertex streams take it: 32 bytes. */
 typedef struct Surfel {
     float position[3]; /* of the model, finite */
@@ -15,8 +17,8 @@ typedef struct Surfel {
                           of that radius leave no hole where the sampling is watertight */
     float normal[3];  /* unit length, outwards */
     uint8_t color[3]; /* red, green, blue, as stored in files; white where there is none */
-    uint8_t share;    /* of the area 2 pi radius^2, how much this surfel stands for, in 255ths, at
-                          least 1: sums of Gaussians times their share are 1 on a flat surface,
+    uint8_t share;     /* (share / 255)^2 is how much of the area 2 pi radius^2 this surfel stands
+                          for, at least 1: sums of Gaussians times that are 1 on a flat surface,
                           however dense its points are */
 } Surfel;
 
@@ -29,13 +31,14 @@ typedef struct Surfels {
 /* The area that a surfel stands for, from its radius and share; and the share of an area. */
 static inline double surfel_area(const Surfel *surfel)
 {
-    return 6.283185307179586 / 255 * surfel->share * surfel->radius * surfel->radius;
+    const double side = (double)surfel->share / 255 * (double)surfel->radius;
+    return 6.283185307179586 * side * side;
 }
 
 static inline uint8_t surfel_share(double area, double radius)
 {
-    const double share = area / (6.283185307179586 * radius * radius) * 255 + 0.5;
-    return share < 1 ? 1 : share > 255 ? 255 : (uint8_t)share;
+    const double share = sqrt(area / 6.283185307179586) / radius * 255 + 0.5;
+    return !(share > 1) ? 1 : share > 255 ? 255 : (uint8_t)share;
 }
 
 /* errors GP_ERROR_MEMORY; owns: the caller, until surfels_free */
