@@ -8,7 +8,7 @@
 #define GP_IO_MESH_FORMATS_H
 
 #include "pipeline/io/mesh/mesh_builder.h"
-#include "pipeline/io/mesh/mesh_input.h"
+#include "pipeline/io/input.h"
 
 /* One per format.
  * in     input: at the start of a file that is not empty; what means nothing may be blanked in it
@@ -20,8 +20,5 @@ void gp_mesh_read_obj(GpInput *input, GpMeshBuilder *mesh);
 void gp_mesh_read_ply(GpInput *input, GpMeshBuilder *mesh);
 void gp_mesh_read_stl(GpInput *input, GpMeshBuilder *mesh);
 void gp_mesh_read_om(GpInput *input, GpMeshBuilder *mesh);
-
-/* Largest count of vertices, faces or corners that a file may promise. */
-#define GP_MESH_COUNT_MAX ((int64_t)0x7fffffff)
 
 #endif

@@ -232,7 +232,7 @@ static void prepare(Obj *obj)
     size_t size = (size_t)count * sizeof(Vertex);
     if (input->result != GP_OK)
         return;
-    if (count > GP_MESH_COUNT_MAX)
+    if (count > GP_INPUT_COUNT_MAX)
         input->result =
             gp_fail(input->error, GP_ERROR_UNSUPPORTED, "%s: more than 2^31 vertices", input->path);
     else if (colors != 0 && colors != count)

@@ -55,7 +55,7 @@ static bool read_counts(GpInput *input, int64_t count[3])
     for (int i = 0; i < 3; i++) {
         GpWord word;
         if (!gp_input_any_word(input, &word) || !gp_word_integer(&word, &count[i]) ||
-            count[i] < 0 || count[i] > GP_MESH_COUNT_MAX)
+            count[i] < 0 || count[i] > GP_INPUT_COUNT_MAX)
             return gp_input_fail(input, GP_ERROR_FORMAT,
                                  "expected the counts of vertices, faces and edges");
     }

@@ -1,8 +1,11 @@
-/* Lines, words, numbers and bytes of mesh files, for their readers (internal). */
-#ifndef GP_IO_MESH_INPUT_H
-#define GP_IO_MESH_INPUT_H
+/* Lines, words, numbers and bytes of files of meshes and points, for their readers (internal). */
+#ifndef GP_IO_INPUT_H
+#define GP_IO_INPUT_H
 
 #include "pipeline/base/base.h"
+
+/* Largest count of vertices, faces or corners that a file may promise. */
+#define GP_INPUT_COUNT_MAX ((int64_t)0x7fffffff)
 
 /* A word: size bytes without white space. Not terminated, but something that ends a number follows
  * it (white space or the zero byte after a file). */

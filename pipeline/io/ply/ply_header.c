@@ -1,6 +1,4 @@
-#include "pipeline/io/mesh/mesh_ply_header.h"
-
-#include "pipeline/io/mesh/mesh_formats.h"
+#include "pipeline/io/ply/ply_header.h"
 
 #include <string.h>
 
@@ -32,6 +30,7 @@ static const char *const vertex_names[PLY_VERTEX_ROLES][3] = {
     [PLY_GREEN] = { "green", "diffuse_green" },
     [PLY_BLUE] = { "blue", "diffuse_blue" },
     [PLY_ALPHA] = { "alpha" },
+    [PLY_RADIUS] = { "radius" },
 };
 
 size_t gp_ply_size(PlyType type)
@@ -78,7 +77,7 @@ static bool parse_element(PlyHeader *header, GpInput *input)
     if (!gp_input_word(input, &name) || !gp_input_word(input, &count) ||
         !gp_word_integer(&count, &number) || number < 0)
         return fail(input, "an element's name and count");
-    if (number > GP_MESH_COUNT_MAX || number > input->end - input->begin)
+    if (number > GP_INPUT_COUNT_MAX || number > input->end - input->begin)
         return gp_input_fail(input, GP_ERROR_FORMAT,
                              "%lld elements are promised, but the file has %zu bytes",
                              (long long)number, (size_t)(input->end - input->begin));

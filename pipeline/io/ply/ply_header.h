@@ -1,9 +1,9 @@
-/* The header of a PLY file (internal to the PLY reader).
+/* The header of a PLY file (internal, for the readers of meshes and of points).
  * source Greg Turk, "The PLY Polygon File Format", 1994 */
-#ifndef GP_IO_MESH_PLY_HEADER_H
-#define GP_IO_MESH_PLY_HEADER_H
+#ifndef GP_IO_PLY_HEADER_H
+#define GP_IO_PLY_HEADER_H
 
-#include "pipeline/io/mesh/mesh_input.h"
+#include "pipeline/io/input.h"
 
 typedef enum PlyType {
     PLY_INT8,
@@ -31,6 +31,7 @@ typedef enum PlyRole {
     PLY_GREEN,
     PLY_BLUE,
     PLY_ALPHA,
+    PLY_RADIUS, /* of a point */
     PLY_VERTEX_ROLES,
     PLY_CORNERS = PLY_VERTEX_ROLES, /* the list of a face */
     PLY_IGNORED

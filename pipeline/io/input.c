@@ -1,4 +1,4 @@
-#include "pipeline/io/mesh/mesh_input.h"
+#include "pipeline/io/input.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,0 +1,142 @@
+#include "pipeline/io/ply/ply_items.h"
+
+#include "pipeline/io/bytes.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void gp_ply_fail(const PlyItems *items, const char *expected)
+{
+    static const char *const names[] = { "vertex", "face", "element" };
+    gp_input_fail(items->input, GP_ERROR_FORMAT, "%s %zu: expected %s", names[items->element->kind],
+                  items->item, expected);
+}
+
+static bool read_word(const PlyItems *items, GpWord *word)
+{
+    if (gp_input_any_word(items->input, word))
+        return true;
+    gp_ply_fail(items, "a number, but the file ends");
+    return false;
+}
+
+static double value_of_word(const PlyItems *items, PlyType type, const GpWord *word)
+{
+    float number;
+    int64_t integer;
+    char shown[44], expected[96];
+    if (type >= PLY_FLOAT32 && gp_word_number(word, &number))
+        return (double)number;
+    if (type < PLY_FLOAT32 && gp_word_integer(word, &integer))
+        return (double)integer;
+    snprintf(expected, sizeof expected, "%s, found '%s'",
+             type >= PLY_FLOAT32 ? "a finite number" : "an integer", gp_word_show(word, shown));
+    gp_ply_fail(items, expected);
+    return 0;
+}
+
+static double value_of_bits(PlyType type, uint64_t bits)
+{
+    union {
+        uint64_t u;
+        double d;
+    } pun = { .u = bits };
+    switch (type) {
+    case PLY_INT8:
+        return (int8_t)bits;
+    case PLY_INT16:
+        return (int16_t)bits;
+    case PLY_INT32:
+        return (int32_t)bits;
+    case PLY_FLOAT32:
+        return (double)gp_bits_float((uint32_t)bits);
+    case PLY_FLOAT64:
+        return pun.d;
+    default:
+        return (double)bits;
+    }
+}
+
+double gp_ply_value(const PlyItems *items, PlyType type)
+{
+    GpWord word;
+    if (items->header->encoding == PLY_ASCII)
+        return read_word(items, &word) ? value_of_word(items, type, &word) : 0;
+    size_t size = gp_ply_size(type);
+    const char *bytes = gp_input_take(items->input, size);
+    if (!bytes)
+        gp_ply_fail(items, "more bytes, but the file ends");
+    else if (items->header->encoding == PLY_BIG)
+        return value_of_bits(type, gp_load_big(bytes, size));
+    else
+        return value_of_bits(type, gp_load_little(bytes, size));
+    return 0;
+}
+
+size_t gp_ply_length(const PlyItems *items, const PlyProperty *property)
+{
+    double value = gp_ply_value(items, property->count_type);
+    double left = (double)(items->input->end - items->input->next);
+    size_t size = items->header->encoding == PLY_ASCII ? 1 : gp_ply_size(property->type);
+    if (value >= 0 && value * (double)size <= left)
+        return (size_t)value;
+    gp_ply_fail(items, "a list length that fits into the file");
+    return 0;
+}
+
+void gp_ply_skip(const PlyItems *items, const PlyProperty *property)
+{
+    GpWord word;
+    size_t length = property->is_list ? gp_ply_length(items, property) : 1;
+    for (size_t i = 0; i < length && items->input->result == GP_OK; i++) {
+        if (items->header->encoding == PLY_ASCII)
+            read_word(items, &word);
+        else
+            gp_ply_value(items, property->type);
+    }
+}
+
+float gp_ply_number(const PlyItems *items, PlyType type)
+{
+    float value = (float)gp_ply_value(items, type);
+    if (isfinite(value))
+        return value;
+    gp_ply_fail(items, "a finite number");
+    return 0;
+}
+
+uint8_t gp_ply_color(const PlyItems *items, PlyType type)
+{
+    double value = gp_ply_value(items, type);
+    if (type >= PLY_FLOAT32) {
+        if (!isfinite(value))
+            gp_ply_fail(items, "a finite number");
+        double scaled = value * 255 + 0.5;
+        return (uint8_t)(scaled > 255 ? 255 : scaled >= 0 ? scaled : 0); /* 0 for NaN */
+    }
+    if (!(value >= 0 && value <= (type == PLY_UINT16 ? 65535 : 255))) {
+        gp_ply_fail(items, "a colour in 0..255");
+        return 0;
+    }
+    return (uint8_t)(type == PLY_UINT16 ? value / 257 + 0.5 : value);
+}
+
+void gp_ply_items(GpInput *input, const PlyHeader *header, PlyItemFn read, void *context)
+{
+    bool is_ascii = header->encoding == PLY_ASCII;
+    input->number = is_ascii ? input->number + 1 : 0;
+    PlyItems items = { .input = input, .header = header };
+    for (size_t i = 0; i < header->element_count; i++) {
+        items.element = &header->element[i];
+        for (items.item = 0; items.item < items.element->count && input->result == GP_OK;
+             items.item++)
+            read(&items, context);
+    }
+    GpWord word;
+    bool is_left = is_ascii ? gp_input_any_word(input, &word) : input->next < input->end;
+    input->number = 0;
+    input->place = input->next;
+    if (is_left)
+        gp_input_fail(input, GP_ERROR_FORMAT,
+                      "expected the end of the file after its last element");
+}

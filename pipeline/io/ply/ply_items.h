@@ -1,0 +1,38 @@
+/* The body of a PLY file (internal): its elements' items, one after the other, with properties of any
+ * type. */
+#ifndef GP_IO_PLY_ITEMS_H
+#define GP_IO_PLY_ITEMS_H
+
+#include "pipeline/io/ply/ply_header.h"
+
+/* Where a reader is. */
+typedef struct PlyItems {
+    GpInput *input;
+    const PlyHeader *header;
+    const PlyElement *element; /* the present one */
+    size_t item;               /* of it */
+} PlyItems;
+
+/* Reads or skips each property of the present item, in their order. */
+typedef void (*PlyItemFn)(const PlyItems *items, void *context);
+
+/* Calls read for every item until a fault. What follows the last item is one. */
+void gp_ply_items(GpInput *input, const PlyHeader *header, PlyItemFn read, void *context);
+
+/* The next value. After a fault, 0. */
+double gp_ply_value(const PlyItems *items, PlyType type); /* a floating-point one may be anything */
+float gp_ply_number(const PlyItems *items, PlyType type); /* finite */
+
+/* A colour in 256 steps: integers of 0..255, of 0..65535 in ushorts, or floats of 0..1, which are
+ * clamped. */
+uint8_t gp_ply_color(const PlyItems *items, PlyType type);
+
+/* The length of a list, whose entries fit into the file; 0 after a fault. */
+size_t gp_ply_length(const PlyItems *items, const PlyProperty *property);
+
+void gp_ply_skip(const PlyItems *items, const PlyProperty *property);
+
+/* "path: line 5: vertex 2: expected ..." */
+void gp_ply_fail(const PlyItems *items, const char *expected);
+
+#endif
