@@ -17,7 +17,7 @@ typedef struct Surfel {
                           of that radius leave no hole where the sampling is watertight */
     float normal[3];  /* unit length, outwards */
     uint8_t color[3]; /* red, green, blue, as stored in files; white where there is none */
-    uint8_t share;     /* (share / 255)^2 is how much of the area 2 pi radius^2 this surfel stands
+    uint8_t share;    /* (share / 255)^2 is how much of the area 2 pi radius^2 this surfel stands
                           for, at least 1: sums of Gaussians times that are 1 on a flat surface,
                           however dense its points are */
 } Surfel;
