@@ -1,0 +1,139 @@
+#include "apps/points/subdivide.h"
+
+#include "apps/points/edges.h"
+
+#include <string.h>
+
+static GpResult alloc_mesh(uint32_t vertices, uint32_t triangles, bool has_colors, GpMesh *mesh)
+{
+    *mesh = (GpMesh){ .positions = gp_alloc_unset(3 * (size_t)vertices * sizeof(float)),
+                      .normals = gp_alloc(3 * (size_t)vertices, sizeof(float)),
+                      .colors =
+                          has_colors ? gp_alloc_unset(4 * (size_t)vertices * sizeof(float)) : NULL,
+                      .indices = gp_alloc_unset(3 * (size_t)triangles * sizeof(uint32_t)),
+                      .vertex_count = vertices,
+                      .triangle_count = triangles,
+                      .had_colors = has_colors };
+    if (mesh->positions && mesh->normals && (!has_colors || mesh->colors) && mesh->indices)
+        return GP_OK;
+    gp_mesh_free(mesh);
+    return GP_ERROR_MEMORY;
+}
+
+static bool is_triangle(const uint32_t corner[3])
+{
+    return corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0];
+}
+
+/* Numbers the vertices that triangles use from 1 on, in their order; 0: not used. */
+static uint32_t number_referenced(const GpMesh *mesh, uint32_t *number, uint32_t *triangles)
+{
+    uint32_t count = 0;
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
+        const uint32_t *corner = mesh->indices + 3 * t;
+        if (!is_triangle(corner))
+            continue;
+        ++*triangles;
+        for (int i = 0; i < 3; i++)
+            number[corner[i]] = 1;
+    }
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        if (number[v])
+            number[v] = ++count;
+    }
+    return count;
+}
+
+GpResult mesh_of_referenced(const GpMesh *mesh, GpMesh *referenced)
+{
+    uint32_t triangles = 0;
+    uint32_t *number = gp_alloc(mesh->vertex_count, sizeof *number);
+    if (!number)
+        return GP_ERROR_MEMORY;
+    const uint32_t count = number_referenced(mesh, number, &triangles);
+    GpMesh made;
+    GpResult result = alloc_mesh(count, triangles, mesh->colors != NULL, &made);
+    for (size_t v = 0; result == GP_OK && v < mesh->vertex_count; v++) {
+        if (number[v] == 0)
+            continue;
+        const size_t to = number[v] - 1;
+        memcpy(made.positions + 3 * to, mesh->positions + 3 * v, 3 * sizeof(float));
+        if (made.colors)
+            memcpy(made.colors + 4 * to, mesh->colors + 4 * v, 4 * sizeof(float));
+    }
+    uint32_t *index = made.indices;
+    for (size_t t = 0; result == GP_OK && t < mesh->triangle_count; t++) {
+        const uint32_t *corner = mesh->indices + 3 * t;
+        for (int i = 0; is_triangle(corner) && i < 3; i++)
+            *index++ = number[corner[i]] - 1;
+    }
+    gp_free(number);
+    if (result == GP_OK && (result = gp_mesh_normals(&made, true)) != GP_OK)
+        gp_mesh_free(&made);
+    if (result == GP_OK)
+        *referenced = made;
+    return result;
+}
+
+static float middle(float a, float b)
+{
+    return (float)(((double)a + (double)b) / 2);
+}
+
+static void add_midpoints(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
+{
+    const size_t count = mesh->vertex_count;
+    memcpy(finer->positions, mesh->positions, 3 * count * sizeof(float));
+    if (mesh->colors)
+        memcpy(finer->colors, mesh->colors, 4 * count * sizeof(float));
+    for (size_t e = 0; e < edges->count; e++) {
+        const size_t a = edges->ends[2 * e], b = edges->ends[2 * e + 1], to = count + e;
+        for (size_t i = 0; i < 3; i++)
+            finer->positions[3 * to + i] =
+                middle(mesh->positions[3 * a + i], mesh->positions[3 * b + i]);
+        for (size_t i = 0; mesh->colors && i < 4; i++)
+            finer->colors[4 * to + i] = middle(mesh->colors[4 * a + i], mesh->colors[4 * b + i]);
+    }
+}
+
+/* The triangles at the corners, in the order of the corners, then the middle one. */
+static void cut_triangles(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
+{
+    uint32_t *to = finer->indices;
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
+        const uint32_t *corner = mesh->indices + 3 * t, *edge = edges->of_side + 3 * t;
+        uint32_t middles[3];
+        for (int i = 0; i < 3; i++)
+            middles[i] = mesh->vertex_count + edge[i];
+        for (int i = 0; i < 3; i++) {
+            *to++ = corner[i];
+            *to++ = middles[i];
+            *to++ = middles[(i + 2) % 3];
+        }
+        for (int i = 0; i < 3; i++)
+            *to++ = middles[i];
+    }
+}
+
+GpResult mesh_subdivide(const GpMesh *mesh, GpMesh *finer)
+{
+    if (mesh->triangle_count > INT32_MAX / 12)
+        return GP_ERROR_UNSUPPORTED;
+    Edges edges;
+    GpResult result = edges_find(mesh, &edges);
+    if (result != GP_OK)
+        return result;
+    GpMesh made;
+    result = alloc_mesh(mesh->vertex_count + edges.count, 4 * mesh->triangle_count,
+                        mesh->colors != NULL, &made);
+    if (result == GP_OK) {
+        add_midpoints(mesh, &edges, &made);
+        cut_triangles(mesh, &edges, &made);
+    }
+    edges_free(&edges);
+    if (result == GP_OK && (result = gp_mesh_normals(&made, true)) != GP_OK)
+        gp_mesh_free(&made);
+    if (result == GP_OK)
+        *finer = made;
+    return result;
+}

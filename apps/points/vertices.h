@@ -1,0 +1,22 @@
+/* Surfels of the vertices of a mesh. */
+#ifndef APPS_POINTS_VERTICES_H
+#define APPS_POINTS_VERTICES_H
+
+#include "apps/points/surfels.h"
+#include "pipeline/io/mesh/mesh.h"
+
+/* A surfel a vertex, in their order, with its normal and colour. It stands for a third of the area of
+ * the triangles at it.
+ *
+ * The radius is one for all: the smallest at which discs around the vertices leave no hole, which is the
+ * largest triangle_reach. Or (each) a vertex has that of the triangles at it, so that a few large
+ * triangles do not widen all discs.
+ * in     mesh: with an area, as mesh_of_referenced makes it
+ * errors GP_ERROR_MEMORY
+ * owns   the caller, until surfels_free */
+GpResult surfels_of_vertices(const GpMesh *mesh, bool each, Surfels *surfels);
+
+/* The area of all triangles. */
+double mesh_area(const GpMesh *mesh);
+
+#endif
