@@ -105,6 +105,10 @@ static json_t *test_event(const GpTraceEvent *event)
                   "stored", json_number(test->stored), "passed", test->passed);
     json_object_set_new(object, "incoming_code", json_integer(test->incoming_code));
     json_object_set_new(object, "stored_code", json_integer(test->stored_code));
+    if (test->ternary) {
+        json_object_set_new(object, "ternary", json_string(gp_trace_ternary(test)));
+        json_object_set_new(object, "epsilon", json_number(test->epsilon));
+    }
     if (test->stencil_before >= 0) {
         json_object_set_new(object, "stencil_before", json_integer(test->stencil_before));
         json_object_set_new(object, "stencil_after", json_integer(test->stencil_after));

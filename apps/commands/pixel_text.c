@@ -277,6 +277,8 @@ static void print_test(PixelText *history, const GpTraceEvent *event)
         fprintf(history->file, "%.6g %s %.6g: ", test->incoming, compare_signs[test->compare],
                 test->stored);
     fputs(verdict(history, test->passed).text, history->file);
+    if (test->ternary)
+        fprintf(history->file, ": %s by epsilon %.9g", gp_trace_ternary(test), test->epsilon);
     if (test->stencil_before >= 0)
         fprintf(history->file, "; stencil %d becomes %d", test->stencil_before,
                 test->stencil_after);

@@ -15,6 +15,8 @@ static void read_depth(Node node, GpDepthState *depth)
     node_define(&node, "depth");
     node_enum(&node, "test", gp_compare_names, GP_COMPARES, &depth->test);
     depth->write = node_bool(node_member(&node, "write"), depth->write);
+    depth->ternary = node_bool(node_member(&node, "ternary"), depth->ternary);
+    depth->epsilon = node_number(node_member(&node, "epsilon"), depth->epsilon, 0, 1);
     node_close(&node);
 }
 

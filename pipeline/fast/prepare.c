@@ -41,8 +41,8 @@ static bool nearest_wins(const FastDraw *d)
     const GpState *state = &d->draw->state;
     const bool nearer = state->depth.test == GP_LESS || state->depth.test == GP_LESS_EQUAL;
     return d->path == FAST_ORDERED && d->late_depth && nearer && state->depth.write &&
-           !d->needs.stencil && !d->needs.shader_depth && replaces_everything(d->pass, d->draw) &&
-           d->draw->geometry.primitive != GP_POINTS;
+           !d->needs.ternary && !d->needs.stencil && !d->needs.shader_depth &&
+           replaces_everything(d->pass, d->draw) && d->draw->geometry.primitive != GP_POINTS;
 }
 
 /* Points of which nothing is asked but bits and where they are. */
@@ -169,6 +169,8 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->late_depth = d->needs.late_depth;
     d->path = choose_path(d);
     d->nearest_wins = nearest_wins(d);
+    if (d->needs.ternary)
+        d->epsilon = gp_depth_code(pass->pass->depth.surface->format, draw->state.depth.epsilon);
     if (d->path == FAST_NOTHING)
         d->primitive_count = 0;
     if (!prepare_indices(arena, d))

@@ -78,8 +78,8 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
 /* Checks everything that can be checked before the first pixel: targets (formats, equal sizes, no
  * surface twice, none that is also a texture of the pass), programs (gp_program_check, targets
  * written against targets bound), geometry (streams present, indices in range), state (enumerations,
- * scissor, finite viewport inside the guard band, blending and logic on formats that have them,
- * stencil only with stencil bits), textures (bound where the program reads, compare samplers on
+ * scissor, finite viewport inside the guard band, a ternary test with its compare function and epsilon,
+ * blending and logic on formats that have them, stencil only with stencil bits), textures (bound where the program reads, compare samplers on
  * depth surfaces, local reads on surfaces of the pass's size).
  * errors GP_ERROR_INVALID, with the pass, the draw and the field named:
  *        "pass 2 'light', draw 0 'quad': textures[1].surface: not bound, but deferred_program reads

@@ -298,6 +298,12 @@ static GpResult check_depth_state(const Place *place)
         return refuse(place, "state.depth.test", "unknown");
     if ((state->depth.test != GP_ALWAYS || state->depth.write) && !depth)
         return refuse(place, "state.depth", "is on, but the pass has no depth target");
+    if (!(state->depth.epsilon >= 0 && isfinite(state->depth.epsilon)))
+        return refuse(place, "state.depth.epsilon", "expected a finite number from 0 on");
+    if (state->depth.epsilon > 0 && !state->depth.ternary)
+        return refuse(place, "state.depth.epsilon", "is of the ternary test, which is off");
+    if (state->depth.ternary && (state->depth.test != GP_LESS_EQUAL || !state->depth.write))
+        return refuse(place, "state.depth.ternary", "needs the test less-equal, and write");
     if ((unsigned)state->alpha_test.test >= GP_COMPARES)
         return refuse(place, "state.alpha_test.test", "unknown");
     if (!state->stencil.enable)

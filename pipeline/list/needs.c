@@ -33,6 +33,7 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_
     needs.shader_depth = program->writes_depth && pass->depth.surface;
     needs.alpha_test = state->alpha_test.test != GP_ALWAYS && gp_program_targets(program) > 0;
     needs.depth_test = pass->depth.surface && state->depth.test != GP_ALWAYS;
+    needs.ternary = needs.depth_test && state->depth.ternary;
     needs.depth_write = pass->depth.surface && state->depth.write;
     needs.stencil = pass->depth.surface && state->stencil.enable;
     needs.depth = (needs.depth_test || needs.depth_write) && !needs.shader_depth;
@@ -85,6 +86,7 @@ void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS])
         { "alpha test", needs->alpha_test, "a function is set", "off" },
         { "stencil", needs->stencil, "enabled", "off, or no stencil target" },
         { "depth test", needs->depth_test, "a function is set", "off, or no depth target" },
+        { "ternary test", needs->ternary, "an epsilon tells replaced, added and dropped", "off" },
         { "depth write", needs->depth_write, "on", "off, or no depth target" },
         { "blending", needs->blend, "a target is read before it is written", "no target is read" },
         { "colour write", needs->color, "a target keeps some channel written",

@@ -17,7 +17,7 @@ typedef struct GpNeeds {
                            them where the program was not counted */
     bool quads;        /* whole 2x2 quads with helper pixels: derivatives or mip levels */
     bool depth;        /* interpolated depth is needed at all */
-    bool depth_test, depth_write, stencil, alpha_test, discard, shader_depth;
+    bool depth_test, ternary, depth_write, stencil, alpha_test, discard, shader_depth;
     bool blend; /* some target is read before it is written */
     bool scissor, cull, depth_bias;
     uint8_t clip_planes; /* user planes in use */
@@ -36,7 +36,7 @@ typedef struct GpUnitNeed {
     const char *why; /* it runs, or not: "no target is read" */
 } GpUnitNeed;
 
-enum { GP_UNIT_NEEDS = 17 };
+enum { GP_UNIT_NEEDS = 18 };
 
 /* The needs in words, a row for each unit, in the order of the pipeline. */
 void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS]);

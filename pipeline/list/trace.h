@@ -100,8 +100,13 @@ typedef struct GpTraceTest {
     double incoming, stored;             /* the two operands */
     uint32_t incoming_code, stored_code; /* depth only: the codes that are compared (R21) */
     bool passed;
+    bool ternary, replaced;                /* depth only: what passes replaces, or else is added */
+    double epsilon;                        /* of the ternary test */
     int32_t stencil_before, stencil_after; /* -1 without stencil */
 } GpTraceTest;
+
+/* What the ternary test says: "replaced", "added" or "dropped". */
+const char *gp_trace_ternary(const GpTraceTest *test);
 
 /* How a fragment met what the target held. */
 typedef struct GpTraceOutput {

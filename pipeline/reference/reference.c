@@ -56,6 +56,8 @@ static void write_targets(const GpReferenceDraw *d, GpQuad *quad)
             continue;
         float shaded[4][4];
         memcpy(shaded, quad->color[t], sizeof shaded);
+        if (state->depth.ternary)
+            gp_output_clear(surface, blend->keep, quad);
         gp_output_load(surface, t, quad);
         for (int pixel = 0; pixel < 4; pixel++) {
             if (!gp_blend_reads_target(blend) || !(quad->mask >> pixel & 1))

@@ -283,6 +283,9 @@ void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsign
             GpTraceEvent event = test_event(d, quad, i, "depth", quad->depth_passed >> i & 1);
             GpFormat format = d->pass->depth.surface->format;
             event.test.compare = d->draw->state.depth.test;
+            event.test.ternary = d->draw->state.depth.ternary;
+            event.test.replaced = quad->replaced >> i & 1;
+            event.test.epsilon = (double)d->draw->state.depth.epsilon;
             event.test.incoming = (double)gp_depth_from_code(format, quad->depth_incoming[i]);
             event.test.stored = (double)gp_depth_from_code(format, quad->depth_stored[i]);
             event.test.incoming_code = quad->depth_incoming[i];

@@ -82,6 +82,7 @@ typedef struct GpQuad {
     uint32_t depth_incoming[4], depth_stored[4]; /* codes, as compared (R21) */
     uint8_t stencil_before[4], stencil_after[4];
     unsigned stencil_passed, depth_passed;
+    unsigned replaced; /* bit i: by the ternary test pixel i replaces what its targets hold */
 } GpQuad;
 
 #endif

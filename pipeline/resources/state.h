@@ -61,10 +61,16 @@ typedef struct GpViewport {
     bool has_depth_range; /* min_depth and max_depth hold as they are: to say 0 and 0 */
 } GpViewport;
 
-/* The depth test. All zero: none, and depth is not written. */
+/* The depth test. All zero: none, and depth is not written.
+ *
+ * The ternary test is an extension (CONVENTIONS.md): a fragment in front of the stored depth by more
+ * than epsilon replaces what the pixel's targets hold, one within epsilon is blended with it, one
+ * behind by more is dropped. It asks for GP_LESS_EQUAL and for write, which stores the nearer depth. */
 typedef struct GpDepthState {
     GpCompare test; /* incoming TEST stored */
     bool write;     /* store the depth of fragments that pass; works with GP_ALWAYS too */
+    bool ternary;
+    float epsilon; /* of the ternary test, in depth units, from 0 on */
 } GpDepthState;
 
 /* What becomes of a stencil value. */

@@ -27,6 +27,31 @@ uint8_t gp_stencil_apply(GpStencilOp op, uint8_t stored, uint8_t reference)
     }
 }
 
+uint32_t gp_depth_put_back(GpFormat format, uint32_t code, float epsilon)
+{
+    if (format != GP_D32F)
+        return code + gp_depth_code(format, epsilon);
+    return gp_float_bits(gp_canonical(gp_bits_float(code) + epsilon));
+}
+
+/* What the depth test says of a pixel. */
+typedef struct Verdict {
+    bool passed, replaced;
+    uint32_t written; /* the code that is stored where it passes */
+} Verdict;
+
+static Verdict test_depth(const GpDepthStencil *unit, uint32_t incoming, uint32_t stored)
+{
+    const GpFormat format = unit->surface->format;
+    const GpDepthState *depth = &unit->depth;
+    if (!depth->ternary)
+        return (Verdict){ .passed = gp_compare_codes(depth->test, incoming, stored),
+                          .written = incoming };
+    return (Verdict){ .passed = incoming <= gp_depth_put_back(format, stored, depth->epsilon),
+                      .replaced = gp_depth_put_back(format, incoming, depth->epsilon) < stored,
+                      .written = incoming < stored ? incoming : stored };
+}
+
 static void test_pixel(const GpDepthStencil *unit, const GpStencilFace *face, GpQuad *quad,
                        int pixel)
 {
@@ -47,27 +72,28 @@ static void test_pixel(const GpDepthStencil *unit, const GpStencilFace *face, Gp
     uint8_t seen = (uint8_t)~unit->stencil.ignore;
     bool stencil_passed = !face || gp_compare_codes(face->test, unit->stencil.reference & seen,
                                                     stored_stencil & seen);
-    bool depth_passed = gp_compare_codes(unit->depth.test, incoming, stored_depth);
+    const Verdict verdict = test_depth(unit, incoming, stored_depth);
 
     uint8_t stencil = stored_stencil;
     if (face) {
-        GpStencilOp op = !stencil_passed ? face->fail
-                         : !depth_passed ? face->depth_fail
-                                         : face->pass;
+        GpStencilOp op = !stencil_passed   ? face->fail
+                         : !verdict.passed ? face->depth_fail
+                                           : face->pass;
         uint8_t result = gp_stencil_apply(op, stored_stencil, unit->stencil.reference);
         uint8_t keep = unit->stencil.keep;
         stencil = (uint8_t)((stored_stencil & keep) | (result & ~keep));
     }
-    bool passed = stencil_passed && depth_passed;
-    gp_depth_store(surface->format, texel, passed && unit->depth.write ? incoming : stored_depth,
-                   stencil);
+    bool passed = stencil_passed && verdict.passed;
+    gp_depth_store(surface->format, texel,
+                   passed && unit->depth.write ? verdict.written : stored_depth, stencil);
 
     quad->depth_incoming[pixel] = incoming;
     quad->depth_stored[pixel] = stored_depth;
     quad->stencil_before[pixel] = stored_stencil;
     quad->stencil_after[pixel] = stencil;
     quad->stencil_passed |= (unsigned)stencil_passed << pixel;
-    quad->depth_passed |= (unsigned)depth_passed << pixel;
+    quad->depth_passed |= (unsigned)verdict.passed << pixel;
+    quad->replaced |= (unsigned)(passed && verdict.replaced) << pixel;
     if (!passed)
         quad->mask &= ~(1u << pixel);
 }
@@ -78,7 +104,7 @@ void gp_depth_stencil(const GpDepthStencil *unit, GpQuad *quad)
     const GpStencilFace *face = !stencil->enable                     ? NULL
                                 : stencil->two_sided && !quad->front ? &stencil->back
                                                                      : &stencil->front;
-    quad->stencil_passed = quad->depth_passed = 0;
+    quad->stencil_passed = quad->depth_passed = quad->replaced = 0;
     for (int pixel = 0; unit->surface && pixel < 4; pixel++)
         if (quad->mask >> pixel & 1)
             test_pixel(unit, face, quad, pixel);

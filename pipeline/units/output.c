@@ -21,6 +21,14 @@ void gp_output_load(const GpSurface *surface, int target, GpQuad *quad)
     }
 }
 
+void gp_output_clear(GpSurface *surface, unsigned keep, const GpQuad *quad)
+{
+    static const float nothing[4] = { 0 };
+    for (int pixel = 0; pixel < 4; pixel++)
+        if (quad->replaced >> pixel & 1)
+            gp_texel_store(surface->format, texel_under(surface, quad, pixel), nothing, keep);
+}
+
 void gp_output_store(GpSurface *surface, int target, unsigned keep, const GpQuad *quad)
 {
     for (int pixel = 0; pixel < 4; pixel++) {

@@ -123,6 +123,48 @@ static void expect_passes(const char *arguments, const char *expected)
         fail_msg("pixel %s: passes %s instead of %s", arguments, passes, expected);
 }
 
+/* Spheres at four distances. */
+static void a_ternary_test_tells_replaced_added_and_dropped(void **state)
+{
+    (void)state;
+    static const double places[] = { 0, 0.05, 1, -1 };
+    static const char *const verdicts[] = { "replaced", "added", "replaced", "dropped" };
+    char text[2000] = "{ \"size\": [16, 16], \"camera\": { \"eye\": [0, 0, 4], \"at\": [0, 0, 0], "
+                      "\"near\": 1, \"far\": 10 }, \"objects\": [";
+    for (size_t i = 0; i < GP_COUNT(places); i++)
+        snprintf(strchr(text, '\0'), 400,
+                 "%s{ \"mesh\": \"builtin:sphere\", \"transform\": { \"translate\": [0, 0, %g], "
+                 "\"scale\": 0.5 }, \"state\": { \"cull\": \"cw\", \"depth\": { \"ternary\": true, "
+                 "\"epsilon\": "
+                 "0.03125 } } }",
+                 i ? ", " : "", places[i]);
+    strcat(text, "] }");
+    write_file("ternary.json", text);
+    assert_int_equal(shell("glasspipe pixel ternary.json 8 8"), 0);
+    const char *at = out;
+    for (size_t i = 0; i < GP_COUNT(verdicts); i++) {
+        char expected[64];
+        snprintf(expected, sizeof expected, "%sed: %s by epsilon 0.03125\n",
+                 i == 3 ? "fail" : "pass", verdicts[i]);
+        at = strstr(at, expected);
+        if (!at)
+            fail_msg("no '%s' after the one before it in %s", expected, out);
+    }
+    assert_int_equal(shell("glasspipe pixel ternary.json 8 8 --json"), 0);
+    json_t *object = parse_output(), *event;
+    size_t i, met = 0;
+    json_array_foreach(json_object_get(object, "events"), i, event)
+    {
+        const char *verdict = json_string_value(json_object_get(event, "ternary"));
+        if (verdict)
+            assert_string_equal(verdict, verdicts[met++]);
+    }
+    assert_int_equal(met, GP_COUNT(verdicts));
+    json_decref(object);
+    assert_int_equal(shell("glasspipe explain ternary.json"), 0);
+    expect_matches(out, "\n    ternary test          runs     an epsilon tells");
+}
+
 static void a_pixel_can_be_followed_through_one_pass(void **state)
 {
     (void)state;
@@ -145,6 +187,7 @@ int main(void)
         PROGRAM_TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
         PROGRAM_TEST(the_history_of_a_covered_pixel_names_every_stage),
         PROGRAM_TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
+        PROGRAM_TEST(a_ternary_test_tells_replaced_added_and_dropped),
         PROGRAM_TEST(a_pixel_can_be_followed_through_one_pass),
     };
     return cmocka_run_group_tests_name("explain and pixel", tests, find_program, NULL);

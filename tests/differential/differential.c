@@ -3,11 +3,12 @@
  *
  *   differential A..B     the seeds from A up to and with B (default 0..1999)
  *
- * Odd seeds add variety (random_variety.h). $GP_ISA forces a lane width. Threads change from seed to
- * seed. Speaks TAP, and ends with
+ * Odd seeds add variety (random_variety.h), every other pair ternary depth tests (random_ternary.h).
+ * $GP_ISA forces a lane width. Threads change from seed to seed. Speaks TAP, and ends with
  * "N passed, M failed"; a seed that fails says how to run it alone.
  */
 #include <glasspipe/glasspipe.h>
+#include "tests/support/random_ternary.h"
 #include "tests/support/random_variety.h"
 
 #include <inttypes.h>
@@ -25,7 +26,8 @@ static bool draw(uint64_t seed, const GpDeviceDesc *desc, RandomList *random, Gp
 {
     GpDevice *device = NULL;
     if (!random_list_create(seed, largest_side(seed), random) ||
-        (seed % 2 && !random_variety_add(seed, random))) {
+        (seed % 2 && !random_variety_add(seed, random)) ||
+        (seed % 4 > 1 && !random_ternary_add(seed, random))) {
         gp_fail(error, GP_ERROR_MEMORY, "no memory for the scene");
         return false;
     }

@@ -6,10 +6,11 @@
  *
  * A line is "case attachment WxH format hash". Both executors draw every case; $GP_ISA chooses the
  * shader code, and where the processor has no such code all is skipped; nothing may change with
- * either. Frames come from seeds (tests/support/random_list.h, random_variety.h), so that between them
- * they use every state, format, primitive and program.
+ * either. Frames come from seeds (tests/support/random_list.h, and random_variety.h or
+ * random_ternary.h on top), so that between them they use every state, format, primitive and program.
  */
 #include <glasspipe/glasspipe.h>
+#include "tests/support/random_ternary.h"
 #include "tests/support/random_variety.h"
 
 #include <inttypes.h>
@@ -20,12 +21,22 @@
 static const char *const golden_file = "tests/golden/golden.txt";
 
 enum {
-    SINGLE_FRAMES = 16,  /* seeds whose attachments are listed one by one */
-    SUMMED_FRAMES = 600, /* seeds in one case of a single hash */
-    VARIED_FRAMES = 8,   /* the same of lists with variety, at the end */
-    SUMMED_VARIED = 300,
     LARGEST = 64, /* pixels a side */
-    MOST_CASES = SINGLE_FRAMES + 1 + VARIED_FRAMES + 1,
+    MOST_CASES = 16 + 1 + 8 + 1 + 4 + 1,
+};
+
+/* Seeds whose attachments are listed one by one, and those after them in one case of a single hash; of
+ * lists as they come, or changed. */
+typedef struct Kind {
+    const char *name;
+    uint64_t single, summed;
+    bool (*add)(uint64_t seed, RandomList *random);
+} Kind;
+
+static const Kind kinds[] = {
+    { "random", 16, 600, NULL },
+    { "varied", 8, 300, random_variety_add },
+    { "ternary", 4, 200, random_ternary_add },
 };
 
 typedef struct Text {
@@ -55,13 +66,13 @@ static void append_surface(Text *text, const char *name, const char *attachment,
 }
 
 /* Draws the frame of a seed; stops the program where it cannot. */
-static RandomList *draw_frame(uint64_t seed, bool varied, GpExecutor executor)
+static RandomList *draw_frame(const Kind *kind, uint64_t seed, GpExecutor executor)
 {
     RandomList *random = gp_alloc(1, sizeof *random);
     GpDevice *device = NULL;
     GpError error = { "out of memory" };
     if (!random || !random_list_create(seed, LARGEST, random) ||
-        (varied && !random_variety_add(seed, random)) ||
+        (kind->add && !kind->add(seed, random)) ||
         gp_device_create(&(GpDeviceDesc){ .executor = executor }, &device, &error) ||
         gp_device_run(device, &random->list, &error)) {
         printf("Bail out! seed %" PRIu64 ": %s\n", seed, error.text);
@@ -77,10 +88,10 @@ static void free_frame(RandomList *random)
     gp_free(random);
 }
 
-static void case_single(Text *text, const char *name, uint64_t seed, bool varied,
+static void case_single(Text *text, const char *name, const Kind *kind, uint64_t seed,
                         GpExecutor executor)
 {
-    RandomList *random = draw_frame(seed, varied, executor);
+    RandomList *random = draw_frame(kind, seed, executor);
     for (uint32_t p = 0; p < random->list.pass_count; p++) {
         const GpPass *pass = &random->passes[p];
         char attachment[32];
@@ -95,14 +106,12 @@ static void case_single(Text *text, const char *name, uint64_t seed, bool varied
     free_frame(random);
 }
 
-static void case_summed(Text *text, const char *name, bool varied, GpExecutor executor)
+static void case_summed(Text *text, const char *name, const Kind *kind, GpExecutor executor)
 {
-    const uint64_t first = varied ? VARIED_FRAMES : SINGLE_FRAMES;
-    const uint64_t count = varied ? SUMMED_VARIED : SUMMED_FRAMES;
     uint64_t hash = 0;
     char line[160];
-    for (uint64_t seed = first; seed < first + count; seed++) {
-        RandomList *random = draw_frame(seed, varied, executor);
+    for (uint64_t seed = kind->single; seed < kind->single + kind->summed; seed++) {
+        RandomList *random = draw_frame(kind, seed, executor);
         hash = hash * 31 + random_list_hash(random);
         free_frame(random);
     }
@@ -114,18 +123,16 @@ static void case_summed(Text *text, const char *name, bool varied, GpExecutor ex
 static Text draw_case(int number, GpExecutor executor, char name[32])
 {
     Text text = { 0 };
-    const bool varied = number > SINGLE_FRAMES;
-    const int frame = varied ? number - SINGLE_FRAMES - 1 : number;
-    const bool single = frame < (varied ? VARIED_FRAMES : SINGLE_FRAMES);
-    const char *kind = varied ? "varied" : "random";
-    if (single)
-        snprintf(name, 32, "%s-%d", kind, frame);
-    else
-        snprintf(name, 32, "%s-many", kind);
-    if (single)
-        case_single(&text, name, (uint64_t)frame, varied, executor);
-    else
-        case_summed(&text, name, varied, executor);
+    const Kind *kind = kinds;
+    for (; number > (int)kind->single; kind++)
+        number -= (int)kind->single + 1;
+    if (number < (int)kind->single) {
+        snprintf(name, 32, "%s-%d", kind->name, number);
+        case_single(&text, name, kind, (uint64_t)number, executor);
+    } else {
+        snprintf(name, 32, "%s-many", kind->name);
+        case_summed(&text, name, kind, executor);
+    }
     return text;
 }
 

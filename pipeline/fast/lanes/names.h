@@ -50,6 +50,7 @@
 #define fast_queue_quads             FAST_NAME(fast_queue_quads)
 #define fast_queue_row               FAST_NAME(fast_queue_row)
 #define fast_read_texture            FAST_NAME(fast_read_texture)
+#define fast_replace_packets         FAST_NAME(fast_replace_packets)
 #define fast_reserve_records         FAST_NAME(fast_reserve_records)
 #define fast_run_pixel_shader        FAST_NAME(fast_run_pixel_shader)
 #define fast_set_up_batch            FAST_NAME(fast_set_up_batch)

@@ -309,7 +309,7 @@ static void a_viewport_of_depth_0_writes_0(void **state)
         link_drawing(&f, 2, &exercise_color, full_screen, 6);
         for (int i = 0; i < 2; i++) {
             f.draw[i].viewport.has_depth_range = said;
-            f.draw[i].state.depth = (GpDepthState){ GP_LESS, true };
+            f.draw[i].state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
         }
         run_drawing(&f);
         uint32_t code;
@@ -391,7 +391,7 @@ static void a_watched_pixel_reports_every_unit_in_order(void **state)
     Drawing f = new_drawing(GP_A8R8G8B8);
     link_drawing(&f, 3, &exercise_discard, full_screen, 6);
     for (int i = 0; i < 3; i++)
-        f.draw[i].state.depth = (GpDepthState){ GP_LESS, true };
+        f.draw[i].state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     GpDeviceDesc desc = {
         .executor = GP_EXECUTOR_REFERENCE,
         .trace = { .event = note_event, .user = &seen, .one_pixel = true, .x = 20, .y = 30 }

@@ -43,7 +43,7 @@ static GpDraw *draw_corners(Maps *maps, const Corner *corners, uint32_t count)
                      [GP_TEXCOORD0] = { corners->uv, sizeof *corners, 2, GP_FLOAT32 } },
     };
     GpDraw *draw = frame_draw(&maps->frame, &exercise_targets2, &maps->uniforms, &geometry);
-    draw->state.depth = (GpDepthState){ GP_ALWAYS, true };
+    draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
     return draw;
 }
 
@@ -166,7 +166,7 @@ static void layers_of_cut_triangles_are_their_depths(void **state)
     GpSurface *depth = frame_surface(&frame, GP_D32F, SIZE, SIZE, 1);
     frame_pass(&frame, "layer", layer, depth, (const float[4]){ VOXEL_NO_LAYER });
     frame_draw(&frame, &voxel_peel_first_program, &uniforms, &geometry)->state.depth =
-        (GpDepthState){ GP_LESS, true };
+        (GpDepthState){ .test = GP_LESS, .write = true };
     run_everywhere(&frame);
     int drawn = 0;
     for (int y = 0; y < SIZE; y++)
@@ -283,7 +283,7 @@ static void draw_orders(Maps *maps, Way way, const Triangle *triangles, uint32_t
             draw->state.blend[0] = draw->state.blend[1] =
                 (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ZERO };
         } else if (way == SORTED) {
-            draw->state.depth = (GpDepthState){ GP_LESS, true };
+            draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
             draw->state.alpha_test = (GpAlphaTest){ .test = GP_GREATER, .reference = 1 };
         }
     }

@@ -15,10 +15,11 @@ enum {
  * sprite's box one after the other. Pixels past the tile are never live. */
 typedef struct FastPacket {
     uint32_t record;
-    uint32_t live; /* bit i: lane i; the others stand by as helpers */
-    uint8_t x, y;  /* of the first lane, in the tile */
-    uint8_t wide;  /* pixels a row, up to GP_LANES; 0: quads */
-    bool gathered; /* pixels of several triangles: see the gathered packet of the same number */
+    uint32_t live;     /* bit i: lane i; the others stand by as helpers */
+    uint32_t replaced; /* of the live: by an early ternary test */
+    uint8_t x, y;      /* of the first lane, in the tile */
+    uint8_t wide;      /* pixels a row, up to GP_LANES; 0: quads */
+    bool gathered;     /* pixels of several triangles: see the gathered packet of the same number */
 } FastPacket;
 
 /* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a packet,
@@ -47,6 +48,7 @@ GP_INLINE void set_packet(FastPacket *packet, uint32_t record, int32_t x, int32_
 {
     packet->record = record;
     packet->live = live;
+    packet->replaced = 0;
     packet->x = (uint8_t)x;
     packet->y = (uint8_t)y;
     packet->wide = (uint8_t)wide;

@@ -63,8 +63,16 @@ static msk test_stencil(const GpStencilState *s, bool front, uint8_t *stencil, b
     return passed;
 }
 
+/* As gp_depth_put_back. */
+static itg put_back(const Tile *tile, const FastDraw *d, itg codes)
+{
+    if (tile->depth_format == GP_D32F)
+        return (itg)((flt)codes + gp_bits_float(d->epsilon));
+    return codes + (int32_t)d->epsilon;
+}
+
 msk fast_test_depth_stencil(Tile *tile, const FastDraw *d, uint32_t at, bool quads, msk live, flt z,
-                            bool front)
+                            bool front, msk *replaced)
 {
     const GpState *state = &d->draw->state;
     const flt low = flt_set(d->viewport.min_depth), high = flt_set(d->viewport.max_depth);
@@ -72,26 +80,35 @@ msk fast_test_depth_stencil(Tile *tile, const FastDraw *d, uint32_t at, bool qua
     z = flt_select((msk)(z > high), high, z);
     itg stored = load_lanes(tile->depth + at, quads);
     itg incoming = depth_codes(tile->depth_format, z);
-    msk passed = compare_codes(state->depth.test, incoming, stored);
+    itg written = incoming;
+    msk passed, nearer = itg_set(0);
+    if (d->needs.ternary) {
+        passed = (msk)(incoming <= put_back(tile, d, stored));
+        nearer = (msk)(put_back(tile, d, incoming) < stored);
+        written = itg_lesser(incoming, stored);
+    } else
+        passed = compare_codes(state->depth.test, incoming, stored);
     if (d->needs.stencil)
         passed &= test_stencil(&state->stencil, front, tile->stencil + at, quads, live, passed);
     passed &= live;
+    *replaced = nearer & passed;
     if (state->depth.write)
-        store_lanes(tile->depth + at, quads, itg_select(passed, incoming, stored));
+        store_lanes(tile->depth + at, quads, itg_select(passed, written, stored));
     return passed;
 }
 
 unsigned fast_test_packet(Tile *tile, const FastDraw *d, const FastPacket *packet, bool front,
-                          unsigned live, flt z)
+                          unsigned live, flt z, unsigned *replaced)
 {
     uint32_t at = fast_at(packet->x, packet->y);
-    if (!packet->wide || packet->wide == GP_LANES)
-        return msk_bits(
-            fast_test_depth_stencil(tile, d, at, !packet->wide, mask_of(live), z, front));
-    const itg row = lane_row(packet->wide);
-    msk passed = itg_set(0);
-    for (int r = 0; has_row(packet, r); r++, at += FAST_PITCH - packet->wide)
-        passed |=
-            fast_test_depth_stencil(tile, d, at, false, (msk)(row == r) & mask_of(live), z, front);
+    const bool rows = packet->wide && packet->wide != GP_LANES;
+    const itg row = lane_row(rows ? packet->wide : GP_LANES);
+    msk passed = itg_set(0), all_nearer = itg_set(0), nearer;
+    for (int r = 0; rows ? has_row(packet, r) : r == 0; r++, at += FAST_PITCH - packet->wide) {
+        passed |= fast_test_depth_stencil(tile, d, at, !packet->wide,
+                                          (msk)(row == r) & mask_of(live), z, front, &nearer);
+        all_nearer |= nearer;
+    }
+    *replaced = msk_bits(all_nearer);
     return msk_bits(passed);
 }

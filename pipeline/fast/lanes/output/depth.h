@@ -28,13 +28,14 @@ GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
 
 /* Any depth and stencil state, on the lanes of a row or of quads from one place of the tile on.
  * in   z: not yet clamped to the viewport's range
+ * out  replaced: of the lanes that pass, those that replace, by the ternary test
  * returns the lanes that pass both tests */
 msk fast_test_depth_stencil(Tile *tile, const FastDraw *draw, uint32_t at, bool quads, msk live,
-                            flt z, bool front);
+                            flt z, bool front, msk *replaced);
 
 /* The same on the lanes of a packet.
  * returns those of `live` that pass */
 unsigned fast_test_packet(Tile *tile, const FastDraw *draw, const FastPacket *packet, bool front,
-                          unsigned live, flt z);
+                          unsigned live, flt z, unsigned *replaced);
 
 #endif

@@ -7,9 +7,10 @@
 /* Shaded packets on their way into the targets. */
 typedef struct FastShaded {
     FastPacketBlock block;
-    const unsigned *live; /* of each packet, the lanes that passed all tests */
-    const flt *color;     /* [packet][target][channel] */
-    int stride;           /* vectors from packet to packet; 0: all have the first one's colour */
+    const unsigned *live;     /* of each packet, the lanes that passed all tests */
+    const unsigned *replaced; /* of those, the ones that replace (replace.h); else unused */
+    const flt *color;         /* [packet][target][channel] */
+    int stride; /* vectors from packet to packet; 0: all have the first one's colour */
 } FastShaded;
 
 #endif

@@ -228,7 +228,8 @@ void fast_set_up_batch(const Filler *f, const BatchCorners *found, TriangleBatch
         b->alone |= b->small;
         b->small = 0;
     }
-    const bool apart = d->path == FAST_ORDERED ? d->wants_depth || quads : d->needs.stencil;
+    const bool apart =
+        d->path == FAST_ORDERED ? d->wants_depth || quads : d->needs.stencil || d->needs.ternary;
     b->tiny = apart ? 0 : b->tiny & b->small;
     b->small &= ~b->tiny;
     if (d->path != FAST_DEPTH_ONLY && (b->tiny | b->small))

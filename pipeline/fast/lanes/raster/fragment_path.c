@@ -7,7 +7,8 @@ static EarlyTest early_test(const Tile *tile, const FastDraw *d)
     if (!d->wants_depth)
         return EARLY_NONE;
     const bool nearer = depth->test == GP_LESS || depth->test == GP_LESS_EQUAL;
-    if (!nearer || !(depth->write || d->late_depth) || d->needs.stencil || d->needs.shader_depth)
+    if (!nearer || d->needs.ternary || !(depth->write || d->late_depth) || d->needs.stencil ||
+        d->needs.shader_depth)
         return EARLY_ANY;
     return tile->depth_format == GP_D32F ? EARLY_NEARER_FLOAT : EARLY_NEARER_UNORM;
 }

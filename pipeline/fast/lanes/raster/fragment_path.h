@@ -57,13 +57,14 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
 {
     Tile *tile = f->tile;
     const uint32_t at = fast_at(x, y);
+    msk replaced = itg_set(0);
     if (is_usual(early)) {
         itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
         live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
         if (path != FAST_ORDERED || !f->d->late_depth)
             store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
     } else if (early == EARLY_ANY && !f->d->late_depth)
-        live = fast_test_depth_stencil(tile, f->d, at, quads, live, z, f->front);
+        live = fast_test_depth_stencil(tile, f->d, at, quads, live, z, f->front, &replaced);
 
     if (path == FAST_VISIBLE) {
         itg shown = load_lanes(tile->visibility->record + at, quads);
@@ -71,10 +72,11 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
                     itg_select(live, itg_set((int32_t)f->number), shown));
     } else if (path == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);
-        if (lanes && quads)
-            fast_queue_quads(tile, f->number, x, y, lanes, z);
-        else if (lanes)
-            fast_queue_row(tile, f->number, x, y, lanes, z);
+        if (lanes) {
+            FastPacket *packet = quads ? fast_queue_quads(tile, f->number, x, y, lanes, z)
+                                       : fast_queue_row(tile, f->number, x, y, lanes, z);
+            packet->replaced = msk_bits(replaced);
+        }
     }
     return live;
 }

@@ -117,7 +117,8 @@ GP_INLINE void queue_packet(const Queuer *q, int32_t x, int32_t y, int32_t wide,
     if (q->d->late_depth)
         flt_store(tile->queue->depths + tile->queue->count * GP_LANES, flt_set(q->z));
     else if (q->d->wants_depth)
-        packet->live = fast_test_packet(tile, q->d, packet, true, live, flt_set(q->z));
+        packet->live =
+            fast_test_packet(tile, q->d, packet, true, live, flt_set(q->z), &packet->replaced);
     tile->queue->count += packet->live != 0;
 }
 

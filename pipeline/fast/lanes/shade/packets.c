@@ -3,6 +3,7 @@
 
 #include "pipeline/fast/lanes/output/blend.h"
 #include "pipeline/fast/lanes/output/depth.h"
+#include "pipeline/fast/lanes/output/replace.h"
 #include "pipeline/fast/lanes/shade/interpolate_packets.h"
 #include "pipeline/fast/lanes/shade/pixel_shader.h"
 #include "pipeline/fast/lanes/shade/records.h"
@@ -16,9 +17,9 @@ static msk compare_lanes(GpCompare test, flt a, float b)
     return accepted;
 }
 
-/* Lanes of shaded packet p that pass the tests which had to wait. */
+/* Lanes of shaded packet p that pass the tests which had to wait; those of them that replace. */
 static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacket *packet, int p,
-                           const float *depth)
+                           const float *depth, unsigned *replaced)
 {
     const GpAlphaTest *alpha = &d->draw->state.alpha_test;
     const int targets = gp_program_targets(d->draw->program);
@@ -31,32 +32,36 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacket *pack
             alpha->test, flt_load(tile->block->color + (p * targets * 4 + 3) * GP_LANES),
             gp_float_from_unorm(alpha->reference, 8)));
     if (d->late_depth && live) {
-        bool replaced = d->draw->program->writes_depth;
-        flt z = flt_load((replaced ? tile->block->shader_depth : depth) + p * GP_LANES);
+        const bool by_shader = d->draw->program->writes_depth;
+        flt z = flt_load((by_shader ? tile->block->shader_depth : depth) + p * GP_LANES);
         live = fast_test_packet(tile, d, packet, tile->records->record[packet->record].face > 0,
-                                live, z);
+                                live, z, replaced);
     }
     return live;
 }
 
 void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *block)
 {
-    unsigned live[FAST_BLOCK];
+    unsigned live[FAST_BLOCK], replaced[FAST_BLOCK];
     fast_run_pixel_shader(tile, d, block);
     const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
     uint32_t fragments = 0;
     for (int p = 0; p < block->count; p++) {
         fragments += (uint32_t)__builtin_popcount(block->packets[p].live);
-        live[p] = late ? late_tests(tile, d, &block->packets[p], p, block->depths)
+        replaced[p] = block->packets[p].replaced;
+        live[p] = late ? late_tests(tile, d, &block->packets[p], p, block->depths, &replaced[p])
                        : block->packets[p].live;
     }
     tile->fragments_shaded += fragments;
-    if (d->needs.color)
-        fast_blend_packets(tile, d,
-                           &(FastShaded){ .block = *block,
-                                          .live = live,
-                                          .color = fast_colors(tile),
-                                          .stride = 4 * gp_program_targets(d->draw->program) });
+    const FastShaded shaded = { .block = *block,
+                                .live = live,
+                                .replaced = replaced,
+                                .color = fast_colors(tile),
+                                .stride = 4 * gp_program_targets(d->draw->program) };
+    if (d->needs.color && d->needs.ternary)
+        fast_replace_packets(tile, d, &shaded);
+    else if (d->needs.color)
+        fast_blend_packets(tile, d, &shaded);
 }
 
 void fast_shade_packets(Tile *tile, const FastDraw *d, const FastPacketBlock *block)

@@ -10,23 +10,26 @@ FastPacket *fast_new_packet(Tile *tile)
     return &q->packets[q->count++];
 }
 
-static void queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, int32_t wide,
-                  flt depth)
+static FastPacket *queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
+                         int32_t wide, flt depth)
 {
     FastPacket *packet = fast_new_packet(tile);
     set_packet(packet, record, x, y, live, wide);
     if (tile->draw->late_depth)
         flt_store(tile->queue->depths + (packet - tile->queue->packets) * GP_LANES, depth);
+    return packet;
 }
 
-void fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
+FastPacket *fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
+                           flt depth)
 {
-    queue(tile, record, x, y, live, GP_LANES, depth);
+    return queue(tile, record, x, y, live, GP_LANES, depth);
 }
 
-void fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth)
+FastPacket *fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
+                             flt depth)
 {
-    queue(tile, record, x, y, live, 0, depth);
+    return queue(tile, record, x, y, live, 0, depth);
 }
 
 static bool is_same_box(const FastBox *a, const FastBox *b)

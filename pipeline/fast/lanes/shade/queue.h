@@ -16,9 +16,12 @@ typedef struct FastQueue {
 FastPacket *fast_new_packet(Tile *tile);
 
 /* Queues pixels of an ordered draw for its shader; `live` is not 0, depth matters where tests come
- * late. Records stay in place until their packets are shaded. */
-void fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
-void fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live, flt depth);
+ * late. Records stay in place until their packets are shaded.
+ * returns the packet */
+FastPacket *fast_queue_row(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
+                           flt depth);
+FastPacket *fast_queue_quads(Tile *tile, uint32_t record, int32_t x, int32_t y, unsigned live,
+                             flt depth);
 
 /* Queues every pixel of a box in the tile, by rows, of an ordered draw without depth. */
 void fast_queue_box(Tile *tile, uint32_t record, const FastBox *box);

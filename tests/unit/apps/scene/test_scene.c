@@ -147,6 +147,17 @@ static void a_mirrored_mesh_keeps_its_outside(void **state)
     scene_free(&scene);
 }
 
+static void a_ternary_test_has_its_epsilon(void **state)
+{
+    (void)state;
+    Scene scene = load("{ \"objects\": [ { \"mesh\": \"builtin:sphere\", \"state\": { \"depth\": "
+                       "{ \"ternary\": true, \"epsilon\": 0.125 } } } ] }");
+    const GpDepthState *depth = &scene.list.passes[0].draws[0].state.depth;
+    assert_true(depth->test == GP_LESS_EQUAL && depth->write); /* as objects have by themselves */
+    assert_true(depth->ternary && depth->epsilon == 0.125f);
+    scene_free(&scene);
+}
+
 static void state_names_are_those_of_the_tables(void **state)
 {
     (void)state;
@@ -514,6 +525,7 @@ int main(void)
         cmocka_unit_test(one_object_is_enough),
         cmocka_unit_test(fit_puts_the_box_on_its_floor),
         cmocka_unit_test(a_mirrored_mesh_keeps_its_outside),
+        cmocka_unit_test(a_ternary_test_has_its_epsilon),
         cmocka_unit_test(state_names_are_those_of_the_tables),
         cmocka_unit_test(depths_and_levels_of_0_can_be_said),
         cmocka_unit_test(clip_planes_are_given_in_the_world),

@@ -66,6 +66,11 @@ static void borrow(Frame *w, GpFormat format, GpSurface **surface)
     *surface = w->borrowed;
 }
 
+static void ternary(Frame *w, GpCompare test, bool write, float epsilon)
+{
+    w->draw.state.depth = (GpDepthState){ test, write, true, epsilon };
+}
+
 static void tear_down(Frame *w)
 {
     GpSurface **all[] = { &w->color, &w->other, &w->small, &w->depth24, &w->depth16, &w->borrowed };
@@ -152,6 +157,16 @@ CASE(seventh_plane, w.draw.state.raster.clip_planes = 64, "state.raster.clip_pla
 CASE(depth_without_target, (w.pass.depth.surface = NULL, w.draw.state.depth.write = true),
      "state.depth: is on, but the pass has no depth target")
 CASE(depth_test_unknown, w.draw.state.depth.test = (GpCompare)8, "state.depth.test")
+CASE(epsilon_negative, w.draw.state.depth.epsilon = -0.5f,
+     "state.depth.epsilon: expected a finite number from 0 on")
+CASE(epsilon_infinite, ternary(&w, GP_LESS_EQUAL, true, INFINITY), "state.depth.epsilon: expected")
+CASE(epsilon_nan, ternary(&w, GP_LESS_EQUAL, true, NAN), "state.depth.epsilon: expected")
+CASE(epsilon_alone, w.draw.state.depth.epsilon = 0.5f, "is of the ternary test, which is off")
+CASE(ternary_less, ternary(&w, GP_LESS, true, 0.5f),
+     "state.depth.ternary: needs the test less-equal, and write")
+CASE(ternary_without_write, ternary(&w, GP_LESS_EQUAL, false, 0), "state.depth.ternary: needs")
+CASE(ternary_without_depth, (ternary(&w, GP_LESS_EQUAL, true, 0), w.pass.depth.surface = NULL),
+     "state.depth: is on, but the pass has no depth target")
 CASE(alpha_test_unknown, w.draw.state.alpha_test.test = (GpCompare)-1, "state.alpha_test.test")
 CASE(stencil_without_bits, (w.pass.depth.surface = w.depth16, w.draw.state.stencil.enable = true),
      "state.stencil.enable")
@@ -218,6 +233,13 @@ int main(void)
         cmocka_unit_test(seventh_plane),
         cmocka_unit_test(depth_without_target),
         cmocka_unit_test(depth_test_unknown),
+        cmocka_unit_test(epsilon_negative),
+        cmocka_unit_test(epsilon_infinite),
+        cmocka_unit_test(epsilon_nan),
+        cmocka_unit_test(epsilon_alone),
+        cmocka_unit_test(ternary_less),
+        cmocka_unit_test(ternary_without_write),
+        cmocka_unit_test(ternary_without_depth),
         cmocka_unit_test(alpha_test_unknown),
         cmocka_unit_test(stencil_without_bits),
         cmocka_unit_test(stencil_op_unknown),

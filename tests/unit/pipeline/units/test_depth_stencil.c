@@ -57,7 +57,7 @@ static void every_depth_compare_in_every_format(void **state)
             for (int order = -1; order <= 1; order++) {
                 GpSurface *surface = one_texel(formats[f], 0.5f, 0);
                 GpDepthStencil unit = unit_on(surface);
-                unit.depth = (GpDepthState){ (GpCompare)test, true };
+                unit.depth = (GpDepthState){ .test = (GpCompare)test, .write = true };
                 GpQuad quad = one_pixel(incoming[order + 1], true);
                 gp_depth_stencil(&unit, &quad);
                 bool passes = relation_holds((GpCompare)test, order);
@@ -116,6 +116,60 @@ static void r21_compares_converted_values_not_floats(void **state)
     GpQuad quad = one_pixel(a, true);
     gp_depth_stencil(&unit, &quad);
     assert_int_equal(quad.mask, 0);
+    gp_surface_destroy(&surface);
+}
+
+/* A stored code, and those that lie at epsilon from it and one beyond, on both sides. */
+static void ternary_verdicts_turn_one_code_beyond_epsilon(void **state)
+{
+    (void)state;
+    static const GpFormat formats[] = { GP_D16, GP_D24S8, GP_D32F };
+    const float epsilon = 0.125f, depth = 0.5f;
+    for (size_t f = 0; f < GP_COUNT(formats); f++) {
+        const uint32_t stored = gp_depth_code(formats[f], depth);
+        const uint32_t far = gp_depth_put_back(formats[f], stored, epsilon);
+        uint32_t near = gp_depth_code(formats[f], depth - epsilon);
+        while (gp_depth_put_back(formats[f], near, epsilon) < stored)
+            near++;
+        while (gp_depth_put_back(formats[f], near - 1, epsilon) >= stored)
+            near--;
+        assert_true(near < stored && stored < far);
+        const struct {
+            uint32_t code;
+            bool passes, replaces;
+        } cases[] = { { near - 1, true, true },
+                      { near, true, false },
+                      { stored, true, false },
+                      { far, true, false },
+                      { far + 1, false, false } };
+        for (size_t i = 0; i < GP_COUNT(cases); i++) {
+            GpSurface *surface = one_texel(formats[f], depth, 3);
+            GpDepthStencil unit = unit_on(surface);
+            unit.depth = (GpDepthState){ GP_LESS_EQUAL, true, true, epsilon };
+            GpQuad quad = one_pixel(gp_depth_from_code(formats[f], cases[i].code), true);
+            gp_depth_stencil(&unit, &quad);
+            assert_int_equal(quad.depth_incoming[0], cases[i].code);
+            assert_int_equal(quad.mask, cases[i].passes);
+            assert_int_equal(quad.replaced, cases[i].replaces);
+            uint32_t code;
+            uint8_t stencil;
+            gp_depth_load(formats[f], surface->level[0].texels, &code, &stencil);
+            assert_int_equal(code, cases[i].code < stored ? cases[i].code : stored);
+            gp_surface_destroy(&surface);
+        }
+    }
+}
+
+static void what_fails_the_stencil_replaces_nothing(void **state)
+{
+    (void)state;
+    GpSurface *surface = one_texel(GP_D24S8, 0.5f, 3);
+    GpDepthStencil unit = unit_on(surface);
+    unit.depth = (GpDepthState){ GP_LESS_EQUAL, true, true, 0.1f };
+    unit.stencil = (GpStencilState){ .enable = true, .reference = 4, .front = { GP_EQUAL } };
+    GpQuad quad = one_pixel(0.1f, true);
+    gp_depth_stencil(&unit, &quad);
+    assert_true(quad.mask == 0 && quad.replaced == 0);
     gp_surface_destroy(&surface);
 }
 
@@ -237,6 +291,8 @@ int main(void)
         cmocka_unit_test(depth_is_kept_where_writing_is_off),
         cmocka_unit_test(r18_shader_depth_is_clamped_to_the_viewport_range),
         cmocka_unit_test(r21_compares_converted_values_not_floats),
+        cmocka_unit_test(ternary_verdicts_turn_one_code_beyond_epsilon),
+        cmocka_unit_test(what_fails_the_stencil_replaces_nothing),
         cmocka_unit_test(r39_every_operation_on_every_value),
         cmocka_unit_test(each_outcome_has_its_own_operation),
         cmocka_unit_test(every_stencil_compare_is_reference_against_stored),

@@ -78,6 +78,29 @@ static void r37_channels_outside_the_write_mask_keep_their_bits(void **state)
     }
 }
 
+/* Of pixels that replace, and no others, whatever their write mask leaves. */
+static void clearing_goes_through_the_write_mask(void **state)
+{
+    (void)state;
+    for (size_t f = 0; f < GP_COUNT(formats); f++)
+        for (unsigned keep = 0; keep < 16; keep++) {
+            GpSurface *surface = surface_of(formats[f]);
+            const size_t bytes = gp_format_info(formats[f])->bytes;
+            const GpQuad quad = { .x = 2, .y = 2, .mask = 15, .replaced = 5 };
+            gp_output_clear(surface, keep, &quad);
+            for (int i = 0; i < SIDE * SIDE; i++) {
+                const int x = i % SIDE, y = i / SIDE;
+                static const float nothing[4] = { 0 };
+                uint8_t expected[16];
+                memset(expected, BYTE, sizeof expected);
+                if (x == 2 && y >= 2)
+                    gp_texel_store(formats[f], expected, nothing, keep);
+                assert_memory_equal(texel_at(surface, x, y), expected, bytes);
+            }
+            gp_surface_destroy(&surface);
+        }
+}
+
 /* Missing channels read as 1; dead pixels are not read. */
 static void what_is_stored_is_loaded(void **state)
 {
@@ -108,6 +131,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(r24_r27_living_pixels_are_stored_as_the_format_rounds),
         cmocka_unit_test(r37_channels_outside_the_write_mask_keep_their_bits),
+        cmocka_unit_test(clearing_goes_through_the_write_mask),
         cmocka_unit_test(what_is_stored_is_loaded),
     };
     return cmocka_run_group_tests_name("output", tests, NULL, NULL);
