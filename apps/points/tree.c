@@ -2,24 +2,18 @@
 
 #include "apps/base/symmetric.h"
 #include "apps/base/vector.h"
+#include "apps/points/median.h"
 
 #include <stdlib.h>
 
 enum {
     TASK_DEPTH = 8, /* nodes above are parted one depth at a time, below a thread does all of one */
-    TASKS_AT_ONCE = 16, /* between two words to the listener */
-    MOST_SAMPLES = 31
+    TASKS_AT_ONCE = 16 /* between two words to the listener */
 };
-
-typedef struct Item {
-    float key; /* along the axis */
-    float position[3];
-    uint32_t surfel;
-} Item;
 
 typedef struct Builder {
     const Surfels *surfels;
-    Item *items;
+    MedianItem *items;
     uint32_t *order;
     int depth;      /* of the whole tree */
     int task_depth; /* of the nodes that are parted now */
@@ -34,58 +28,6 @@ int tree_depth(uint32_t leaves)
     return depth;
 }
 
-/* --- the median ------------------------------------------------------------------------------- */
-
-/* A total order: which half an item is in does not depend on how the median is found. */
-static inline bool before(const Item *a, const Item *b)
-{
-    return a->key < b->key || (a->key == b->key && a->surfel < b->surfel);
-}
-
-/* An item of about that rank, from a sample. */
-static Item item_near(const Item *items, uint32_t count, uint32_t rank)
-{
-    Item sample[MOST_SAMPLES];
-    const uint32_t samples = count > 1024 ? MOST_SAMPLES : count > 64 ? 7 : 3;
-    for (uint32_t i = 0; i < samples; i++) {
-        const Item item = items[(uint64_t)count * (2 * i + 1) / (2 * samples)];
-        uint32_t at = i;
-        for (; at > 0 && before(&item, &sample[at - 1]); at--)
-            sample[at] = sample[at - 1];
-        sample[at] = item;
-    }
-    const uint32_t which = (uint32_t)((uint64_t)rank * samples / count);
-    return sample[which < samples ? which : samples - 1];
-}
-
-/* Puts the `first` items that come first in front, 0 < first < count (Hoare's find). */
-static void part(Item *items, uint32_t count, uint32_t first)
-{
-    uint32_t low = 0, high = count; /* before low and from high on all is in place */
-    while (high - low > 1) {
-        const Item pivot = item_near(items + low, high - low, first - low);
-        uint32_t i = low,
-                 end = high; /* [low, i) are not behind the pivot, [end, high) not before */
-        while (i < end) {
-            while (before(&items[i], &pivot))
-                i++;
-            while (before(&pivot, &items[end - 1]))
-                end--;
-            if (i >= end)
-                break;
-            const Item swap = items[i];
-            items[i++] = items[--end];
-            items[end] = swap;
-        }
-        if (first < end)
-            high = end;
-        else if (first > i)
-            low = i;
-        else
-            return;
-    }
-}
-
 /* --- nodes ------------------------------------------------------------------------------------ */
 
 /* Parts a node's leaves into those of its children. */
@@ -95,7 +37,7 @@ static void divide(const Builder *builder, int depth, uint64_t node)
     const uint32_t begin = tree_bound(leaves, depth, node);
     const uint32_t middle = tree_bound(leaves, depth + 1, 2 * node + 1);
     const uint32_t count = tree_bound(leaves, depth, node + 1) - begin;
-    Item *items = builder->items + begin;
+    MedianItem *items = builder->items + begin;
     Moments moments = { .origin = { (double)items->position[0], (double)items->position[1],
                                     (double)items->position[2] } };
     for (uint32_t i = 0; i < count; i++)
@@ -109,7 +51,7 @@ static void divide(const Builder *builder, int depth, uint64_t node)
                                  (double)items[i].position[2] - moments.origin[2] };
         items[i].key = (float)vector_dot(axis, from);
     }
-    part(items, count, middle - begin);
+    median_part(items, count, middle - begin);
 }
 
 static void divide_all(const Builder *builder, int depth, uint64_t node)
@@ -168,7 +110,7 @@ GpResult tree_order(const Surfels *surfels, GpPool *pool, const PointsListener *
     for (uint32_t i = 0; i < surfels->count; i++) {
         const float *position = surfels->surfels[i].position;
         builder.items[i] =
-            (Item){ .position = { position[0], position[1], position[2] }, .surfel = i };
+            (MedianItem){ .position = { position[0], position[1], position[2] }, .surfel = i };
     }
     const int above = builder.depth < TASK_DEPTH ? builder.depth : TASK_DEPTH;
     const uint32_t tasks = 1u << above, total = (uint32_t)above + tasks;

@@ -1,0 +1,204 @@
+#include "apps/points/neighbours.h"
+
+#include "apps/points/median.h"
+#include "apps/points/tree.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { TASK_DEPTH = 8 };
+
+typedef struct NeighbourNode {
+    float low, high; /* along the axis: the last of the first half, the first of the second */
+    uint8_t axis;
+} NeighbourNode;
+
+typedef struct Builder {
+    NeighbourTree *tree;
+    MedianItem *items;
+    int depth; /* of the nodes that are parted now */
+} Builder;
+
+/* Nodes of a depth follow those above. */
+static NeighbourNode *node_at(const NeighbourTree *tree, int depth, uint64_t node)
+{
+    return &tree->nodes[((uint64_t)1 << depth) - 1 + node];
+}
+
+static uint8_t longest_side(const MedianItem *items, uint32_t count)
+{
+    float low[3], high[3];
+    memcpy(low, items->position, sizeof low);
+    memcpy(high, items->position, sizeof high);
+    for (uint32_t i = 1; i < count; i++) {
+        for (int k = 0; k < 3; k++) {
+            const float at = items[i].position[k];
+            low[k] = at < low[k] ? at : low[k];
+            high[k] = at > high[k] ? at : high[k];
+        }
+    }
+    uint8_t axis = 0;
+    for (uint8_t k = 1; k < 3; k++) {
+        if ((double)high[k] - (double)low[k] > (double)high[axis] - (double)low[axis])
+            axis = k;
+    }
+    return axis;
+}
+
+static void divide(const Builder *builder, int depth, uint64_t node)
+{
+    const uint32_t begin = tree_bound(builder->tree->count, depth, node);
+    const uint32_t middle = tree_bound(builder->tree->count, depth + 1, 2 * node + 1) - begin;
+    const uint32_t count = tree_bound(builder->tree->count, depth, node + 1) - begin;
+    MedianItem *items = builder->items + begin;
+    NeighbourNode *to = node_at(builder->tree, depth, node);
+    const uint8_t axis = longest_side(items, count);
+    for (uint32_t i = 0; i < count; i++)
+        items[i].key = items[i].position[axis];
+    median_part(items, count, middle);
+    *to = (NeighbourNode){ .low = items[0].key, .high = items[middle].key, .axis = axis };
+    for (uint32_t i = 1; i < middle; i++)
+        to->low = items[i].key > to->low ? items[i].key : to->low;
+    for (uint32_t i = middle + 1; i < count; i++)
+        to->high = items[i].key < to->high ? items[i].key : to->high;
+}
+
+static void divide_all(const Builder *builder, int depth, uint64_t node)
+{
+    if (depth == builder->tree->depth)
+        return;
+    divide(builder, depth, node);
+    divide_all(builder, depth + 1, 2 * node);
+    divide_all(builder, depth + 1, 2 * node + 1);
+}
+
+static void divide_node(void *context, uint32_t item, int worker)
+{
+    const Builder *builder = context;
+    (void)worker;
+    divide(builder, builder->depth, item);
+}
+
+static void divide_below(void *context, uint32_t item, int worker)
+{
+    const Builder *builder = context;
+    (void)worker;
+    divide_all(builder, builder->depth, item);
+}
+
+GpResult neighbour_tree_build(const float *positions, uint32_t count, GpPool *pool,
+                              NeighbourTree *tree)
+{
+    const int depth = tree_depth(count) - 1; /* 8 to 16 points in each */
+    NeighbourTree made = { .positions = gp_alloc_unset(3 * (size_t)count * sizeof(float)),
+                           .numbers = gp_alloc_unset(count * sizeof(uint32_t)),
+                           .count = count,
+                           .depth = depth > 0 ? depth : 0 };
+    made.nodes = gp_alloc_unset(sizeof(NeighbourNode) << made.depth);
+    MedianItem *items = gp_alloc_unset(count * sizeof *items);
+    if (!made.positions || !made.numbers || !made.nodes || !items) {
+        neighbour_tree_free(&made);
+        gp_free(items);
+        return GP_ERROR_MEMORY;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        items[i].surfel = i;
+        memcpy(items[i].position, positions + 3 * (size_t)i, sizeof items[i].position);
+    }
+    Builder builder = { .tree = &made, .items = items };
+    for (; builder.depth < made.depth && builder.depth < TASK_DEPTH; builder.depth++)
+        gp_pool_run(pool, 1u << builder.depth, divide_node, &builder);
+    gp_pool_run(pool, 1u << builder.depth, divide_below, &builder);
+    for (uint32_t i = 0; i < count; i++) {
+        made.numbers[i] = items[i].surfel;
+        memcpy(made.positions + 3 * (size_t)i, items[i].position, sizeof items[i].position);
+    }
+    gp_free(items);
+    *tree = made;
+    return GP_OK;
+}
+
+void neighbour_tree_free(NeighbourTree *tree)
+{
+    gp_free(tree->positions);
+    gp_free(tree->numbers);
+    gp_free(tree->nodes);
+    *tree = (NeighbourTree){ .count = 0 };
+}
+
+/* --- search ----------------------------------------------------------------------------------- */
+
+typedef struct Search {
+    const NeighbourTree *tree;
+    double place[3];
+    uint32_t except, most, count;
+    Neighbour *found;
+} Search;
+
+static bool comes_first(const Search *search, double distance2, uint32_t rank,
+                        const Neighbour *other)
+{
+    const uint32_t *numbers = search->tree->numbers;
+    return distance2 < other->distance2 ||
+           (distance2 == other->distance2 && numbers[rank] < numbers[other->rank]);
+}
+
+static void offer(Search *search, uint32_t rank)
+{
+    const float *position = search->tree->positions + 3 * (size_t)rank;
+    const double x = (double)position[0] - search->place[0];
+    const double y = (double)position[1] - search->place[1];
+    const double z = (double)position[2] - search->place[2];
+    const double distance2 = x * x + y * y + z * z;
+    Neighbour *found = search->found;
+    const bool is_full = search->count == search->most;
+    if (is_full && !comes_first(search, distance2, rank, &found[search->count - 1]))
+        return;
+    uint32_t at = is_full ? search->count - 1 : search->count++;
+    for (; at > 0 && comes_first(search, distance2, rank, &found[at - 1]); at--)
+        found[at] = found[at - 1];
+    found[at] = (Neighbour){ .distance2 = distance2, .rank = rank };
+}
+
+/* away: along each axis, how far the place is from the node's box; distance2: the sum of their
+ * squares, which rounding may have made a little too large. */
+static void search_node(Search *search, int depth, uint32_t node, double distance2,
+                        const double away[3])
+{
+    const NeighbourTree *tree = search->tree;
+    if (search->count == search->most &&
+        distance2 * (1 - 1e-12) > search->found[search->most - 1].distance2)
+        return;
+    if (depth == tree->depth) {
+        const uint32_t end = tree_bound(tree->count, depth, (uint64_t)node + 1);
+        for (uint32_t rank = tree_bound(tree->count, depth, node); rank < end; rank++) {
+            if (rank != search->except)
+                offer(search, rank);
+        }
+        return;
+    }
+    const NeighbourNode *parted = node_at(tree, depth, node);
+    const double at = search->place[parted->axis];
+    const double to_second = (double)parted->high - at, to_first = at - (double)parted->low;
+    const bool second_is_near = to_second < to_first;
+    const double step = second_is_near ? to_first : to_second;
+    search_node(search, depth + 1, 2 * node + second_is_near, distance2, away);
+    double beyond[3] = { away[0], away[1], away[2] };
+    beyond[parted->axis] = step > away[parted->axis] ? step : away[parted->axis];
+    const double far2 = beyond[0] * beyond[0] + beyond[1] * beyond[1] + beyond[2] * beyond[2];
+    search_node(search, depth + 1, 2 * node + !second_is_near, far2, beyond);
+}
+
+uint32_t neighbours_find(const NeighbourTree *tree, const float place[3], uint32_t except,
+                         uint32_t most, Neighbour *found)
+{
+    Search search = { .tree = tree,
+                      .place = { (double)place[0], (double)place[1], (double)place[2] },
+                      .except = except,
+                      .most = most,
+                      .found = found };
+    const double away[3] = { 0 };
+    if (most > 0)
+        search_node(&search, 0, 0, 0, away);
+    return search.count;
+}
