@@ -234,7 +234,8 @@ static void compress_patch(void *context, uint32_t item, int worker)
     job->made->frames[item] = frame;
 }
 
-GpResult patches_compress(const Patches *patches, CompressForm form, GpPool *pool, Compressed *compressed)
+GpResult patches_compress(const Patches *patches, CompressForm form, GpPool *pool,
+                          Compressed *compressed)
 {
     const uint32_t count = patches->surfel_count;
     Compressed made = { .form = form,
@@ -279,6 +280,7 @@ Surfel compressed_surfel(const Compressed *compressed, uint32_t patch, uint32_t 
 size_t compressed_bytes(const Patches *patches, const Compressed *compressed)
 {
     return patches_bytes(patches) + sizeof *compressed +
-           (size_t)compressed->surfel_count * (compressed->colors ? COMPRESSED_BYTES + 3u : COMPRESSED_BYTES) +
+           (size_t)compressed->surfel_count *
+               (compressed->colors ? COMPRESSED_BYTES + 3u : COMPRESSED_BYTES) +
            patches->patch_count * sizeof *compressed->frames;
 }

@@ -38,7 +38,8 @@ typedef struct Compressed {
  * out    compressed; free with compressed_free
  * order  the same bits for any number of threads
  * errors GP_ERROR_MEMORY */
-GpResult patches_compress(const Patches *patches, CompressForm form, GpPool *pool, Compressed *compressed);
+GpResult patches_compress(const Patches *patches, CompressForm form, GpPool *pool,
+                          Compressed *compressed);
 
 void compressed_free(Compressed *compressed); /* zeroes; a zeroed one is fine */
 
