@@ -124,6 +124,7 @@ typedef struct Measure {
     const NeighbourTree *tree;
     const float *normals;
     float *radii, *areas;
+    float *caps;      /* by rank: what an open cell's disc is to reach at most; 0: it is not open */
     CellFacts *facts; /* of each piece */
 } Measure;
 
@@ -198,7 +199,9 @@ static void measure_piece(void *context, uint32_t piece, int worker)
         const double nearest = count > 0 ? sqrt(found[0].distance2) : 0;
         double radius = nearest / 2, area = 3.141592653589793 * radius * radius;
         const int kept = neighbours_beside(measure, rank, found, count, beside);
-        facts.boundary += kept == 0 || measure_cell(beside, kept, &radius, &area);
+        const bool is_open = kept == 0 || measure_cell(beside, kept, &radius, &area);
+        measure->caps[rank] = is_open ? INFINITY : 0;
+        facts.boundary += is_open;
         facts.nearest_sum += nearest;
         facts.nearest_least = fmin(facts.nearest_least, nearest);
         facts.nearest_most = fmax(facts.nearest_most, nearest);
@@ -206,6 +209,41 @@ static void measure_piece(void *context, uint32_t piece, int worker)
         measure->areas[tree->numbers[rank]] = (float)fmax(area, (double)FLT_MIN);
     }
     measure->facts[piece] = facts;
+}
+
+/* Once all radii are known. */
+static void cap_piece(void *context, uint32_t piece, int worker)
+{
+    const Measure *measure = context;
+    const NeighbourTree *tree = measure->tree;
+    uint32_t rank;
+    const uint32_t end = neighbour_piece(tree->count, piece, &rank);
+    (void)worker;
+    for (; rank < end; rank++) {
+        Neighbour found[4];
+        if (measure->caps[rank] == 0)
+            continue;
+        const uint32_t count =
+            neighbours_find(tree, tree->positions + 3 * (size_t)rank, rank, 4, found);
+        for (uint32_t i = 0; i < count; i++) {
+            const float cap = 2 * measure->radii[tree->numbers[found[i].rank]];
+            if (cap < measure->caps[rank])
+                measure->caps[rank] = cap;
+        }
+    }
+}
+
+static void apply_caps(const Measure *measure)
+{
+    for (uint32_t rank = 0; rank < measure->tree->count; rank++) {
+        const float cap = measure->caps[rank];
+        float *radius = &measure->radii[measure->tree->numbers[rank]];
+        float *area = &measure->areas[measure->tree->numbers[rank]];
+        if (!(cap > 0 && cap < *radius))
+            continue;
+        *radius = cap;
+        *area = fminf(*area, 3.1415927F * cap * cap);
+    }
 }
 
 GpResult cells_measure(const NeighbourTree *tree, const float *normals, GpPool *pool, float *radii,
@@ -216,10 +254,16 @@ GpResult cells_measure(const NeighbourTree *tree, const float *normals, GpPool *
                         .normals = normals,
                         .radii = radii,
                         .areas = areas,
+                        .caps = gp_alloc_unset(tree->count * sizeof(float)),
                         .facts = gp_alloc(pieces, sizeof(CellFacts)) };
-    if (!measure.facts)
+    if (!measure.facts || !measure.caps) {
+        gp_free(measure.facts);
+        gp_free(measure.caps);
         return GP_ERROR_MEMORY;
+    }
     gp_pool_run(pool, pieces, measure_piece, &measure);
+    gp_pool_run(pool, pieces, cap_piece, &measure);
+    apply_caps(&measure);
     *facts = measure.facts[0];
     for (uint32_t i = 1; i < pieces; i++) {
         const CellFacts *piece = &measure.facts[i];
@@ -229,5 +273,6 @@ GpResult cells_measure(const NeighbourTree *tree, const float *normals, GpPool *
         facts->boundary += piece->boundary;
     }
     gp_free(measure.facts);
+    gp_free(measure.caps);
     return GP_OK;
 }

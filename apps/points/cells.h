@@ -17,7 +17,8 @@ typedef struct CellFacts {
  * plane than beside the point: others are of another sheet. Each is taken at its true distance,
  * whatever the bend. A cell that reaches beyond the last of them is open: the point is at a boundary.
  * It then ends half the distance to its third neighbour away where it is open, and its disc reaches
- * its corners between neighbours as far as the fourth.
+ * its corners between neighbours as far as the fourth; but no farther than twice the least disc among
+ * its four nearest, so that a point far from all others stays small.
  *
  * in     normals: [3 * tree->count] by number, unit length; places differ from each other
  * out    radii, areas: [tree->count] by number, above 0

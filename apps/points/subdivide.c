@@ -1,11 +1,14 @@
 #include "apps/points/subdivide.h"
 
+#include "apps/base/vector.h"
 #include "apps/points/edges.h"
 
 #include <string.h>
 
-static GpResult alloc_mesh(uint32_t vertices, uint32_t triangles, bool has_colors, GpMesh *mesh)
+/* With the attributes of another. */
+static GpResult alloc_mesh(uint32_t vertices, uint32_t triangles, const GpMesh *like, GpMesh *mesh)
 {
+    const bool has_colors = like->colors != NULL;
     *mesh = (GpMesh){ .positions = gp_alloc_unset(3 * (size_t)vertices * sizeof(float)),
                       .normals = gp_alloc(3 * (size_t)vertices, sizeof(float)),
                       .colors =
@@ -13,6 +16,7 @@ static GpResult alloc_mesh(uint32_t vertices, uint32_t triangles, bool has_color
                       .indices = gp_alloc_unset(3 * (size_t)triangles * sizeof(uint32_t)),
                       .vertex_count = vertices,
                       .triangle_count = triangles,
+                      .had_normals = like->had_normals,
                       .had_colors = has_colors };
     if (mesh->positions && mesh->normals && (!has_colors || mesh->colors) && mesh->indices)
         return GP_OK;
@@ -52,12 +56,13 @@ GpResult mesh_of_referenced(const GpMesh *mesh, GpMesh *referenced)
         return GP_ERROR_MEMORY;
     const uint32_t count = number_referenced(mesh, number, &triangles);
     GpMesh made;
-    GpResult result = alloc_mesh(count, triangles, mesh->colors != NULL, &made);
+    GpResult result = alloc_mesh(count, triangles, mesh, &made);
     for (size_t v = 0; result == GP_OK && v < mesh->vertex_count; v++) {
         if (number[v] == 0)
             continue;
         const size_t to = number[v] - 1;
         memcpy(made.positions + 3 * to, mesh->positions + 3 * v, 3 * sizeof(float));
+        memcpy(made.normals + 3 * to, mesh->normals + 3 * v, 3 * sizeof(float));
         if (made.colors)
             memcpy(made.colors + 4 * to, mesh->colors + 4 * v, 4 * sizeof(float));
     }
@@ -68,7 +73,7 @@ GpResult mesh_of_referenced(const GpMesh *mesh, GpMesh *referenced)
             *index++ = number[corner[i]] - 1;
     }
     gp_free(number);
-    if (result == GP_OK && (result = gp_mesh_normals(&made, true)) != GP_OK)
+    if (result == GP_OK && (result = gp_mesh_normals(&made, !made.had_normals)) != GP_OK)
         gp_mesh_free(&made);
     if (result == GP_OK)
         *referenced = made;
@@ -80,10 +85,22 @@ static float middle(float a, float b)
     return (float)(((double)a + (double)b) / 2);
 }
 
+/* Of two normals; (0, 0, 0) where they are opposite. */
+static void middle_normal(const float a[3], const float b[3], float to[3])
+{
+    double sum[3];
+    for (int i = 0; i < 3; i++)
+        sum[i] = (double)a[i] + (double)b[i];
+    vector_normalize(sum);
+    for (int i = 0; i < 3; i++)
+        to[i] = (float)sum[i];
+}
+
 static void add_midpoints(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
 {
     const size_t count = mesh->vertex_count;
     memcpy(finer->positions, mesh->positions, 3 * count * sizeof(float));
+    memcpy(finer->normals, mesh->normals, 3 * count * sizeof(float));
     if (mesh->colors)
         memcpy(finer->colors, mesh->colors, 4 * count * sizeof(float));
     for (size_t e = 0; e < edges->count; e++) {
@@ -91,6 +108,7 @@ static void add_midpoints(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
         for (size_t i = 0; i < 3; i++)
             finer->positions[3 * to + i] =
                 middle(mesh->positions[3 * a + i], mesh->positions[3 * b + i]);
+        middle_normal(mesh->normals + 3 * a, mesh->normals + 3 * b, finer->normals + 3 * to);
         for (size_t i = 0; mesh->colors && i < 4; i++)
             finer->colors[4 * to + i] = middle(mesh->colors[4 * a + i], mesh->colors[4 * b + i]);
     }
@@ -124,14 +142,13 @@ GpResult mesh_subdivide(const GpMesh *mesh, GpMesh *finer)
     if (result != GP_OK)
         return result;
     GpMesh made;
-    result = alloc_mesh(mesh->vertex_count + edges.count, 4 * mesh->triangle_count,
-                        mesh->colors != NULL, &made);
+    result = alloc_mesh(mesh->vertex_count + edges.count, 4 * mesh->triangle_count, mesh, &made);
     if (result == GP_OK) {
         add_midpoints(mesh, &edges, &made);
         cut_triangles(mesh, &edges, &made);
     }
     edges_free(&edges);
-    if (result == GP_OK && (result = gp_mesh_normals(&made, true)) != GP_OK)
+    if (result == GP_OK && (result = gp_mesh_normals(&made, !made.had_normals)) != GP_OK)
         gp_mesh_free(&made);
     if (result == GP_OK)
         *finer = made;

@@ -5,17 +5,18 @@
 #include "pipeline/io/mesh/mesh.h"
 
 /* Copies a mesh without the triangles that do not have three different corners and without vertices
- * that no triangle then uses; what is left keeps its order. Normals are made again by gp_mesh_normals,
- * from the triangles; colours are copied, texture coordinates left out.
+ * that no triangle then uses; what is left keeps its order. Normals and colours are copied; normals that
+ * the file did not store are made again by gp_mesh_normals. Texture coordinates are left out.
  * errors GP_ERROR_MEMORY
  * owns   the caller, until gp_mesh_free */
 GpResult mesh_of_referenced(const GpMesh *mesh, GpMesh *referenced);
 
 /* Cuts each triangle into four at the midpoints of its sides. Vertices keep their numbers; the midpoint
  * of an edge is one vertex for all triangles at that edge and follows them in the order of edges_find.
- * Positions and colours of midpoints are means. Normals are made again by gp_mesh_normals: a midpoint
- * has that of the two triangles at it, so that its disc lies as close to both as one disc can; the mean
- * of its ends' normals would lean with the rest of the surface, which the triangles do not.
+ * Positions and colours of midpoints are means, and normals that the file stored are, at unit length.
+ * Others are made again by gp_mesh_normals: a midpoint has that of the two triangles at it, so that its
+ * disc lies as close to both as one disc can; the mean of its ends' would lean with triangles farther
+ * away.
  * in     mesh: as mesh_of_referenced makes it
  * errors GP_ERROR_MEMORY, GP_ERROR_UNSUPPORTED (more than 2^31 sides)
  * owns   the caller, until gp_mesh_free */

@@ -1,5 +1,6 @@
 #include "apps/points/vertices.h"
 
+#include "apps/base/vector.h"
 #include "apps/points/triangle.h"
 
 #include <string.h>
@@ -13,7 +14,7 @@ static const float *corner_position(const GpMesh *mesh, size_t triangle, int cor
     return mesh->positions + 3 * (size_t)mesh->indices[3 * triangle + (size_t)corner];
 }
 
-static double area_of(const GpMesh *mesh, size_t triangle)
+double mesh_triangle_area(const GpMesh *mesh, size_t triangle)
 {
     return triangle_area(corner_position(mesh, triangle, 0), corner_position(mesh, triangle, 1),
                          corner_position(mesh, triangle, 2));
@@ -23,7 +24,7 @@ double mesh_area(const GpMesh *mesh)
 {
     double area = 0;
     for (size_t t = 0; t < mesh->triangle_count; t++)
-        area += area_of(mesh, t);
+        area += mesh_triangle_area(mesh, t);
     return area;
 }
 
@@ -36,7 +37,8 @@ static double measure(const GpMesh *mesh, Vertex *vertices)
         for (int i = 0; i < 3; i++)
             side[i] =
                 triangle_side(corner_position(mesh, t, i), corner_position(mesh, t, (i + 1) % 3));
-        const double area = area_of(mesh, t), reach = triangle_reach(side[0], side[1], side[2]);
+        const double area = mesh_triangle_area(mesh, t),
+                     reach = triangle_reach(side[0], side[1], side[2]);
         largest = reach > largest ? reach : largest;
         for (size_t i = 0; i < 3; i++) {
             Vertex *vertex = &vertices[mesh->indices[3 * t + i]];
@@ -45,11 +47,6 @@ static double measure(const GpMesh *mesh, Vertex *vertices)
         }
     }
     return largest;
-}
-
-static uint8_t byte_of(float color)
-{
-    return (uint8_t)(color >= 1 ? 255 : color > 0 ? color * 255 + 0.5F : 0);
 }
 
 /* Rounded up, so that a hole does not open for half a unit in the last place. */
@@ -72,12 +69,18 @@ GpResult surfels_of_vertices(const GpMesh *mesh, bool each, Surfels *surfels)
     for (size_t v = 0; v < made.count; v++) {
         Surfel *surfel = &made.surfels[v];
         memcpy(surfel->position, mesh->positions + 3 * v, sizeof surfel->position);
-        memcpy(surfel->normal, mesh->normals + 3 * v, sizeof surfel->normal);
+        double normal[3];
+        for (int i = 0; i < 3; i++)
+            normal[i] = (double)mesh->normals[3 * v + (size_t)i];
+        vector_normalize(normal);
+        for (int i = 0; i < 3; i++)
+            surfel->normal[i] = (float)normal[i];
         surfel->radius = up(each && vertices[v].reach > 0 ? vertices[v].reach : largest);
         surfel->share = surfel_share(vertices[v].area, (double)surfel->radius);
         for (size_t i = 0; i < 3; i++)
-            surfel->color[i] = mesh->colors ? byte_of(mesh->colors[4 * v + i]) : 255;
+            surfel->color[i] = mesh->colors ? color_byte(mesh->colors[4 * v + i]) : 255;
     }
+    made.had_normals = mesh->had_normals;
     made.had_colors = mesh->colors != NULL;
     gp_free(vertices);
     *surfels = made;

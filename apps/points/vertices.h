@@ -16,7 +16,14 @@
  * owns   the caller, until surfels_free */
 GpResult surfels_of_vertices(const GpMesh *mesh, bool each, Surfels *surfels);
 
-/* The area of all triangles. */
+/* A colour of a mesh in 256 steps. */
+static inline uint8_t color_byte(float color)
+{
+    return (uint8_t)(color >= 1 ? 255 : color > 0 ? color * 255 + 0.5F : 0);
+}
+
+/* The area of a triangle, and of all. */
+double mesh_triangle_area(const GpMesh *mesh, size_t triangle);
 double mesh_area(const GpMesh *mesh);
 
 #endif

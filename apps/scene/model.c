@@ -36,7 +36,8 @@ static GpResult mesh_of_shape(const Shape *shape, GpMesh *mesh)
                       .colors = gp_alloc(count, 4 * sizeof(float)),
                       .indices = gp_alloc(shape->index_count, sizeof(uint32_t)),
                       .vertex_count = count,
-                      .triangle_count = shape->index_count / 3 };
+                      .triangle_count = shape->index_count / 3,
+                      .had_normals = true };
     if (!mesh->positions || !mesh->normals || !mesh->colors || !mesh->indices) {
         gp_mesh_free(mesh);
         return GP_ERROR_MEMORY;

@@ -15,6 +15,22 @@ static const FormatEntry formats[] = {
     { "stl", gp_mesh_read_stl }, { "om", gp_mesh_read_om },
 };
 
+static const FormatEntry *find_format(const char *path)
+{
+    char extension[8];
+    gp_file_extension(path, extension);
+    for (size_t i = 0; i < GP_COUNT(formats); i++) {
+        if (strcmp(extension, formats[i].extension) == 0)
+            return &formats[i];
+    }
+    return NULL;
+}
+
+bool gp_mesh_is_readable(const char *path)
+{
+    return find_format(path) != NULL;
+}
+
 /* From what the file holds to what gp_mesh_read promises. */
 static GpResult finish(const char *path, unsigned flags, GpMeshBuilder *builder, GpMesh *mesh,
                        GpError *error)
@@ -44,13 +60,7 @@ static GpResult finish(const char *path, unsigned flags, GpMeshBuilder *builder,
 GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *error)
 {
     GP_ASSERT(path && mesh);
-    char extension[8];
-    gp_file_extension(path, extension);
-    const FormatEntry *entry = NULL;
-    for (size_t i = 0; i < GP_COUNT(formats); i++) {
-        if (strcmp(extension, formats[i].extension) == 0)
-            entry = &formats[i];
-    }
+    const FormatEntry *entry = find_format(path);
     if (!entry)
         return gp_fail(error, GP_ERROR_UNSUPPORTED,
                        "%s: expected a name that ends with .off, .obj, .ply, .stl or .om", path);

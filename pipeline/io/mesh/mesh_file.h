@@ -22,4 +22,7 @@ typedef enum GpMeshFlags {
  * owns   the caller frees the mesh with gp_mesh_free */
 GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *error);
 
+/* Whether gp_mesh_read knows the extension. */
+bool gp_mesh_is_readable(const char *path);
+
 #endif

@@ -305,6 +305,23 @@ static void discs_close_white_noise_and_find_its_boundary(void **state)
         fail_msg("%d of 5000 places are in no disc", gaps);
 }
 
+static void a_point_far_from_all_others_stays_small(void **state)
+{
+    (void)state;
+    Cloud cloud = cloud_alloc(402, 400);
+    for (uint32_t i = 0; i < cloud.count; i++) {
+        cloud.positions[3 * i] = (float)(i < 400 ? i % 20 : 500 + i);
+        cloud.positions[3 * i + 1] = (float)(i < 400 ? i / 20 : 7);
+        cloud.normals[3 * i + 2] = 1;
+    }
+    Discs discs = discs_of(&cloud);
+    for (uint32_t i = 0; i < cloud.count; i++)
+        assert_true(discs.radii[i] > 0.4F && discs.radii[i] <= 1.5F);
+    assert_area("square", &cloud, &discs, 0.05);
+    discs_free(&discs);
+    cloud_free(&cloud);
+}
+
 /* Two sheets nearer to each other than their points are apart: each closes by itself. */
 static void a_sheet_does_not_count_the_points_of_another(void **state)
 {
@@ -383,6 +400,7 @@ int main(void)
         cmocka_unit_test(flat_and_thin_clouds_have_stated_normals),
         cmocka_unit_test(discs_close_a_ball_and_areas_add_up),
         cmocka_unit_test(discs_close_white_noise_and_find_its_boundary),
+        cmocka_unit_test(a_point_far_from_all_others_stays_small),
         cmocka_unit_test(a_sheet_does_not_count_the_points_of_another),
         cmocka_unit_test(estimates_do_not_depend_on_the_threads),
     };
