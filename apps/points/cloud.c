@@ -1,6 +1,6 @@
 #include "apps/points/cloud.h"
 
-#include "apps/points/distinct.h"
+#include "apps/points/cloud/distinct.h"
 
 #include <math.h>
 

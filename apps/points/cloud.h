@@ -2,8 +2,8 @@
 #ifndef APPS_POINTS_CLOUD_H
 #define APPS_POINTS_CLOUD_H
 
-#include "apps/points/cells.h"
-#include "apps/points/planes.h"
+#include "apps/points/cloud/cells.h"
+#include "apps/points/cloud/planes.h"
 #include "apps/points/surfels.h"
 #include "pipeline/io/points/points.h"
 

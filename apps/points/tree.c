@@ -2,7 +2,7 @@
 
 #include "apps/base/symmetric.h"
 #include "apps/base/vector.h"
-#include "apps/points/median.h"
+#include "apps/points/cloud/median.h"
 
 #include <stdlib.h>
 
@@ -19,14 +19,6 @@ typedef struct Builder {
     int task_depth; /* of the nodes that are parted now */
     uint32_t first_task;
 } Builder;
-
-int tree_depth(uint32_t leaves)
-{
-    int depth = -1;
-    while (leaves >= 4u << (depth + 1) && depth < 29)
-        depth++;
-    return depth;
-}
 
 /* --- nodes ------------------------------------------------------------------------------------ */
 

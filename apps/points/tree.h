@@ -11,6 +11,7 @@
 #ifndef APPS_POINTS_TREE_H
 #define APPS_POINTS_TREE_H
 
+#include "apps/points/cloud/complete_tree.h"
 #include "apps/points/surfels.h"
 #include "pipeline/base/pool.h"
 
@@ -26,16 +27,6 @@ static inline void points_tell(const PointsListener *listener, uint32_t done, ui
     if (listener && listener->progress)
         listener->progress(listener->user, done, total, text);
 }
-
-/* The first leaf of a node, or of the leaves behind the last: node <= 2^depth, depth < 32. */
-static inline uint32_t tree_bound(uint32_t leaves, int depth, uint64_t node)
-{
-    return (uint32_t)((uint64_t)leaves * node >> depth);
-}
-
-/* The depth below which nodes are not parted: they have 4 to 8 leaves there. -1: fewer than four
- * leaves in all, which are no tree. */
-int tree_depth(uint32_t leaves);
 
 /* Puts surfels into the order of the tree's leaves; inside a node of tree_depth in that of the
  * surfels themselves.

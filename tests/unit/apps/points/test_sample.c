@@ -1,5 +1,5 @@
 /* Points that are spread over a mesh lie on it, everywhere, and evenly. */
-#include "apps/points/neighbours.h"
+#include "apps/points/cloud/neighbours.h"
 #include "apps/points/sample.h"
 #include "apps/points/subdivide.h"
 #include "apps/points/triangle.h"

@@ -1,4 +1,4 @@
-#include "apps/points/links.h"
+#include "apps/points/cloud/links.h"
 
 #include "apps/base/vector.h"
 

@@ -3,8 +3,8 @@
  * source Friedman, Bentley and Finkel, "An algorithm for finding best matches in logarithmic expected
  *        time", 1977; distances to boxes from step to step: Arya and Mount, 1993
  */
-#ifndef APPS_POINTS_NEIGHBOURS_H
-#define APPS_POINTS_NEIGHBOURS_H
+#ifndef APPS_POINTS_CLOUD_NEIGHBOURS_H
+#define APPS_POINTS_CLOUD_NEIGHBOURS_H
 
 #include "pipeline/base/pool.h"
 

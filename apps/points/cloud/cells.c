@@ -1,4 +1,4 @@
-#include "apps/points/cells.h"
+#include "apps/points/cloud/cells.h"
 
 #include "apps/base/vector.h"
 

@@ -1,7 +1,7 @@
 /* Points that are linked to their neighbours, and normals turned the same way along the links
  * (planes.h says how). */
-#ifndef APPS_POINTS_LINKS_H
-#define APPS_POINTS_LINKS_H
+#ifndef APPS_POINTS_CLOUD_LINKS_H
+#define APPS_POINTS_CLOUD_LINKS_H
 
 #include "pipeline/base/base.h"
 

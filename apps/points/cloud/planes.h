@@ -1,8 +1,8 @@
 /* Normals of points that have none: planes through their neighbours, turned the same way all over. */
-#ifndef APPS_POINTS_PLANES_H
-#define APPS_POINTS_PLANES_H
+#ifndef APPS_POINTS_CLOUD_PLANES_H
+#define APPS_POINTS_CLOUD_PLANES_H
 
-#include "apps/points/neighbours.h"
+#include "apps/points/cloud/neighbours.h"
 
 /* Points that reach each other over neighbours. */
 typedef struct PlaneFacts {

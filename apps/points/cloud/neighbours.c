@@ -1,7 +1,7 @@
-#include "apps/points/neighbours.h"
+#include "apps/points/cloud/neighbours.h"
 
-#include "apps/points/median.h"
-#include "apps/points/tree.h"
+#include "apps/points/cloud/median.h"
+#include "apps/points/cloud/complete_tree.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* The tree of neighbours finds what comparing with all points finds, in the same order. */
-#include "apps/points/neighbours.h"
+#include "apps/points/cloud/neighbours.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 

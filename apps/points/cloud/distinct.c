@@ -1,4 +1,4 @@
-#include "apps/points/distinct.h"
+#include "apps/points/cloud/distinct.h"
 
 static bool is_same_place(const float *a, const float *b)
 {

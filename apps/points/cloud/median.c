@@ -1,4 +1,4 @@
-#include "apps/points/median.h"
+#include "apps/points/cloud/median.h"
 
 #include <stdbool.h>
 

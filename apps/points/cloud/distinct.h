@@ -1,6 +1,6 @@
 /* Points at places of their own. */
-#ifndef APPS_POINTS_DISTINCT_H
-#define APPS_POINTS_DISTINCT_H
+#ifndef APPS_POINTS_CLOUD_DISTINCT_H
+#define APPS_POINTS_CLOUD_DISTINCT_H
 
 #include "pipeline/base/base.h"
 

@@ -1,8 +1,8 @@
-#include "apps/points/planes.h"
+#include "apps/points/cloud/planes.h"
 
 #include "apps/base/symmetric.h"
 #include "apps/base/vector.h"
-#include "apps/points/links.h"
+#include "apps/points/cloud/links.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Normals look outwards all over, discs close the surface, and areas add up to its own. */
-#include "apps/points/cells.h"
-#include "apps/points/planes.h"
+#include "apps/points/cloud/cells.h"
+#include "apps/points/cloud/planes.h"
 #include "apps/scene/model.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"

@@ -1,8 +1,8 @@
 /* What points of a surface reach and stand for, from where their neighbours are. */
-#ifndef APPS_POINTS_CELLS_H
-#define APPS_POINTS_CELLS_H
+#ifndef APPS_POINTS_CLOUD_CELLS_H
+#define APPS_POINTS_CLOUD_CELLS_H
 
-#include "apps/points/neighbours.h"
+#include "apps/points/cloud/neighbours.h"
 
 typedef struct CellFacts {
     double nearest_sum, nearest_least, nearest_most; /* distances to the nearest other point */

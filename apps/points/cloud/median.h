@@ -1,6 +1,6 @@
 /* Points parted by their place along an axis, as trees are built. */
-#ifndef APPS_POINTS_MEDIAN_H
-#define APPS_POINTS_MEDIAN_H
+#ifndef APPS_POINTS_CLOUD_MEDIAN_H
+#define APPS_POINTS_CLOUD_MEDIAN_H
 
 #include <stdint.h>
 
