@@ -35,6 +35,17 @@ static void print_hash(const Output *output, uint64_t hash)
     printf("%s\n%s", line, output->lines ? output->lines : "");
 }
 
+/* "splats" is followed by "splats_per_second". */
+static void add_rate(const Output *output, json_t *object)
+{
+    char name[64];
+    const json_t *count = output->rate ? json_object_get(output->members, output->rate) : NULL;
+    snprintf(name, sizeof name, "%s_per_second", output->rate ? output->rate : "");
+    if (count && output->statistics.ms > 0)
+        json_object_set_new(object, name,
+                            json_real(json_number_value(count) * 1000 / output->statistics.ms));
+}
+
 static int print_object(const Output *output, uint64_t hash)
 {
     const GpVolume *volume = &output->volume;
@@ -48,6 +59,7 @@ static int print_object(const Output *output, uint64_t hash)
         json_decref(size);
     }
     json_object_update(object, output->members);
+    add_rate(output, object);
     json_object_set_new(object, "file", json_string(output->path));
     if (output->alpha_path)
         json_object_set_new(object, output->alpha_name, json_string(output->alpha_path));

@@ -26,6 +26,7 @@ typedef struct Output {
     GpVolume volume;          /* data NULL: the picture is the result */
     const char *lines;        /* to be printed after the hash; NULL: none */
     json_t *members;          /* to be added to --json's; NULL: none */
+    const char *rate;         /* one of them, to be told by the second too; NULL: none */
 } Output;
 
 /* Writes the picture or the volume, and prints "hash FORMAT WxH 0123456789abcdef", gp_surface_hash's or

@@ -202,6 +202,7 @@ static int draw(const TechniqueArgs *args, void *scene, GpDevice *device, const 
         json_object_set(told.members, "error", chosen);
     output.lines = told.lines.data;
     output.members = told.members;
+    output.rate = technique->rate;
     int code = result ? report(exit_of_input(result), "%s: %s", args->scene, error.text)
                       : output_result(&output);
     free_report(&told);

@@ -1,5 +1,6 @@
 #include "apps/techniques/registry.h"
 
+#include "apps/techniques/points/technique.h"
 #include "apps/techniques/shadow/technique.h"
 #include "apps/techniques/voxel/technique.h"
 
@@ -8,6 +9,7 @@
 TechniqueList technique_registry = {
     &voxel_technique,
     &shadow_technique,
+    &points_technique,
     NULL,
 };
 

@@ -174,6 +174,10 @@ typedef struct Technique {
      * told; what differs from part to part of the scene stays. NULL: nothing is left */
     void (*resolve)(const void *scene, void *setting);
 
+    /* A member of the report that counts what a frame draws, and is told by the second too: "splats" is
+     * followed by "splats_per_second". NULL: none */
+    const char *rate;
+
     /* What the alpha of a picture is, which --output-NAME writes alone: "visibility". NULL: nothing */
     const char *alpha;
     /* errors GP_ERROR_INVALID: it is not in this scene, with the reason. NULL: it always is */

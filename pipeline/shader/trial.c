@@ -232,7 +232,13 @@ static void try_vertices(Run *run, GpTrial *trial)
     trial->writes_position &=
         written_components(run->packet.position, 4, run->code->lanes) == low_bits(4);
     trial->position_moves |= follows(run, run_vertices, position);
-    trial->other_input_moves |= follows(run, run_vertices, others);
+    if (!follows(run, run_vertices, others))
+        return;
+    trial->other_input_moves = true;
+    /* they may have brought into view what was left out before, wherever it was */
+    run->moved = others;
+    run_vertices(run);
+    trial->position_moves |= follows(run, run_vertices, others | position);
 }
 
 static void try_pixels(Run *run, GpTrial *trial)

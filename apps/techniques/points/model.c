@@ -1,0 +1,150 @@
+#include "apps/techniques/points/model.h"
+
+#include "apps/scene/camera_file.h"
+#include "apps/points/subdivide.h"
+#include "apps/points/vertices.h"
+#include "apps/scene/model.h"
+
+#include <string.h>
+
+/* --- surfels ---------------------------------------------------------------------------------- */
+
+/* A mesh, subdivided as often as is asked for. errors those of its steps */
+static GpResult refine(const GpMesh *mesh, uint32_t subdivide, GpMesh *refined)
+{
+    GpResult result = mesh_of_referenced(mesh, refined);
+    for (uint32_t k = 0; k < subdivide && !result; k++) {
+        GpMesh finer;
+        result = mesh_subdivide(refined, &finer);
+        if (!result) {
+            gp_mesh_free(refined);
+            *refined = finer;
+        }
+    }
+    return result;
+}
+
+static GpResult read_surfels(const TechniqueInput *input, PointsModel *model, GpError *error)
+{
+    const PointsOptions *options = input->setting;
+    GpMesh refined = { .positions = NULL };
+    GpResult result = model_mesh(input->path, &model->mesh, error);
+    if (result)
+        return result;
+    result = refine(&model->mesh, options->subdivide, &refined);
+    if (!result)
+        result = surfels_of_vertices(&refined, true, &model->surfels);
+    gp_mesh_free(&refined);
+    return gp_fail(error, result, "%s: out of memory", input->path);
+}
+
+/* --- the view --------------------------------------------------------------------------------- */
+
+enum { DEFAULT_SIDE = 1024 };
+
+static Bounds surfels_bounds(const Surfels *surfels)
+{
+    return bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
+}
+
+static GpResult find_view(const TechniqueInput *input, const Surfels *surfels, SplatView *view,
+                          GpError *error)
+{
+    const PointsOptions *options = input->setting;
+    const bool sized = input->width > 0 && input->height > 0;
+    *view = (SplatView){ .width = sized ? input->width : DEFAULT_SIDE,
+                         .height = sized ? input->height : DEFAULT_SIDE };
+    const Bounds bounds = surfels_bounds(surfels);
+    view->camera = orbit_camera(&options->orbit, &bounds, (double)view->width / view->height,
+                                bounds_longest(&bounds) * 1e-3);
+    GpResult result = points_waves(options->color, &view->waves, error);
+    if (!result && options->camera)
+        result = camera_read_file(options->camera, &view->camera, error);
+    view->lit = !options->unlit && !(view->waves > 0);
+    return result;
+}
+
+/* --- opening ---------------------------------------------------------------------------------- */
+
+static void paint(const PointsOptions *options, PointsModel *model)
+{
+    Surfels *surfels = &model->surfels;
+    model->color = options->color ? points_color(options->color) : NULL;
+    if (!model->color && !surfels->had_colors)
+        model->color = points_color("clay");
+    for (uint32_t i = 0; i < surfels->count && model->color; i++)
+        memcpy(surfels->surfels[i].color, model->color, sizeof surfels->surfels[i].color);
+}
+
+GpResult points_model_open(const TechniqueInput *input, void **made, GpError *error)
+{
+    const PointsOptions *options = input->setting;
+    PointsModel *model = gp_alloc(1, sizeof *model);
+    if (!model)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result = read_surfels(input, model, error);
+    if (!result)
+        result = find_view(input, &model->surfels, &model->view, error);
+    if (result) {
+        points_model_close(model);
+        return result;
+    }
+    paint(options, model);
+    *made = model;
+    return GP_OK;
+}
+
+GpResult points_model_structure(PointsModel *model, int threads, GpError *error)
+{
+    GpPool *pool;
+    if (model->patches.surfels)
+        return GP_OK;
+    GpResult result = gp_pool_create(threads, &pool, error);
+    if (!result)
+        result = patches_build(&model->surfels, NULL, pool, NULL, &model->patches, error);
+    gp_pool_destroy(&pool);
+    return result;
+}
+
+GpResult points_model_truth(PointsModel *model, int threads, GpError *error)
+{
+    GpPool *pool;
+    if (model->truth.color)
+        return GP_OK;
+    if (model->mesh.triangle_count == 0)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "the truth is the surface whose vertices the points are, and a file of "
+                       "points has none");
+    GpResult result = gp_pool_create(threads, &pool, error);
+    if (!result)
+        result = points_truth_find(&model->mesh, model->color, &model->view, pool, &model->truth);
+    gp_pool_destroy(&pool);
+    return gp_fail(error, result, "out of memory");
+}
+
+uint64_t points_model_splats(const Frame *frame)
+{
+    const GpPass *pass = &frame->list.passes[frame->list.pass_count > 1];
+    uint64_t splats = 0;
+    for (uint32_t i = 0; i < pass->draw_count; i++)
+        splats += pass->draws[i].geometry.vertex_count;
+    return splats;
+}
+
+double points_model_bytes(const PointsModel *model)
+{
+    const Patches *patches = &model->patches;
+    return patches->surfels ? (double)patches_bytes(patches) +
+                                  (double)patches->surfel_count * sizeof(Surfel)
+                            : (double)model->surfels.count * sizeof(Surfel);
+}
+
+void points_model_close(void *made)
+{
+    PointsModel *model = made;
+    mesh_picture_free(&model->truth);
+    surfels_free(&model->surfels);
+    patches_free(&model->patches);
+    gp_mesh_free(&model->mesh);
+    gp_free(model);
+}

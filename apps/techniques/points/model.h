@@ -1,0 +1,35 @@
+/* A point model that has been opened, and how it is seen. */
+#ifndef APPS_TECHNIQUES_POINTS_MODEL_H
+#define APPS_TECHNIQUES_POINTS_MODEL_H
+
+#include "apps/points/patches.h"
+#include "apps/points/splats.h"
+#include "apps/techniques/points/options.h"
+#include "apps/techniques/points/truths.h"
+#include "apps/techniques/technique.h"
+#include "pipeline/io/mesh/mesh.h"
+
+typedef struct PointsModel {
+    Surfels surfels;
+    Patches patches; /* empty until a setting needs them */
+    GpMesh mesh; /* whose surface they are; without triangles: unknown */
+    SplatView view;
+    const uint8_t *color; /* of all points; NULL: each has its own */
+    MeshPicture truth;    /* empty until it is found */
+} PointsModel;
+
+/* As a technique's open and close. */
+GpResult points_model_open(const TechniqueInput *input, void **model, GpError *error);
+void points_model_close(void *model);
+
+/* Builds the patches, once. errors those of patches_build */
+GpResult points_model_structure(PointsModel *model, int threads, GpError *error);
+
+/* Finds the truth, once. errors GP_ERROR_INVALID: the surface is not known; GP_ERROR_MEMORY */
+GpResult points_model_truth(PointsModel *model, int threads, GpError *error);
+
+/* Points that a frame draws, and the bytes that a model takes, with the patches where there are any. */
+uint64_t points_model_splats(const Frame *frame);
+double points_model_bytes(const PointsModel *model);
+
+#endif

@@ -1,0 +1,137 @@
+#include "apps/techniques/points/options.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const PointsOptions points_option_defaults = {
+    .splats = { .low_pass = 0.4, .spread = 0.8, .tolerance = 0.05, .cut = 2, .epsilon = 4 },
+    .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
+};
+
+/* --- the table -------------------------------------------------------------------------------- */
+
+static const char *const methods[] = { "adaptive", "ewa",     "reconstruction", "lowpass", "area",
+                                       "distance", "sprites", "pixels",         NULL };
+static const char *const sums[] = { "half", "float", "byte", NULL };
+static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
+
+#define OF(member) offsetof(PointsOptions, member)
+
+const SettingField points_settings[] = {
+    { "method", NULL,
+      "adaptive: the cheapest filter within a bound of both (default); ewa: both filters, the "
+      "surfel's and the pixel's; reconstruction, lowpass: one of them; area, distance: adaptive as "
+      "printed; sprites: discs without filters; pixels: a pixel a point",
+      SETTING_NAME, OF(splats.method), .names = methods },
+    { "sums", NULL, "What weights and attributes are added up in: half (default), float or byte",
+      SETTING_NAME, OF(splats.sums), .names = sums },
+    { "lowpass", "S", "Standard deviation of the pixel's filter, in pixels (default: 0.4)",
+      SETTING_NUMBER, OF(splats.low_pass), .low = 0.05, .high = 4 },
+    { "spread", "R", "Standard deviation of a point's own Gaussian, in its radii (default: 0.8)",
+      SETTING_NUMBER, OF(splats.spread), .low = 0.05, .high = 4 },
+    { "cut", "C", "Splats end at so many standard deviations (default: 2)", SETTING_NUMBER,
+      OF(splats.cut), .low = 0.5, .high = 6 },
+    { "epsilon", "E",
+      "How far behind the surface points are hidden, by the footprints of its splats (default: 4)",
+      SETTING_NUMBER, OF(splats.epsilon), .low = 0, .high = 1000 },
+    { "tolerance", "T",
+      "Of the adaptive method: by how much a colour of 0 to 1 may be off where a filter is left out "
+      "(default: 0.05)",
+      SETTING_NUMBER, OF(splats.tolerance), .low = 0, .high = 1 },
+    { "detail", "P",
+      "Merge points while their splats' standard deviation is at most P pixels (default: 0, none)",
+      SETTING_NUMBER, OF(detail), .low = 0, .high = 64 },
+    { "budget", "N", "Show at most N splats, merged as far as that takes", SETTING_INTEGER,
+      OF(budget), .low = 1, .high = 1 << 30 },
+    { "two-sided", NULL, "Draw points that face away from the eye too", SETTING_FLAG,
+      OF(splats.two_sided), .low = 0 },
+
+    { "subdivide", "K", "Of a mesh: its vertices after K midpoint subdivisions, 0 to 8",
+      SETTING_INTEGER, OF(subdivide), .low = 0, .high = 8, .aside = true },
+    { "sample", "N", "Of a mesh: N points, spread evenly over its area", SETTING_INTEGER,
+      OF(sample), .low = 1, .high = 1 << 27, .aside = true },
+    { "color", "NAME",
+      "file: the points' own (default where there are any); waves:K, 0.5 + 0.5 sin(K p), unlit; "
+      "or white, grey, clay, gold, jade or black",
+      SETTING_TEXT, OF(color), .aside = true },
+    { "unlit", NULL, "Show colours as they are, without light", SETTING_FLAG, OF(unlit),
+      .aside = true },
+    { "camera", "FILE", "A camera, as scenes have it: eye, at, up, fovy, near, far", SETTING_TEXT,
+      OF(camera), .aside = true },
+    { "from", "AZIMUTH ELEVATION",
+      "Where the model is seen from, in degrees (default: 30 20; 0 0 is in front)", SETTING_VECTOR,
+      OF(orbit.azimuth), .low = -360, .high = 360, .count = 2, .aside = true },
+    { "up", NULL, "Which axis points up: y (default), z, x, -y or -z", SETTING_NAME, OF(orbit.up),
+      .names = ups, .aside = true },
+    { "zoom", "F", "Larger by so much than what fills the picture", SETTING_NUMBER, OF(orbit.zoom),
+      .low = 0.1, .high = 1000, .aside = true },
+    { "measure", NULL, "Hold the picture against the truth, and say how far off it is",
+      SETTING_FLAG, OF(measures), .aside = true },
+    { "report", NULL, "Print what was read, and what was estimated", SETTING_FLAG, OF(reports),
+      .aside = true },
+    { .name = NULL },
+};
+
+_Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
+
+/* --- colours ---------------------------------------------------------------------------------- */
+
+const uint8_t *points_color(const char *name)
+{
+    static const struct {
+        const char *name;
+        uint8_t color[3];
+    } colors[] = {
+        { "white", { 255, 255, 255 } }, { "grey", { 160, 160, 160 } },
+        { "clay", { 200, 150, 110 } },  { "gold", { 230, 180, 70 } },
+        { "jade", { 110, 180, 140 } },  { "black", { 0, 0, 0 } },
+    };
+    for (size_t i = 0; i < GP_COUNT(colors); i++)
+        if (strcmp(colors[i].name, name) == 0)
+            return colors[i].color;
+    return NULL;
+}
+
+GpResult points_waves(const char *color, double *waves, GpError *error)
+{
+    *waves = 0;
+    if (!color || strcmp(color, "file") == 0 || points_color(color))
+        return GP_OK;
+    if (strncmp(color, "waves:", 6) == 0) {
+        char *end;
+        *waves = strtod(color + 6, &end);
+        if (end != color + 6 && !*end && isfinite(*waves) && *waves > 0)
+            return GP_OK;
+        return gp_fail(error, GP_ERROR_INVALID, "--color: expected a number above 0, not '%.40s'",
+                       color + 6);
+    }
+    return gp_fail(error, GP_ERROR_INVALID,
+                   "--color: expected file, waves:K, white, grey, clay, gold, jade or black, not "
+                   "'%.40s'",
+                   color);
+}
+
+/* --- what goes together ----------------------------------------------------------------------- */
+
+GpResult points_options_check(const void *setting, uint32_t given, const char *extension,
+                              GpError *error)
+{
+    const PointsOptions *options = setting;
+    double waves;
+    (void)extension;
+    const struct {
+        bool is_wrong;
+        const char *reason;
+    } rules[] = {
+        { options->sample && setting_is_given(points_settings, given, "subdivide"),
+          "--sample and --subdivide: points come from the one or the other" },
+        { options->camera && setting_is_given(points_settings, given, "from"),
+          "--camera and --from: a camera is described by the one or the other" },
+        { fabs(options->orbit.elevation) > 89, "--from: expected -89 to 89 degrees of elevation" },
+    };
+    for (size_t i = 0; i < GP_COUNT(rules); i++)
+        if (rules[i].is_wrong)
+            return gp_fail(error, GP_ERROR_INVALID, "%s", rules[i].reason);
+    return points_waves(options->color, &waves, error);
+}

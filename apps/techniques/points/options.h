@@ -1,0 +1,37 @@
+/* What may be set of points: how they are drawn, of what, and how they are looked at. */
+#ifndef APPS_TECHNIQUES_POINTS_OPTIONS_H
+#define APPS_TECHNIQUES_POINTS_OPTIONS_H
+
+#include "apps/base/orbit.h"
+#include "apps/points/splats.h"
+#include "apps/techniques/settings.h"
+
+/* The setting of the technique; what follows `splats` is aside of the key. */
+typedef struct PointsOptions {
+    SplatSetting splats;
+    double detail;   /* largest standard deviation of a splat on the picture; 0: all points */
+    uint32_t budget; /* splats at most; 0: any number */
+
+    uint32_t subdivide, sample; /* of a mesh: midpoints, points spread over it; 0: its vertices */
+    const char *color;  /* "file", "waves:K", or a name; NULL: the file's, where it has any */
+    const char *camera; /* a file; NULL: the orbit */
+    Orbit orbit;
+    bool unlit;
+    bool measures, reports;
+} PointsOptions;
+
+extern const SettingField points_settings[];
+extern const PointsOptions points_option_defaults;
+
+/* As a technique's check. */
+GpResult points_options_check(const void *options, uint32_t given, const char *extension,
+                              GpError *error);
+
+/* Takes K of "waves:K"; 0 where the colour is another.
+ * errors GP_ERROR_INVALID: none of the colours there are */
+GpResult points_waves(const char *color, double *waves, GpError *error);
+
+/* Red, green and blue of a colour's name in 255ths; NULL: there is none of that name. */
+const uint8_t *points_color(const char *name);
+
+#endif

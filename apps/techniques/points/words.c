@@ -1,0 +1,43 @@
+#include "apps/techniques/points/words.h"
+
+const char points_truth_words[] =
+    "The triangles whose vertices the points are, with the same colours and the same light, on "
+    "average over 8 x 8 places in each pixel, in double precision.";
+
+const TechniqueWord points_words[] = {
+    { "codes",
+      "How far red, green and blue are from the truth in the interior, as the root of the mean "
+      "square, of 255." },
+    { "interior",
+      "Pixels that the triangles cover wholly, and whose eight neighbours they do too: what is "
+      "there does not depend on where the surface ends." },
+    { "decibels", "The same error as peak signal to noise ratio: 20 log10 of 255 over codes." },
+    { "area",
+      "How much larger than in truth the covered area is, in per cent: the sum of alpha over all "
+      "pixels." },
+    { "holes", "Pixels of the interior in which nothing was drawn." },
+    { "largest", "The error that 99.9 per cent of the interior's values stay below, of 255." },
+    { "covered", "Pixels that the surface covers in truth, parts of pixels counted as such." },
+    { "splat", "A point, drawn as a spot that is densest in its middle." },
+    { "both filters",
+      "EWA splatting: each spot is as wide as the point's disc is on the picture, and wider by the "
+      "pixel's own filter." },
+    { "both filters, far cut", "The same, with spots that end at three standard deviations." },
+    { "sums of floats", "Both filters, with sums of 32 bits instead of 16." },
+    { "sums of bytes", "Both filters, with sums of 8 bits, which round what is added each time." },
+    { "reconstruction alone",
+      "Spots as wide as the discs are: those smaller than a pixel fall between pixels." },
+    { "low-pass alone", "Round spots of one width: discs larger than that leave holes." },
+    { "by areas, as printed",
+      "Each patch of points takes both filters or one of them, by the ratio of a disc's area to the "
+      "pixel filter's, as the thesis prints it." },
+    { "by distances, as printed", "The same by distances, as the later paper prints it." },
+    { "ours",
+      "A filter is left out where a bound says how far a colour can be off by that, with both axes "
+      "of a spot looked at." },
+    { "ours, merged",
+      "The same, where points that are close together on the picture are drawn as one." },
+    { "discs", "Points as round discs that face the eye; the nearest is seen." },
+    { "pixels", "Each point is one pixel; the nearest is seen." },
+    { .word = NULL },
+};

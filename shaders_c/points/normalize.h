@@ -1,0 +1,31 @@
+/* The last pass of splatting: sums of weighted attributes become a picture. To be drawn over the whole
+ * target; slot 0 holds colour x weight and weight, slot 1 normal x weight and distance x weight, both
+ * read at the pixel's own place.
+ *
+ * Alpha is how much of a pixel the surface covers; the picture lies over the background by it.
+ */
+#ifndef SHADERS_POINTS_NORMALIZE_H
+#define SHADERS_POINTS_NORMALIZE_H
+
+#include "pipeline/shader/program.h"
+
+typedef struct NormalizeUniforms {
+    float coverage[2];   /* alpha = weight * coverage[0] + coverage[1], clamped to 0..1 */
+    float background[4]; /* multiplied by its alpha */
+
+    /* of the program that shades */
+    float axes[3][3]; /* of the eye, world: right, down, forward */
+    float per_focal;  /* 1 / focal */
+    float centre[2];  /* of the viewport, pixels from its top left */
+    float light[3];   /* towards it, world, unit length */
+    float ambient, specular, shininess;
+    float depth[2]; /* depth of a distance z: depth[0] + depth[1] / z */
+} NormalizeUniforms;
+
+/* Colour alone. */
+extern const GpProgram splat_normalize_program;
+
+/* Lit once a pixel (Blinn and Phong), with the surface's depth where it covers half of a pixel. */
+extern const GpProgram splat_shade_program;
+
+#endif

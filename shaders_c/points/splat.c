@@ -1,0 +1,133 @@
+#include "shaders_c/points/splat_shared.h"
+
+/* --- visibility ------------------------------------------------------------------------------- */
+
+/* Depths lie behind the surface, so that all splats of one surface pass, and no other does: as far as a
+ * plane through the surfel goes back over its radius, and over the pixel's filter. */
+GP_INLINE flt behind_surface(const SplatUniforms *c, const EyeSurfel *eye, flt radius)
+{
+    flt steep = rcp(max(abs_(eye->facing), 0.1f)); /* what is steeper is seen edge on */
+    flt filter = eye->position.z * (sqrt_(bcast(c->low_pass)) * rcp(bcast(c->focal)));
+    return mad(filter, steep, radius) * c->epsilon;
+}
+
+#define THINNEST 0.1f /* half the width of a disc that is seen edge on, pixels */
+
+typedef struct DiscVarying {
+    float3 conic;
+    float2 place;
+} DiscVarying;
+
+vertex_shader(splat_visibility_vs, SplatUniforms, SurfelVertex, DiscVarying)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    Splat disc = surfel_splat(&eye, eye.radius * eye.radius, THINNEST * THINNEST);
+    *position = surfel_clip(c, &eye, behind_surface(c, &eye, in->radius));
+    *point_size = splat_side(&disc, 1);
+    out->conic = splat_conic(&disc);
+    out->place = surfel_pixel(c, &eye);
+}
+
+pixel_shader(splat_visibility_ps, SplatUniforms, DiscVarying)
+{
+    discard(splat_exponent(in->conic, in->place, vpos()) > HALF_LOG2_E);
+    return sp4(bcast(0));
+}
+
+program(splat_visibility_program, splat_visibility_vs, splat_visibility_ps, MODEL_3_0,
+        .inputs = { SURFEL_INPUTS },
+        .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT } }, .may_discard = true,
+        .uses_pixel = true, .writes_point_size = true)
+
+/* Half a side of the square inside of a disc is 0.71 of its radius; a pixel at least, so that no
+ * surface of surfels a pixel apart has holes. */
+vertex_shader(splat_square_visibility_vs, SplatUniforms, SurfelVertex, NoVarying)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    *position = surfel_clip(c, &eye, behind_surface(c, &eye, in->radius));
+    *point_size = max(eye.radius * 1.42f, 1);
+}
+
+depth_program(splat_square_visibility_program, splat_square_visibility_vs,
+              .vertex_profile = GP_VS_2_0, .inputs = { SURFEL_INPUTS }, .writes_point_size = true)
+
+/* --- attributes ------------------------------------------------------------------------------- */
+
+/* What a splat's weight is in its centre. */
+GP_INLINE flt splat_height(flt share, const EyeSurfel *eye, const Splat *splat)
+{
+    flt side = share * eye->radius; /* what r^2 is on the screen, times the share */
+    return side * side * abs_(eye->facing) * rsq(splat->det);
+}
+
+typedef struct SplatColorVarying {
+    float3 conic;
+    float2 place;
+    float4 color; /* times height, and height */
+} SplatColorVarying;
+
+vertex_shader(splat_color_vs, SplatUniforms, SurfelVertex, SplatColorVarying)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    Splat splat = surfel_filtered(c, &eye);
+    flt height = splat_height(in->color.w, &eye, &splat);
+    *position = surfel_clip(c, &eye, bcast(0));
+    *point_size = splat_side(&splat, c->cut);
+    out->conic = splat_conic(&splat);
+    out->place = surfel_pixel(c, &eye);
+    out->color = rgba(mul(surfel_color(c, in), height), height);
+}
+
+pixel_shader(splat_color_ps, SplatUniforms, SplatColorVarying)
+{
+    flt exponent = splat_exponent(in->conic, in->place, vpos());
+    discard(exponent > c->cut * c->cut * HALF_LOG2_E);
+    return mul(in->color, exp_(-exponent));
+}
+
+program(splat_color_program, splat_color_vs, splat_color_ps, MODEL_3_0, .inputs = { SURFEL_INPUTS },
+        .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT } },
+        .may_discard = true, .uses_pixel = true, .writes_point_size = true)
+
+typedef struct SplatSurfaceVarying {
+    float3 conic;
+    float2 place;
+    float4 color;   /* times height, and height */
+    float4 surface; /* normal and distance, times height */
+} SplatSurfaceVarying;
+
+typedef struct SplatTargets {
+    float4 color, surface;
+} SplatTargets;
+
+vertex_shader(splat_surface_vs, SplatUniforms, SurfelVertex, SplatSurfaceVarying)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    Splat splat = surfel_filtered(c, &eye);
+    flt height = splat_height(in->color.w, &eye, &splat);
+    /* two-sided surfels are lit from the side that is seen */
+    flt turned = sel(eye.facing < 0.0f, -height, height);
+    *position = surfel_clip(c, &eye, bcast(0));
+    *point_size = splat_side(&splat, c->cut);
+    out->conic = splat_conic(&splat);
+    out->place = surfel_pixel(c, &eye);
+    out->color = rgba(mul(surfel_color(c, in), height), height);
+    out->surface = rgba(mul(in->normal, turned), eye.position.z * height);
+}
+
+pixel_shader_targets(splat_surface_ps, SplatUniforms, SplatSurfaceVarying, SplatTargets)
+{
+    flt exponent = splat_exponent(in->conic, in->place, vpos());
+    discard(exponent > c->cut * c->cut * HALF_LOG2_E);
+    flt weight = exp_(-exponent);
+    out->color = mul(in->color, weight);
+    out->surface = mul(in->surface, weight);
+}
+
+program(splat_surface_program, splat_surface_vs, splat_surface_ps, MODEL_3_0,
+        .inputs = { SURFEL_INPUTS },
+        .varyings = { { "conic", 3, GP_FLAT },
+                      { "place", 2, GP_FLAT },
+                      { "color", 4, GP_FLAT },
+                      { "surface", 4, GP_FLAT } },
+        .may_discard = true, .uses_pixel = true, .writes_point_size = true)

@@ -1,0 +1,128 @@
+/* A surfel's Gaussian on the screen. For shader files only. */
+#ifndef SHADERS_POINTS_SPLAT_SHARED_H
+#define SHADERS_POINTS_SPLAT_SHARED_H
+
+#include "shaders_c/common/vertices_shared.h"
+#include "shaders_c/points/splat.h"
+
+#define HALF_LOG2_E 0.72134752044448170368f
+
+typedef struct SurfelVertex {
+    float3 position, normal;
+    flt radius;
+    float4 color; /* its alpha squared is how much of the area 2 pi radius^2 it stands for */
+} SurfelVertex;
+
+/* clang-format off */
+#define SURFEL_INPUTS                                                                              \
+    { GP_POSITION, 3 }, { GP_NORMAL, 3 }, { GP_POINT_SIZE, 1 }, { GP_COLOR, 4 }
+/* clang-format on */
+
+/* Where a surfel lies before the eye: x right, y down, z forward. */
+typedef struct EyeSurfel {
+    float3 position, normal;
+    float2 slope; /* x/z, y/z */
+    flt facing;   /* cosine of normal and line of sight, times the line's length at distance 1 */
+    flt radius;   /* pixels */
+    msk drawn;
+} EyeSurfel;
+
+GP_INLINE flt eye_row(const float row[4], float3 v)
+{
+    return dp3(v, u3(row));
+}
+
+GP_INLINE EyeSurfel surfel_before_eye(const SplatUniforms *c, float3 position, float3 normal,
+                                      flt radius)
+{
+    EyeSurfel eye;
+    eye.position = vec3(eye_row(c->eye[0], position) + c->eye[0][3],
+                        eye_row(c->eye[1], position) + c->eye[1][3],
+                        eye_row(c->eye[2], position) + c->eye[2][3]);
+    eye.normal =
+        vec3(eye_row(c->eye[0], normal), eye_row(c->eye[1], normal), eye_row(c->eye[2], normal));
+    flt per_z = rcp(max(eye.position.z, c->nearest));
+    eye.slope = vec2(eye.position.x * per_z, eye.position.y * per_z);
+    eye.facing = -(eye.normal.x * eye.slope.x + eye.normal.y * eye.slope.y + eye.normal.z);
+    eye.radius = radius * per_z * c->focal;
+    eye.drawn = (msk)(eye.position.z >= c->nearest) & (msk)(eye.facing > c->facing);
+    return eye;
+}
+
+/* Clip position of a place on the line of sight, so far behind the surfel. */
+GP_INLINE float4 surfel_clip(const SplatUniforms *c, const EyeSurfel *eye, flt behind)
+{
+    const float3 p = eye->position;
+    flt depth = c->depth[0] + c->depth[1] * rcp(p.z + behind);
+    float4 clip =
+        vec4(p.x * (c->focal * c->ndc[0]), -p.y * (c->focal * c->ndc[1]), depth * p.z, p.z);
+    return sel(eye->drawn, clip, vec4(2, 2, 0, 1)); /* 2: outside */
+}
+
+/* A Gaussian on the screen. */
+typedef struct Splat {
+    flt xx, xy, yy; /* V, square pixels */
+    flt det;        /* of V */
+} Splat;
+
+/* in  square: of the Gaussian's standard deviation, or of a disc's radius; square pixels
+ *     low_pass: h */
+GP_INLINE Splat surfel_splat(const EyeSurfel *eye, flt square, float low_pass)
+{
+    Splat splat;
+    float2 s = eye->slope;
+    flt a = eye->normal.x - eye->normal.z * s.x, b = eye->normal.y - eye->normal.z * s.y;
+    flt xx = square * max(mad(s.x, s.x, 1) - a * a, 0);
+    flt yy = square * max(mad(s.y, s.y, 1) - b * b, 0);
+    flt own = square * eye->facing;
+    splat.xy = square * (s.x * s.y - a * b);
+    splat.det = mad(own, own, (xx + yy + low_pass) * low_pass);
+    splat.xx = xx + low_pass;
+    splat.yy = yy + low_pass;
+    return splat;
+}
+
+/* The one that is drawn. */
+GP_INLINE Splat surfel_filtered(const SplatUniforms *c, const EyeSurfel *eye)
+{
+    flt deviation = eye->radius * c->spread;
+    return surfel_splat(eye, deviation * deviation, c->low_pass);
+}
+
+/* Side of the square that holds a splat up to its cut. */
+GP_INLINE flt splat_side(const Splat *splat, float cut)
+{
+    return sqrt_(max(splat->xx, splat->yy)) * (2 * cut);
+}
+
+/* V^-1 as xx, 2 xy, yy, such that 2^-(xx dx^2 + 2 xy dx dy + yy dy^2) is the Gaussian. */
+GP_INLINE float3 splat_conic(const Splat *splat)
+{
+    flt per_det = rcp(splat->det) * HALF_LOG2_E;
+    return vec3(splat->yy * per_det, splat->xy * per_det * -2, splat->xx * per_det);
+}
+
+/* Pixel whose centre is a surfel's, as vpos counts. */
+GP_INLINE float2 surfel_pixel(const SplatUniforms *c, const EyeSurfel *eye)
+{
+    return vec2(mad(eye->slope.x, c->focal, c->centre[0] - 0.5f),
+                mad(eye->slope.y, c->focal, c->centre[1] - 0.5f));
+}
+
+/* The exponent of a splat at a pixel. */
+GP_INLINE flt splat_exponent(float3 conic, float2 place, float2 pixel)
+{
+    flt x = pixel.x - place.x, y = pixel.y - place.y;
+    return x * mad(conic.x, x, conic.y * y) + conic.z * (y * y);
+}
+
+GP_INLINE float3 surfel_color(const SplatUniforms *c, const SurfelVertex *in)
+{
+    if (c->waves <= 0)
+        return xyz(in->color);
+    return vec3(mad(sin_(in->position.x * c->waves), 0.5f, 0.5f),
+                mad(sin_(in->position.y * c->waves), 0.5f, 0.5f),
+                mad(sin_(in->position.z * c->waves), 0.5f, 0.5f));
+}
+
+#endif
