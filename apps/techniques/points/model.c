@@ -1,41 +1,32 @@
 #include "apps/techniques/points/model.h"
 
 #include "apps/scene/camera_file.h"
-#include "apps/points/subdivide.h"
-#include "apps/points/vertices.h"
+#include "apps/base/machine.h"
 #include "apps/scene/model.h"
 
 #include <string.h>
 
 /* --- surfels ---------------------------------------------------------------------------------- */
 
-/* A mesh, subdivided as often as is asked for. errors those of its steps */
-static GpResult refine(const GpMesh *mesh, uint32_t subdivide, GpMesh *refined)
-{
-    GpResult result = mesh_of_referenced(mesh, refined);
-    for (uint32_t k = 0; k < subdivide && !result; k++) {
-        GpMesh finer;
-        result = mesh_subdivide(refined, &finer);
-        if (!result) {
-            gp_mesh_free(refined);
-            *refined = finer;
-        }
-    }
-    return result;
-}
-
 static GpResult read_surfels(const TechniqueInput *input, PointsModel *model, GpError *error)
 {
     const PointsOptions *options = input->setting;
-    GpMesh refined = { .positions = NULL };
-    GpResult result = model_mesh(input->path, &model->mesh, error);
-    if (result)
-        return result;
-    result = refine(&model->mesh, options->subdivide, &refined);
+    const bool is_builtin = model_after(input->path, "builtin:") != NULL;
+    PointsSource source = { .path = is_builtin ? NULL : input->path,
+                            .name = input->path,
+                            .subdivide = options->subdivide,
+                            .sample = options->sample,
+                            .each_radius = !options->one_radius };
+    GpPool *pool = NULL;
+    GpResult result = is_builtin ? model_mesh(input->path, &model->mesh, error) : GP_OK;
+    source.mesh = is_builtin ? &model->mesh : NULL;
     if (!result)
-        result = surfels_of_vertices(&refined, true, &model->surfels);
-    gp_mesh_free(&refined);
-    return gp_fail(error, result, "%s: out of memory", input->path);
+        result = gp_pool_create(machine_processors(), &pool, error);
+    if (!result)
+        result = points_open(&source, pool, &model->surfels,
+                             options->reports ? &model->facts : NULL, error);
+    gp_pool_destroy(&pool);
+    return result;
 }
 
 /* --- the view --------------------------------------------------------------------------------- */
@@ -82,6 +73,7 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
     PointsModel *model = gp_alloc(1, sizeof *model);
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    text_copy(model->path, sizeof model->path, input->path);
     GpResult result = read_surfels(input, model, error);
     if (!result)
         result = find_view(input, &model->surfels, &model->view, error);
@@ -106,16 +98,28 @@ GpResult points_model_structure(PointsModel *model, int threads, GpError *error)
     return result;
 }
 
+/* The triangles whose surface the points are: read again where only their points were kept. */
+static GpResult read_triangles(PointsModel *model, GpError *error)
+{
+    GpError reason;
+    if (model->mesh.triangle_count == 0 && model_mesh(model->path, &model->mesh, &reason))
+        model->mesh.triangle_count = 0; /* a format of points */
+    return model->mesh.triangle_count > 0
+               ? GP_OK
+               : gp_fail(error, GP_ERROR_INVALID,
+                         "the truth is the surface whose vertices the points are, and a file of "
+                         "points has none");
+}
+
 GpResult points_model_truth(PointsModel *model, int threads, GpError *error)
 {
     GpPool *pool;
     if (model->truth.color)
         return GP_OK;
-    if (model->mesh.triangle_count == 0)
-        return gp_fail(error, GP_ERROR_INVALID,
-                       "the truth is the surface whose vertices the points are, and a file of "
-                       "points has none");
-    GpResult result = gp_pool_create(threads, &pool, error);
+    GpResult result = read_triangles(model, error);
+    if (result)
+        return result;
+    result = gp_pool_create(threads, &pool, error);
     if (!result)
         result = points_truth_find(&model->mesh, model->color, &model->view, pool, &model->truth);
     gp_pool_destroy(&pool);

@@ -2,6 +2,7 @@
 #ifndef APPS_TECHNIQUES_POINTS_MODEL_H
 #define APPS_TECHNIQUES_POINTS_MODEL_H
 
+#include "apps/points/open.h"
 #include "apps/points/patches.h"
 #include "apps/points/splats.h"
 #include "apps/techniques/points/options.h"
@@ -10,9 +11,11 @@
 #include "pipeline/io/mesh/mesh.h"
 
 typedef struct PointsModel {
+    char path[4096];
     Surfels surfels;
+    PointsFacts facts; /* where a report is asked for */
     Patches patches; /* empty until a setting needs them */
-    GpMesh mesh; /* whose surface they are; without triangles: unknown */
+    GpMesh mesh; /* whose surface they are; empty until it is needed */
     SplatView view;
     const uint8_t *color; /* of all points; NULL: each has its own */
     MeshPicture truth;    /* empty until it is found */

@@ -51,6 +51,10 @@ const SettingField points_settings[] = {
       SETTING_INTEGER, OF(subdivide), .low = 0, .high = 8, .aside = true },
     { "sample", "N", "Of a mesh: N points, spread evenly over its area", SETTING_INTEGER,
       OF(sample), .low = 1, .high = 1 << 27, .aside = true },
+    { "one-radius", NULL,
+      "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each its "
+      "own",
+      SETTING_FLAG, OF(one_radius), .aside = true },
     { "color", "NAME",
       "file: the points' own (default where there are any); waves:K, 0.5 + 0.5 sin(K p), unlit; "
       "or white, grey, clay, gold, jade or black",
