@@ -77,38 +77,38 @@ static double cosine_of(double cosine, double sine, double widen_cosine, double 
     return cosine * widen_cosine - sign * sine * widen_sine;
 }
 
-/* With v the way from the box's centre to the eye, a its cone's axis and b the angle by which ways from
- * other places of the ball around the box differ from v at most, an angle between a normal and a way is
- * that of a and v, more or less at most the cone's angle and b.
- * source Shirman and Abi-Ezzi, "The cone of normals technique", Eurographics 1993 */
-Facing patch_facing(const PointView *view, const PatchBox *box, const PatchCone *cone)
+EyeWay eye_way(const PointView *view, const PatchBox *box, const float axis[3])
 {
-    const Facing any = { -1, 1 };
-    double way[3], axis[3], half[3], spread = 0;
-    widen(cone->axis, axis);
+    double way[3], about[3], centre[3], half[3], spread = 0;
+    widen(axis, about);
+    widen(box->centre, centre);
+    widen(box->half, half);
+    vector_subtract(view->eye, centre, way);
     if (view->is_parallel) {
         vector_set(way, -view->axes.forward[0], -view->axes.forward[1], -view->axes.forward[2]);
     } else {
-        double centre[3];
-        widen(box->centre, centre);
-        widen(box->half, half);
-        vector_subtract(view->eye, centre, way);
         const double distance = sqrt(vector_dot(way, way)), radius = sqrt(vector_dot(half, half));
-        if (!(distance > radius))
-            return any;
-        spread = radius / distance;
+        spread = distance > radius ? radius / distance : 1;
         vector_normalize(way);
     }
-    if (cone->cosine <= 0)
-        return any;
-    const double cone_cosine = (double)cone->cosine, cone_sine = (double)cone->sine;
-    const double spread_cosine = sqrt(1 - spread * spread);
-    const double sum_cosine = cone_cosine * spread_cosine - cone_sine * spread;
-    const double sum_sine = cone_sine * spread_cosine + cone_cosine * spread;
-    double cosine = vector_dot(axis, way);
+    double cosine = vector_dot(about, way);
     cosine = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine;
-    const double sine = sqrt(1 - cosine * cosine);
-    const double low = cosine_of(cosine, sine, sum_cosine, sum_sine, 1) - PACKED_NORMALS;
-    const double high = cosine_of(cosine, sine, sum_cosine, sum_sine, -1) + PACKED_NORMALS;
+    return (EyeWay){ cosine, sqrt(1 - cosine * cosine), sqrt(1 - spread * spread), spread };
+}
+
+/* With v the way from the box's centre to the eye, a the cone's axis and b the angle by which ways from
+ * other places of the ball around the box differ from v at most, an angle between a normal and a way is
+ * that of a and v, more or less at most the cone's angle and b.
+ * source Shirman and Abi-Ezzi, "The cone of normals technique", Eurographics 1993 */
+Facing way_facing(const EyeWay *way, float cone_cosine, float cone_sine)
+{
+    const double cosine = (double)cone_cosine, sine = (double)cone_sine;
+    if (cosine <= 0 || way->spread >= 1)
+        return (Facing){ -1, 1 };
+    const double sum_cosine = cosine * way->spread_cosine - sine * way->spread;
+    const double sum_sine = sine * way->spread_cosine + cosine * way->spread;
+    const double low = cosine_of(way->cosine, way->sine, sum_cosine, sum_sine, 1) - PACKED_NORMALS;
+    const double high =
+        cosine_of(way->cosine, way->sine, sum_cosine, sum_sine, -1) + PACKED_NORMALS;
     return (Facing){ low < -1 ? -1 : low, high > 1 ? 1 : high };
 }

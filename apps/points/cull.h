@@ -41,12 +41,21 @@ static inline bool box_is_seen(const PointView *view, const BoxPlace *place, dou
     return place->outside <= view->reach * radius;
 }
 
+/* The way from a box to the eye: the angle between it and the axis of a cone, and how far ways from
+ * other places of the box differ from it. */
+typedef struct EyeWay {
+    double cosine, sine, spread_cosine, spread; /* spread 1: any way, the eye is at the box */
+} EyeWay;
+
+EyeWay eye_way(const PointView *view, const PatchBox *box, const float axis[3]);
+
 /* The cosines between normals and the ways from surfels to the eye: low <= all of them <= high.
  * order  high <= 0: all face away */
 typedef struct Facing {
     double low, high;
 } Facing;
 
-Facing patch_facing(const PointView *view, const PatchBox *box, const PatchCone *cone);
+/* Of normals in a cone about that axis, of places in that box. */
+Facing way_facing(const EyeWay *way, float cone_cosine, float cone_sine);
 
 #endif

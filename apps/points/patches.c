@@ -50,9 +50,10 @@ static void cut(const Builder *builder, int depth, uint64_t node, Patch *found, 
         origin[i] = (double)surfels[order[0]].position[i];
     const SurfelSummary summary = surfels_summary(surfels, order, leaves, origin);
     Patch patch = { .depth = (uint32_t)depth, .node = (uint32_t)node };
-    patch.cone = surfels_cone(surfels, order, leaves, summary.normal_sum);
+    summary_axis(&summary, patch.cone.axis);
     summary_axes(&summary, patch.box.axes, &patch.curvature);
-    const double alignment = sqrt(vector_dot(summary.normal_sum, summary.normal_sum)) / leaves;
+    const double alignment =
+        sqrt(vector_dot(summary.normal_sum, summary.normal_sum)) / summary.area;
     const bool is_flat = alignment >= builder->limits.alignment &&
                          (double)patch.curvature <= builder->limits.curvature;
     if (is_flat || !may_split(builder, depth)) {
@@ -124,7 +125,7 @@ static GpResult lay_out(Builder *builder, uint32_t nodes)
     return made->surfels ? GP_OK : GP_ERROR_MEMORY;
 }
 
-static void measure_level(const Surfel *surfels, PatchLevel *level)
+static void measure_level(const Patch *patch, const Surfel *surfels, PatchLevel *level)
 {
     double sum = 0;
     level->least_radius = level->most_radius = surfels->radius;
@@ -135,6 +136,26 @@ static void measure_level(const Surfel *surfels, PatchLevel *level)
         sum += (double)radius;
     }
     level->mean_radius = (float)(sum / level->count);
+    surfels_cone(surfels, level->count, patch->cone.axis, &level->cone_cosine, &level->cone_sine);
+}
+
+/* What is known of the levels, and of the patch by them. */
+static void measure_patch(const Surfel *surfels, Patch *patch, PatchLevel *levels)
+{
+    const PatchLevel *last = &levels[patch->level_count - 1];
+    const double leaf_radius = surfels_mean_radius(surfels + last->first, last->count);
+    patch->cone.cosine = 1;
+    for (uint32_t l = 0; l < patch->level_count; l++) {
+        const double radius = surfels_mean_radius(surfels + levels[l].first, levels[l].count);
+        const double square = radius * radius - leaf_radius * leaf_radius;
+        measure_level(patch, surfels + levels[l].first, &levels[l]);
+        levels[l].blur = square > 0 ? (float)sqrt(square) : 0;
+        if (levels[l].cone_cosine < patch->cone.cosine) {
+            patch->cone.cosine = levels[l].cone_cosine;
+            patch->cone.sine = levels[l].cone_sine;
+        }
+    }
+    box_around(surfels + levels->first, last->first + last->count - levels->first, &patch->box);
 }
 
 static void fill_patch(void *context, uint32_t item, int worker)
@@ -159,12 +180,7 @@ static void fill_patch(void *context, uint32_t item, int worker)
             made->surfels[levels[l].first + i] = surfel_parent(leaves + (from - begin), to - from);
         }
     }
-    uint32_t count = 0;
-    for (uint32_t l = 0; l <= last; l++) {
-        measure_level(made->surfels + levels[l].first, &levels[l]);
-        count += levels[l].count;
-    }
-    box_around(made->surfels + levels[0].first, count, &patch->box);
+    measure_patch(made->surfels, patch, levels);
 }
 
 /* --- all -------------------------------------------------------------------------------------- */

@@ -36,6 +36,10 @@ typedef struct PatchCone {
 typedef struct PatchLevel {
     uint32_t first, count; /* of the surfels */
     float least_radius, most_radius, mean_radius;
+    /* How much wider its splats are than the leaves': the root of the difference of the squares of the
+     * mean radii, by area. 0: the leaves, and levels that are as fine. */
+    float blur;
+    float cone_cosine, cone_sine; /* of its own cone, about the axis of the patch's */
 } PatchLevel;
 
 typedef struct Patch {
@@ -58,9 +62,10 @@ typedef struct Patches {
 typedef struct PatchLimits {
     uint32_t most_leaves;  /* more are split; 4096 */
     uint32_t least_leaves; /* fewer are never made by splitting; 512 */
-    double alignment;      /* length of the mean of the normals: shorter is split; 0.95 (a cap of 26
-                              degrees about its middle). One wrong normal does not count much here */
-    double curvature;      /* more is split; 0.03 */
+    double
+        alignment; /* length of the mean of the normals, by area: shorter is split; 0.95 (a cap of 26
+                              degrees about its middle). A few wrong normals do not count much here */
+    double curvature; /* more is split; 0.03 */
 } PatchLimits;
 
 /* Builds tree, patches and levels.

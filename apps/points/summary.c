@@ -34,34 +34,53 @@ SurfelSummary surfels_summary(const Surfel *surfels, const uint32_t *order, uint
     SurfelSummary summary = { .moments.origin = { origin[0], origin[1], origin[2] } };
     for (uint32_t i = 0; i < count; i++) {
         const Surfel *surfel = &surfels[order[i]];
+        const double area = surfel_area(surfel);
         double normal[3];
         widen(surfel->normal, normal);
         moments_add(&summary.moments, surfel->position);
-        vector_add_scaled(summary.normal_sum, 1, normal, summary.normal_sum);
+        vector_add_scaled(summary.normal_sum, area, normal, summary.normal_sum);
+        summary.area += area;
     }
     return summary;
 }
 
-PatchCone surfels_cone(const Surfel *surfels, const uint32_t *order, uint32_t count,
-                       const double normal_sum[3])
+void summary_axis(const SurfelSummary *summary, float axis[3])
 {
-    PatchCone cone = { .cosine = -1 };
-    double axis[3] = { normal_sum[0], normal_sum[1], normal_sum[2] }, cosine = 1;
-    vector_normalize(axis);
-    round_to_float(axis, cone.axis);
+    double mean[3] = { summary->normal_sum[0], summary->normal_sum[1], summary->normal_sum[2] };
+    vector_normalize(mean);
+    round_to_float(mean, axis);
+}
+
+void surfels_cone(const Surfel *surfels, uint32_t count, const float axis[3], float *cosine,
+                  float *sine)
+{
+    double middle[3], least = 1;
+    widen(axis, middle);
     for (uint32_t i = 0; i < count; i++) {
         double normal[3];
-        widen(surfels[order[i]].normal, normal);
-        const double c = vector_dot(axis, normal);
-        cosine = c < cosine ? c : cosine;
+        widen(surfels[i].normal, normal);
+        const double c = vector_dot(middle, normal);
+        least = c < least ? c : least;
     }
     /* Axis and normals have unit length but for roundings of 1e-7. */
-    cosine -= 1e-6;
-    if (cosine > 0) { /* else means of normals may leave the cone: every direction */
-        cone.cosine = (float)cosine;
-        cone.sine = round_up(sqrt(1 - (double)cone.cosine * (double)cone.cosine));
+    *cosine = (float)(least - 1e-6);
+    if (*cosine > 0) {
+        *sine = round_up(sqrt(1 - (double)*cosine * (double)*cosine));
+    } else {
+        *cosine = -1;
+        *sine = 0;
     }
-    return cone;
+}
+
+double surfels_mean_radius(const Surfel *surfels, uint32_t count)
+{
+    double sum = 0, area = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const double own = surfel_area(&surfels[i]);
+        sum += own * (double)surfels[i].radius;
+        area += own;
+    }
+    return sum / area;
 }
 
 void summary_axes(const SurfelSummary *summary, float axes[3][3], float *curvature)

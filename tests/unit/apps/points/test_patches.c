@@ -236,6 +236,19 @@ static void check_levels(const Patches *patches, const Patch *patch)
         }
         assert_true(least == levels[l].least_radius && most == levels[l].most_radius);
         assert_true(fabs(sum / levels[l].count - (double)levels[l].mean_radius) < 1e-6);
+        double area[2] = { 0 }, mean[2] = { 0 };
+        for (int k = 0; k < 2; k++) {
+            const PatchLevel *level = k == 0 ? &levels[l] : &levels[patch->level_count - 1];
+            for (uint32_t i = 0; i < level->count; i++) {
+                const Surfel *surfel = &patches->surfels[level->first + i];
+                area[k] += surfel_area(surfel);
+                mean[k] += surfel_area(surfel) * (double)surfel->radius;
+            }
+            mean[k] /= area[k];
+        }
+        const double blur = (double)levels[l].blur;
+        const double square = fmax(mean[0] * mean[0] - mean[1] * mean[1], 0);
+        assert_true(fabs(blur * blur - square) < 1e-6 * mean[0] * mean[0]);
     }
 }
 
@@ -255,8 +268,9 @@ static void check_bounds(const Patches *patches, const Patch *patch)
             widen(surfel->normal, normal);
             widen(surfel->position, from);
             vector_subtract(from, centre, from);
-            assert_true(patch->cone.cosine <= 0 ||
-                        vector_dot(axis, normal) >= (double)patch->cone.cosine);
+            assert_true(levels[l].cone_cosine >= patch->cone.cosine);
+            assert_true(levels[l].cone_cosine <= 0 ||
+                        vector_dot(axis, normal) >= (double)levels[l].cone_cosine);
             for (int k = 0; k < 3; k++)
                 assert_true(fabs(vector_dot(axes[k], from)) <= (double)patch->box.half[k]);
         }
