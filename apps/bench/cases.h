@@ -12,6 +12,8 @@
 #include "apps/base/camera.h"
 #include "apps/frame/frame.h"
 
+#include <jansson.h>
+
 enum {
     BENCH_SIZE = 1024,      /* pixels a side */
     BENCH_SMALL_SIZE = 512, /* of sheets and vox_add */
@@ -28,6 +30,8 @@ struct BenchCase {
     double flop;       /* per pixel; 0: not a case of arithmetic */
     /* Writes the picture as RGBA8, rows from the top; NULL: bench_show. */
     void (*picture)(const Frame *frame, uint8_t *rgba);
+    /* Adds what else there is to say of a frame that was drawn. in ms: of a frame; NULL: nothing */
+    void (*tell)(const Frame *frame, double ms, int threads, json_t *object);
 };
 
 extern const BenchCase bench_cases[];
@@ -55,7 +59,9 @@ BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_sha
 BenchBuild bench_build_small, bench_build_slabs;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
 BenchBuild bench_build_voxelize, bench_build_combine;
+BenchBuild bench_build_splats;
 
+void bench_tell_splats(const Frame *frame, double ms, int threads, json_t *object);
 void bench_show_slabs(const Frame *frame, uint8_t *rgba);
 
 /* What variants mean. */
@@ -67,6 +73,17 @@ enum { MODEL_BUNNY, MODEL_BUNNY_CULLED, MODEL_TORUS };
 enum { MAP_COMPARE, MAP_NEAREST, MAP_PCF };
 enum { VOXELIZE_CONSERVATIVE, VOXELIZE_THIN, VOXELIZE_SOLID, VOXELIZE_TWISTED, VOXELIZE_MILLION };
 enum { COMBINE_UNION, COMBINE_COLLISION };
+enum {
+    SPLATS_EWA_35K,
+    SPLATS_EWA_139K,
+    SPLATS_EWA_556K,
+    SPLATS_MINIFIED,
+    SPLATS_ADAPTIVE,
+    SPLATS_ROUND,
+    SPLATS_PIXELS,
+    SPLATS_LEVELS,
+    SPLATS_SCAN,
+};
 
 /* Amounts that the table of cases and the builders share. */
 enum {

@@ -145,8 +145,8 @@ static json_t *phases_json(const Bench *bench, const Times *times)
     return object;
 }
 
-static void print_result(const Bench *bench, const BenchCase *drawn, const Times *times,
-                         const RunStatistics *statistics, uint32_t width, uint32_t height,
+static void print_result(const Bench *bench, const BenchCase *drawn, const Frame *frame,
+                         const Times *times, const RunStatistics *statistics, uint32_t width, uint32_t height,
                          uint32_t hash)
 {
     char digits[9];
@@ -169,6 +169,8 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Times
     if (times->others >= 0)
         json_object_set_new(object, "others", json_real(times->others));
     run_add_counters(statistics, object);
+    if (drawn->tell)
+        drawn->tell(frame, times->frames.ms, statistics->threads, object);
     if (!reference)
         json_object_set_new(object, "phases", phases_json(bench, times));
     json_object_set_new(object, "isa", json_string(statistics->isa));
@@ -190,7 +192,7 @@ static int show_picture(const Bench *bench, const BenchCase *drawn, const Frame 
                           ? write_image(bench->images, drawn->name, rgba, width, height, &error)
                           : GP_OK;
     if (!result)
-        print_result(bench, drawn, times, statistics, width, height,
+        print_result(bench, drawn, frame, times, statistics, width, height,
                      bench_picture_hash(rgba, width, height));
     gp_free(rgba);
     return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;

@@ -9,6 +9,8 @@ GpResult frame_result(const Frame *frame, GpError *error)
 
 void frame_free(Frame *frame)
 {
+    if (frame->release)
+        frame->release(frame->held);
     arena_free(&frame->arena);
     *frame = (Frame){ .color = NULL };
 }

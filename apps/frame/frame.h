@@ -18,7 +18,9 @@ typedef struct Frame {
     GpSurface *depth; /* the picture's depth buffer, NULL: none */
     const void
         *made;   /* what the technique has to say of its frame, in its own struct; NULL: nothing */
-    Arena arena; /* all that the list refers to */
+    Arena arena; /* all that the list refers to, */
+    void *held;  /* but for what something else made, which frame_free gives to release; or NULL */
+    void (*release)(void *held);
 
     /* private */
     GpPass *passes;

@@ -1,0 +1,138 @@
+/* Benchmark cases of points: the bunny's vertices as surfels, with waves of colour over them that no
+ * light changes; a larger model; and a scan. */
+#include "apps/bench/cases.h"
+#include "apps/base/machine.h"
+#include "apps/techniques/points/technique.h"
+#include "apps/techniques/points/model.h"
+
+#include <math.h>
+
+/* A model that frames are built of again and again. */
+typedef struct Case {
+    PointsModel *model;
+    void *setting;
+    double build_ms; /* choosing what to draw, for a second frame */
+} Case;
+
+static const struct {
+    const char *path, *options;
+    uint32_t subdivide;
+    OrbitUp up;
+    uint32_t side; /* of the picture */
+    double waves;  /* over the diagonal of the model's box; 0: lit */
+    bool near;     /* the bunny's own camera; else one that shows the whole model */
+} cases[] = {
+    [SPLATS_EWA_35K] = { "meshes/bunny.ply", "--method ewa", 0, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_EWA_139K] = { "meshes/bunny.ply", "--method ewa", 1, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_EWA_556K] = { "meshes/bunny.ply", "--method ewa", 2, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_MINIFIED] = { "meshes/bunny.ply", "--method ewa", 2, ORBIT_UP_Y, 128, 1500, true },
+    [SPLATS_ADAPTIVE] = { "meshes/bunny.ply", "--method adaptive", 2, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_ROUND] = { "meshes/bunny.ply", "--method sprites", 2, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_PIXELS] = { "meshes/happy_buddha.ply", "--method pixels", 2, ORBIT_UP_Y, 1024, 0,
+                        false },
+    [SPLATS_LEVELS] = { "meshes/happy_buddha.ply", "--method adaptive --detail 0.7", 2, ORBIT_UP_Y,
+                        1024, 0, false },
+    [SPLATS_SCAN] = { "points/lion_takanawa.ply", "--method adaptive", 0, ORBIT_UP_Z, 1024, 0,
+                      false },
+};
+
+static void release(void *held)
+{
+    Case *made = held;
+    points_technique.close(made->model);
+    gp_free(made->setting);
+    gp_free(made);
+}
+
+static void set_view(int variant, PointsModel *model)
+{
+    static const Camera near = { .eye = { -0.0168, 0.16, 0.40 },
+                                 .at = { -0.0168, 0.1105, -0.0014 },
+                                 .up = { 0, 1, 0 },
+                                 .fovy = 26,
+                                 .near = 0.1,
+                                 .far = 2 };
+    const Surfels *surfels = &model->surfels;
+    const Bounds box = bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
+    double diagonal[3];
+    vector_subtract(box.high, box.low, diagonal);
+    model->view.waves = cases[variant].waves / sqrt(vector_dot(diagonal, diagonal));
+    model->view.lit = !(cases[variant].waves > 0);
+    if (cases[variant].near)
+        model->view.camera = near;
+}
+
+static GpResult open_case(int variant, Case *made, GpError *error)
+{
+    void *model;
+    GpResult result =
+        technique_setting(&points_technique, cases[variant].options, &made->setting, error);
+    if (!result) {
+        PointsOptions *options = made->setting;
+        options->subdivide = cases[variant].subdivide;
+        options->orbit.up = cases[variant].up;
+    }
+    const TechniqueInput input = { .path = cases[variant].path,
+                                   .width = cases[variant].side,
+                                   .height = cases[variant].side,
+                                   .setting = made->setting };
+    if (!result)
+        result = points_technique.open(&input, &model, error);
+    if (result)
+        return result;
+    made->model = model;
+    set_view(variant, made->model);
+    return GP_OK;
+}
+
+/* Twice: what is made once for a model is not made again, as in all frames but the first. */
+static GpResult build_twice(Case *made, GpDevice *device, Frame *frame, GpError *error)
+{
+    Frame first = { .color = NULL };
+    GpResult result = points_technique.build(made->model, made->setting, device, &first, error);
+    frame_free(&first);
+    const double start = machine_clock_ms(CLOCK_MONOTONIC);
+    if (!result)
+        result = points_technique.build(made->model, made->setting, device, frame, error);
+    made->build_ms = machine_clock_ms(CLOCK_MONOTONIC) - start;
+    return result;
+}
+
+GpResult bench_build_splats(const BenchCase *bench, Frame *frame, GpError *error)
+{
+    Case *made = gp_alloc(1, sizeof *made);
+    if (!made)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    GpDevice *device = NULL;
+    GpResult result = open_case(bench->variant, made, error);
+    if (result) {
+        gp_free(made->setting);
+        gp_free(made);
+        return result;
+    }
+    result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
+    if (!result)
+        result = build_twice(made, device, frame, error);
+    gp_device_destroy(&device);
+    frame->held = made;
+    frame->release = release;
+    return result;
+}
+
+void bench_tell_splats(const Frame *frame, double ms, int threads, json_t *object)
+{
+    const Case *made = frame->held;
+    PointsModel *model = made->model;
+    const double splats = (double)points_model_splats(frame);
+    json_object_set_new(object, "splats", json_integer((json_int_t)splats));
+    json_object_set_new(object, "splats_per_second", json_real(splats * 1000 / ms));
+    json_object_set_new(object, "bytes_per_point",
+                        json_real(points_model_bytes(model) / model->surfels.count));
+    json_object_set_new(object, "build_ms", json_real(made->build_ms));
+    if (points_model_truth(model, threads, NULL))
+        return;
+    const PointsError off = points_error(&model->truth, frame->color);
+    json_object_set_new(object, "interior_psnr", json_real(off.interior_psnr));
+    json_object_set_new(object, "area_error", json_real(off.area_error));
+    json_object_set_new(object, "holes", json_integer((json_int_t)off.holes));
+}
