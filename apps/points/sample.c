@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-enum { CANDIDATES = 3, PASSES = 20, NO_SAMPLE = UINT32_MAX };
+enum { CANDIDATES = 3, PASSES = 20, SWEEPS = 32, NO_SAMPLE = UINT32_MAX };
 
 typedef struct Candidate {
     float position[3];
@@ -14,16 +14,22 @@ typedef struct Candidate {
     uint32_t triangle; /* of the mesh */
 } Candidate;
 
+typedef struct Sample {
+    float position[3], normal[3]; /* the second: the triangle's */
+    uint32_t number;              /* of the candidate */
+    uint32_t next;                /* sample of the same hash */
+} Sample;
+
 /* Samples in cubes of a grid, which are found by their hash: those of one hash are a list. */
 typedef struct Sampler {
     const GpMesh *mesh;
     Candidate *candidates; /* [candidate_count] */
     uint32_t candidate_count;
-    uint32_t *samples; /* [wanted] numbers of candidates */
+    Sample *samples; /* [wanted] */
     uint32_t wanted, count;
-    uint32_t *first, *next; /* [hash_mask + 1], [wanted] of samples */
+    uint32_t *first; /* [hash_mask + 1] samples */
     uint32_t hash_mask;
-    double cube; /* its side: the largest distance that is kept */
+    double cube; /* its side: twice the largest distance that is kept */
 } Sampler;
 
 static const float *corner_of(const GpMesh *mesh, uint32_t triangle, int corner)
@@ -77,10 +83,13 @@ static void lay_out(Sampler *sampler, double area)
 
 /* --- distances ---------------------------------------------------------------------------------- */
 
-static void cube_of(const Sampler *sampler, const float position[3], int64_t cube[3])
+/* The cube of a place that is `shift` cubes farther along each axis. */
+static void cube_of(const Sampler *sampler, const float position[3], double shift, int64_t cube[3])
 {
-    for (int k = 0; k < 3; k++)
-        cube[k] = (int64_t)floor((double)position[k] / sampler->cube);
+    for (int k = 0; k < 3; k++) {
+        const double at = floor((double)position[k] / sampler->cube + shift);
+        cube[k] = (int64_t)(at < -0x1p62 ? -0x1p62 : at > 0x1p62 ? 0x1p62 : at);
+    }
 }
 
 static uint32_t hash_of(const Sampler *sampler, int64_t x, int64_t y, int64_t z)
@@ -92,37 +101,46 @@ static uint32_t hash_of(const Sampler *sampler, int64_t x, int64_t y, int64_t z)
     return (uint32_t)(hash >> 32) & sampler->hash_mask;
 }
 
-static bool looks_the_same_way(const GpMesh *mesh, uint32_t a, uint32_t b)
+static void normal_of(const GpMesh *mesh, uint32_t triangle, float normal[3])
 {
-    double normals[2][3];
-    for (int i = 0; i < 2; i++) {
-        double edges[2][3];
-        const float *from = corner_of(mesh, i ? b : a, 0);
-        for (int e = 0; e < 2; e++) {
-            const float *to = corner_of(mesh, i ? b : a, 1 + e);
-            for (int k = 0; k < 3; k++)
-                edges[e][k] = (double)to[k] - (double)from[k];
-        }
-        vector_cross(edges[0], edges[1], normals[i]);
+    double edges[2][3], product[3];
+    const float *from = corner_of(mesh, triangle, 0);
+    for (int e = 0; e < 2; e++) {
+        const float *to = corner_of(mesh, triangle, 1 + e);
+        for (int k = 0; k < 3; k++)
+            edges[e][k] = (double)to[k] - (double)from[k];
     }
-    return a == b || vector_dot(normals[0], normals[1]) >= 0;
+    vector_cross(edges[0], edges[1], product);
+    vector_normalize(product);
+    for (int k = 0; k < 3; k++)
+        normal[k] = (float)product[k];
 }
 
-/* Squared distance to the nearest sample, at least where it is below the square of a cube's side. */
+static bool looks_the_same_way(const float a[3], const float b[3])
+{
+    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] +
+               (double)a[2] * (double)b[2] >=
+           0;
+}
+
+/* Squared distance to the nearest sample, at least where it is below the square of half a cube's side:
+ * so near are only those of the eight cubes around the nearest corner of the grid. */
 static float nearest_sample(const Sampler *sampler, const Candidate *candidate)
 {
     int64_t at[3];
-    float nearest = INFINITY;
-    cube_of(sampler, candidate->position, at);
-    for (int64_t i = 0; i < 27; i++) {
-        const uint32_t hash =
-            hash_of(sampler, at[0] + i % 3 - 1, at[1] + i / 3 % 3 - 1, at[2] + i / 9 - 1);
-        for (uint32_t s = sampler->first[hash]; s != NO_SAMPLE; s = sampler->next[s]) {
-            const Candidate *sample = &sampler->candidates[sampler->samples[s]];
+    float nearest = INFINITY, normal[3];
+    normal_of(sampler->mesh, candidate->triangle, normal);
+    cube_of(sampler, candidate->position, -0.5, at);
+    for (int i = 0; i < 8; i++) {
+        uint32_t s =
+            sampler
+                ->first[hash_of(sampler, at[0] + (i & 1), at[1] + (i >> 1 & 1), at[2] + (i >> 2))];
+        while (s != NO_SAMPLE) {
+            const Sample *sample = &sampler->samples[s];
             const float distance2 = (float)triangle_side(candidate->position, sample->position);
-            if (distance2 < nearest &&
-                looks_the_same_way(sampler->mesh, candidate->triangle, sample->triangle))
+            if (distance2 < nearest && looks_the_same_way(normal, sample->normal))
                 nearest = distance2;
+            s = sample->next;
         }
     }
     return nearest;
@@ -131,48 +149,39 @@ static float nearest_sample(const Sampler *sampler, const Candidate *candidate)
 static void take(Sampler *sampler, uint32_t number)
 {
     int64_t at[3];
-    cube_of(sampler, sampler->candidates[number].position, at);
+    Candidate *candidate = &sampler->candidates[number];
+    cube_of(sampler, candidate->position, 0, at);
     uint32_t *first = &sampler->first[hash_of(sampler, at[0], at[1], at[2])];
-    sampler->samples[sampler->count] = number;
-    sampler->next[sampler->count] = *first;
+    Sample *sample = &sampler->samples[sampler->count];
+    *sample = (Sample){ .number = number, .next = *first };
+    memcpy(sample->position, candidate->position, sizeof sample->position);
+    normal_of(sampler->mesh, candidate->triangle, sample->normal);
     *first = sampler->count++;
-    sampler->candidates[number].near2 = 0;
+    candidate->near2 = 0;
 }
 
-/* A step that visits all of `count` numbers, about 0.618 of them wide. */
-static uint32_t jump_over(uint32_t count)
+/* A sweep over the surface, which passes by most candidates: neighbours in memory follow each other, but
+ * are hardly ever near enough on the surface to crowd. */
+static void sweep(Sampler *sampler, uint32_t first, double limit2)
 {
-    uint32_t step = (uint32_t)(0.6180339887498949 * count) | 1;
-    for (;; step++) {
-        uint32_t a = count, b = step;
-        while (b != 0) {
-            const uint32_t rest = a % b;
-            a = b;
-            b = rest;
-        }
-        if (a == 1)
-            return step % count;
+    for (uint64_t i = first; i < sampler->candidate_count && sampler->count < sampler->wanted;
+         i += SWEEPS) {
+        Candidate *candidate = &sampler->candidates[i];
+        if ((double)candidate->near2 > limit2)
+            candidate->near2 = nearest_sample(sampler, candidate);
+        if ((double)candidate->near2 > limit2)
+            take(sampler, (uint32_t)i);
     }
 }
 
-/* Candidates are tested again only when the distance has become less than what they were found at:
+/* Candidates are looked at again only when the distance has become less than what they were found at:
  * samples only become more. */
 static void take_all(Sampler *sampler)
 {
-    const uint32_t step = jump_over(sampler->candidate_count);
-    double distance = sampler->cube;
+    double distance = sampler->cube / 2;
     for (int pass = 0; pass <= PASSES; pass++, distance *= 0.93) {
-        const double limit2 = pass < PASSES ? distance * distance : 0;
-        uint32_t number = 0;
-        for (uint32_t i = 0; i < sampler->candidate_count && sampler->count < sampler->wanted;
-             i++) {
-            Candidate *candidate = &sampler->candidates[number];
-            if ((double)candidate->near2 > limit2)
-                candidate->near2 = nearest_sample(sampler, candidate);
-            if ((double)candidate->near2 > limit2)
-                take(sampler, number);
-            number = (uint32_t)(((uint64_t)number + step) % sampler->candidate_count);
-        }
+        for (uint32_t i = 0; i < SWEEPS; i++)
+            sweep(sampler, i * 13 % SWEEPS, pass < PASSES ? distance * distance : 0);
     }
 }
 
@@ -191,7 +200,7 @@ static GpResult copy_samples(const Sampler *sampler, GpPoints *points)
         return GP_ERROR_MEMORY;
     }
     for (size_t i = 0; i < count; i++) {
-        const uint32_t number = sampler->samples[i];
+        const uint32_t number = sampler->samples[i].number;
         double mixed[3];
         memcpy(made.positions + 3 * i, sampler->candidates[number].position, 3 * sizeof(float));
         mix(sampler, number, mesh->normals, 3, mixed);
@@ -217,17 +226,16 @@ GpResult mesh_sample(const GpMesh *mesh, uint32_t count, GpPoints *points)
     Sampler sampler = { .mesh = mesh,
                         .candidate_count = CANDIDATES * count,
                         .wanted = count,
-                        .cube = 0.9 * sqrt(1.1547005383792515 * area / count) };
+                        .cube = 2 * 0.9 * sqrt(1.1547005383792515 * area / count) };
     uint32_t hashes = 64;
     while (hashes < count && hashes < 1u << 30)
         hashes *= 2;
     sampler.hash_mask = hashes - 1;
     sampler.candidates = gp_alloc_unset(sampler.candidate_count * sizeof(Candidate));
-    sampler.samples = gp_alloc_unset(count * sizeof(uint32_t));
-    sampler.next = gp_alloc_unset(count * sizeof(uint32_t));
+    sampler.samples = gp_alloc_unset(count * sizeof(Sample));
     sampler.first = gp_alloc_unset(hashes * sizeof(uint32_t));
     GpResult result = GP_ERROR_MEMORY;
-    if (sampler.candidates && sampler.samples && sampler.next && sampler.first) {
+    if (sampler.candidates && sampler.samples && sampler.first) {
         memset(sampler.first, 0xff, hashes * sizeof(uint32_t)); /* NO_SAMPLE */
         lay_out(&sampler, area);
         take_all(&sampler);
@@ -235,7 +243,6 @@ GpResult mesh_sample(const GpMesh *mesh, uint32_t count, GpPoints *points)
     }
     gp_free(sampler.candidates);
     gp_free(sampler.samples);
-    gp_free(sampler.next);
     gp_free(sampler.first);
     return result;
 }

@@ -8,13 +8,14 @@
 /* Spreads points over the triangles so that none is much nearer to another than they are on average.
  *
  * Three times as many candidates are laid out, by area along the triangles and by a sequence that fills
- * each triangle evenly. Passes over them in an order that jumps over the whole surface take those that
- * keep a distance from all that were taken, which shrinks from pass to pass until there are enough: it
- * begins at 0.9 of that of the densest lattice. Points whose triangles look opposite ways do not keep
+ * each triangle evenly. Passes over them, each of sweeps over the whole surface, take those that
+ * keep a distance from all that were taken. It begins at 0.9 of that of the densest lattice and shrinks
+ * from pass to pass until there are enough. Points whose triangles look opposite ways do not keep
  * others away, so that both sides of a thin sheet have theirs.
  *
  * in     mesh: with an area; count: 1 to 2^30
- * out    points: so many, or less where places in floats are not so many; positions; normals and, where the mesh has them, colours between those of the corners
+ * out    points: so many, or less where floats do not tell so many places apart; with normals, and
+ *        colours where the mesh has them, between those of the corners
  * order  always the same points
  * errors GP_ERROR_MEMORY, GP_ERROR_INVALID (a count out of range, a mesh without area)
  * owns   the caller, until gp_points_free

@@ -139,25 +139,28 @@ static void each_component_is_turned_by_itself(void **state)
     cloud_free(&two);
 }
 
+/* A ball seen from outside and from inside. */
 static void given_normals_stay_and_turn_the_others(void **state)
 {
     (void)state;
-    Cloud cloud = ball(2000, 1);
-    float *normals = gp_alloc(3 * (size_t)cloud.count, sizeof *normals);
-    uint32_t given = 0;
-    for (size_t i = 0; i < 3 * (size_t)cloud.count; i++)
-        cloud.normals[i] = -cloud.normals[i]; /* a ball seen from inside */
-    for (size_t i = 0; i < cloud.count; i += 100, given++) {
-        for (size_t k = 0; k < 3; k++)
-            normals[3 * i + k] = 7 * cloud.normals[3 * i + k];
+    for (int side = -1; side <= 1; side += 2) {
+        Cloud cloud = ball(2000, 1);
+        float *normals = gp_alloc(3 * (size_t)cloud.count, sizeof *normals);
+        uint32_t given = 0;
+        for (size_t i = 0; i < 3 * (size_t)cloud.count; i++)
+            cloud.normals[i] *= (float)side;
+        for (size_t i = 0; i < cloud.count; i += 100, given++) {
+            for (size_t k = 0; k < 3; k++)
+                normals[3 * i + k] = 7 * cloud.normals[3 * i + k];
+        }
+        const PlaneFacts facts = estimate(&cloud, normals);
+        assert_int_equal(facts.estimated, cloud.count - given);
+        assert_true(worst_normal(&cloud, normals) > 0.99);
+        for (size_t i = 0; i < 3 * (size_t)cloud.count; i += 300)
+            assert_true(fabsf(normals[i] - cloud.normals[i]) < 1e-6F);
+        gp_free(normals);
+        cloud_free(&cloud);
     }
-    const PlaneFacts facts = estimate(&cloud, normals);
-    assert_int_equal(facts.estimated, cloud.count - given);
-    assert_true(worst_normal(&cloud, normals) > 0.99);
-    for (size_t i = 0; i < 3 * (size_t)cloud.count; i += 300)
-        assert_true(fabsf(normals[i] - cloud.normals[i]) < 1e-6F);
-    gp_free(normals);
-    cloud_free(&cloud);
 }
 
 static void flat_and_thin_clouds_have_stated_normals(void **state)
