@@ -23,7 +23,8 @@
  * pixel by pixel (raster/fill_tiny.c), small ones some rows at a time (raster/fill_small.c), large
  * ones row by row (raster/fill_large.c); those behind the hierarchical depth around them are left
  * out before. Point sprites have a short way of their own (raster/sprite.c); where they only
- * combine bits, their pixels share packets (raster/pack_points.c).
+ * combine bits, add to floats or leave their depth, their pixels share packets
+ * (raster/pack_points.c), and sums of a pixel stand side by side (output/blend_add.c).
  *
  * Fragments take the path of their draw (raster/fragment_path.h). Where nothing looks at the colour
  * that was there before, a fragment that passes its tests only leaves the number of its triangle's

@@ -45,15 +45,37 @@ static bool nearest_wins(const FastDraw *d)
            replaces_everything(d->pass, d->draw) && d->draw->geometry.primitive != GP_POINTS;
 }
 
-/* Points of which nothing is asked but bits and where they are. */
-static bool packs_points(const FastDraw *d)
+static bool only_adds(const FastDraw *d)
+{
+    const int written = gp_program_targets(d->draw->program);
+    for (int t = 0; t < written && d->pass->color[t].surface; t++) {
+        const GpBlend *blend = &d->draw->state.blend[t];
+        if (!gp_format_info(d->pass->color[t].surface->format)->is_float ||
+            blend->op != GP_BLEND_ADD || blend->src != GP_ONE || blend->dst != GP_ONE ||
+            blend->alpha_op != GP_BLEND_OFF || blend->keep & 15)
+            return false;
+    }
+    return d->needs.color;
+}
+
+static bool only_combines_bits(const FastDraw *d)
 {
     const int written = gp_program_targets(d->draw->program);
     for (int t = 0; t < written && d->pass->color[t].surface; t++)
         if (!fast_is_bitwise(&d->draw->state.blend[t], d->pass->color[t].surface->format))
             return false;
-    return d->draw->geometry.primitive == GP_POINTS && d->path == FAST_ORDERED && !d->wants_depth &&
-           !d->needs.quads && d->modes.sprite < 0;
+    return d->needs.color;
+}
+
+/* Points whose fragments are easily taken one after the other: bits of which nothing is asked but
+ * where they are; and what adds, or leaves depth alone. */
+static bool packs_points(const FastDraw *d)
+{
+    if (d->draw->geometry.primitive != GP_POINTS || d->path != FAST_ORDERED || d->needs.quads)
+        return false;
+    if (only_combines_bits(d))
+        return !d->wants_depth && d->modes.sprite < 0;
+    return (d->only_adds || !d->needs.color) && (d->late_depth || !d->needs.ternary);
 }
 
 /* To shade twice costs less than to keep what is shaded, where a shader makes much of little.
@@ -61,8 +83,8 @@ static bool packs_points(const FastDraw *d)
 static bool shades_again(const FastDraw *d)
 {
     const int inputs = d->draw->program->input_components;
-    return d->packs_points && !d->indices && !d->needs.clip_planes && inputs > 0 &&
-           d->modes.components > inputs;
+    return d->packs_points && only_combines_bits(d) && !d->indices && !d->needs.clip_planes &&
+           inputs > 0 && d->modes.components > inputs;
 }
 
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
@@ -166,7 +188,8 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
                              &draw->state.raster);
     d->band = gp_guard_band(&d->viewport);
     d->wants_depth = d->needs.depth_test || d->needs.depth_write || d->needs.stencil;
-    d->late_depth = d->needs.late_depth;
+    d->late_depth =
+        d->needs.late_depth && (d->needs.depth_write || d->needs.stencil || d->needs.shader_depth);
     d->path = choose_path(d);
     d->nearest_wins = nearest_wins(d);
     if (d->needs.ternary)
@@ -176,6 +199,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     if (!prepare_indices(arena, d))
         return false;
     resolve_blends(d);
+    d->only_adds = only_adds(d);
     d->packs_points = packs_points(d);
     d->shades_again = shades_again(d);
     d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;

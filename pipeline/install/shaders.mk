@@ -18,7 +18,7 @@ GP_MODEL := -ffp-contract=off -fno-math-errno
 
 # Each shader is compiled once for every instruction set: lanes:name:flags. (Clang leaves AVX-512
 # out when it may not use FMA; contraction is off as it is.)
-GP_ISAS_x86_64 := 4:sse2: 8:avx2:-mavx2,-mno-fma 16:avx512:-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw
+GP_ISAS_x86_64 := 4:sse2: 8:avx2:-mavx2,-mf16c,-mno-fma 16:avx512:-mf16c,-mavx512f,-mavx512vl,-mavx512dq,-mavx512bw
 # ARM has registers of four lanes: eight are pairs of them, sixteen would only spill.
 GP_ISAS_aarch64 := 4:neon: 8:generic:
 GP_ISAS_generic := 4:generic: 8:generic: 16:generic:

@@ -2,6 +2,9 @@
 #include "pipeline/list/isa.h"
 
 #include <string.h>
+#ifdef __x86_64__
+#include <cpuid.h>
+#endif
 
 int gp_isa_lanes(const char *name)
 {
@@ -20,14 +23,24 @@ int gp_isa_lanes(const char *name)
     return -1;
 }
 
+#ifdef __x86_64__
+/* Halves from floats and back. clang 14 has no name for it to be asked by. */
+static bool has_f16c(void)
+{
+    unsigned a, b, c, d;
+    return __get_cpuid(1, &a, &b, &c, &d) && c & bit_F16C;
+}
+#endif
+
 bool gp_isa_runs(const char *name)
 {
 #if defined(__x86_64__)
     if (strcmp(name, "avx512") == 0)
         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+               has_f16c();
     if (strcmp(name, "avx2") == 0)
-        return __builtin_cpu_supports("avx2");
+        return __builtin_cpu_supports("avx2") && has_f16c();
     return strcmp(name, "neon") != 0;
 #elif defined(__aarch64__)
     return strcmp(name, "neon") == 0 || strcmp(name, "generic") == 0;

@@ -86,6 +86,8 @@ GP_INLINE flt flt_quantize_half(flt v)
 #ifdef GP_AVX512_LANES
     enum { NEAREST = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC };
     return (flt)_mm512_cvtph_ps(_mm512_maskz_cvtps_ph(0xffff, (__m512)v, NEAREST)); /* all lanes */
+#elif defined GP_AVX2_LANES && defined __F16C__
+    return (flt)_mm256_cvtph_ps(_mm256_cvtps_ph((__m256)v, _MM_FROUND_TO_NEAREST_INT));
 #else
     itg bits = (itg)v, sign = bits & INT32_MIN, size = bits & 0x7fffffff;
     itg normal = (size + 0xfff + (size >> 13 & 1)) & ~0x1fff;
@@ -94,6 +96,20 @@ GP_INLINE flt flt_quantize_half(flt v)
     rounded = itg_select((msk)(size >= 0x477ff000), itg_set(0x7f800000), rounded);
     itg quiet = (size | 0x00400000) & ~0x1fff;
     return (flt)(sign | itg_select((msk)(size > 0x7f800000), quiet, rounded));
+#endif
+}
+
+/* The same of four, whatever the width of lanes. */
+GP_INLINE flt4 flt4_quantize_half(flt4 v)
+{
+#if defined GP_X86_LANES && defined __F16C__
+    return (flt4)_mm_cvtph_ps(_mm_cvtps_ph((__m128)v, _MM_FROUND_TO_NEAREST_INT));
+#else
+    flt all = flt_set(0);
+    __builtin_memcpy(&all, &v, sizeof v);
+    all = flt_quantize_half(all);
+    __builtin_memcpy(&v, &all, sizeof v);
+    return v;
 #endif
 }
 

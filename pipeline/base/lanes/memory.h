@@ -42,32 +42,16 @@ GP_INLINE void lanes_stream_end(void)
 #endif
 }
 
-/* Lanes that meet the end of a cache line less often than all of them. */
-#ifdef GP_AVX512_LANES
-#define GP_PIECE (GP_LANES / 2)
-#else
-#define GP_PIECE GP_LANES
-#endif
-
-/* Adds from[i] to to[i] for every bit i of `live`, of GP_PIECE in a row, and lets the others stay;
- * halves: the sums are rounded to halves (R27). */
-GP_INLINE void piece_add(float *to, const float *from, unsigned live, bool halves)
+/* Adds four floats to four, whatever the width of lanes; halves: the sums are rounded (R27). */
+GP_INLINE void fours_add(float *to, const float *from, bool halves)
 {
-#ifdef GP_AVX512_LANES
-    enum { NEAREST = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC };
-    const __mmask8 lanes = (__mmask8)live;
-    const __m256 before = _mm256_loadu_ps(to);
-    __m256 sum = _mm256_mask_add_ps(before, lanes, before, _mm256_loadu_ps(from));
+    flt4 sum, more;
+    __builtin_memcpy(&sum, to, sizeof sum);
+    __builtin_memcpy(&more, from, sizeof more);
+    sum += more;
     if (halves)
-        sum = _mm256_mask_cvtph_ps(before, lanes, _mm256_maskz_cvtps_ph(0xff, sum, NEAREST));
-    _mm256_storeu_ps(to, sum);
-#else
-    const flt before = flt_load(to);
-    flt sum = before + flt_load(from);
-    if (halves)
-        sum = flt_quantize_half(sum);
-    flt_store(to, flt_select(mask_of(live), sum, before));
-#endif
+        sum = flt4_quantize_half(sum);
+    __builtin_memcpy(to, &sum, sizeof sum);
 }
 
 /* GP_LANES bytes in a row. */

@@ -150,6 +150,17 @@ GP_INLINE void itg_compress(uint32_t *to, unsigned bits, itg a)
 {
 #ifdef GP_AVX512_LANES
     _mm512_storeu_si512(to, _mm512_maskz_compress_epi32((__mmask16)bits, (__m512i)a));
+#elif defined GP_AVX2_LANES
+    static const uint32_t kept[16] = { 0x0,   0x0,     0x1,     0x100,    0x2,   0x200,
+                                       0x201, 0x20100, 0x3,     0x300,    0x301, 0x30100,
+                                       0x302, 0x30200, 0x30201, 0x3020100 }; /* a byte a lane */
+    const __m128i low = _mm256_castsi256_si128((__m256i)a);
+    const __m128i high = _mm256_extracti128_si256((__m256i)a, 1);
+    const __m128i from_low = _mm_cvtepu8_epi32(_mm_cvtsi32_si128((int)kept[bits & 15]));
+    const __m128i from_high = _mm_cvtepu8_epi32(_mm_cvtsi32_si128((int)kept[bits >> 4 & 15]));
+    _mm_storeu_ps((float *)to, _mm_permutevar_ps((__m128)low, from_low));
+    to += __builtin_popcount(bits & 15);
+    _mm_storeu_ps((float *)to, _mm_permutevar_ps((__m128)high, from_high));
 #else
     for (; bits; bits &= bits - 1)
         *to++ = (uint32_t)a[__builtin_ctz(bits)];

@@ -85,7 +85,8 @@ typedef struct FastDraw {
     bool wants_depth;  /* depth or stencil is touched at all */
     bool nearest_wins; /* ordered, but only equal depths need their order: see sorted_triangles.c */
     uint32_t epsilon;  /* of the ternary test, as a depth code */
-    bool packs_points; /* points on one pixel need not be kept apart: see pack_points.c */
+    bool packs_points; /* fragments of several points share packets: see pack_points.c */
+    bool only_adds;    /* blending does nothing but add, to targets of floats */
     bool shades_again; /* varyings are not stored, but found where points are packed */
     int copied_slot; /* 1 + the slot whose words it brings, as they are, into its target's; or 0 */
     GpVaryingModes modes;

@@ -29,7 +29,7 @@ typedef struct FastGathered {
     itg x, y; /* in the tile */
     uint32_t live;
     bool packed, quads;
-    itg at; /* of (x, y); only of ordered draws */
+    itg at; /* of (x, y); only of ordered draws. Of points one pixel may be there several times */
 } FastGathered;
 
 /* Packets of one draw that are shaded together. */
@@ -39,6 +39,7 @@ typedef struct FastPacketBlock {
     const float *depths;          /* [packet][lane], where tests come late */
     int count;
     int layers; /* packets are [layer][pixels], all layers on the same pixels; 0: no layers */
+    bool whole; /* every packet is known to be a row that lives in all lanes, to the end */
 } FastPacketBlock;
 
 /* Field by field: a packet put together elsewhere would be stored in bytes and copied in words, for
@@ -106,6 +107,23 @@ GP_INLINE itg block_y(const FastPacketBlock *block, int p)
 GP_INLINE bool has_row(const FastPacket *packet, int r)
 {
     return r * packet->wide < GP_LANES && packet->live >> r * packet->wide;
+}
+
+/* Runs of a gathered packet's lanes, whose pixels are neighbours in a row: bit i where one begins
+ * at lane i. */
+GP_INLINE unsigned run_starts(itg at)
+{
+    return msk_bits((msk)(at - itg_shift_in(at, 0) != 1)) | 1;
+}
+
+/* Takes away the first run; returns its lanes.
+ * out  first: lane at which it begins */
+GP_INLINE unsigned take_run(unsigned *starts, int *first)
+{
+    const unsigned begin = *starts & -*starts;
+    *first = __builtin_ctz(*starts);
+    *starts -= begin;
+    return (*starts ? *starts & -*starts : 1u << GP_LANES) - begin;
 }
 
 /* The words of a plane under a packet; of its pixels that live, at least. Row r of a packet of rows

@@ -168,7 +168,7 @@ GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool wh
     memcpy(o.constant, m->constant, sizeof o.constant);
     const flt *color = m->color;
     for (int p = 0; p < m->count; p++, color += m->stride) {
-        if (!m->live[p] || (!m->filled && adds_nothing(blend, color)))
+        if ((!whole && !m->live[p]) || (!m->filled && adds_nothing(blend, color)))
             continue;
         const uint32_t at = place_of(m, p);
         itg before = itg_set(0);
@@ -230,38 +230,102 @@ GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
                      word_of(target[p]) | (int32_t)m->filled);
 }
 
-/* Formats that are not packed. */
+/* --- formats that are not packed -------------------------------------------------------------- */
+
+GP_INLINE int channels_of(GpFormat format)
+{
+    return format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
+}
+
+/* One packet's colours, blended with what its pixels hold of a target, and as they are stored. */
+GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float constant[4],
+                            const flt color[4], flt target[4])
+{
+    Operands o;
+    flt result[4];
+    memcpy(o.constant, constant, sizeof o.constant);
+    GP_UNROLL
+    for (int c = 0; c < 4; c++) {
+        o.source[c] = format == GP_R8 ? clamped(color[c]) : color[c];
+        o.target[c] = target[c];
+        result[c] = color[c];
+    }
+    if (blend->op != GP_BLEND_OFF)
+        blend_lanes(blend, &o, result);
+    GP_UNROLL
+    for (int c = 0; c < 4; c++)
+        if (c < channels_of(format) && !(blend->keep >> c & 1))
+            target[c] = quantize(format, result[c]);
+}
+
+/* Channels that the format lacks read 1. */
+GP_INLINE void load_channels(const BlendBlock *m, GpFormat format, bool whole, int p, flt target[4])
+{
+    GP_UNROLL
+    for (int c = 0; c < 4; c++)
+        target[c] = c < channels_of(format)
+                        ? (flt)load_pixels(m, whole, p, place_of(m, p), m->planes->channel[c])
+                        : flt_set(1);
+}
+
+GP_INLINE void store_channels(const BlendBlock *m, const GpBlend *blend, GpFormat format,
+                              bool whole, int p, const flt target[4])
+{
+    GP_UNROLL
+    for (int c = 0; c < 4; c++)
+        if (c < channels_of(format) && !(blend->keep >> c & 1))
+            store_pixels(m, whole, p, place_of(m, p), m->planes->channel[c], (itg)target[c]);
+}
+
 GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const BlendBlock *from,
                               bool whole)
 {
     const BlendBlock copy = *from, *m = &copy;
-    const bool is_float = format != GP_R8;
-    const int channels = format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
     const flt *color = m->color;
-    Operands o;
-    memcpy(o.constant, m->constant, sizeof o.constant);
     for (int p = 0; p < m->count; p++, color += m->stride) {
-        if (!m->live[p])
+        flt target[4] = { flt_set(0), flt_set(0), flt_set(0), flt_set(0) };
+        if (!whole && !m->live[p])
             continue;
-        const uint32_t at = place_of(m, p);
-        flt result[4] = { color[0], color[1], color[2], color[3] };
-        if (blend->op != GP_BLEND_OFF) {
-            GP_UNROLL
-            for (int c = 0; c < 4; c++) {
-                o.source[c] = is_float ? color[c] : clamped(color[c]);
-                o.target[c] = c < channels
-                                  ? (flt)load_pixels(m, whole, p, at, m->planes->channel[c])
-                                  : flt_set(1);
-            }
-            blend_lanes(blend, &o, result);
-        }
-        GP_UNROLL
-        for (int c = 0; c < 4; c++)
-            if (c < channels && !(blend->keep >> c & 1))
-                store_pixels(m, whole, p, at, m->planes->channel[c],
-                             (itg)quantize(format, result[c]));
+        if (blend->op != GP_BLEND_OFF)
+            load_channels(m, format, whole, p, target);
+        blend_stored(blend, format, m->constant, color, target);
+        store_channels(m, blend, format, whole, p, target);
     }
 }
+
+/* Several whole layers, of some pixels that stay in registers: one packet's blends are found while
+ * another's wait for each other. */
+GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBlock *m, int first,
+                            int count)
+{
+    const int next_layer = m->count / m->layers * m->stride;
+    const flt *color = m->color + first * m->stride;
+    flt target[2][4];
+    GP_UNROLL
+    for (int i = 0; i < count; i++)
+        load_channels(m, format, true, first + i, target[i]);
+    for (int k = 0; k < m->layers; k++, color += next_layer) {
+        GP_UNROLL
+        for (int i = 0; i < count; i++)
+            blend_stored(blend, format, m->constant, color + i * m->stride, target[i]);
+    }
+    GP_UNROLL
+    for (int i = 0; i < count; i++)
+        store_channels(m, blend, format, true, first + i, target[i]);
+}
+
+GP_INLINE void blend_channel_layers(const GpBlend *blend, GpFormat format, const BlendBlock *from)
+{
+    const BlendBlock copy = *from, *m = &copy;
+    const int pixels = m->count / m->layers;
+    int p = 0;
+    for (; p + 2 <= pixels; p += 2)
+        blend_pixels(blend, format, m, p, 2);
+    if (p < pixels)
+        blend_pixels(blend, format, m, p, 1);
+}
+
+/* --- targets of any format -------------------------------------------------------------------- */
 
 /* The blends of nearly all draws. */
 static const GpBlend replace = { .op = GP_BLEND_OFF };
@@ -300,17 +364,26 @@ GP_INLINE void blend_words_by(const GpBlend *blend, const BlendBlock *m, bool wh
         blend_words(blend, m, whole);
 }
 
+GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const BlendBlock *m,
+                                 bool whole)
+{
+    if (whole && m->layers > 1)
+        blend_channel_layers(blend, format, m);
+    else
+        blend_channels(blend, format, m, whole);
+}
+
 GP_INLINE void blend_channels_by(const GpBlend *blend, GpFormat format, const BlendBlock *m,
                                  bool whole)
 {
     if (format == GP_A16B16G16R16F && is_blend(blend, &add))
-        blend_channels(&add, GP_A16B16G16R16F, m, whole);
+        blend_channels_of(&add, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A16B16G16R16F && is_blend(blend, &under))
-        blend_channels(&under, GP_A16B16G16R16F, m, whole);
+        blend_channels_of(&under, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A32B32G32R32F && is_blend(blend, &add))
-        blend_channels(&add, GP_A32B32G32R32F, m, whole);
+        blend_channels_of(&add, GP_A32B32G32R32F, m, whole);
     else
-        blend_channels(blend, format, m, whole);
+        blend_channels_of(blend, format, m, whole);
 }
 
 GP_INLINE void blend_by(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
@@ -343,11 +416,11 @@ void fast_blend_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
     const GpState *state = &d->draw->state;
     const FastPacketBlock *block = &shaded->block;
     const int written = gp_program_targets(d->draw->program);
-    if (fast_only_adds(tile, d)) {
+    if (d->only_adds && d->packs_points) {
         fast_add_packets(tile, d, shaded);
         return;
     }
-    const bool whole = are_whole(block->packets, shaded->live, block->count);
+    const bool whole = block->whole || are_whole(block->packets, shaded->live, block->count);
     BlendBlock m = { .packets = block->packets,
                      .gathered = block->gathered,
                      .live = shaded->live,

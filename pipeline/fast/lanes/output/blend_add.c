@@ -1,74 +1,111 @@
-/* Blending that only adds, of sprites, into targets of floats: what splats and glows do. Their rows
- * are short and begin anywhere, and memory takes most of the time: each row is read and written
- * once, in pieces that seldom meet the end of a cache line. */
 #include "pipeline/fast/lanes/output/blend_add.h"
 
-static bool adds(const GpBlend *blend, GpFormat format)
+#include <string.h>
+
+/* --- targets ---------------------------------------------------------------------------------- */
+
+/* Pixels of a row from x on. Channels that the format lacks are 0, and go nowhere. */
+GP_INLINE void interleave(const FastPlanes *planes, int channels, uint32_t at, float (*pixel)[4])
 {
-    return gp_format_info(format)->is_float && blend->op == GP_BLEND_ADD && blend->src == GP_ONE &&
-           blend->dst == GP_ONE && blend->alpha_op == GP_BLEND_OFF && !(blend->keep & 15);
+    itg channel[4];
+    for (int c = 0; c < 4; c++)
+        channel[c] = c < channels ? (itg)flt_load(planes->channel[c] + at) : itg_set(0);
+    lanes_store4(pixel[at], sizeof pixel[at], channel);
 }
 
-bool fast_only_adds(const Tile *tile, const FastDraw *d)
+GP_INLINE void separate(const float (*pixel)[4], int channels, uint32_t at, FastPlanes *planes)
 {
-    int written = gp_program_targets(d->draw->program);
-    if (d->draw->geometry.primitive != GP_POINTS || d->needs.quads || !d->needs.color)
-        return false;
-    for (int t = 0; t < written && t < tile->targets; t++)
-        if (!adds(&d->draw->state.blend[t], d->pass->color[t].surface->format))
-            return false;
-    return true;
-}
-
-GP_INLINE void add_piece(FastPlanes *planes, int channels, bool halves, uint32_t at,
-                         const float *color, unsigned live)
-{
+    const void *place[GP_LANES];
+    itg channel[4];
     GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        place[lane] = pixel[at + (uint32_t)lane];
+    lanes_load4(place, channel);
     for (int c = 0; c < channels; c++)
-        piece_add(planes->channel[c] + at, color + c * GP_LANES, live, halves);
+        flt_store(planes->channel[c] + at, (flt)channel[c]);
 }
 
-/* A row, or packed rows. Lanes that follow those of a row are read with it, but never live. */
-GP_INLINE void add_packet(FastPlanes *planes, int channels, bool halves, const FastPacket *packet,
-                          unsigned live, const float *color)
+static int channels_of(const Tile *tile, int target)
 {
-    const int wide = packet->wide;
-    const unsigned row = (1u << wide) - 1;
-    uint32_t at = fast_at(packet->x, packet->y);
-    for (; live; live >>= wide, color += wide, at += FAST_PITCH) {
-        add_piece(planes, channels, halves, at, color, live & row);
-        if (wide > GP_PIECE)
-            add_piece(planes, channels, halves, at + GP_PIECE, color + GP_PIECE,
-                      (live & row) >> GP_PIECE);
+    return gp_format_info(tile->pass->pass->color[target].surface->format)->channels;
+}
+
+void fast_begin_sums(Tile *tile, const FastDraw *d)
+{
+    const int written = gp_program_targets(d->draw->program);
+    tile->sums->targets = written < tile->targets ? written : tile->targets;
+    for (int t = 0; t < tile->sums->targets; t++)
+        for (int32_t y = 0; y < tile->height; y++)
+            for (int32_t x = 0; x < tile->width; x += GP_LANES)
+                interleave(tile->planes[t], channels_of(tile, t), fast_at(x, y),
+                           tile->sums->pixel[t]);
+}
+
+void fast_end_sums(Tile *tile)
+{
+    for (int t = 0; t < tile->sums->targets; t++)
+        for (int32_t y = 0; y < tile->height; y++)
+            for (int32_t x = 0; x < tile->width; x += GP_LANES)
+                separate(tile->sums->pixel[t], channels_of(tile, t), fast_at(x, y),
+                         tile->planes[t]);
+    tile->sums->targets = 0;
+}
+
+/* --- fragments -------------------------------------------------------------------------------- */
+
+/* Where the lanes of a block's packets go: dead ones past the tile, each to a pixel of its own, so that
+ * none waits for another. */
+static void find_places(const FastShaded *shaded, uint32_t (*place)[GP_LANES])
+{
+    const itg nowhere = lane_numbers() + (int32_t)fast_at(0, FAST_TILE);
+    for (int p = 0; p < shaded->block.count; p++)
+        store_lanes(place[p], false,
+                    itg_select(mask_of(shaded->live[p]), shaded->block.gathered[p].at, nowhere));
+}
+
+/* Of which some replace what there was. */
+static void replace_or_add(float (*pixel)[4], bool halves, const uint32_t place[GP_LANES],
+                           const float (*more)[4], unsigned replaced)
+{
+    for (int lane = 0; lane < GP_LANES; lane++) {
+        if (replaced >> lane & 1)
+            memset(pixel[place[lane]], 0, sizeof pixel[0]);
+        fours_add(pixel[place[lane]], more[lane], halves);
     }
 }
 
-GP_INLINE void add_all(FastPlanes *planes, int channels, bool halves, const FastShaded *shaded,
-                       const flt *color)
+GP_INLINE void add_all(float (*pixel)[4], bool halves, const FastShaded *shaded,
+                       const uint32_t (*place)[GP_LANES], const flt *color)
 {
-    for (int p = 0; p < shaded->block.count; p++, color += shaded->stride)
-        add_packet(planes, channels, halves, &shaded->block.packets[p], shaded->live[p],
-                   (const float *)(const void *)color);
+    const int count = shaded->block.count, stride = shaded->stride;
+    const unsigned *replaced = shaded->replaced;
+    for (int p = 0; p < count; p++, color += stride) {
+        _Alignas(64) float more[GP_LANES][4];
+        itg channel[4];
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            channel[c] = (itg)color[c];
+        lanes_store4(more, sizeof more[0], channel);
+        if (replaced[p]) {
+            replace_or_add(pixel, halves, place[p], more, replaced[p]);
+            continue;
+        }
+        GP_UNROLL
+        for (int lane = 0; lane < GP_LANES; lane++)
+            fours_add(pixel[place[p][lane]], more[lane], halves);
+    }
 }
 
 void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
-    const int written = gp_program_targets(d->draw->program);
-    const flt *color = shaded->color;
-    for (int t = 0; t < written && t < tile->targets; t++, color += 4) {
-        FastPlanes *planes = tile->planes[t];
-        switch (d->pass->color[t].surface->format) {
-        case GP_R32F:
-            add_all(planes, 1, false, shaded, color);
-            break;
-        case GP_G16R16F:
-            add_all(planes, 2, true, shaded, color);
-            break;
-        case GP_A16B16G16R16F:
-            add_all(planes, 4, true, shaded, color);
-            break;
-        default:
-            add_all(planes, 4, false, shaded, color);
-        }
+    uint32_t place[FAST_BLOCK][GP_LANES];
+    find_places(shaded, place);
+    for (int t = 0; t < tile->sums->targets; t++) {
+        const GpFormat format = d->pass->color[t].surface->format;
+        const flt *color = shaded->color + 4 * t;
+        if (format == GP_G16R16F || format == GP_A16B16G16R16F)
+            add_all(tile->sums->pixel[t], true, shaded, place, color);
+        else
+            add_all(tile->sums->pixel[t], false, shaded, place, color);
     }
 }

@@ -1,12 +1,25 @@
-/* Blending that only adds, of sprites, into targets of floats. */
+/* Blending that only adds, of sprites, into targets of floats: what splats and glows do.
+ *
+ * Their rows are short, begin anywhere, and lie on those of the sprite before. So while such a draw
+ * is at work in a tile, the four channels of a pixel stand side by side: a fragment is added by one
+ * load and one store, which never meet the end of a cache line, and what one stores the next one
+ * that wants it finds whole. */
 #ifndef GP_FAST_BLEND_ADD_H
 #define GP_FAST_BLEND_ADD_H
 
 #include "pipeline/fast/lanes/output/shaded.h"
 
-/* Whether a draw's sprites only add to targets of floats; and how their packets, rows or packed,
- * are blended then. */
-bool fast_only_adds(const Tile *tile, const FastDraw *draw);
+typedef struct FastSums {
+    int targets; /* that are held here instead of in their planes */
+    _Alignas(64) float pixel[GP_MAX_TARGETS][FAST_PIXELS][4];
+} FastSums;
+
+/* Takes the targets of a draw out of their planes, and brings them back. */
+void fast_begin_sums(Tile *tile, const FastDraw *draw);
+void fast_end_sums(Tile *tile);
+
+/* Blends gathered packets of such a draw, fragment by fragment. A pixel may be in a packet several
+ * times. */
 void fast_add_packets(Tile *tile, const FastDraw *draw, const FastShaded *shaded);
 
 #endif

@@ -7,8 +7,8 @@ static EarlyTest early_test(const Tile *tile, const FastDraw *d)
     if (!d->wants_depth)
         return EARLY_NONE;
     const bool nearer = depth->test == GP_LESS || depth->test == GP_LESS_EQUAL;
-    if (!nearer || d->needs.ternary || !(depth->write || d->late_depth) || d->needs.stencil ||
-        d->needs.shader_depth)
+    if (!nearer || d->needs.ternary || !(depth->write || d->path == FAST_ORDERED) ||
+        d->needs.stencil || d->needs.shader_depth)
         return EARLY_ANY;
     return tile->depth_format == GP_D32F ? EARLY_NEARER_FLOAT : EARLY_NEARER_UNORM;
 }
@@ -22,5 +22,6 @@ Filler fast_filler(Tile *tile)
                      .low = d->viewport.min_depth + 0.0f,
                      .high = d->viewport.max_depth + 0.0f,
                      .scale = tile->depth_format == GP_D16 ? 65535.0 : 16777215.0,
-                     .allowance = d->draw->state.depth.test == GP_LESS_EQUAL };
+                     .allowance = d->draw->state.depth.test == GP_LESS_EQUAL,
+                     .writes = d->draw->state.depth.write && !d->late_depth };
 }

@@ -11,7 +11,8 @@
  * be asked where depth is a number.
  *
  * Where tests come late, the usual one is also asked early, without writing: what is stored only
- * comes nearer while fragments of the draw wait, so one that fails now would fail then too. */
+ * comes nearer while fragments of the draw wait, so one that fails now would fail then too. Of an
+ * ordered draw that writes no depth the answer is the same at any time: it is asked early alone. */
 typedef enum EarlyTest {
     EARLY_NONE,         /* nothing looks at depth or stencil, early or late */
     EARLY_NEARER_FLOAT, /* the usual, for D32F */
@@ -32,6 +33,7 @@ typedef struct Filler {
     float low, high;   /* the viewport's depths; 0 is never -0 */
     double scale;      /* of unorm codes */
     int32_t allowance; /* 1 where equal depths pass */
+    bool writes;       /* the usual test also stores */
     uint32_t number;   /* of the record, where one is needed */
     bool front;
 } Filler;
@@ -48,6 +50,18 @@ GP_INLINE itg nearer_codes(const Filler *f, EarlyTest early, flt z)
     return __builtin_convertvector(__builtin_convertvector(z, dbl) * f->scale + 0.5, itg);
 }
 
+/* The usual test of lanes of a row, or of quads, from a place of the tile on.
+ * returns those of `live` that pass */
+GP_INLINE msk test_usual(const Filler *f, bool writes, bool quads, uint32_t at, msk live, itg code)
+{
+    uint32_t *depth = f->tile->depth + at;
+    const itg stored = load_lanes(depth, quads);
+    live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
+    if (writes)
+        store_lanes(depth, quads, itg_select(live, code, stored));
+    return live;
+}
+
 /* Lanes of a row, or of quads, from (x, y) of the tile on: the tests that come early, and on along
  * the draw's fragment path.
  * in   early: the filler's, or EARLY_ANY in its place; z: not clamped; matters unless EARLY_NONE
@@ -58,12 +72,10 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
     Tile *tile = f->tile;
     const uint32_t at = fast_at(x, y);
     msk replaced = itg_set(0);
-    if (is_usual(early)) {
-        itg code = nearer_codes(f, early, z), stored = load_lanes(tile->depth + at, quads);
-        live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
-        if (path != FAST_ORDERED || !f->d->late_depth)
-            store_lanes(tile->depth + at, quads, itg_select(live, code, stored));
-    } else if (early == EARLY_ANY && !f->d->late_depth)
+    if (is_usual(early))
+        live = test_usual(f, path != FAST_ORDERED || f->writes, quads, at, live,
+                          nearer_codes(f, early, z));
+    else if (early == EARLY_ANY && !f->d->late_depth)
         live = fast_test_depth_stencil(tile, f->d, at, quads, live, z, f->front, &replaced);
 
     if (path == FAST_VISIBLE) {

@@ -3,9 +3,10 @@
 #define GP_FAST_PACK_POINTS_H
 
 #include "pipeline/fast/lanes/geometry/sprites.h"
+#include "pipeline/fast/lanes/raster/fragment_path.h"
 
 /* Queues the fragments of sprites of a draw that packs points: of FAST_SPRITE_BATCHES batches at
  * most. */
-void fast_pack_points(Tile *tile, const SpriteBatch *batches, uint32_t count);
+void fast_pack_points(const Filler *filler, const SpriteBatch *batches, uint32_t count);
 
 #endif

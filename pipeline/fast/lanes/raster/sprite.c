@@ -31,18 +31,30 @@ GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
     return (d->indices ? d->indices[at] : at) - d->first_vertex;
 }
 
-void fast_prefetch_points(const FastDraw *d, const FastPrimitiveMask *mask)
+/* Some vertices in a row. */
+GP_INLINE void prefetch_vertices(const FastDraw *d, uint32_t vertex, uint32_t count)
 {
     const GpStream *stream = &d->draw->geometry.streams[d->draw->program->inputs[0].semantic];
     const size_t step = gp_stream_stride(stream);
-    const uint8_t *inputs = stream->data;
-    for (uint32_t lanes = mask->lanes; lanes; lanes &= lanes - 1) {
-        const uint32_t vertex = vertex_of(d, mask->first + (uint32_t)__builtin_ctz(lanes));
-        __builtin_prefetch(&d->positions[vertex]);
-        if (d->shades_again)
-            __builtin_prefetch(inputs + (d->first_vertex + vertex) * step);
-        for (uint32_t c = 0; !d->shades_again && c < d->stride; c += 16)
-            __builtin_prefetch(d->varyings + (size_t)vertex * d->stride + c);
+    const uint8_t *inputs = (const uint8_t *)stream->data + (d->first_vertex + vertex) * step;
+    const float *varyings = d->varyings + (size_t)vertex * d->stride;
+    for (uint32_t i = 0; i < count; i += 4)
+        __builtin_prefetch(&d->positions[vertex + i]);
+    if (d->path != FAST_ORDERED) /* varyings wait until it is known what is visible */
+        return;
+    for (size_t i = 0; d->shades_again && i < count * step; i += 64)
+        __builtin_prefetch(inputs + i);
+    for (uint32_t i = 0; !d->shades_again && i < count * d->stride; i += 16)
+        __builtin_prefetch(varyings + i);
+}
+
+void fast_prefetch_points(const FastDraw *d, const FastPrimitiveMask *mask)
+{
+    for (uint32_t lanes = mask->lanes; lanes;) {
+        const uint32_t first = (uint32_t)__builtin_ctz(lanes);
+        const uint32_t run = d->indices ? 1 : (uint32_t)__builtin_ctz(~(lanes >> first));
+        prefetch_vertices(d, vertex_of(d, mask->first + first), run);
+        lanes &= ~(((1u << run) - 1) << first);
     }
 }
 
@@ -217,53 +229,89 @@ static void queue_sprite(Tile *tile, const SpriteBatch *batch, uint32_t lane, ui
     queue_packed(&queuer, packing);
 }
 
-/* --- visible, or only tested ------------------------------------------------------------------ */
-
-static void fill_rows(Tile *tile, const SpriteBatch *batch, uint32_t lane)
+static void queue_batch(Tile *tile, const SpriteBatch *batch, Packing *packing)
 {
-    const FastDraw *d = tile->draw;
-    const Sprites *s = &batch->at;
-    Filler filler = fast_filler(tile);
-    filler.front = true;
-    if (d->path != FAST_DEPTH_ONLY) {
-        const float *varying = d->varyings + (size_t)batch->vertex[lane] * d->stride;
-        fast_reserve_records(tile, 1);
-        filler.number = tile->records->count++;
-        FastEdges64 *edges = &tile->records->edges64[tile->records->edges64_count];
-        tile->records->record[filler.number] =
-            (FastTriangleRecord){ .face = 1.0f,
-                                  .kind = FAST_SPRITE,
-                                  .edges64 = (uint16_t)tile->records->edges64_count++,
-                                  .corner = { varying, varying, varying } };
-        edges->sprite.left = s->left[lane];
-        edges->sprite.top = s->top[lane];
-        edges->sprite.per_step = batch->per_step[lane];
-    }
-    for (int32_t y = s->y0[lane]; y <= s->y1[lane]; y++)
-        for (int32_t x = s->x0[lane]; x <= s->x1[lane]; x += GP_LANES) {
-            int32_t pixels = s->x1[lane] - x + 1;
-            unsigned live = (1u << (pixels < GP_LANES ? pixels : GP_LANES)) - 1;
-            send_lanes(&filler, filler.early, d->path, false, x, y, mask_of(live),
-                       flt_set(s->z[lane]));
-        }
+    fast_reserve_records(tile, 1);
+    const uint32_t record = tile->records->count++; /* for all: it tells that they face the eye */
+    tile->records->record[record] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+    for (unsigned drawn = batch->at.drawn; drawn; drawn &= drawn - 1)
+        queue_sprite(tile, batch, (uint32_t)__builtin_ctz(drawn), record, packing);
 }
 
-static void fill_batch(Tile *tile, const SpriteBatch *batch, Packing *packing)
+/* --- visible, or only tested ------------------------------------------------------------------ */
+
+static void write_record(Tile *tile, const SpriteBatch *batch, uint32_t lane,
+                         FastTriangleRecord *record)
 {
     const FastDraw *d = tile->draw;
-    uint32_t record = 0;
-    if (d->path == FAST_ORDERED) { /* one for all: it only tells that they face the eye */
-        fast_reserve_records(tile, 1);
-        record = tile->records->count++;
-        tile->records->record[record] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+    const float *varying = d->varyings + (size_t)batch->vertex[lane] * d->stride;
+    *record = (FastTriangleRecord){ .face = 1.0f,
+                                    .kind = FAST_SPRITE,
+                                    .corner = { varying, varying, varying } };
+    if (d->modes.sprite < 0)
+        return;
+    record->edges64 = (uint16_t)tile->records->edges64_count;
+    tile->records->edges64[tile->records->edges64_count++].sprite.left = batch->at.left[lane];
+    tile->records->edges64[record->edges64].sprite.top = batch->at.top[lane];
+    tile->records->edges64[record->edges64].sprite.per_step = batch->per_step[lane];
+}
+
+/* A sprite of one pixel, of which scans are full: without lanes. */
+GP_INLINE bool fill_pixel(const Filler *f, EarlyTest early, FastFragmentPath path, uint32_t at,
+                          int32_t code)
+{
+    Tile *tile = f->tile;
+    if (is_usual(early)) {
+        if (code - f->allowance >= (int32_t)tile->depth[at])
+            return false;
+        tile->depth[at] = (uint32_t)code;
     }
+    if (path == FAST_VISIBLE)
+        tile->visibility->record[at] = f->number;
+    return true;
+}
+
+/* Any sprite; returns whether some pixel passed. */
+GP_INLINE bool fill_box(const Filler *f, EarlyTest early, FastFragmentPath path, const Sprites *s,
+                        uint32_t lane, int32_t code)
+{
+    const int32_t x0 = s->x0[lane], x1 = s->x1[lane], y0 = s->y0[lane], y1 = s->y1[lane];
+    if (early != EARLY_ANY && x0 == x1 && y0 == y1)
+        return fill_pixel(f, early, path, fast_at(x0, y0), code);
+    msk passed = itg_set(0);
+    for (int32_t y = y0; y <= y1; y++)
+        for (int32_t x = x0; x <= x1; x += GP_LANES)
+            passed |= send_lanes(f, early, path, false, x, y, (msk)(lane_numbers() <= x1 - x),
+                                 flt_set(s->z[lane]));
+    return msk_any(passed);
+}
+
+/* Records of sprites that are not visible stay unwritten. */
+GP_INLINE void fill(Filler *f, EarlyTest early, FastFragmentPath path, const SpriteBatch *batch)
+{
+    FastRecords *records = f->tile->records;
+    const itg codes = is_usual(early) ? nearer_codes(f, early, batch->at.z) : itg_set(0);
+    int32_t code[GP_LANES];
+    __builtin_memcpy(code, &codes, sizeof code);
+    if (path == FAST_VISIBLE)
+        fast_reserve_records(f->tile, GP_LANES);
     for (unsigned drawn = batch->at.drawn; drawn; drawn &= drawn - 1) {
         const uint32_t lane = (uint32_t)__builtin_ctz(drawn);
-        if (d->path == FAST_ORDERED)
-            queue_sprite(tile, batch, lane, record, packing);
-        else
-            fill_rows(tile, batch, lane);
+        f->number = records->count;
+        if (fill_box(f, early, path, &batch->at, lane, code[lane]) && path == FAST_VISIBLE)
+            write_record(f->tile, batch, lane, &records->record[records->count++]);
     }
+}
+
+static void fill_batch(Filler *f, const SpriteBatch *batch)
+{
+    const bool visible = f->d->path == FAST_VISIBLE;
+    if (f->early == EARLY_NEARER_FLOAT && visible)
+        fill(f, EARLY_NEARER_FLOAT, FAST_VISIBLE, batch);
+    else if (f->early == EARLY_NEARER_UNORM && visible)
+        fill(f, EARLY_NEARER_UNORM, FAST_VISIBLE, batch);
+    else
+        fill(f, f->early, f->d->path, batch);
 }
 
 static uint32_t set_up_batches(const Tile *tile, const uint32_t *primitives, uint32_t count,
@@ -284,11 +332,16 @@ void fast_fill_sprites(Tile *tile, const uint32_t *primitives, uint32_t count)
     const uint32_t most = FAST_SPRITE_BATCHES * GP_LANES;
     SpriteBatch batches[FAST_SPRITE_BATCHES];
     Packing packing = { .wide = 0 };
+    Filler filler = fast_filler(tile);
+    filler.front = true;
     for (uint32_t first = 0; first < count; first += most) {
         const uint32_t made = set_up_batches(tile, primitives + first, count - first, batches);
         if (tile->draw->packs_points)
-            fast_pack_points(tile, batches, made);
+            fast_pack_points(&filler, batches, made);
         for (uint32_t i = 0; !tile->draw->packs_points && i < made; i++)
-            fill_batch(tile, &batches[i], &packing);
+            if (tile->draw->path == FAST_ORDERED)
+                queue_batch(tile, &batches[i], &packing);
+            else
+                fill_batch(&filler, &batches[i]);
     }
 }

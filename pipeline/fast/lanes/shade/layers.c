@@ -57,17 +57,27 @@ static void interpolate_layers(const Tile *tile, const Layer *layer, const FastP
     }
 }
 
+/* What blocks of `count` packets a layer have in common. */
+static void begin_packets(const FastLayers *layers, uint32_t count, FastPacket *packets)
+{
+    for (uint32_t k = 0; k < layers->count; k++)
+        for (uint32_t i = 0; i < count; i++)
+            set_packet(&packets[k * count + i], layers->record[k], 0, 0, ALL_LANES, GP_LANES);
+}
+
 /* Packets of all layers on the next `count` packets of the box, whose first is at (x, y). */
-static void set_packets(const FastLayers *layers, int count, int32_t *x, int32_t *y,
-                        FastPacket *packets)
+static void place_packets(const FastLayers *layers, uint32_t count, int32_t *x, int32_t *y,
+                          FastPacket *packets)
 {
     const FastBox *box = &layers->box;
-    for (int i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         const int32_t pixels = box->x1 - *x + 1;
         const unsigned live = pixels < GP_LANES ? (1u << pixels) - 1 : ALL_LANES;
-        for (uint32_t k = 0; k < layers->count; k++)
-            set_packet(&packets[k * (uint32_t)count + (uint32_t)i], layers->record[k], *x, *y, live,
-                       GP_LANES);
+        for (uint32_t at = i; at < layers->count * count; at += count) {
+            packets[at].live = live;
+            packets[at].x = (uint8_t)*x;
+            packets[at].y = (uint8_t)*y;
+        }
         *x += GP_LANES;
         if (*x > box->x1) {
             *x = box->x0;
@@ -113,13 +123,19 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
     const int room = FAST_BLOCK / (int)layers->count;
     Layer layer[FAST_LAYERS];
     const bool narrow = find_layers(tile, layers, layer), alike = are_alike(tile);
+    const bool whole = (box->x1 - box->x0 + 1) % GP_LANES == 0 && !d->draw->program->may_discard &&
+                       !d->needs.alpha_test;
 
     int32_t x = box->x0, y = box->y0;
     const int most = ((box->x1 - x) / GP_LANES + 1) * (box->y1 - y + 1);
     for (int done = 0, count; done < most; done += count) {
         count = most - done < room ? most - done : room;
-        FastPacketBlock block = { .packets = packets, .count = 1, .layers = (int)layers->count };
-        set_packets(layers, count, &x, &y, packets);
+        FastPacketBlock block = {
+            .packets = packets, .count = 1, .layers = (int)layers->count, .whole = whole
+        };
+        if (done == 0 || count < room)
+            begin_packets(layers, (uint32_t)count, packets);
+        place_packets(layers, (uint32_t)count, &x, &y, packets);
         if (alike && done == 0)
             fast_run_pixel_shader(tile, d, &block);
         block.count = block.layers * count;

@@ -6,7 +6,7 @@
 
 #include "pipeline/fast/lanes/memory/packet.h"
 
-enum { FAST_LAYERS = 8 };
+enum { FAST_LAYERS = 4 };
 
 typedef struct FastLayers {
     uint32_t count;

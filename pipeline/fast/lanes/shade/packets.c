@@ -8,6 +8,8 @@
 #include "pipeline/fast/lanes/shade/pixel_shader.h"
 #include "pipeline/fast/lanes/shade/records.h"
 
+#include <string.h>
+
 static msk compare_lanes(GpCompare test, flt a, float b)
 {
     msk less = (msk)(a < b), equal = (msk)(a == b), greater = (msk)(a > b);
@@ -17,10 +19,51 @@ static msk compare_lanes(GpCompare test, flt a, float b)
     return accepted;
 }
 
-/* Lanes of shaded packet p that pass the tests which had to wait; those of them that replace. */
-static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacket *packet, int p,
-                           const float *depth, unsigned *replaced)
+static bool is_usual(const FastDraw *d)
 {
+    const GpCompare test = d->draw->state.depth.test;
+    return (test == GP_LESS || test == GP_LESS_EQUAL) && !d->needs.ternary && !d->needs.stencil;
+}
+
+/* Points' fragments, of which several may be on one pixel: run by run. */
+static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
+                              unsigned live, flt z, unsigned *replaced)
+{
+    const bool usual = is_usual(d);
+    const int32_t allowance = d->draw->state.depth.test == GP_LESS_EQUAL;
+    uint32_t place[GP_LANES], depth[2 * GP_LANES]; /* codes, or still floats */
+    unsigned passed = 0;
+    memcpy(place, &gathered->at, sizeof place);
+    store_lanes(depth, false, usual ? depth_codes(tile->depth_format, z) : (itg)z);
+    store_lanes(depth + GP_LANES, false, (itg)z);
+    *replaced = 0;
+    for (unsigned starts = run_starts(gathered->at); starts;) {
+        int first;
+        const unsigned run = (live & take_run(&starts, &first)) >> first;
+        if (!run)
+            continue;
+        const itg coming = load_lanes(depth + first, false);
+        msk nearer, alive = mask_of(run);
+        if (usual) {
+            uint32_t *at = tile->depth + place[first];
+            const itg stored = load_lanes(at, false);
+            alive &= (coming - allowance - stored) >> 31;
+            store_lanes(at, false, itg_select(alive, coming, stored));
+        } else {
+            alive = fast_test_depth_stencil(tile, d, place[first], false, alive, (flt)coming, true,
+                                            &nearer);
+            *replaced |= msk_bits(nearer) << first;
+        }
+        passed |= msk_bits(alive) << first;
+    }
+    return passed;
+}
+
+/* Lanes of shaded packet p that pass the tests which had to wait; those of them that replace. */
+static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock *block, int p,
+                           unsigned *replaced)
+{
+    const FastPacket *packet = &block->packets[p];
     const GpAlphaTest *alpha = &d->draw->state.alpha_test;
     const int targets = gp_program_targets(d->draw->program);
     unsigned live = packet->live;
@@ -33,32 +76,42 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacket *pack
             gp_float_from_unorm(alpha->reference, 8)));
     if (d->late_depth && live) {
         const bool by_shader = d->draw->program->writes_depth;
-        flt z = flt_load((by_shader ? tile->block->shader_depth : depth) + p * GP_LANES);
+        flt z = flt_load((by_shader ? tile->block->shader_depth : block->depths) + p * GP_LANES);
+        if (d->packs_points)
+            return test_gathered(tile, d, &block->gathered[p], live, z, replaced);
         live = fast_test_packet(tile, d, packet, tile->records->record[packet->record].face > 0,
                                 live, z, replaced);
     }
     return live;
 }
 
+/* Lanes of a block's shaded packets that pass all tests; those of them that replace. */
+static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *block,
+                      unsigned live[FAST_BLOCK], unsigned replaced[FAST_BLOCK])
+{
+    const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
+    uint32_t fragments = 0;
+    for (int p = 0; p < block->count; p++) {
+        live[p] = block->packets[p].live;
+        replaced[p] = block->packets[p].replaced;
+        fragments += (uint32_t)(block->whole ? GP_LANES : __builtin_popcount(live[p]));
+    }
+    for (int p = 0; late && p < block->count; p++)
+        live[p] = late_tests(tile, d, block, p, &replaced[p]);
+    tile->fragments_shaded += fragments;
+}
+
 void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *block)
 {
     unsigned live[FAST_BLOCK], replaced[FAST_BLOCK];
     fast_run_pixel_shader(tile, d, block);
-    const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
-    uint32_t fragments = 0;
-    for (int p = 0; p < block->count; p++) {
-        fragments += (uint32_t)__builtin_popcount(block->packets[p].live);
-        replaced[p] = block->packets[p].replaced;
-        live[p] = late ? late_tests(tile, d, &block->packets[p], p, block->depths, &replaced[p])
-                       : block->packets[p].live;
-    }
-    tile->fragments_shaded += fragments;
+    find_live(tile, d, block, live, replaced);
     const FastShaded shaded = { .block = *block,
                                 .live = live,
                                 .replaced = replaced,
                                 .color = fast_colors(tile),
                                 .stride = 4 * gp_program_targets(d->draw->program) };
-    if (d->needs.color && d->needs.ternary)
+    if (d->needs.color && d->needs.ternary && !d->packs_points)
         fast_replace_packets(tile, d, &shaded);
     else if (d->needs.color)
         fast_blend_packets(tile, d, &shaded);

@@ -5,6 +5,7 @@
 #include "pipeline/fast/lanes/geometry/sprites.h"
 #include "pipeline/fast/lanes/geometry/vertices.h"
 #include "pipeline/fast/lanes/memory/slots.h"
+#include "pipeline/fast/lanes/output/blend_add.h"
 #include "pipeline/fast/lanes/raster/fill_triangles.h"
 #include "pipeline/fast/lanes/raster/hierarchical_depth.h"
 #include "pipeline/fast/lanes/raster/sorted_triangles.h"
@@ -31,17 +32,25 @@ static void draw_polygon(Tile *tile, const FastRange *range, uint32_t primitive)
     }
 }
 
+static void end_draw(Tile *tile)
+{
+    fast_fill_sorted(tile);
+    fast_flush_packets(tile);
+    fast_end_sums(tile);
+}
+
 /* Between draws: packets wait for one draw only, and what is visible must be shaded before a draw that
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
-    fast_fill_sorted(tile);
-    fast_flush_packets(tile);
+    end_draw(tile);
     tile->draw = &tile->pass->draws[number];
     fast_keep_hierarchical_depth(tile, tile->draw);
     tile->draw_number = number;
     if (tile->draw->path == FAST_ORDERED)
         fast_flush_visibility(tile);
+    if (tile->draw->only_adds && tile->draw->packs_points)
+        fast_begin_sums(tile, tile->draw);
 }
 
 /* Primitives that wait for their draw to have enough of them. */
@@ -182,11 +191,11 @@ static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
     fast_keep_hierarchical_depth(tile, NULL);
     tile->queue->count = tile->queue->layers.count = 0;
     tile->sorted->count = 0;
+    tile->sums->targets = 0;
     fast_begin_visibility(tile);
     fast_turn_to(tile, FAST_RASTER);
     draw_bins(tile, pass, number);
-    fast_fill_sorted(tile);
-    fast_flush_packets(tile);
+    end_draw(tile);
     fast_flush_visibility(tile);
     fast_turn_to(tile, FAST_TRANSFER);
 }
@@ -208,6 +217,7 @@ struct FastTileMemory {
     FastRecords records;
     FastShaderBlock block;
     FastLaneRuns lane_runs;
+    FastSums sums;
     FastQueue queue;
     FastVisibility visibility;
     FastHierarchicalDepth hierarchical_depth;
@@ -226,6 +236,7 @@ static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t nu
     tile->records = &memory->records;
     tile->block = &memory->block;
     tile->lane_runs = &memory->lane_runs;
+    tile->sums = &memory->sums;
     tile->queue = &memory->queue;
     tile->visibility = &memory->visibility;
     tile->hierarchical_depth = &memory->hierarchical_depth;
