@@ -75,7 +75,7 @@ static bool packs_points(const FastDraw *d)
         return false;
     if (only_combines_bits(d))
         return !d->wants_depth && d->modes.sprite < 0;
-    return (d->only_adds || !d->needs.color) && (d->late_depth || !d->needs.ternary);
+    return d->only_adds || !d->needs.color;
 }
 
 /* To shade twice costs less than to keep what is shaded, where a shader makes much of little.
@@ -201,6 +201,8 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     resolve_blends(d);
     d->only_adds = only_adds(d);
     d->packs_points = packs_points(d);
+    if (d->packs_points && d->needs.ternary) /* so that what replaces is known beside its colour */
+        d->late_depth = true;
     d->shades_again = shades_again(d);
     d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;
 

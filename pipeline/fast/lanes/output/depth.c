@@ -63,14 +63,6 @@ static msk test_stencil(const GpStencilState *s, bool front, uint8_t *stencil, b
     return passed;
 }
 
-/* As gp_depth_put_back. */
-static itg put_back(const Tile *tile, const FastDraw *d, itg codes)
-{
-    if (tile->depth_format == GP_D32F)
-        return (itg)((flt)codes + gp_bits_float(d->epsilon));
-    return codes + (int32_t)d->epsilon;
-}
-
 msk fast_test_depth_stencil(Tile *tile, const FastDraw *d, uint32_t at, bool quads, msk live, flt z,
                             bool front, msk *replaced)
 {

@@ -26,6 +26,14 @@ GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
     return accepted_lanes(test, less, equal, ~(less | equal));
 }
 
+/* As gp_depth_put_back. */
+GP_INLINE itg put_back(const Tile *tile, const FastDraw *d, itg codes)
+{
+    if (tile->depth_format == GP_D32F)
+        return (itg)((flt)codes + gp_bits_float(d->epsilon));
+    return codes + (int32_t)d->epsilon;
+}
+
 /* Any depth and stencil state, on the lanes of a row or of quads from one place of the tile on.
  * in   z: not yet clamped to the viewport's range
  * out  replaced: of the lanes that pass, those that replace, by the ternary test

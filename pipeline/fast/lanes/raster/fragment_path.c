@@ -7,8 +7,8 @@ static EarlyTest early_test(const Tile *tile, const FastDraw *d)
     if (!d->wants_depth)
         return EARLY_NONE;
     const bool nearer = depth->test == GP_LESS || depth->test == GP_LESS_EQUAL;
-    if (!nearer || d->needs.ternary || !(depth->write || d->path == FAST_ORDERED) ||
-        d->needs.stencil || d->needs.shader_depth)
+    if (!nearer || !(depth->write || d->path == FAST_ORDERED) || d->needs.stencil ||
+        d->needs.shader_depth || (d->needs.ternary && !d->packs_points))
         return EARLY_ANY;
     return tile->depth_format == GP_D32F ? EARLY_NEARER_FLOAT : EARLY_NEARER_UNORM;
 }

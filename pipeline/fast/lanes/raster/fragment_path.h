@@ -56,7 +56,8 @@ GP_INLINE msk test_usual(const Filler *f, bool writes, bool quads, uint32_t at, 
 {
     uint32_t *depth = f->tile->depth + at;
     const itg stored = load_lanes(depth, quads);
-    live &= (code - f->allowance - stored) >> 31; /* codes are not negative */
+    const itg reach = f->d->needs.ternary ? put_back(f->tile, f->d, stored) : stored;
+    live &= (code - f->allowance - reach) >> 31; /* codes are not negative */
     if (writes)
         store_lanes(depth, quads, itg_select(live, code, stored));
     return live;

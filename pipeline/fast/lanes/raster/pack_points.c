@@ -191,7 +191,7 @@ GP_INLINE msk test_row(const Filler *f, EarlyTest early, uint32_t at, msk inside
 {
     if (is_usual(early))
         return test_usual(f, f->writes, false, at, inside, code);
-    msk replaced; /* never: of draws that pack points, the ternary test is late */
+    msk replaced; /* never: of points that are packed, the ternary test is late */
     if (early == EARLY_ANY && !f->d->late_depth)
         return fast_test_depth_stencil(f->tile, f->d, at, false, inside, (flt)code, true,
                                        &replaced);

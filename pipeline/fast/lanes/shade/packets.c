@@ -19,24 +19,50 @@ static msk compare_lanes(GpCompare test, flt a, float b)
     return accepted;
 }
 
+/* Depths that are known to be clamped, of which the nearer is stored. */
 static bool is_usual(const FastDraw *d)
 {
     const GpCompare test = d->draw->state.depth.test;
-    return (test == GP_LESS || test == GP_LESS_EQUAL) && !d->needs.ternary && !d->needs.stencil;
+    return (test == GP_LESS || test == GP_LESS_EQUAL) && d->draw->state.depth.write &&
+           !d->needs.stencil && !d->needs.shader_depth;
 }
 
-/* Points' fragments, of which several may be on one pixel: run by run. */
+/* The usual test, or the ternary one, of a run of a packet's lanes, from `at` on.
+ * returns those that pass */
+GP_INLINE msk test_run(const Tile *tile, const FastDraw *d, uint32_t *at, msk alive, itg coming,
+                       msk *replaced)
+{
+    const int32_t allowance = d->draw->state.depth.test == GP_LESS_EQUAL;
+    const itg stored = load_lanes(at, false);
+    itg reach = stored;
+    *replaced = itg_set(0);
+    if (d->needs.ternary) {
+        reach = put_back(tile, d, stored);
+        *replaced = (msk)(put_back(tile, d, coming) < stored) & alive;
+    }
+    alive &= (coming - allowance - reach) >> 31;
+    store_lanes(at, false, itg_select(alive, itg_lesser(coming, stored), stored));
+    return alive;
+}
+
+/* Points' fragments, of which several may be on one pixel: run by run; but all at once where no depth
+ * comes nearer by the ternary test, as is usual once the nearest have come. */
 static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
                               unsigned live, flt z, unsigned *replaced)
 {
     const bool usual = is_usual(d);
-    const int32_t allowance = d->draw->state.depth.test == GP_LESS_EQUAL;
+    const itg codes = usual ? depth_codes(tile->depth_format, z) : (itg)z;
     uint32_t place[GP_LANES], depth[2 * GP_LANES]; /* codes, or still floats */
     unsigned passed = 0;
-    memcpy(place, &gathered->at, sizeof place);
-    store_lanes(depth, false, usual ? depth_codes(tile->depth_format, z) : (itg)z);
-    store_lanes(depth + GP_LANES, false, (itg)z);
     *replaced = 0;
+    if (usual && d->needs.ternary) {
+        const itg stored = itg_gather((const uint8_t *)tile->depth, gathered->at * 4);
+        if (!(live & msk_bits((msk)(codes < stored))))
+            return live & msk_bits((msk)(codes <= put_back(tile, d, stored)));
+    }
+    memcpy(place, &gathered->at, sizeof place);
+    store_lanes(depth, false, codes);
+    store_lanes(depth + GP_LANES, false, (itg)z);
     for (unsigned starts = run_starts(gathered->at); starts;) {
         int first;
         const unsigned run = (live & take_run(&starts, &first)) >> first;
@@ -44,16 +70,12 @@ static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered 
             continue;
         const itg coming = load_lanes(depth + first, false);
         msk nearer, alive = mask_of(run);
-        if (usual) {
-            uint32_t *at = tile->depth + place[first];
-            const itg stored = load_lanes(at, false);
-            alive &= (coming - allowance - stored) >> 31;
-            store_lanes(at, false, itg_select(alive, coming, stored));
-        } else {
+        if (usual)
+            alive = test_run(tile, d, tile->depth + place[first], alive, coming, &nearer);
+        else
             alive = fast_test_depth_stencil(tile, d, place[first], false, alive, (flt)coming, true,
                                             &nearer);
-            *replaced |= msk_bits(nearer) << first;
-        }
+        *replaced |= msk_bits(nearer) << first;
         passed |= msk_bits(alive) << first;
     }
     return passed;
