@@ -4,10 +4,9 @@
 
 #include "apps/base/vector.h"
 
-enum { TASKS_AT_ONCE = 256 }; /* between two words to the listener */
-
-static const PatchLimits default_limits = {
-    .most_leaves = 4096, .least_leaves = 512, .alignment = 0.95, .curvature = 0.03
+enum {
+    TASKS_AT_ONCE = 256, /* between two words to the listener */
+    MOST_PATCHES = 4096  /* that splitting makes by itself: each is looked at in every frame */
 };
 
 typedef struct Builder {
@@ -185,6 +184,20 @@ static void fill_patch(void *context, uint32_t item, int worker)
 
 /* --- all -------------------------------------------------------------------------------------- */
 
+static PatchLimits used_limits(const PatchLimits *limits, uint32_t leaves)
+{
+    PatchLimits used = limits ? *limits : (PatchLimits){ 0 };
+    if (used.least_leaves == 0)
+        used.least_leaves = leaves / MOST_PATCHES > 512 ? leaves / MOST_PATCHES : 512;
+    if (used.most_leaves == 0)
+        used.most_leaves = 4 * used.least_leaves;
+    if (used.alignment == 0)
+        used.alignment = 0.95;
+    if (used.curvature == 0)
+        used.curvature = 0.03;
+    return used;
+}
+
 static void run_told(Builder *builder, GpPool *pool, const PointsListener *listener, uint32_t count,
                      GpPoolFn function, const char *text)
 {
@@ -226,17 +239,9 @@ GpResult patches_build(const Surfels *surfels, const PatchLimits *limits, GpPool
     if (surfels->count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
     Patches made = { .leaf_count = surfels->count, .has_colors = surfels->had_colors };
-    Builder builder = { .surfels = surfels, .patches = &made };
-    PatchLimits *used = &builder.limits;
-    *used = limits ? *limits : default_limits;
-    if (used->most_leaves == 0)
-        used->most_leaves = default_limits.most_leaves;
-    if (used->least_leaves == 0)
-        used->least_leaves = default_limits.least_leaves;
-    if (used->alignment == 0)
-        used->alignment = default_limits.alignment;
-    if (used->curvature == 0)
-        used->curvature = default_limits.curvature;
+    Builder builder = { .surfels = surfels,
+                        .patches = &made,
+                        .limits = used_limits(limits, surfels->count) };
     builder.order = gp_alloc_unset(surfels->count * sizeof *builder.order);
     GpResult result = builder.order ? build(&builder, pool, listener) : GP_ERROR_MEMORY;
     gp_free(builder.order);
