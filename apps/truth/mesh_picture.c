@@ -215,11 +215,11 @@ static void average(const Run *run, uint32_t band, const double *nearest, const 
                 if (!(nearest[at] > 0))
                     continue;
                 covered++;
-                for (int k = 0; k < 3; k++)
+                for (size_t k = 0; k < 3; k++)
                     sum[k] += found[3 * at + k];
             }
             picture->covered[pixel] = (uint8_t)covered;
-            for (int k = 0; k < 3; k++)
+            for (size_t k = 0; k < 3; k++)
                 picture->color[3 * pixel + k] = covered ? sum[k] / covered : 0;
         }
 }

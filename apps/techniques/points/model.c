@@ -138,9 +138,9 @@ uint64_t points_model_splats(const Frame *frame)
 double points_model_bytes(const PointsModel *model)
 {
     const Patches *patches = &model->patches;
-    return patches->surfels ? (double)patches_bytes(patches) +
-                                  (double)patches->surfel_count * sizeof(Surfel)
-                            : (double)model->surfels.count * sizeof(Surfel);
+    return patches->surfels
+               ? (double)patches_bytes(patches) + (double)patches->surfel_count * sizeof(Surfel)
+               : (double)model->surfels.count * sizeof(Surfel);
 }
 
 void points_model_close(void *made)

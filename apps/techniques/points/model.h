@@ -14,8 +14,8 @@ typedef struct PointsModel {
     char path[4096];
     Surfels surfels;
     PointsFacts facts; /* where a report is asked for */
-    Patches patches; /* empty until a setting needs them */
-    GpMesh mesh; /* whose surface they are; empty until it is needed */
+    Patches patches;   /* empty until a setting needs them */
+    GpMesh mesh;       /* whose surface they are; empty until it is needed */
     SplatView view;
     const uint8_t *color; /* of all points; NULL: each has its own */
     MeshPicture truth;    /* empty until it is found */

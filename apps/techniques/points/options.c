@@ -54,7 +54,8 @@ const SettingField points_settings[] = {
     { "sample", "N", "Of a mesh: N points, spread evenly over its area", SETTING_INTEGER,
       OF(sample), .low = 1, .high = 1 << 27, .aside = true },
     { "one-radius", NULL,
-      "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each its "
+      "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each "
+      "its "
       "own",
       SETTING_FLAG, OF(one_radius), .aside = true },
     { "color", "NAME",

@@ -4,8 +4,7 @@
 
 static void tell_measure(const PointsError *measured, TechniqueReport *report)
 {
-    text_add(&report->lines,
-             "interior %.2f dB, area %+.2f %%, %.0f holes in %.0f covered pixels\n",
+    text_add(&report->lines, "interior %.2f dB, area %+.2f %%, %.0f holes in %.0f covered pixels\n",
              measured->interior_psnr, 100 * measured->area_error, measured->holes,
              measured->covered);
     if (!report->members)

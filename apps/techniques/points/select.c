@@ -33,8 +33,8 @@ static SplatMethod bounded_filter(const Chooser *chooser, const PatchRange *rang
     if (!(range->nearest > 0))
         return SPLAT_EWA;
     range_deviations(chooser, range, &least, &most);
-    const SplatExtent extent = splat_extent(&chooser->view, range->nearest, range->farthest, least,
-                                            most, &range->facing);
+    const SplatExtent extent =
+        splat_extent(&chooser->view, range->nearest, range->farthest, least, most, &range->facing);
     const double tolerance = 2 * chooser->setting->tolerance; /* of L, of which half is an error */
     if (filter_bound_low_pass(extent.high, extent.high, chooser->h) <= tolerance)
         return SPLAT_LOW_PASS;
@@ -138,8 +138,9 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
     Chooser chooser = { .model = model,
                         .setting = splats,
                         .h = splats->low_pass * splats->low_pass };
-    chooser.view = point_view(&view->camera, view->width, view->height,
-                              fmax(splats->spread * splats->cut, 1), splats->low_pass * splats->cut);
+    chooser.view =
+        point_view(&view->camera, view->width, view->height, fmax(splats->spread * splats->cut, 1),
+                   splats->low_pass * splats->cut);
     chooser.tangent = chooser.view.axes.half_height;
     const LevelChoice choice = { .pixels = options->detail / splats->spread,
                                  .budget = options->budget,

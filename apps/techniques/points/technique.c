@@ -29,17 +29,18 @@ const Technique points_technique = {
     .arguments = "FILE",
     .input = "a point file or a mesh",
     .summary = "a point model as splats",
-    .help = "Examples:\n"
-            "  glasspipe points builtin:knot\n"
-            "  glasspipe points builtin:knot --subdivide 2 --color waves:40 --measure\n"
-            "  glasspipe points builtin:torus --sample 20000 --color gold -o torus.png\n"
-            "  glasspipe points builtin:knot --subdivide 3 --detail 0.7 --json\n"
-            "\n"
-            "Draws the points of a model as a surface of splats, and prints the picture's hash.\v"
-            "FILE is PLY, XYZ, XYZN or PTS; or a mesh, whose vertices are taken: OFF, OBJ, PLY, STL, "
-            "OM or builtin:NAME. Alpha is how much of a pixel the surface covers: EXR has it, and "
-            "--output-coverage writes it alone. With --json the frame is drawn a second time, which "
-            "is the one that is timed.",
+    .help =
+        "Examples:\n"
+        "  glasspipe points builtin:knot\n"
+        "  glasspipe points builtin:knot --subdivide 2 --color waves:40 --measure\n"
+        "  glasspipe points builtin:torus --sample 20000 --color gold -o torus.png\n"
+        "  glasspipe points builtin:knot --subdivide 3 --detail 0.7 --json\n"
+        "\n"
+        "Draws the points of a model as a surface of splats, and prints the picture's hash.\v"
+        "FILE is PLY, XYZ, XYZN or PTS; or a mesh, whose vertices are taken: OFF, OBJ, PLY, STL, "
+        "OM or builtin:NAME. Alpha is how much of a pixel the surface covers: EXR has it, and "
+        "--output-coverage writes it alone. With --json the frame is drawn a second time, which "
+        "is the one that is timed.",
     .settings = points_settings,
     .defaults = &points_option_defaults,
     .setting_bytes = sizeof(PointsOptions),

@@ -44,8 +44,7 @@ static void shade(const Paint *paint, const double place[3], double normal[3], d
                         1);
 }
 
-static void color_of(const void *context, uint32_t triangle, const double share[3],
-                     double color[3])
+static void color_of(const void *context, uint32_t triangle, const double share[3], double color[3])
 {
     const Paint *paint = context;
     const GpMesh *mesh = paint->mesh;

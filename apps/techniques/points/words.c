@@ -28,9 +28,9 @@ const TechniqueWord points_words[] = {
     { "reconstruction alone",
       "Spots as wide as the discs are: those smaller than a pixel fall between pixels." },
     { "low-pass alone", "Round spots of one width: discs larger than that leave holes." },
-    { "by areas, as printed",
-      "Each patch of points takes both filters or one of them, by the ratio of a disc's area to the "
-      "pixel filter's, as the thesis prints it." },
+    { "by areas, as printed", "Each patch of points takes both filters or one of them, by the "
+                              "ratio of a disc's area to the "
+                              "pixel filter's, as the thesis prints it." },
     { "by distances, as printed", "The same by distances, as the later paper prints it." },
     { "ours",
       "A filter is left out where a bound says how far a colour can be off by that, with both axes "
