@@ -36,7 +36,14 @@ static int key_of(const Parse *parse, int table, int i)
     return field->letter ? field->letter : FIRST_KEY + table * SETTING_MAX_FIELDS + i;
 }
 
-/* What argp is told of them; text: "plain|hardware", what it refers to. */
+/* "plain|hardware"; "NAME" where that is more than a line of the help holds, which argp cannot break. */
+static const char *name_argument(const SettingField *field, char text[96])
+{
+    setting_list_names(field, text, 96);
+    return strlen(text) > 62 ? "NAME" : text;
+}
+
+/* What argp is told of them; text: what it refers to. */
 static void list_options(const Parse *parse, struct argp_option options[MAX_OPTIONS],
                          char text[MAX_OPTIONS][96])
 {
@@ -45,12 +52,12 @@ static void list_options(const Parse *parse, struct argp_option options[MAX_OPTI
         const SettingField *fields = parse->tables[table]->fields;
         for (int i = 0; fields[i].name; i++, count++) {
             GP_ASSERT(i < SETTING_MAX_FIELDS && count < MAX_OPTIONS - GP_COUNT(help_options));
-            if (fields[i].names)
-                setting_list_names(&fields[i], text[count], sizeof text[count]);
             options[count] = (struct argp_option){
                 .name = fields[i].name,
                 .key = key_of(parse, table, i),
-                .arg = fields[i].names && !fields[i].argument ? text[count] : fields[i].argument,
+                .arg = fields[i].names && !fields[i].argument
+                           ? name_argument(&fields[i], text[count])
+                           : fields[i].argument,
                 .doc = fields[i].help,
             };
         }

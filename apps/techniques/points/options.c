@@ -113,10 +113,11 @@ GpResult points_waves(const char *color, double *waves, GpError *error)
         return gp_fail(error, GP_ERROR_INVALID, "--color: expected a number above 0, not '%.40s'",
                        color + 6);
     }
-    return gp_fail(error, GP_ERROR_INVALID,
-                   "--color: expected file, waves:K, white, grey, clay, gold, jade or black, not "
-                   "'%.40s'",
-                   color);
+    return gp_fail(
+        error, GP_ERROR_INVALID,
+        "--color: expected file, white, grey, clay, gold, jade, black or such as waves:40, "
+        "not '%.40s'",
+        color);
 }
 
 /* --- what goes together ----------------------------------------------------------------------- */
