@@ -146,8 +146,8 @@ static json_t *phases_json(const Bench *bench, const Times *times)
 }
 
 static void print_result(const Bench *bench, const BenchCase *drawn, const Frame *frame,
-                         const Times *times, const RunStatistics *statistics, uint32_t width, uint32_t height,
-                         uint32_t hash)
+                         const Times *times, const RunStatistics *statistics, uint32_t width,
+                         uint32_t height, uint32_t hash)
 {
     char digits[9];
     snprintf(digits, sizeof digits, "%08x", hash);
