@@ -9,8 +9,10 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "caches are little-end
 enum {
     VERSION = 1, /* one more whenever what is built, or how it is kept, changes */
     ALIGNMENT = 64,
-    SECTIONS = 6
+    SECTIONS = 7
 };
+
+enum { HOLDS_SURFELS = 1, HOLDS_WORDS = 2, HOLDS_COLORS = 4 };
 
 static const char magic[8] = { 'g', 'p', 'p', 'o', 'i', 'n', 't', 's' };
 
@@ -22,7 +24,8 @@ typedef struct Head {
     uint64_t size; /* of the file */
     uint64_t hash; /* of the head with 0 here, then of all behind it */
     uint32_t surfel_count, patch_count, level_count, leaf_count;
-    uint32_t form, has_colors, tree_depth, unused;
+    uint32_t form, has_colors, tree_depth;
+    uint32_t holds; /* HOLDS_ ... */
 } Head;
 
 /* A part of the file, and where its address is in a model. */
@@ -41,13 +44,18 @@ static size_t place_sections(const Head *head, PackedModel *model, float **radii
                              Section sections[SECTIONS])
 {
     Compressed *compressed = &model->compressed;
+    const uint32_t holds = head->holds;
+    const size_t surfels = head->surfel_count;
+    const size_t frames = holds & HOLDS_WORDS ? head->patch_count : 0;
     const Section all[SECTIONS] = {
         { (void **)&model->patches.patches, head->patch_count * sizeof(Patch), 0 },
         { (void **)&model->patches.levels, head->level_count * sizeof(PatchLevel), 0 },
-        { (void **)&compressed->frames, head->patch_count * sizeof(CompressedFrame), 0 },
+        { (void **)&model->patches.surfels, holds & HOLDS_SURFELS ? surfels * sizeof(Surfel) : 0,
+          0 },
+        { (void **)&compressed->frames, frames * sizeof(CompressedFrame), 0 },
         { (void **)radii, sizeof compressed->radii, 0 },
-        { (void **)&compressed->words, (size_t)head->surfel_count * COMPRESSED_BYTES, 0 },
-        { (void **)&compressed->colors, head->has_colors ? (size_t)head->surfel_count * 3 : 0, 0 },
+        { (void **)&compressed->words, holds & HOLDS_WORDS ? surfels * COMPRESSED_BYTES : 0, 0 },
+        { (void **)&compressed->colors, holds & HOLDS_COLORS ? surfels * 3 : 0, 0 },
     };
     size_t at = sizeof(Head);
     for (int i = 0; i < SECTIONS; i++) {
@@ -135,7 +143,8 @@ GpResult cache_read(const char *path, uint64_t key, PackedModel *model, GpError 
     const bool fits = place_sections(&head, &read, &radii, sections) == read.file.size;
     for (int i = 0; i < SECTIONS && fits; i++)
         *sections[i].data = sections[i].bytes > 0 ? read.file.data + sections[i].at : NULL;
-    read.patches.surfel_count = read.compressed.surfel_count = head.surfel_count;
+    read.patches.surfel_count = head.surfel_count;
+    read.compressed.surfel_count = head.holds & HOLDS_WORDS ? head.surfel_count : 0;
     read.patches.patch_count = head.patch_count;
     read.patches.level_count = head.level_count;
     read.patches.leaf_count = head.leaf_count;
@@ -155,7 +164,6 @@ GpResult cache_read(const char *path, uint64_t key, PackedModel *model, GpError 
 void packed_model_free(PackedModel *model)
 {
     if (model->file.data) {
-        gp_free(model->patches.surfels);
         gp_file_free(&model->file);
     } else {
         patches_free(&model->patches);
@@ -173,12 +181,15 @@ GpResult cache_write(const char *path, uint64_t key, const PackedModel *model, G
     Head head = { .version = VERSION,
                   .struct_bytes = struct_bytes(),
                   .key = key,
-                  .surfel_count = compressed->surfel_count,
+                  .surfel_count = patches->surfel_count,
                   .patch_count = patches->patch_count,
                   .level_count = patches->level_count,
                   .leaf_count = patches->leaf_count,
                   .form = compressed->form,
-                  .has_colors = compressed->colors != NULL,
+                  .has_colors = patches->has_colors,
+                  .holds = (patches->surfels ? HOLDS_SURFELS : 0u) |
+                           (compressed->words ? HOLDS_WORDS : 0u) |
+                           (compressed->colors ? HOLDS_COLORS : 0u),
                   .tree_depth = (uint32_t)(tree_depth(patches->leaf_count) + 1) };
     memcpy(head.magic, magic, sizeof magic);
     PackedModel copy = *model;

@@ -59,8 +59,15 @@ static void assert_same(const PackedModel *a, const PackedModel *b)
                         a->patches.level_count * sizeof(PatchLevel));
     assert_int_equal(x->form, y->form);
     assert_int_equal(x->surfel_count, y->surfel_count);
-    assert_memory_equal(x->words, y->words, (size_t)x->surfel_count * COMPRESSED_BYTES);
-    assert_memory_equal(x->frames, y->frames, a->patches.patch_count * sizeof *x->frames);
+    assert_int_equal(!a->patches.surfels, !b->patches.surfels);
+    assert_int_equal(!x->words, !y->words);
+    if (a->patches.surfels)
+        assert_memory_equal(a->patches.surfels, b->patches.surfels,
+                            a->patches.surfel_count * sizeof(Surfel));
+    if (x->words) {
+        assert_memory_equal(x->words, y->words, (size_t)x->surfel_count * COMPRESSED_BYTES);
+        assert_memory_equal(x->frames, y->frames, a->patches.patch_count * sizeof *x->frames);
+    }
     assert_memory_equal(x->radii, y->radii, sizeof x->radii);
     assert_int_equal(!x->colors, !y->colors);
     if (x->colors)
@@ -70,20 +77,24 @@ static void assert_same(const PackedModel *a, const PackedModel *b)
 static void what_is_written_is_read(void **state)
 {
     (void)state;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 6; i++) {
         PackedModel made = { .patches = { .surfels = NULL } }, read;
         Surfels surfels;
         shape_torus(&surfels, i < 2 ? 3 : 9000, 0.3);
         surfels.had_colors = i % 2;
         assert_int_equal(patches_build(&surfels, NULL, pool, NULL, &made.patches, NULL), GP_OK);
-        assert_int_equal(patches_compress(&made.patches, i == 2 ? COMPRESS_PRINTED : COMPRESS_OURS,
-                                          pool, &made.compressed),
-                         GP_OK);
+        const CompressForm form = i == 2 ? COMPRESS_PRINTED : COMPRESS_OURS;
+        if (i < 5) /* with surfels and words, words only, surfels only */
+            assert_int_equal(patches_compress(&made.patches, form, pool, &made.compressed), GP_OK);
+        if (i < 4) {
+            gp_free(made.patches.surfels);
+            made.patches.surfels = NULL;
+        }
         assert_int_equal(cache_write(path, KEY, &made, NULL), GP_OK);
         assert_int_equal(cache_read(path, KEY, &read, NULL), GP_OK);
         assert_same(&made, &read);
-        assert_null(read.patches.surfels);
         assert_int_equal((uintptr_t)read.compressed.words % 64, 0);
+        assert_int_equal((uintptr_t)read.patches.surfels % 64, 0);
         packed_model_free(&read);
         assert_null(read.file.data);
         packed_model_free(&made);
