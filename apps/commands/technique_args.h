@@ -23,8 +23,10 @@ typedef struct TechniqueArgs {
 /* What a frame of these arguments is made of. */
 static inline TechniqueInput technique_input(const TechniqueArgs *args)
 {
-    return (TechniqueInput){ args->scene, args->options.size[0], args->options.size[1],
-                             args->settings.object };
+    return (TechniqueInput){ .path = args->scene,
+                             .width = args->options.size[0],
+                             .height = args->options.size[1],
+                             .setting = args->settings.object };
 }
 
 #endif

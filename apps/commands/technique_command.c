@@ -1,6 +1,7 @@
 #include "apps/commands/technique_command.h"
 
 #include "apps/commands/output.h"
+#include "apps/commands/progress.h"
 #include "apps/commands/technique_choice.h"
 #include "apps/frame/picture.h"
 #include "pipeline/io/file.h"
@@ -229,9 +230,12 @@ static int draw_opened(TechniqueArgs *args, void *scene, GpDevice *device)
 
 static int open_and_draw(TechniqueArgs *args, GpDevice *device)
 {
-    const TechniqueInput input = technique_input(args);
+    const Progress progress = progress_begin(&args->options);
+    TechniqueInput input = technique_input(args);
     GpError error = { "" };
     void *scene;
+    input.progress = progress_tell;
+    input.user = &progress;
     GpResult result = args->technique->open(&input, &scene, &error);
     if (result)
         return report(exit_of_input(result), "%s", error.text);

@@ -6,7 +6,9 @@
 GpResult technique_open(const Technique *technique, const char *path, uint32_t width,
                         uint32_t height, void **scene, GpError *error)
 {
-    const TechniqueInput input = { path, width, height, technique->defaults };
+    const TechniqueInput input = {
+        .path = path, .width = width, .height = height, .setting = technique->defaults
+    };
     return technique->open(&input, scene, error);
 }
 

@@ -127,6 +127,9 @@ typedef struct TechniqueInput {
     const char *path;
     uint32_t width, height; /* of the picture; 0 x 0: the scene's own */
     const void *setting;    /* its fields aside of the key hold for all frames of the scene */
+    /* Hears how far long work on the scene is, until it is closed; NULL: nobody does. */
+    void (*progress)(const void *user, uint32_t done, uint32_t total, const char *text);
+    const void *user;
 } TechniqueInput;
 
 /* What is worth saying of a frame that has been drawn; zeroed before. Texts are lines, owned by the

@@ -1,9 +1,11 @@
 #include "apps/techniques/points/model.h"
 
 #include "apps/scene/camera_file.h"
+#include "apps/base/content.h"
 #include "apps/base/machine.h"
 #include "apps/scene/model.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* --- surfels ---------------------------------------------------------------------------------- */
@@ -27,6 +29,75 @@ static GpResult read_surfels(const TechniqueInput *input, PointsModel *model, Gp
                              options->reports ? &model->facts : NULL, error);
     gp_pool_destroy(&pool);
     return result;
+}
+
+/* --- the cache -------------------------------------------------------------------------------- */
+
+/* What surfels and patches are made by, besides the input. */
+static uint64_t key_of(const TechniqueInput *input)
+{
+    const PointsOptions *options = input->setting;
+    char settings[256];
+    snprintf(settings, sizeof settings, "subdivide %u sample %u one-radius %d color %s",
+             options->subdivide, options->sample, options->one_radius,
+             options->color ? options->color : "");
+    return cache_key(content_hash(input->path, 0), settings);
+}
+
+/* The leaves of all patches. */
+static GpResult take_leaves(const Patches *patches, Surfels *surfels)
+{
+    if (surfels_alloc(surfels, patches->leaf_count))
+        return GP_ERROR_MEMORY;
+    Surfel *to = surfels->surfels;
+    for (uint32_t i = 0; i < patches->patch_count; i++) {
+        const Patch *patch = &patches->patches[i];
+        const PatchLevel *leaves = patch_levels(patches, patch) + patch->level_count - 1;
+        memcpy(to, patches->surfels + leaves->first, leaves->count * sizeof *to);
+        to += leaves->count;
+    }
+    surfels->had_colors = patches->has_colors;
+    return GP_OK;
+}
+
+/* Whether the model came from its cache; where not, it is to be read and built. */
+static bool read_cache(const TechniqueInput *input, PointsModel *model)
+{
+    const PointsOptions *options = input->setting;
+    PackedModel packed;
+    if (!options->cache)
+        return false;
+    model->cache = options->cache;
+    model->cache_key = key_of(input);
+    if (options->reports) /* tells of the input itself */
+        return false;
+    const GpResult result =
+        cache_read(options->cache, model->cache_key, &packed, &model->cache_fault);
+    if (result == GP_ERROR_IO) /* not there yet */
+        model->cache_fault.text[0] = '\0';
+    else if (result)
+        strncat(model->cache_fault.text, ": built anew",
+                sizeof model->cache_fault.text - strlen(model->cache_fault.text) - 1);
+    if (result)
+        return false;
+    if (!packed.patches.surfels || take_leaves(&packed.patches, &model->surfels)) {
+        packed_model_free(&packed);
+        return false;
+    }
+    model->patches = packed.patches;
+    model->file = packed.file;
+    model->cache = NULL;
+    return true;
+}
+
+/* A cache that cannot be written is worth a warning: the picture is the same. */
+static void write_cache(PointsModel *model)
+{
+    const PackedModel packed = { .patches = model->patches };
+    GpError error;
+    if (model->cache && cache_write(model->cache, model->cache_key, &packed, &error))
+        model->cache_fault = error;
+    model->cache = NULL;
 }
 
 /* --- the view --------------------------------------------------------------------------------- */
@@ -74,7 +145,9 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     text_copy(model->path, sizeof model->path, input->path);
-    GpResult result = read_surfels(input, model, error);
+    model->listener = (PointsListener){ input->progress, input->user };
+    const bool is_cached = read_cache(input, model);
+    GpResult result = is_cached ? GP_OK : read_surfels(input, model, error);
     if (!result)
         result = find_view(input, &model->surfels, &model->view, error);
     if (result) {
@@ -93,8 +166,11 @@ GpResult points_model_structure(PointsModel *model, int threads, GpError *error)
         return GP_OK;
     GpResult result = gp_pool_create(threads, &pool, error);
     if (!result)
-        result = patches_build(&model->surfels, NULL, pool, NULL, &model->patches, error);
+        result =
+            patches_build(&model->surfels, NULL, pool, &model->listener, &model->patches, error);
     gp_pool_destroy(&pool);
+    if (!result)
+        write_cache(model);
     return result;
 }
 
@@ -148,7 +224,10 @@ void points_model_close(void *made)
     PointsModel *model = made;
     mesh_picture_free(&model->truth);
     surfels_free(&model->surfels);
-    patches_free(&model->patches);
+    if (model->file.data)
+        gp_file_free(&model->file);
+    else
+        patches_free(&model->patches);
     gp_mesh_free(&model->mesh);
     gp_free(model);
 }

@@ -2,6 +2,7 @@
 #ifndef APPS_TECHNIQUES_POINTS_MODEL_H
 #define APPS_TECHNIQUES_POINTS_MODEL_H
 
+#include "apps/points/cache.h"
 #include "apps/points/open.h"
 #include "apps/points/patches.h"
 #include "apps/points/splats.h"
@@ -14,8 +15,13 @@ typedef struct PointsModel {
     char path[4096];
     Surfels surfels;
     PointsFacts facts; /* where a report is asked for */
-    Patches patches;   /* empty until a setting needs them */
-    GpMesh mesh;       /* whose surface they are; empty until it is needed */
+    Patches patches;   /* empty until a setting needs them, or the cache had them: */
+    GpFile file;       /* what they lie in then */
+    const char *cache; /* where they go once they are built; NULL: nowhere, or they are there */
+    uint64_t cache_key;
+    GpError cache_fault; /* why the cache was of no use, or could not be written; else empty */
+    PointsListener listener;
+    GpMesh mesh; /* whose surface they are; empty until it is needed */
     SplatView view;
     const uint8_t *color; /* of all points; NULL: each has its own */
     MeshPicture truth;    /* empty until it is found */

@@ -73,6 +73,11 @@ const SettingField points_settings[] = {
       .names = ups, .aside = true },
     { "zoom", "F", "Larger by so much than what fills the picture", SETTING_NUMBER, OF(orbit.zoom),
       .low = 0.1, .high = 1000, .aside = true },
+    { "cache", "FILE",
+      "Keep what is built of the points in FILE, and take it from there where it is of the same "
+      "points "
+      "and settings",
+      SETTING_TEXT, OF(cache), .aside = true },
     { "measure", NULL, "Hold the picture against the truth, and say how far off it is",
       SETTING_FLAG, OF(measures), .aside = true },
     { "report", NULL, "Print what was read, and what was estimated", SETTING_FLAG, OF(reports),

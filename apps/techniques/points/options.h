@@ -18,6 +18,7 @@ typedef struct PointsOptions {
     const char *camera; /* a file; NULL: the orbit */
     Orbit orbit;
     bool unlit;
+    const char *cache; /* a file for what is built of the points; NULL: none */
     bool measures, reports;
 } PointsOptions;
 

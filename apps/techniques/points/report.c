@@ -26,6 +26,8 @@ GpResult points_report(void *made, const void *setting, const Frame *frame, GpDe
         json_object_set_new(report->members, "bytes_per_point",
                             json_real(points_model_bytes(model) / model->surfels.count));
     }
+    if (model->cache_fault.text[0])
+        text_add(&report->warnings, "%s\n", model->cache_fault.text);
     if (options->reports)
         facts_report(&model->facts, &report->lines, report->members);
     if (!options->measures)

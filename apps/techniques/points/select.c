@@ -99,7 +99,7 @@ bool points_needs_patches(const PointsOptions *options)
 {
     const SplatMethod method = options->splats.method;
     return method == SPLAT_ADAPTIVE || method == SPLAT_AREA || method == SPLAT_DISTANCE ||
-           options->detail > 0 || options->budget > 0;
+           options->detail > 0 || options->budget > 0 || options->cache;
 }
 
 static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame *frame,

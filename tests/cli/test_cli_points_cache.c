@@ -1,0 +1,89 @@
+/* What is built of points, kept in a file: the same picture with it, and without what is wrong in it. */
+#include "tests/support/program.h"
+
+static char hash[64];
+
+/* Draws with the cache, and says the same hash as ever. */
+static void expect_drawn(const char *model, const char *warning)
+{
+    assert_int_equal(shell("glasspipe points %s --size 64x64 --cache built.bin -o a.png", model),
+                     0);
+    if (!hash[0])
+        snprintf(hash, sizeof hash, "%.*s", (int)sizeof hash - 1, out);
+    assert_string_equal(out, hash);
+    if (warning)
+        expect_contains(err, warning);
+    else
+        assert_null(strstr(err, "warning"));
+}
+
+/* Changes a byte of the file. */
+static void damage(long at)
+{
+    FILE *file = fopen("built.bin", "r+");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, at, SEEK_SET), 0);
+    const int byte = fgetc(file);
+    assert_int_equal(fseek(file, at, SEEK_SET), 0);
+    assert_int_equal(fputc(byte ^ 0x55, file), byte ^ 0x55);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void a_cache_changes_no_picture(void **state)
+{
+    (void)state;
+    const char knot[] = "builtin:knot --detail 1";
+    hash[0] = '\0';
+    expect_drawn(knot, NULL);
+    expect_files("a.png built.bin scene.json");
+    expect_drawn(knot, NULL);
+    damage(3);
+    expect_drawn(knot, "built.bin: not a cache of points: built anew");
+    expect_drawn(knot, NULL);
+    damage(9);
+    expect_drawn(knot, "built.bin: a cache of another version: built anew");
+    damage(2000);
+    expect_drawn(knot, "built.bin: damaged");
+    assert_int_equal(truncate("built.bin", 5000), 0);
+    expect_drawn(knot, "built.bin: truncated: 5000 bytes of");
+    expect_drawn(knot, NULL);
+    /* with all there is to tell of the input, which is read for it */
+    assert_int_equal(
+        shell("glasspipe points %s --size 64x64 --cache built.bin --report -o a.png", knot), 0);
+    expect_contains(out, hash);
+}
+
+static void a_cache_of_other_points_is_written_over(void **state)
+{
+    (void)state;
+    hash[0] = '\0';
+    expect_drawn("builtin:knot --detail 1", NULL);
+    hash[0] = '\0';
+    expect_drawn("builtin:knot --detail 1 --color gold",
+                 "a cache of another model or of other settings");
+    expect_drawn("builtin:knot --detail 1 --color gold", NULL);
+    hash[0] = '\0';
+    expect_drawn("builtin:torus --detail 1", "a cache of another model or of other settings");
+    expect_drawn("builtin:torus --detail 1", NULL);
+    hash[0] = '\0';
+    expect_drawn("builtin:torus --detail 1 --sample 3000",
+                 "a cache of another model or of other settings");
+}
+
+static void a_cache_that_cannot_be_written_is_a_warning(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe points builtin:knot --size 64x64 --cache no/where -o a.png"),
+                     0);
+    expect_contains(err, "warning: no/where: ");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(a_cache_changes_no_picture),
+        PROGRAM_TEST(a_cache_of_other_points_is_written_over),
+        PROGRAM_TEST(a_cache_that_cannot_be_written_is_a_warning),
+    };
+    return cmocka_run_group_tests(tests, find_program, NULL);
+}
