@@ -69,7 +69,7 @@ typedef struct SplatColorVarying {
 vertex_shader(splat_color_vs, SplatUniforms, SurfelVertex, SplatColorVarying)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
-    Splat splat = surfel_filtered(c, &eye);
+    Splat splat = surfel_filtered(c, &eye, in->color.w);
     flt height = splat_height(in->color.w, &eye, &splat);
     *position = surfel_clip(c, &eye, bcast(0));
     *point_size = splat_side(&splat, c->cut);
@@ -103,7 +103,7 @@ typedef struct SplatTargets {
 vertex_shader(splat_surface_vs, SplatUniforms, SurfelVertex, SplatSurfaceVarying)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
-    Splat splat = surfel_filtered(c, &eye);
+    Splat splat = surfel_filtered(c, &eye, in->color.w);
     flt height = splat_height(in->color.w, &eye, &splat);
     /* two-sided surfels are lit from the side that is seen */
     flt turned = sel(eye.facing < 0.0f, -height, height);
