@@ -7,7 +7,7 @@
 
 void facts_of_surfels(const Surfels *surfels, PointsFacts *facts)
 {
-    FactRange radius = { .least = INFINITY };
+    FactRange radius = { .least = (double)INFINITY };
     facts->count = surfels->count;
     facts->had_normals = surfels->had_normals;
     facts->had_radii = surfels->had_radii;
@@ -69,7 +69,7 @@ static void walk_edges(const GpMesh *mesh, const Edges *edges, const MeshWalk *w
         const uint32_t a = root_of(walk->parents, ends[0]), b = root_of(walk->parents, ends[1]);
         walk->parents[a > b ? a : b] = a > b ? b : a;
     }
-    facts->spacing = (FactRange){ .least = INFINITY };
+    facts->spacing = (FactRange){ .least = (double)INFINITY };
     facts->boundary = facts->components = 0;
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         const double nearest = sqrt((double)walk->nearest2[v]);

@@ -97,7 +97,7 @@ static void find_rows(void *context, uint32_t item, int worker)
     for (uint32_t i = item * 4096; i < end; i++) {
         Corner polygon[4];
         const int count = clip_near(run, i, polygon);
-        double low = INFINITY, high = -INFINITY;
+        double low = (double)INFINITY, high = -(double)INFINITY;
         for (int k = 0; k < count; k++) {
             project(run, &polygon[k]);
             low = fmin(low, polygon[k].place[1]);
@@ -172,7 +172,8 @@ static void fill(const Run *run, uint32_t band, uint32_t triangle, const Corner 
     const int64_t side = run->scene->samples;
     const int64_t width = (int64_t)run->scene->width * side, top = (int64_t)band * BAND * side;
     const double area = edge(corners[0], corners[1], corners[2]->place[0], corners[2]->place[1]);
-    double low[2] = { INFINITY, INFINITY }, high[2] = { -INFINITY, -INFINITY };
+    double low[2] = { (double)INFINITY, (double)INFINITY },
+           high[2] = { -(double)INFINITY, -(double)INFINITY };
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++) {
             low[k] = fmin(low[k], corners[i]->place[k]);

@@ -189,7 +189,7 @@ static void measure_piece(void *context, uint32_t piece, int worker)
     const NeighbourTree *tree = measure->tree;
     uint32_t rank;
     const uint32_t end = neighbour_piece(tree->count, piece, &rank);
-    CellFacts facts = { .nearest_least = INFINITY };
+    CellFacts facts = { .nearest_least = (double)INFINITY };
     (void)worker;
     for (; rank < end; rank++) {
         Neighbour found[CELLS_NEIGHBOURS];
