@@ -128,10 +128,14 @@ static void measure_level(const Patch *patch, const Surfel *surfels, PatchLevel 
 {
     double sum = 0;
     level->least_radius = level->most_radius = surfels->radius;
+    level->least_width = level->most_width = surfel_width(surfels);
     for (uint32_t i = 0; i < level->count; i++) {
         const float radius = surfels[i].radius;
         level->least_radius = radius < level->least_radius ? radius : level->least_radius;
         level->most_radius = radius > level->most_radius ? radius : level->most_radius;
+        const float width = surfel_width(&surfels[i]);
+        level->least_width = width < level->least_width ? width : level->least_width;
+        level->most_width = width > level->most_width ? width : level->most_width;
         sum += (double)radius;
     }
     level->mean_radius = (float)(sum / level->count);
@@ -142,11 +146,11 @@ static void measure_level(const Patch *patch, const Surfel *surfels, PatchLevel 
 static void measure_patch(const Surfel *surfels, Patch *patch, PatchLevel *levels)
 {
     const PatchLevel *last = &levels[patch->level_count - 1];
-    const double leaf_radius = surfels_mean_radius(surfels + last->first, last->count);
+    const double leaf_width = surfels_mean_width(surfels + last->first, last->count);
     patch->cone.cosine = 1;
     for (uint32_t l = 0; l < patch->level_count; l++) {
-        const double radius = surfels_mean_radius(surfels + levels[l].first, levels[l].count);
-        const double square = radius * radius - leaf_radius * leaf_radius;
+        const double width = surfels_mean_width(surfels + levels[l].first, levels[l].count);
+        const double square = width * width - leaf_width * leaf_width;
         measure_level(patch, surfels + levels[l].first, &levels[l]);
         levels[l].blur = square > 0 ? (float)sqrt(square) : 0;
         if (levels[l].cone_cosine < patch->cone.cosine) {

@@ -36,8 +36,9 @@ typedef struct PatchCone {
 typedef struct PatchLevel {
     uint32_t first, count; /* of the surfels */
     float least_radius, most_radius, mean_radius;
+    float least_width, most_width; /* surfel_width */
     /* How much wider its splats are than the leaves': the root of the difference of the squares of the
-     * mean radii, by area. 0: the leaves, and levels that are as fine. */
+     * mean widths, by area. 0: the leaves, and levels that are as fine. */
     float blur;
     float cone_cosine, cone_sine; /* of its own cone, about the axis of the patch's */
 } PatchLevel;

@@ -72,12 +72,12 @@ void surfels_cone(const Surfel *surfels, uint32_t count, const float axis[3], fl
     }
 }
 
-double surfels_mean_radius(const Surfel *surfels, uint32_t count)
+double surfels_mean_width(const Surfel *surfels, uint32_t count)
 {
     double sum = 0, area = 0;
     for (uint32_t i = 0; i < count; i++) {
         const double own = surfel_area(&surfels[i]);
-        sum += own * (double)surfels[i].radius;
+        sum += own * (double)surfel_width(&surfels[i]);
         area += own;
     }
     return sum / area;

@@ -24,7 +24,7 @@ void surfels_cone(const Surfel *surfels, uint32_t count, const float axis[3], fl
                   float *sine);
 
 /* Mean radius by area. */
-double surfels_mean_radius(const Surfel *surfels, uint32_t count);
+double surfels_mean_width(const Surfel *surfels, uint32_t count);
 
 /* The axes of a box from the eigenvectors, and the curvature. */
 void summary_axes(const SurfelSummary *summary, float axes[3][3], float *curvature);

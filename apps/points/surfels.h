@@ -7,6 +7,7 @@
 #define APPS_POINTS_SURFELS_H
 
 #include "pipeline/base/base.h"
+#include "shaders_c/points/splat.h"
 
 #include <math.h>
 
@@ -27,6 +28,14 @@ typedef struct Surfels {
     uint32_t count;
     bool had_normals, had_radii, had_colors; /* the file stored them; what it did not was made */
 } Surfels;
+
+/* What a surfel's Gaussian is as wide as, in units of the splats' spread: its radius, or less where its
+ * disc is wider than its area needs. */
+static inline float surfel_width(const Surfel *surfel)
+{
+    const float share = SPLAT_PER_SHARE / 255 * (float)surfel->share;
+    return surfel->radius * (share < 1 ? share : 1);
+}
 
 /* The area that a surfel stands for, from its radius and share; and the share of an area. */
 static inline double surfel_area(const Surfel *surfel)

@@ -33,6 +33,10 @@ typedef struct SplatUniforms {
                           instead of the surfel's */
 } SplatUniforms;
 
+/* Where the share of a surfel is below 1 over this, its area says how wide its Gaussian is: discs that
+ * just close a lattice of squares have a share of 0.56, of triangles 0.64. */
+#define SPLAT_PER_SHARE 1.9f
+
 /* Points of a depth-only pass: discs of the surfels' own radii, behind the surface by epsilon. Not
  * wider, so that what a surface hides ends where the surface does. */
 extern const GpProgram splat_visibility_program;

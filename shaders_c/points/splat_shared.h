@@ -7,9 +7,6 @@
 
 #define HALF_LOG2_E 0.72134752044448170368f
 
-/* Discs that just close a lattice of squares have a share of 0.56, of triangles 0.64. */
-#define PER_SHARE 1.9f
-
 typedef struct SurfelVertex {
     float3 position, normal;
     flt radius;
@@ -89,7 +86,7 @@ GP_INLINE Splat surfel_splat(const EyeSurfel *eye, flt square, float low_pass)
  * they need: not wider than one of `spread` in a surfel that has as much area as its disc shows. */
 GP_INLINE Splat surfel_filtered(const SplatUniforms *c, const EyeSurfel *eye, flt share)
 {
-    flt deviation = eye->radius * (min(share * PER_SHARE, 1) * c->spread);
+    flt deviation = eye->radius * (min(share * SPLAT_PER_SHARE, 1) * c->spread);
     return surfel_splat(eye, deviation * deviation, c->low_pass);
 }
 

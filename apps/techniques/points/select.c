@@ -21,9 +21,18 @@ static void range_deviations(const Chooser *chooser, const PatchRange *range, do
 {
     const Patches *patches = &chooser->model->patches;
     const Patch *patch = &patches->patches[range->patch];
-    const PatchLevel *leaves = &patch_levels(patches, patch)[patch->level_count - 1];
-    *least = chooser->setting->spread * (double)leaves->least_radius;
-    *most = chooser->setting->spread * (double)range->most_radius;
+    const PatchLevel *levels = patch_levels(patches, patch);
+    uint32_t level = 0;
+    while (range->first >= levels[level].first + levels[level].count)
+        level++;
+    *least = (double)levels[level].least_width;
+    *most = (double)levels[level].most_width;
+    if (range->first + range->count > levels[level].first + levels[level].count) {
+        *least = fmin(*least, (double)levels[level + 1].least_width);
+        *most = fmax(*most, (double)levels[level + 1].most_width);
+    }
+    *least *= chooser->setting->spread;
+    *most *= chooser->setting->spread;
 }
 
 /* Ours: the filter that may be left out within the tolerance, whatever surfel of the patch. */

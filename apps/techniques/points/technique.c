@@ -1,7 +1,9 @@
 #include "apps/techniques/points/technique.h"
 
 #include "apps/techniques/points/experiments.h"
+#include "apps/techniques/points/paper_tables.h"
 #include "apps/techniques/points/report.h"
+#include "apps/techniques/points/scaling.h"
 #include "apps/techniques/points/select.h"
 
 static GpResult build(void *made, const void *setting, GpDevice *device, Frame *frame,
@@ -17,6 +19,7 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
         result = points_select(model, options, frame, &source, error);
     if (!result)
         result = splats_build(&source, &model->view, &options->splats, frame, error);
+    frame->made = frame_copy(frame, options, sizeof *options);
     if (!result)
         result = frame_result(frame, error);
     if (result)
@@ -45,6 +48,8 @@ const Technique points_technique = {
     .defaults = &points_option_defaults,
     .setting_bytes = sizeof(PointsOptions),
     .experiments = points_experiments,
+    .scaling = &points_scaling,
+    .tables = points_tables,
     .check = points_options_check,
     .open = points_model_open,
     .close = points_model_close,

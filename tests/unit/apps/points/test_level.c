@@ -155,11 +155,11 @@ static void patches_that_face_away_are_kept_where_wanted(void **state)
 
 /* --- levels ----------------------------------------------------------------------------------- */
 
-static double mean_radius(uint32_t first, uint32_t count)
+static double mean_width(uint32_t first, uint32_t count)
 {
     double sum = 0, area = 0;
     for (uint32_t k = first; k < first + count; k++) {
-        sum += surfel_area(&patches.surfels[k]) * (double)patches.surfels[k].radius;
+        sum += surfel_area(&patches.surfels[k]) * (double)surfel_width(&patches.surfels[k]);
         area += surfel_area(&patches.surfels[k]);
     }
     return sum / area;
@@ -180,10 +180,10 @@ static void patches_are_as_sharp_as_asked_for(void **state)
             const PatchRange *range = &selection.ranges[r];
             const Patch *patch = &patches.patches[range->patch];
             const PatchLevel *last = patch_levels(&patches, patch) + patch->level_count - 1;
-            const double leaf = mean_radius(last->first, last->count);
+            const double leaf = mean_width(last->first, last->count);
             const double unit = view.pixels / (view.is_parallel ? 1 : range->nearest);
             const double allowed = choice.pixels / unit;
-            const double drawn = mean_radius(range->first, range->count);
+            const double drawn = mean_width(range->first, range->count);
             assert_true(sqrt(fmax(drawn * drawn - leaf * leaf, 0)) <= allowed * (1 + 1e-6));
             double sum = 0;
             for (uint32_t k = range->first; k < range->first + range->count; k++) {
