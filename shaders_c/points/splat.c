@@ -53,81 +53,32 @@ depth_program(splat_square_visibility_program, splat_square_visibility_vs,
 
 /* --- attributes ------------------------------------------------------------------------------- */
 
-/* What a splat's weight is in its centre. */
-GP_INLINE flt splat_height(flt share, const EyeSurfel *eye, const Splat *splat)
-{
-    flt side = share * eye->radius; /* what r^2 is on the screen, times the share */
-    return side * side * abs_(eye->facing) * rsq(splat->det);
-}
-
-typedef struct SplatColorVarying {
-    float3 conic;
-    float2 place;
-    float4 color; /* times height, and height */
-} SplatColorVarying;
-
 vertex_shader(splat_color_vs, SplatUniforms, SurfelVertex, SplatColorVarying)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
-    Splat splat = surfel_filtered(c, &eye, in->color.w);
-    flt height = splat_height(in->color.w, &eye, &splat);
     *position = surfel_clip(c, &eye, bcast(0));
-    *point_size = splat_side(&splat, c->cut);
-    out->conic = splat_conic(&splat);
-    out->place = surfel_pixel(c, &eye);
-    out->color = rgba(mul(surfel_color(c, in), height), height);
+    splat_color_vertex(c, in, &eye, out, point_size);
 }
 
 pixel_shader(splat_color_ps, SplatUniforms, SplatColorVarying)
 {
-    flt exponent = splat_exponent(in->conic, in->place, vpos());
-    discard(exponent > c->cut * c->cut * HALF_LOG2_E);
-    return mul(in->color, exp_(-exponent));
+    return mul(in->color, splat_weight(c, in->conic, in->place));
 }
 
-program(splat_color_program, splat_color_vs, splat_color_ps, MODEL_3_0, .inputs = { SURFEL_INPUTS },
-        .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT } },
-        .may_discard = true, .uses_pixel = true, .writes_point_size = true)
-
-typedef struct SplatSurfaceVarying {
-    float3 conic;
-    float2 place;
-    float4 color;   /* times height, and height */
-    float4 surface; /* normal and distance, times height */
-} SplatSurfaceVarying;
-
-typedef struct SplatTargets {
-    float4 color, surface;
-} SplatTargets;
+program(splat_color_program, splat_color_vs, splat_color_ps, SPLAT_COLOR_DECLARATIONS)
 
 vertex_shader(splat_surface_vs, SplatUniforms, SurfelVertex, SplatSurfaceVarying)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
-    Splat splat = surfel_filtered(c, &eye, in->color.w);
-    flt height = splat_height(in->color.w, &eye, &splat);
-    /* two-sided surfels are lit from the side that is seen */
-    flt turned = sel(eye.facing < 0.0f, -height, height);
     *position = surfel_clip(c, &eye, bcast(0));
-    *point_size = splat_side(&splat, c->cut);
-    out->conic = splat_conic(&splat);
-    out->place = surfel_pixel(c, &eye);
-    out->color = rgba(mul(surfel_color(c, in), height), height);
-    out->surface = rgba(mul(in->normal, turned), eye.position.z * height);
+    splat_surface_vertex(c, in, &eye, out, point_size);
 }
 
 pixel_shader_targets(splat_surface_ps, SplatUniforms, SplatSurfaceVarying, SplatTargets)
 {
-    flt exponent = splat_exponent(in->conic, in->place, vpos());
-    discard(exponent > c->cut * c->cut * HALF_LOG2_E);
-    flt weight = exp_(-exponent);
+    flt weight = splat_weight(c, in->conic, in->place);
     out->color = mul(in->color, weight);
     out->surface = mul(in->surface, weight);
 }
 
-program(splat_surface_program, splat_surface_vs, splat_surface_ps, MODEL_3_0,
-        .inputs = { SURFEL_INPUTS },
-        .varyings = { { "conic", 3, GP_FLAT },
-                      { "place", 2, GP_FLAT },
-                      { "color", 4, GP_FLAT },
-                      { "surface", 4, GP_FLAT } },
-        .may_discard = true, .uses_pixel = true, .writes_point_size = true)
+program(splat_surface_program, splat_surface_vs, splat_surface_ps, SPLAT_SURFACE_DECLARATIONS)

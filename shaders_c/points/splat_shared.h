@@ -49,14 +49,19 @@ GP_INLINE EyeSurfel surfel_before_eye(const SplatUniforms *c, float3 position, f
     return eye;
 }
 
-/* Clip position of a place on the line of sight, so far behind the surfel. */
-GP_INLINE float4 surfel_clip(const SplatUniforms *c, const EyeSurfel *eye, flt behind)
+/* Clip position of a surfel, at any depth. */
+GP_INLINE float4 surfel_clip_at(const SplatUniforms *c, const EyeSurfel *eye, flt depth)
 {
     const float3 p = eye->position;
-    flt depth = c->depth[0] + c->depth[1] * rcp(p.z + behind);
     float4 clip =
         vec4(p.x * (c->focal * c->ndc[0]), -p.y * (c->focal * c->ndc[1]), depth * p.z, p.z);
     return sel(eye->drawn, clip, vec4(2, 2, 0, 1)); /* 2: outside */
+}
+
+/* The same of a place on the line of sight, so far behind the surfel. */
+GP_INLINE float4 surfel_clip(const SplatUniforms *c, const EyeSurfel *eye, flt behind)
+{
+    return surfel_clip_at(c, eye, c->depth[0] + c->depth[1] * rcp(eye->position.z + behind));
 }
 
 /* A Gaussian on the screen. */
@@ -125,5 +130,78 @@ GP_INLINE float3 surfel_color(const SplatUniforms *c, const SurfelVertex *in)
                 mad(sin_(in->position.y * c->waves), 0.5f, 0.5f),
                 mad(sin_(in->position.z * c->waves), 0.5f, 0.5f));
 }
+
+/* --- attributes ------------------------------------------------------------------------------- */
+
+/* What a splat's weight is in its centre. */
+GP_INLINE flt splat_height(flt share, const EyeSurfel *eye, const Splat *splat)
+{
+    flt side = share * eye->radius; /* what r^2 is on the screen, times the share */
+    return side * side * abs_(eye->facing) * rsq(splat->det);
+}
+
+typedef struct SplatColorVarying {
+    float3 conic;
+    float2 place;
+    float4 color; /* times height, and height */
+} SplatColorVarying;
+
+/* Of a splat at its surfel, but for the clip position. */
+GP_INLINE void splat_color_vertex(const SplatUniforms *c, const SurfelVertex *in,
+                                  const EyeSurfel *eye, SplatColorVarying *out, flt *point_size)
+{
+    Splat splat = surfel_filtered(c, eye, in->color.w);
+    flt height = splat_height(in->color.w, eye, &splat);
+    *point_size = splat_side(&splat, c->cut);
+    out->conic = splat_conic(&splat);
+    out->place = surfel_pixel(c, eye);
+    out->color = rgba(mul(surfel_color(c, in), height), height);
+}
+
+/* A splat's Gaussian at a pixel, of height 1; pixels beyond its cut are discarded. */
+#define splat_weight(c, conic, place) splat_weight_at(gp, c, conic, place)
+GP_INLINE flt splat_weight_at(GpInvocation *gp, const SplatUniforms *c, float3 conic, float2 place)
+{
+    flt exponent = splat_exponent(conic, place, vpos());
+    discard(exponent > c->cut * c->cut * HALF_LOG2_E);
+    return exp_(-exponent);
+}
+
+typedef struct SplatSurfaceVarying {
+    float3 conic;
+    float2 place;
+    float4 color;   /* times height, and height */
+    float4 surface; /* normal and distance, times height */
+} SplatSurfaceVarying;
+
+typedef struct SplatTargets {
+    float4 color, surface;
+} SplatTargets;
+
+GP_INLINE void splat_surface_vertex(const SplatUniforms *c, const SurfelVertex *in,
+                                    const EyeSurfel *eye, SplatSurfaceVarying *out, flt *point_size)
+{
+    Splat splat = surfel_filtered(c, eye, in->color.w);
+    flt height = splat_height(in->color.w, eye, &splat);
+    /* two-sided surfels are lit from the side that is seen */
+    flt turned = sel(eye->facing < 0.0f, -height, height);
+    *point_size = splat_side(&splat, c->cut);
+    out->conic = splat_conic(&splat);
+    out->place = surfel_pixel(c, eye);
+    out->color = rgba(mul(surfel_color(c, in), height), height);
+    out->surface = rgba(mul(in->normal, turned), eye->position.z * height);
+}
+
+/* clang-format off */
+#define SPLAT_COLOR_DECLARATIONS                                                                   \
+    MODEL_3_0, .inputs = { SURFEL_INPUTS },                                                        \
+    .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT } },     \
+    .may_discard = true, .uses_pixel = true, .writes_point_size = true
+#define SPLAT_SURFACE_DECLARATIONS                                                                 \
+    MODEL_3_0, .inputs = { SURFEL_INPUTS },                                                        \
+    .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT },       \
+                  { "surface", 4, GP_FLAT } },                                                     \
+    .may_discard = true, .uses_pixel = true, .writes_point_size = true
+/* clang-format on */
 
 #endif

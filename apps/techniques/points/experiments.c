@@ -16,6 +16,7 @@ static const TechniqueSweep sweep[] = {
     { "by distances, as printed", "--method distance" },
     { "ours", "--method adaptive --tolerance 0.02|0.05|0.1" },
     { "ours, merged", "--method adaptive --detail 0.35|0.5|0.7|1" },
+    { "one pass", "--method ternary --epsilon 2|4|8" },
     { "discs", "--method sprites" },
     { "pixels", "--method pixels" },
     { .method = NULL },

@@ -109,6 +109,14 @@ static Bounds surfels_bounds(const Surfels *surfels)
     return bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
 }
 
+static float find_mean_radius(const Surfels *surfels)
+{
+    double sum = 0;
+    for (uint32_t i = 0; i < surfels->count; i++)
+        sum += (double)surfels->surfels[i].radius;
+    return (float)(sum / surfels->count);
+}
+
 static GpResult find_view(const TechniqueInput *input, const Surfels *surfels, SplatView *view,
                           GpError *error)
 {
@@ -155,6 +163,7 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
         return result;
     }
     paint(options, model);
+    model->mean_radius = find_mean_radius(&model->surfels);
     *made = model;
     return GP_OK;
 }
@@ -204,7 +213,9 @@ GpResult points_model_truth(PointsModel *model, int threads, GpError *error)
 
 uint64_t points_model_splats(const Frame *frame)
 {
-    const GpPass *pass = &frame->list.passes[frame->list.pass_count > 1];
+    /* the one before normalization, where there is one */
+    const uint32_t count = frame->list.pass_count;
+    const GpPass *pass = &frame->list.passes[count > 1 ? count - 2 : 0];
     uint64_t splats = 0;
     for (uint32_t i = 0; i < pass->draw_count; i++)
         splats += pass->draws[i].geometry.vertex_count;

@@ -5,7 +5,7 @@
 #include "apps/points/cache.h"
 #include "apps/points/open.h"
 #include "apps/points/patches.h"
-#include "apps/points/splats.h"
+#include "apps/points/drawing/splats.h"
 #include "apps/techniques/points/options.h"
 #include "apps/techniques/points/truths.h"
 #include "apps/techniques/technique.h"
@@ -14,6 +14,7 @@
 typedef struct PointsModel {
     char path[4096];
     Surfels surfels;
+    float mean_radius; /* of them */
     PointsFacts facts; /* where a report is asked for */
     Patches patches;   /* empty until a setting needs them, or the cache had them: */
     GpFile file;       /* what they lie in then */

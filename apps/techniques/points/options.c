@@ -12,7 +12,7 @@ const PointsOptions points_option_defaults = {
 /* --- the table -------------------------------------------------------------------------------- */
 
 static const char *const methods[] = { "adaptive", "ewa",     "reconstruction", "lowpass", "area",
-                                       "distance", "sprites", "pixels",         NULL };
+                                       "distance", "ternary", "sprites",        "pixels",  NULL };
 static const char *const sums[] = { "half", "float", "byte", NULL };
 static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
@@ -22,7 +22,8 @@ const SettingField points_settings[] = {
     { "method", NULL,
       "adaptive: the cheapest filter within a bound of both (default); ewa: both filters, the "
       "surfel's and the pixel's; reconstruction, lowpass: one of them; area, distance: adaptive as "
-      "printed; sprites: discs without filters; pixels: a pixel a point",
+      "printed; ternary: both in one pass, by a depth test that replaces, adds or drops; "
+      "sprites: discs without filters; pixels: a pixel a point",
       SETTING_NAME, OF(splats.method), .names = methods },
     { "sums", NULL, "What weights and attributes are added up in: half (default), float or byte",
       SETTING_NAME, OF(splats.sums), .names = sums },

@@ -3,7 +3,7 @@
 #define APPS_TECHNIQUES_POINTS_OPTIONS_H
 
 #include "apps/base/orbit.h"
-#include "apps/points/splats.h"
+#include "apps/points/drawing/splats.h"
 #include "apps/techniques/settings.h"
 
 /* The setting of the technique; what follows `splats` is aside of the key. */

@@ -114,7 +114,7 @@ bool points_needs_patches(const PointsOptions *options)
 static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame *frame,
                             SplatSource *source, GpError *error)
 {
-    const SplatRun all = { method, 0, model->surfels.count };
+    const SplatRun all = { method, 0, model->surfels.count, model->mean_radius };
     *source = (SplatSource){ .surfels = model->surfels.surfels,
                              .runs = frame_copy(frame, &all, sizeof all),
                              .run_count = 1 };
@@ -129,7 +129,8 @@ static GpResult runs_of(const Chooser *chooser, const LevelSelection *selection,
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (uint32_t i = 0; i < selection->range_count; i++) {
         const PatchRange *range = &selection->ranges[i];
-        runs[i] = (SplatRun){ choose_filter(chooser, range), range->first, range->count };
+        runs[i] = (SplatRun){ choose_filter(chooser, range), range->first, range->count,
+                              range->mean_radius };
     }
     *source = (SplatSource){ .surfels = chooser->model->patches.surfels,
                              .runs = runs,

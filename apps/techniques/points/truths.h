@@ -2,7 +2,7 @@
 #ifndef APPS_TECHNIQUES_POINTS_TRUTHS_H
 #define APPS_TECHNIQUES_POINTS_TRUTHS_H
 
-#include "apps/points/splats.h"
+#include "apps/points/drawing/view.h"
 #include "apps/truth/mesh_picture.h"
 #include "pipeline/io/mesh/mesh.h"
 

@@ -37,6 +37,9 @@ const TechniqueWord points_words[] = {
       "of a spot looked at." },
     { "ours, merged",
       "The same, where points that are close together on the picture are drawn as one." },
+    { "one pass",
+      "Both filters, with the nearest surface found while spots are added up: a spot in front "
+      "takes away what was there, faint rims of spots too." },
     { "discs", "Points as round discs that face the eye; the nearest is seen." },
     { "pixels", "Each point is one pixel; the nearest is seen." },
     { .word = NULL },

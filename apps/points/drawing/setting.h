@@ -1,14 +1,8 @@
-/* Surfels as a picture: the passes that draw them.
- *
- * Three passes (paper 004, section 3): visibility leaves the surface's depth, pushed back by epsilon;
- * splats that lie before it add their weighted attributes; the sums are divided by the weights, and
- * lit. Rivals without filters take one.
- */
-#ifndef APPS_POINTS_SPLATS_H
-#define APPS_POINTS_SPLATS_H
+/* How surfels may be drawn, of what, and how they are looked at. */
+#ifndef APPS_POINTS_DRAWING_SETTING_H
+#define APPS_POINTS_DRAWING_SETTING_H
 
 #include "apps/base/camera.h"
-#include "apps/frame/frame.h"
 #include "apps/points/surfels.h"
 
 typedef enum SplatMethod {
@@ -18,6 +12,7 @@ typedef enum SplatMethod {
     SPLAT_LOW_PASS,       /* the pixel's filter alone */
     SPLAT_AREA,           /* adaptive as the thesis prints it: by the ratio of areas */
     SPLAT_DISTANCE,       /* adaptive as paper 003 prints it: by distances */
+    SPLAT_TERNARY,        /* both filters in one pass, by the ternary depth test */
     SPLAT_ROUND,          /* discs that face the eye, without filters */
     SPLAT_PIXELS,         /* a pixel a point */
     SPLAT_METHODS
@@ -37,8 +32,6 @@ typedef struct SplatSetting {
     bool two_sided;  /* surfels that face away from the eye are drawn too */
 } SplatSetting;
 
-extern const SplatSetting splat_defaults;
-
 /* How surfels are seen. */
 typedef struct SplatView {
     Camera camera; /* perspective */
@@ -48,18 +41,11 @@ typedef struct SplatView {
     float background[4]; /* multiplied by its alpha */
 } SplatView;
 
-/* The light of a view that is lit, which stands to the left of the eye and above it, without end. */
-typedef struct SplatLight {
-    double towards[3]; /* world, unit length */
-    double ambient, specular, shininess;
-} SplatLight;
-
-SplatLight splat_light(const SplatView *view);
-
 /* Consecutive surfels that are drawn with one filter. */
 typedef struct SplatRun {
     SplatMethod filter; /* of splats: SPLAT_EWA, SPLAT_RECONSTRUCTION or SPLAT_LOW_PASS */
     uint32_t first, count;
+    float radius; /* mean of the surfels' */
 } SplatRun;
 
 /* What is drawn: runs of a vertex array. Borrowed until the frame has run. */
@@ -68,10 +54,5 @@ typedef struct SplatSource {
     const SplatRun *runs;
     uint32_t run_count;
 } SplatSource;
-
-/* Appends the passes; frame->color is the picture, frame->depth its depth, where surfels are lit.
- * errors GP_ERROR_INVALID: rays are parallel; GP_ERROR_MEMORY is the frame's own */
-GpResult splats_build(const SplatSource *source, const SplatView *view, const SplatSetting *setting,
-                      Frame *frame, GpError *error);
 
 #endif

@@ -1,0 +1,165 @@
+#include "apps/points/drawing/filtered.h"
+
+#include "apps/base/stable_math.h"
+#include "shaders_c/points/normalize.h"
+#include "shaders_c/points/ternary.h"
+
+#include <math.h>
+#include <string.h>
+
+/* --- sums ------------------------------------------------------------------------------------- */
+
+static const float black[4] = { 0 };
+
+/* The share of a Gaussian inside its cut. */
+static double inside_cut(double cut)
+{
+    return 1 - stable_exp(-cut * cut / 2);
+}
+
+static NormalizeUniforms normalize_uniforms(const SplatEye *eye, const SplatView *view,
+                                            const SplatSetting *setting)
+{
+    /* along a straight border the sums fall from 1 to 0 with the filter's integral; twice as steep, the
+     * surface is whole where they are 3/4, and a border is blurred by less than a pixel */
+    const double per_weight = 1 / inside_cut(setting->cut), steep = 2;
+    const SplatLight light = splat_light(view);
+    NormalizeUniforms uniforms = {
+        .coverage = { (float)(steep * per_weight), (float)((1 - steep) / 2) },
+        .per_focal = (float)(1 / eye->focal),
+        .centre = { (float)view->width / 2, (float)view->height / 2 },
+        .light = { (float)light.towards[0], (float)light.towards[1], (float)light.towards[2] },
+        .ambient = (float)light.ambient,
+        .specular = (float)light.specular,
+        .shininess = (float)light.shininess,
+        .depth = { (float)eye->depth[0], (float)eye->depth[1] },
+    };
+    memcpy(uniforms.background, view->background, sizeof uniforms.background);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            uniforms.axes[i][k] = (float)eye->axis[i][k];
+    return uniforms;
+}
+
+static GpGeometry whole_picture(void)
+{
+    static const float corners[] = { -1, -1, 0, -1, 3, 0, 3, -1, 0 };
+    return (GpGeometry){ .vertex_count = 3,
+                         .streams = { [GP_POSITION] = { .data = corners, .components = 3 } } };
+}
+
+static void add_normalization(const SplatEye *eye, const SplatView *view,
+                              const SplatSetting *setting, GpSurface *sums[2], Frame *frame)
+{
+    const NormalizeUniforms uniforms = normalize_uniforms(eye, view, setting);
+    const GpGeometry whole = whole_picture();
+    frame->color = frame_surface(frame, GP_A8R8G8B8, view->width, view->height, 1);
+    frame->depth = view->lit ? frame_surface(frame, GP_D32F, view->width, view->height, 1) : NULL;
+    frame_pass(frame, "normalize", frame->color, frame->depth, view->background);
+    GpDraw *draw = frame_draw_copied(
+        frame, view->lit ? &splat_shade_program : &splat_normalize_program, &uniforms, &whole);
+    draw->textures[0].surface = sums[0];
+    draw->textures[1].surface = sums[1];
+    if (view->lit)
+        draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
+}
+
+/* --- two passes ------------------------------------------------------------------------------- */
+
+static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+
+/* Leaves what the surface hides. */
+static void add_visibility(const SplatSource *source, const FilterUniforms *uniforms,
+                           GpSurface *visible, Frame *frame)
+{
+    frame_pass(frame, "visibility", NULL, visible, NULL);
+    splat_draw_runs(source, uniforms, &splat_visibility_program,
+                    &(GpState){ .depth = { .test = GP_LESS, .write = true } }, frame);
+}
+
+/* A pass that adds attributes up, from 0. */
+static GpPass *add_sums(GpSurface *const sums[2], GpSurface *visible, Frame *frame)
+{
+    GpPass *pass = frame_pass(frame, "splats", sums[0], visible, black);
+    if (sums[1])
+        pass->color[1] = (GpColorTarget){ .surface = sums[1], .clear = true };
+    return pass;
+}
+
+static void add_hidden_splats(const SplatSource *source, const SplatEye *eye, const SplatView *view,
+                              const SplatSetting *setting, GpSurface *const sums[2],
+                              GpSurface *visible, Frame *frame)
+{
+    const FilterUniforms uniforms = splat_filter_uniforms(eye, view, setting, frame);
+    add_visibility(source, &uniforms, visible, frame);
+    add_sums(sums, visible, frame)->depth.clear_depth = false;
+    splat_draw_runs(source, &uniforms, view->lit ? &splat_surface_program : &splat_color_program,
+                    &(GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } }, frame);
+}
+
+/* --- one pass --------------------------------------------------------------------------------- */
+
+static double mean_radius(const SplatSource *source)
+{
+    double sum = 0, count = 0;
+    for (uint32_t i = 0; i < source->run_count; i++) {
+        sum += (double)source->runs[i].radius * source->runs[i].count;
+        count += source->runs[i].count;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+/* A surface that is seen at an angle goes back by more than its footprints within one splat. The test
+ * does not know the angle: it is taken for 76 degrees. Steeper ones lose weight. */
+#define STEEP 4
+
+/* Depths of one scale for all runs (shaders_c/points/ternary.h), by their mean radius; runs of larger
+ * surfels have an epsilon larger by as much. */
+static void add_ternary_splats(const SplatSource *source, const SplatEye *eye,
+                               const SplatView *view, const SplatSetting *setting,
+                               GpSurface *const sums[2], GpSurface *visible, Frame *frame)
+{
+    const double radius = mean_radius(source), per_z = setting->low_pass / eye->focal;
+    const double near = stable_log(radius + per_z * view->camera.near);
+    const double span = stable_log(radius + per_z * view->camera.far) - near;
+    const double log_2 = stable_log(2);
+    TernaryUniforms uniforms = {
+        .splat = splat_uniforms(eye, view, setting, SPLAT_TERNARY),
+        .footprint = { (float)radius, (float)per_z },
+        .depth = { (float)(-near / span), (float)(log_2 / span) },
+    };
+    const TernaryUniforms *kept = frame_copy(frame, &uniforms, sizeof uniforms);
+    add_sums(sums, visible, frame);
+    for (uint32_t i = 0; i < source->run_count; i++) {
+        const SplatRun *run = &source->runs[i];
+        const GpGeometry geometry = splat_run_geometry(source, run);
+        const double footprints = STEEP * setting->epsilon * fmax((double)run->radius / radius, 1);
+        if (run->count > 0)
+            frame_draw(frame, view->lit ? &ternary_surface_program : &ternary_color_program, kept,
+                       &geometry)
+                ->state = (GpState){
+                .depth = { .test = GP_LESS_EQUAL,
+                           .write = true,
+                           .ternary = true,
+                           .epsilon = (float)(stable_log(1 + footprints * per_z) / span) },
+                .blend = { add, add },
+            };
+    }
+}
+
+void splat_build_filtered(const SplatSource *source, const SplatEye *eye, const SplatView *view,
+                          const SplatSetting *setting, Frame *frame)
+{
+    static const GpFormat formats[] = { [SPLAT_HALVES] = GP_A16B16G16R16F,
+                                        [SPLAT_FLOATS] = GP_A32B32G32R32F,
+                                        [SPLAT_BYTES] = GP_A8R8G8B8 };
+    GpSurface *visible = frame_surface(frame, GP_D32F, view->width, view->height, 1);
+    GpSurface *sums[2] = { NULL, NULL };
+    for (int i = 0; i < 1 + view->lit; i++)
+        sums[i] = frame_surface(frame, formats[setting->sums], view->width, view->height, 1);
+    if (setting->method == SPLAT_TERNARY)
+        add_ternary_splats(source, eye, view, setting, sums, visible, frame);
+    else
+        add_hidden_splats(source, eye, view, setting, sums, visible, frame);
+    add_normalization(eye, view, setting, sums, frame);
+}
