@@ -1,6 +1,7 @@
 /* Instruction sets: what this build has, what this processor runs, what a list was compiled for. */
 #include "pipeline/list/isa.h"
 
+#include <stdatomic.h>
 #include <string.h>
 #ifdef __x86_64__
 #include <cpuid.h>
@@ -24,11 +25,19 @@ int gp_isa_lanes(const char *name)
 }
 
 #ifdef __x86_64__
-/* Halves from floats and back. clang 14 has no name for it to be asked by. */
+/* Halves from floats and back. clang 14 has no name for it to be asked by; and the instruction that tells
+ * takes as long as a small draw on a virtual machine, so it is run once. */
 static bool has_f16c(void)
 {
-    unsigned a, b, c, d;
-    return __get_cpuid(1, &a, &b, &c, &d) && c & bit_F16C;
+    enum { UNKNOWN, NO, YES };
+    static atomic_int known = UNKNOWN;
+    int answer = atomic_load_explicit(&known, memory_order_relaxed);
+    if (answer == UNKNOWN) {
+        unsigned a, b, c, d;
+        answer = __get_cpuid(1, &a, &b, &c, &d) && c & bit_F16C ? YES : NO;
+        atomic_store_explicit(&known, answer, memory_order_relaxed);
+    }
+    return answer == YES;
 }
 #endif
 
