@@ -49,6 +49,8 @@ const BenchCase bench_cases[] = {
     { "points_minified", bench_build_splats, SPLATS_MINIFIED, 0, 556051, 0, NULL, bench_tell_splats },
     { "points_adaptive_556k", bench_build_splats, SPLATS_ADAPTIVE, 0, 556051, 0, NULL,
       bench_tell_splats },
+    { "points_ternary_556k", bench_build_splats, SPLATS_TERNARY, 0, 556051, 0, NULL,
+      bench_tell_splats },
     { "points_sprites_556k", bench_build_splats, SPLATS_ROUND, 0, 556051, 0, NULL,
       bench_tell_splats },
     { "points_pixels_8m", bench_build_splats, SPLATS_PIXELS, 0, 8701138, 0, NULL,

@@ -27,6 +27,7 @@ static const struct {
     [SPLATS_EWA_556K] = { "meshes/bunny.ply", "--method ewa", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_MINIFIED] = { "meshes/bunny.ply", "--method ewa", 2, ORBIT_UP_Y, 128, 1500, true },
     [SPLATS_ADAPTIVE] = { "meshes/bunny.ply", "--method adaptive", 2, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_TERNARY] = { "meshes/bunny.ply", "--method ternary", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_ROUND] = { "meshes/bunny.ply", "--method sprites", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_PIXELS] = { "meshes/happy_buddha.ply", "--method pixels", 2, ORBIT_UP_Y, 1024, 0,
                         false },
