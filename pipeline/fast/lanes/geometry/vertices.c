@@ -44,40 +44,47 @@ GP_INLINE void load_floats(const GpStream *stream, uint32_t vertex_count,
     lanes_load4(record, component);
 }
 
-/* One component of 8 or 16 bits of a packet's vertices, as the integer that is stored. */
-GP_INLINE itg load_codes(const GpStream *stream, const uint32_t vertex[GP_LANES], int component,
-                         bool wide, bool is_signed)
+/* Components of 8 or 16 bits of a packet's vertices as they are stored, eight bytes a vertex. */
+typedef struct Codes {
+    utg word[2];
+} Codes;
+
+static Codes load_codes(const GpStream *stream, const uint32_t vertex[GP_LANES])
 {
     const size_t stride = gp_stream_stride(stream);
-    const uint8_t *first = (const uint8_t *)stream->data + gp_stream_offset(stream, component);
-    uint32_t code[GP_LANES];
-    utg codes;
+    const size_t size = stream->components * gp_component_bytes(stream->type);
+    uint32_t word[2][GP_LANES] = { { 0 } };
+    Codes codes;
     for (int lane = 0; lane < GP_LANES; lane++) {
-        const uint8_t *at = first + vertex[lane] * stride;
-        code[lane] = wide ? at[0] | (uint32_t)at[1] << 8 : at[0];
+        const uint8_t *at = (const uint8_t *)stream->data + vertex[lane] * stride;
+        uint32_t both[2] = { 0, 0 };
+        memcpy(both, at, size == sizeof both[0] ? sizeof both[0] : size); /* most often: one load */
+        word[0][lane] = both[0];
+        word[1][lane] = both[1];
     }
-    memcpy(&codes, code, sizeof codes);
-    const int unused = wide ? 16 : 24;
-    return is_signed ? (itg)(codes << unused) >> unused : (itg)codes;
+    memcpy(&codes.word, word, sizeof codes.word);
+    return codes;
 }
 
 /* Codes become numbers by the operations of gp_fetch_input. */
-static flt load_narrow(const GpStream *stream, const uint32_t vertex[GP_LANES], int component)
+static flt code_value(const GpStream *stream, const Codes *codes, int component)
 {
     static const float most[GP_COMPONENT_TYPES] = {
         [GP_UNORM8] = 255,    [GP_D3DCOLOR] = 255,  [GP_SNORM8] = 127,
         [GP_UNORM16] = 65535, [GP_SNORM16] = 32767,
     };
     const GpComponentType type = stream->type;
-    const bool wide = gp_component_bytes(type) == 2;
     const bool is_signed =
         type == GP_INT8 || type == GP_SNORM8 || type == GP_INT16 || type == GP_SNORM16;
-    const itg codes = load_codes(stream, vertex, component, wide, is_signed);
+    const size_t offset = gp_stream_offset(stream, component);
+    const int unused = gp_component_bytes(type) == 2 ? 16 : 24;
+    const utg high = codes->word[offset / 4] << (unused - (int)(offset % 4) * 8);
+    const itg code = is_signed ? (itg)high >> unused : (itg)(high >> unused);
     if (type == GP_FLOAT16)
-        return (flt)float_from_half(codes);
+        return (flt)float_from_half(code);
     if (most[type] == 0)
-        return flt_from_itg(codes);
-    return flt_greater(flt_from_itg(codes) / most[type], flt_set(-1));
+        return flt_from_itg(code);
+    return flt_greater(flt_from_itg(code) / most[type], flt_set(-1));
 }
 
 /* One input of a packet's vertices, which rise; what gp_fetch_input gives. */
@@ -86,8 +93,9 @@ static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
 {
     const GpStream *stream = &geometry->streams[input->semantic];
     if (stream->type != GP_FLOAT32) {
+        const Codes codes = load_codes(stream, vertex);
         for (int c = 0; c < input->components; c++)
-            flt_store(to + c * GP_LANES, c < stream->components ? load_narrow(stream, vertex, c)
+            flt_store(to + c * GP_LANES, c < stream->components ? code_value(stream, &codes, c)
                                                                 : flt_set(c == 3 ? 1.0f : 0.0f));
         return;
     }

@@ -32,24 +32,40 @@ static void draw_polygon(Tile *tile, const FastRange *range, uint32_t primitive)
     }
 }
 
-static void end_draw(Tile *tile)
+static void flush_draw(Tile *tile)
 {
     fast_fill_sorted(tile);
     fast_flush_packets(tile);
+}
+
+static void end_draw(Tile *tile)
+{
+    flush_draw(tile);
     fast_end_sums(tile);
+}
+
+/* Whether a draw adds to what the tile's sums hold already: many small ones in a row do. */
+static bool adds_to_sums(const Tile *tile, const FastDraw *d)
+{
+    const int written = gp_program_targets(d->draw->program);
+    return d->only_adds && d->packs_points &&
+           tile->sums->targets == (written < tile->targets ? written : tile->targets);
 }
 
 /* Between draws: packets wait for one draw only, and what is visible must be shaded before a draw that
  * looks at the targets. */
 static void begin_draw(Tile *tile, uint32_t number)
 {
-    end_draw(tile);
+    flush_draw(tile);
     tile->draw = &tile->pass->draws[number];
+    const bool adds = adds_to_sums(tile, tile->draw);
+    if (!adds)
+        fast_end_sums(tile);
     fast_keep_hierarchical_depth(tile, tile->draw);
     tile->draw_number = number;
     if (tile->draw->path == FAST_ORDERED)
         fast_flush_visibility(tile);
-    if (tile->draw->only_adds && tile->draw->packs_points)
+    if (!adds && tile->draw->only_adds && tile->draw->packs_points)
         fast_begin_sums(tile, tile->draw);
 }
 
