@@ -42,7 +42,9 @@ static void check_devices(bool unlit, uint64_t first[MAX_TEXTS])
     TechniqueStage stage = { .technique = &points_technique };
     PointsOptions options = points_option_defaults;
     options.color = unlit ? "waves:20" : "gold";
-    const TechniqueInput input = { "builtin:torus", SIDE, SIDE, &options };
+    const TechniqueInput input = {
+        .path = "builtin:torus", .width = SIDE, .height = SIDE, .setting = &options
+    };
     if (points_technique.open(&input, &stage.scene, &error))
         fail_msg("%s", error.text);
     for (size_t d = 0; device_here(d); d++) {
