@@ -114,9 +114,9 @@ static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *bloc
     const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
     uint32_t fragments = 0;
     for (int p = 0; p < block->count; p++) {
-        live[p] = block->packets[p].live;
-        replaced[p] = block->packets[p].replaced;
-        fragments += (uint32_t)(block->whole ? GP_LANES : __builtin_popcount(live[p]));
+        live[p] = block->whole ? ALL_LANES : block->packets[p].live;
+        replaced[p] = block->whole ? 0 : block->packets[p].replaced;
+        fragments += block->whole ? GP_LANES : (uint32_t)__builtin_popcount(live[p]);
     }
     for (int p = 0; late && p < block->count; p++)
         live[p] = late_tests(tile, d, block, p, &replaced[p]);

@@ -145,12 +145,19 @@ static bool is_of(const FastDraw *d, const FastPrimitiveMask *mask)
     return d && mask->first - d->first_primitive < d->primitive_count; /* cuts have a high flag */
 }
 
+/* Both of its lines. */
+GP_INLINE void prefetch_chunk(const FastChunk *chunk)
+{
+    __builtin_prefetch(chunk);
+    __builtin_prefetch(&chunk->group[FAST_CHUNK / 2]);
+}
+
 static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Waiting *waiting)
 {
     for (uint32_t at = range->head[number]; at; at = range->chunks[at].next) {
         const FastChunk *chunk = &range->chunks[at];
         if (chunk->next) /* that one has been asked for: now the one after it */
-            __builtin_prefetch(&range->chunks[range->chunks[chunk->next].next]);
+            prefetch_chunk(&range->chunks[range->chunks[chunk->next].next]);
         for (uint32_t i = 0; i < chunk->count; i++) {
             if (is_of(tile->draw, &chunk->group[i]))
                 let_wait(tile, &chunk->group[i], waiting);
@@ -188,12 +195,25 @@ GP_INLINE void prefetch_bins(const FastGroup *group, uint32_t next, uint32_t num
         __builtin_prefetch(&range[0]->chunks[range[0]->chunks[first].next]);
 }
 
+/* Ranges of a large pass have little in a tile: the first chunk of the next is wanted soon, and the
+ * heads of those that follow. */
+GP_INLINE void prefetch_ranges(const FastPass *pass, uint32_t next, uint32_t number)
+{
+    enum { AHEAD = 4 };
+    if (next + AHEAD < pass->ready_count)
+        __builtin_prefetch(&pass->ranges[next + AHEAD].head[number]);
+    if (next < pass->ready_count)
+        prefetch_chunk(&pass->ranges[next].chunks[pass->ranges[next].head[number]]);
+}
+
 static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
 {
     Waiting waiting;
     waiting.count = 0;
-    for (uint32_t r = 0; r < pass->ready_count; r++)
+    for (uint32_t r = 0; r < pass->ready_count; r++) {
+        prefetch_ranges(pass, r + 1, number);
         draw_range(tile, &pass->ranges[r], number, &waiting);
+    }
     draw_waiting(tile, &waiting);
 }
 
