@@ -1,6 +1,6 @@
 /* The last pass of splatting: sums of weighted attributes become a picture. To be drawn over the whole
- * target; slot 0 holds colour x weight and weight, slot 1 normal x weight and distance x weight, both
- * read at the pixel's own place.
+ * target; slot 0 holds colour x weight and weight, beside its edges
+ * nothing (GP_BORDER); slot 1 normal x weight and distance x weight, read at the pixel's own place.
  *
  * Alpha is how much of a pixel the surface covers; the picture lies over the background by it.
  */
@@ -12,6 +12,7 @@
 typedef struct NormalizeUniforms {
     float coverage[2];   /* alpha = weight * coverage[0] + coverage[1], clamped to 0..1 */
     float background[4]; /* multiplied by its alpha */
+    float texel[2];      /* 1 / width, 1 / height of the picture */
 
     /* of the program that shades */
     float axes[3][3]; /* of the eye, world: right, down, forward */

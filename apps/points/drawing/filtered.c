@@ -26,6 +26,7 @@ static NormalizeUniforms normalize_uniforms(const SplatEye *eye, const SplatView
     const SplatLight light = splat_light(view);
     NormalizeUniforms uniforms = {
         .coverage = { (float)(steep * per_weight), (float)((1 - steep) / 2) },
+        .texel = { 1 / (float)view->width, 1 / (float)view->height },
         .per_focal = (float)(1 / eye->focal),
         .centre = { (float)view->width / 2, (float)view->height / 2 },
         .light = { (float)light.towards[0], (float)light.towards[1], (float)light.towards[2] },
@@ -58,7 +59,8 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
     frame_pass(frame, "normalize", frame->color, frame->depth, view->background);
     GpDraw *draw = frame_draw_copied(
         frame, view->lit ? &splat_shade_program : &splat_normalize_program, &uniforms, &whole);
-    draw->textures[0].surface = sums[0];
+    draw->textures[0] =
+        (GpTexture){ sums[0], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
     draw->textures[1].surface = sums[1];
     if (view->lit)
         draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
