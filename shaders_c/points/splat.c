@@ -39,18 +39,6 @@ program(splat_visibility_program, splat_visibility_vs, splat_visibility_ps, MODE
         .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT } }, .may_discard = true,
         .uses_pixel = true, .writes_point_size = true)
 
-/* Half a side of the square inside of a disc is 0.71 of its radius; a pixel at least, so that no
- * surface of surfels a pixel apart has holes. */
-vertex_shader(splat_square_visibility_vs, SplatUniforms, SurfelVertex, NoVarying)
-{
-    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
-    *position = surfel_clip(c, &eye, behind_surface(c, &eye, in->radius));
-    *point_size = max(eye.radius * 1.42f, 1);
-}
-
-depth_program(splat_square_visibility_program, splat_square_visibility_vs,
-              .vertex_profile = GP_VS_2_0, .inputs = { SURFEL_INPUTS }, .writes_point_size = true)
-
 /* --- attributes ------------------------------------------------------------------------------- */
 
 vertex_shader(splat_color_vs, SplatUniforms, SurfelVertex, SplatColorVarying)

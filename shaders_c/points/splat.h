@@ -41,9 +41,6 @@ typedef struct SplatUniforms {
  * wider, so that what a surface hides ends where the surface does. */
 extern const GpProgram splat_visibility_program;
 
-/* The same as squares inside of the discs, where those are smaller than a pixel or two. */
-extern const GpProgram splat_square_visibility_program;
-
 /* Points that are added up: target 0 gets colour x weight and the weight. */
 extern const GpProgram splat_color_program;
 

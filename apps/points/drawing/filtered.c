@@ -74,8 +74,9 @@ static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 static void add_visibility(const SplatSource *source, const FilterUniforms *uniforms,
                            GpSurface *visible, Frame *frame)
 {
+    const SplatSource hiders = { source->surfels, source->hiders, source->hider_count, NULL, 0 };
     frame_pass(frame, "visibility", NULL, visible, NULL);
-    splat_draw_runs(source, uniforms, &splat_visibility_program,
+    splat_draw_runs(source->hiders ? &hiders : source, uniforms, &splat_visibility_program,
                     &(GpState){ .depth = { .test = GP_LESS, .write = true } }, frame);
 }
 

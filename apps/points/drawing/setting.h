@@ -53,6 +53,8 @@ typedef struct SplatSource {
     const Surfel *surfels;
     const SplatRun *runs;
     uint32_t run_count;
+    const SplatRun *hiders; /* what leaves visibility; NULL: the runs themselves */
+    uint32_t hider_count;
 } SplatSource;
 
 #endif

@@ -38,12 +38,11 @@ const SettingField points_settings[] = {
       SETTING_NUMBER, OF(splats.epsilon), .low = 0, .high = 1000 },
     { "tolerance", "T",
       "Of the adaptive method: by how much a colour of 0 to 1 may be off where a filter is left "
-      "out "
-      "(default: 0.05)",
+      "out, or points are merged (default: 0.05)",
       SETTING_NUMBER, OF(splats.tolerance), .low = 0, .high = 1 },
     { "detail", "P",
       "Merge points while that widens splats by at most P pixels, in standard deviations (default: "
-      "0, none)",
+      "0, none; of the adaptive method, what its tolerance allows)",
       SETTING_NUMBER, OF(detail), .low = 0, .high = 64 },
     { "budget", "N", "Show at most N splats, merged as far as that takes", SETTING_INTEGER,
       OF(budget), .low = 1, .high = 1 << 30 },

@@ -52,6 +52,14 @@ static SplatMethod bounded_filter(const Chooser *chooser, const PatchRange *rang
     return SPLAT_EWA;
 }
 
+/* Ours: by how many pixels the standard deviation of splats may grow where surfels are merged. With the
+ * pixel's filter alone its variance h becomes h + d^2, along both axes; 2 f(1 + x) <= x^2, so that L is
+ * at most d^2 / h (filter.h). */
+static double bounded_detail(const SplatSetting *setting)
+{
+    return setting->method == SPLAT_ADAPTIVE ? setting->low_pass * sqrt(2 * setting->tolerance) : 0;
+}
+
 /* Of a mean surfel in the patch's middle: its area on the picture over the filter's, squares of
  * standard deviations both. */
 static double area_ratio(const Chooser *chooser, const PatchRange *range)
@@ -121,18 +129,45 @@ static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame 
     return source->runs ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
 }
 
+/* Pixels by which the discs that hide may reach beyond those that are drawn: less where a patch may hold
+ * an edge of the surface, behind which another begins. */
+#define HIDERS_REACH      2
+#define HIDERS_EDGE_REACH 1
+
+/* What leaves the visibility of a range: the coarsest whole level above it whose discs are not much
+ * wider. A parent's disc covers those of its children, so nothing behind them shows; at the edges of
+ * the surface it hides a little more. */
+static SplatRun hider_of(const Chooser *chooser, const PatchRange *range, SplatRun own)
+{
+    const Patches *patches = &chooser->model->patches;
+    const PatchLevel *levels = patch_levels(patches, &patches->patches[range->patch]);
+    const double pixels = range->is_silhouette ? HIDERS_EDGE_REACH : HIDERS_REACH;
+    const double reach = pixels * range->nearest / chooser->view.pixels;
+    for (; levels->first + levels->count <= range->first; levels++)
+        if ((double)levels->most_radius - (double)range->most_radius <= reach)
+            return (SplatRun){ own.filter, levels->first, levels->count, levels->mean_radius };
+    return own;
+}
+
 static GpResult runs_of(const Chooser *chooser, const LevelSelection *selection, Frame *frame,
                         SplatSource *source, GpError *error)
 {
+    const bool has_hiders = chooser->setting->method == SPLAT_ADAPTIVE;
     SplatRun *runs = frame_alloc(frame, selection->range_count + 1, sizeof *runs);
-    if (!runs)
+    SplatRun *hiders =
+        has_hiders ? frame_alloc(frame, selection->range_count + 1, sizeof *hiders) : NULL;
+    if (!runs || (has_hiders && !hiders))
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (uint32_t i = 0; i < selection->range_count; i++) {
         const PatchRange *range = &selection->ranges[i];
         runs[i] = (SplatRun){ choose_filter(chooser, range), range->first, range->count,
                               range->mean_radius };
+        if (hiders)
+            hiders[i] = hider_of(chooser, range, runs[i]);
     }
     *source = (SplatSource){ .surfels = chooser->model->patches.surfels,
+                             .hiders = hiders,
+                             .hider_count = hiders ? selection->range_count : 0,
                              .runs = runs,
                              .run_count = selection->range_count };
     return GP_OK;
@@ -152,9 +187,11 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
         point_view(&view->camera, view->width, view->height, fmax(splats->spread * splats->cut, 1),
                    splats->low_pass * splats->cut);
     chooser.tangent = chooser.view.axes.half_height;
-    const LevelChoice choice = { .pixels = options->detail / splats->spread,
+    const double detail =
+        options->detail > 0 || options->budget > 0 ? options->detail : bounded_detail(splats);
+    const LevelChoice choice = { .pixels = detail / splats->spread,
                                  .budget = options->budget,
-                                 .all_leaves = !(options->detail > 0) && !options->budget,
+                                 .all_leaves = !(detail > 0) && !options->budget,
                                  .keeps_back = splats->two_sided };
     LevelSelection selection;
     if (level_selection_alloc(&model->patches, &selection))

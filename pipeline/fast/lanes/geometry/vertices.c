@@ -58,7 +58,11 @@ static Codes load_codes(const GpStream *stream, const uint32_t vertex[GP_LANES])
     for (int lane = 0; lane < GP_LANES; lane++) {
         const uint8_t *at = (const uint8_t *)stream->data + vertex[lane] * stride;
         uint32_t both[2] = { 0, 0 };
-        memcpy(both, at, size == sizeof both[0] ? sizeof both[0] : size); /* most often: one load */
+        if (size == sizeof both[0]) { /* colours: one load each */
+            memcpy(&word[0][lane], at, sizeof both[0]);
+            continue;
+        }
+        memcpy(both, at, size);
         word[0][lane] = both[0];
         word[1][lane] = both[1];
     }
