@@ -83,5 +83,5 @@ pixel_shader(splat_shade_ps, NormalizeUniforms, NoVarying)
 }
 
 program(splat_shade_program, normalize_vs, splat_shade_ps, MODEL_3_0,
-        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .local_reads = 1 << 1, .writes_depth = true,
-        .uses_pixel = true)
+        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .local_reads = 1 << 1,
+        .writes_depth = true, .uses_pixel = true)

@@ -59,8 +59,7 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
     frame_pass(frame, "normalize", frame->color, frame->depth, view->background);
     GpDraw *draw = frame_draw_copied(
         frame, view->lit ? &splat_shade_program : &splat_normalize_program, &uniforms, &whole);
-    draw->textures[0] =
-        (GpTexture){ sums[0], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
+    draw->textures[0] = (GpTexture){ sums[0], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
     draw->textures[1].surface = sums[1];
     if (view->lit)
         draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };

@@ -38,10 +38,12 @@ static const TechniqueSlope point_slopes[] = { { 1, "as their number" }, { .name
 static const TechniqueSlope filter_slopes[] = { { 2, "as the square" }, { .name = NULL } };
 
 static const char *const scaling_text[] = {
-    "A splat costs twice: once for itself, to be placed and set up, and once for each pixel that it "
+    "A splat costs twice: once for itself, to be placed and set up, and once for each pixel that "
+    "it "
     "lies over, to be tested and added. While splats are larger than a pixel, more of them are "
     "smaller ones, so that pixels stay about as many and only the first cost grows; from there on "
-    "none is smaller than the pixel's filter, and both grow with the number. Points that are merged "
+    "none is smaller than the pixel's filter, and both grow with the number. Points that are "
+    "merged "
     "where they would be smaller than that stop growing with the model.",
     "With a wider filter all splats are wider: pixels grow as the square of it, once it is wider "
     "than the splats themselves.",
@@ -51,10 +53,12 @@ static const char *const scaling_text[] = {
 static const TechniqueWord scaling_words[] = {
     { "points", "Points of the model, whichever are seen." },
     { "the filter's width", "Standard deviation of the pixel's filter, in pixels." },
-    { "both filters", "Every point as a spot as wide as its disc, and wider by the pixel's filter." },
+    { "both filters",
+      "Every point as a spot as wide as its disc, and wider by the pixel's filter." },
     { "sums of floats", "The same with sums of 32 bits instead of 16." },
     { "ours", "Points whose spots keep both filters only where that can be seen." },
-    { "ours, merged", "The same, with points drawn as one that are close together in the picture." },
+    { "ours, merged",
+      "The same, with points drawn as one that are close together in the picture." },
     { "discs", "Points as round discs that face the eye, without filters." },
     { "pixels", "Each point one pixel." },
     { .word = NULL },
