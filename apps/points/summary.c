@@ -152,6 +152,10 @@ static Mixture mix(const Surfel *leaves, uint32_t count)
     return sum;
 }
 
+/* A ball about all leaves is much wider than the piece of surface that they are, and discs as wide hide
+ * what stands beside it; those of this share still close a lattice of squares. */
+#define LEAST_SHARE 0.45
+
 Surfel surfel_parent(const Surfel *leaves, uint32_t count)
 {
     Mixture sum = mix(leaves, count);
@@ -174,7 +178,7 @@ Surfel surfel_parent(const Surfel *leaves, uint32_t count)
     }
     /* Surfels on top of each other: a disc that has room for their areas. */
     const double full = sqrt(sum.area / surfel_area(&(Surfel){ .radius = 1, .share = 255 }));
-    radius = full > radius ? full : radius;
+    radius = fmin(fmax(radius, full), full / LEAST_SHARE);
     parent.radius = round_up(radius);
     parent.share = surfel_share(sum.area, (double)parent.radius);
     return parent;

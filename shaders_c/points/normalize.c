@@ -10,37 +10,55 @@ GP_INLINE flt coverage_of(const NormalizeUniforms *c, flt weight)
     return sel(weight > NOTHING, alpha, 0);
 }
 
-/* The sums of a pixel so many to the right and down. */
-GP_INLINE float4 sums_at(GpInvocation *gp, const NormalizeUniforms *c, float right, float down)
+/* What was added up at a pixel: colour and weight, and of programs that shade normal and distance. */
+typedef struct Sums {
+    float4 color, surface;
+} Sums;
+
+/* So many pixels to the right and down. */
+GP_INLINE float4 texel_at(GpInvocation *gp, int slot, const NormalizeUniforms *c, float right,
+                          float down)
 {
     float2 place = vpos();
-    return texldl(0, vec4((place.x + (right + 0.5f)) * c->texel[0],
-                          (place.y + (down + 0.5f)) * c->texel[1], 0, 0));
+    return texldl(slot, vec4((place.x + (right + 0.5f)) * c->texel[0],
+                             (place.y + (down + 0.5f)) * c->texel[1], 0, 0));
 }
 
-/* Whether the surface is on both sides of the pixel: how much of the lesser. */
-GP_INLINE flt between(GpInvocation *gp, const NormalizeUniforms *c, float right, float down)
+/* Two pixels on opposite sides of this one; alpha is the lesser coverage of the two. */
+GP_INLINE void look_across(GpInvocation *gp, const NormalizeUniforms *c, float right, float down,
+                           bool shades, Sums *best, flt *most)
 {
-    flt one = sums_at(gp, c, right, down).w, other = sums_at(gp, c, -right, -down).w;
-    return min(coverage_of(c, one), coverage_of(c, other));
+    float4 one = texel_at(gp, 0, c, right, down), other = texel_at(gp, 0, c, -right, -down);
+    flt alpha = min(coverage_of(c, one.w), coverage_of(c, other.w));
+    msk better = alpha > *most;
+    *most = max(*most, alpha);
+    best->color = sel(better, add(one, other), best->color);
+    if (shades)
+        best->surface =
+            sel(better, add(texel_at(gp, 1, c, right, down), texel_at(gp, 1, c, -right, -down)),
+                best->surface);
 }
 
 /* Where a surface ends before another one, its own weight fades out, and what is behind it has been
  * hidden: sums of one surface alone, though two cover the pixel. Such pixels have covered ones on both
- * sides, within two pixels, and those where the whole model ends have not. */
-GP_INLINE flt coverage(GpInvocation *gp, const NormalizeUniforms *c, flt weight)
+ * sides, within two pixels, and those where the whole model ends have not. What hides, and has no sums
+ * at all, takes those of both sides.
+ * returns alpha */
+GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, bool shades, Sums *sums)
 {
-    flt alpha = coverage_of(c, weight);
-    if (any((msk)(alpha < 1.0f) & (msk)(weight > NOTHING))) {
-        flt closed = between(gp, c, 1, 0);
-        closed = max(closed, between(gp, c, 0, 1));
-        closed = max(closed, between(gp, c, 1, 1));
-        closed = max(closed, between(gp, c, 1, -1));
-        closed = max(closed, between(gp, c, 2, 0));
-        closed = max(closed, between(gp, c, 0, 2));
-        closed = max(closed, between(gp, c, 2, 2));
-        closed = max(closed, between(gp, c, 2, -2));
-        alpha = sel(weight > NOTHING, max(alpha, closed), alpha);
+    static const float across[8][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 },
+                                        { 2, 0 }, { 0, 2 }, { 2, 2 }, { 2, -2 } };
+    flt alpha = coverage_of(c, sums->color.w);
+    msk drawn = (msk)(sums->color.w > NOTHING) | (msk)(gp_load_local(2).x < 1.0f);
+    if (any((msk)(alpha < 1.0f) & drawn)) {
+        Sums best = *sums;
+        flt most = bcast(0);
+        for (int i = 0; i < 8; i++)
+            look_across(gp, c, across[i][0], across[i][1], shades, &best, &most);
+        msk empty = drawn & (msk)(sums->color.w <= NOTHING) & (msk)(most > 0.0f);
+        sums->color = sel(empty, best.color, sums->color);
+        sums->surface = sel(empty, best.surface, sums->surface);
+        alpha = sel(drawn, max(alpha, most), alpha);
     }
     return alpha;
 }
@@ -56,25 +74,27 @@ clip_vertex_shader(normalize_vs, NormalizeUniforms);
 
 pixel_shader(splat_normalize_ps, NormalizeUniforms, NoVarying)
 {
-    float4 sum = sums_at(gp, c, 0, 0);
-    float3 color = mul(xyz(sum), rcp(max(sum.w, NOTHING)));
-    return over_background(c, color, coverage(gp, c, sum.w));
+    Sums sums = { texel_at(gp, 0, c, 0, 0), sp4(bcast(0)) };
+    flt alpha = close_gaps(gp, c, false, &sums);
+    float3 color = mul(xyz(sums.color), rcp(max(sums.color.w, NOTHING)));
+    return over_background(c, color, alpha);
 }
 
 program(splat_normalize_program, normalize_vs, splat_normalize_ps, MODEL_3_0,
-        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .uses_pixel = true)
+        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .local_reads = 1 << 2,
+        .uses_pixel = true)
 
 pixel_shader(splat_shade_ps, NormalizeUniforms, NoVarying)
 {
-    float4 sum = sums_at(gp, c, 0, 0), surface = gp_load_local(1);
-    flt per_weight = rcp(max(sum.w, NOTHING)), alpha = coverage(gp, c, sum.w);
-    float3 color = mul(xyz(sum), per_weight);
-    flt distance = surface.w * per_weight;
+    Sums sums = { texel_at(gp, 0, c, 0, 0), texel_at(gp, 1, c, 0, 0) };
+    flt alpha = close_gaps(gp, c, true, &sums);
+    flt per_weight = rcp(max(sums.color.w, NOTHING)), distance = sums.surface.w * per_weight;
+    float3 color = mul(xyz(sums.color), per_weight);
 
     flt x = (vpos().x + (0.5f - c->centre[0])) * c->per_focal;
     flt y = (vpos().y + (0.5f - c->centre[1])) * c->per_focal;
     float3 ray = mad(u3(c->axes[0]), x, mad(u3(c->axes[1]), y, u3(c->axes[2])));
-    float3 L = u3(c->light), N = nrm(xyz(surface)), H = nrm(sub(L, nrm(ray)));
+    float3 L = u3(c->light), N = nrm(xyz(sums.surface)), H = nrm(sub(L, nrm(ray)));
     flt diffuse = max(dp3(N, L), 0) * (1.0f - c->ambient) + c->ambient;
     flt highlight = pow_(max(dp3(N, H), 0), bcast(c->shininess)) * c->specular;
 
@@ -83,5 +103,5 @@ pixel_shader(splat_shade_ps, NormalizeUniforms, NoVarying)
 }
 
 program(splat_shade_program, normalize_vs, splat_shade_ps, MODEL_3_0,
-        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .local_reads = 1 << 1,
+        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0 | 1 << 1, .local_reads = 1 << 2,
         .writes_depth = true, .uses_pixel = true)

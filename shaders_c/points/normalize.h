@@ -1,6 +1,6 @@
 /* The last pass of splatting: sums of weighted attributes become a picture. To be drawn over the whole
- * target; slot 0 holds colour x weight and weight, beside its edges
- * nothing (GP_BORDER); slot 1 normal x weight and distance x weight, read at the pixel's own place.
+ * target; slot 0 holds colour x weight and weight, slot 1 normal x weight and distance x weight; beside
+ * their edges is nothing (GP_BORDER). Slot 2 is the depth of what hides, 1 where nothing does.
  *
  * Alpha is how much of a pixel the surface covers; the picture lies over the background by it.
  */

@@ -87,11 +87,19 @@ GP_INLINE Splat surfel_splat(const EyeSurfel *eye, flt square, float low_pass)
     return splat;
 }
 
+/* From 0 to 1: how much of a disc lies where its points are uneven, and larger than a few pixels. Areas
+ * then do not tell how much of a pixel is covered, but the discs, which close such a surface. */
+GP_INLINE flt surfel_sparse(const EyeSurfel *eye, flt share)
+{
+    return sat((0.5f - share) * 5) * sat((eye->radius - 2.0f) * 0.25f);
+}
+
 /* The one that is drawn. Where points are dense for their radius, their own area says how wide a Gaussian
  * they need: not wider than one of `spread` in a surfel that has as much area as its disc shows. */
 GP_INLINE Splat surfel_filtered(const SplatUniforms *c, const EyeSurfel *eye, flt share)
 {
-    flt deviation = eye->radius * (min(share * SPLAT_PER_SHARE, 1) * c->spread);
+    flt width = max(min(share * SPLAT_PER_SHARE, 1), surfel_sparse(eye, share) * 0.65f);
+    flt deviation = eye->radius * (width * c->spread);
     return surfel_splat(eye, deviation * deviation, c->low_pass);
 }
 
@@ -136,8 +144,10 @@ GP_INLINE float3 surfel_color(const SplatUniforms *c, const SurfelVertex *in)
 /* What a splat's weight is in its centre. */
 GP_INLINE flt splat_height(flt share, const EyeSurfel *eye, const Splat *splat)
 {
+    const float closing = 1.7f;     /* over 3/4 at the rim of a disc, of 0.8 radii's deviation */
     flt side = share * eye->radius; /* what r^2 is on the screen, times the share */
-    return side * side * abs_(eye->facing) * rsq(splat->det);
+    return max(side * side * abs_(eye->facing) * rsq(splat->det),
+               surfel_sparse(eye, share) * closing);
 }
 
 typedef struct SplatColorVarying {

@@ -50,7 +50,8 @@ static GpGeometry whole_picture(void)
 }
 
 static void add_normalization(const SplatEye *eye, const SplatView *view,
-                              const SplatSetting *setting, GpSurface *sums[2], Frame *frame)
+                              const SplatSetting *setting, GpSurface *const sums[2],
+                              GpSurface *visible, Frame *frame)
 {
     const NormalizeUniforms uniforms = normalize_uniforms(eye, view, setting);
     const GpGeometry whole = whole_picture();
@@ -60,7 +61,8 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
     GpDraw *draw = frame_draw_copied(
         frame, view->lit ? &splat_shade_program : &splat_normalize_program, &uniforms, &whole);
     draw->textures[0] = (GpTexture){ sums[0], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
-    draw->textures[1].surface = sums[1];
+    draw->textures[1] = (GpTexture){ sums[1], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
+    draw->textures[2].surface = visible;
     if (view->lit)
         draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
 }
@@ -163,5 +165,5 @@ void splat_build_filtered(const SplatSource *source, const SplatEye *eye, const 
         add_ternary_splats(source, eye, view, setting, sums, visible, frame);
     else
         add_hidden_splats(source, eye, view, setting, sums, visible, frame);
-    add_normalization(eye, view, setting, sums, frame);
+    add_normalization(eye, view, setting, sums, visible, frame);
 }

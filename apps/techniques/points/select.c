@@ -192,7 +192,9 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
     const LevelChoice choice = { .pixels = detail / splats->spread,
                                  .budget = options->budget,
                                  .all_leaves = !(detail > 0) && !options->budget,
-                                 .keeps_back = splats->two_sided };
+                                 .keeps_back = splats->two_sided,
+                                 .silhouette = -1,
+                                 .curvature = -1 };
     LevelSelection selection;
     if (level_selection_alloc(&model->patches, &selection))
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
