@@ -7,7 +7,7 @@
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "caches are little-endian");
 
 enum {
-    VERSION = 1, /* one more whenever what is built, or how it is kept, changes */
+    VERSION = 2, /* one more whenever what is built, or how it is kept, changes */
     ALIGNMENT = 64,
     SECTIONS = 7
 };

@@ -143,6 +143,9 @@ static void tell_source(const PointsFacts *facts, Text *lines)
         add_count(lines, ", ", facts->left_out,
                   facts->triangles ? " of no triangle left out"
                                    : " at the place of another left out");
+    if (facts->turned > 0)
+        add_count(lines, "; ", facts->turned,
+                  facts->turned == 1 ? " part turned inside out" : " parts turned inside out");
     text_add(lines, "\n");
 }
 
@@ -191,6 +194,7 @@ static void fill_json(const PointsFacts *facts, json_t *members)
         { "read", facts->read },
         { "triangles", facts->triangles },
         { "left_out", facts->left_out },
+        { "turned", facts->turned },
         { "subdivided", facts->subdivided },
         { "sampled", facts->sampled },
         { "normals_estimated", facts->normals_made },

@@ -1,5 +1,6 @@
 #include "apps/points/open.h"
 
+#include "apps/points/orient.h"
 #include "apps/points/sample.h"
 #include "apps/points/subdivide.h"
 #include "apps/points/vertices.h"
@@ -114,7 +115,11 @@ static GpResult open_mesh(Opening *opening, const GpMesh *mesh)
                        opening->name);
     }
     const uint32_t left_out = mesh->vertex_count - referenced.vertex_count;
-    result = open_prepared(opening, &referenced);
+    result = tell(opening, mesh_orient(&referenced, &opening->facts.turned));
+    if (result == GP_OK)
+        result = open_prepared(opening, &referenced);
+    else
+        gp_mesh_free(&referenced);
     opening->facts.read = mesh->vertex_count;
     opening->facts.triangles = mesh->triangle_count;
     opening->facts.left_out = left_out;

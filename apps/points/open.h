@@ -20,7 +20,7 @@ typedef struct PointsSource {
 /* Makes surfels.
  *
  * A file with faces is a mesh: of it (its vertices after subdivision, or `sample` points) vertices.h,
- * subdivide.h and sample.h tell all; of points, cloud.h. Samples are points with normals, so that each
+ * orient.h, subdivide.h and sample.h tell all; of points, cloud.h. Samples are points with normals, so that each
  * has the radius and the area of its cell.
  *
  * in     facts: NULL: they are not asked for, which is quicker

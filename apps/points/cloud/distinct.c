@@ -16,8 +16,7 @@ static uint64_t hash_of(const float place[3])
     return hash;
 }
 
-GpResult distinct_places(const float *positions, uint32_t count, uint32_t *numbers,
-                         uint32_t *distinct)
+GpResult places_find(const float *positions, uint32_t count, uint32_t *first)
 {
     size_t size = 16;
     while (size < 2 * (size_t)count)
@@ -25,17 +24,27 @@ GpResult distinct_places(const float *positions, uint32_t count, uint32_t *numbe
     uint32_t *table = gp_alloc(size, sizeof *table); /* a point's number + 1; 0: free */
     if (!table)
         return GP_ERROR_MEMORY;
-    *distinct = 0;
     for (uint32_t i = 0; i < count; i++) {
         const float *place = positions + 3 * (size_t)i;
         size_t at = hash_of(place) & (size - 1);
         while (table[at] && !is_same_place(place, positions + 3 * (size_t)(table[at] - 1)))
             at = (at + 1) & (size - 1);
-        if (table[at])
-            continue;
-        table[at] = i + 1;
-        numbers[(*distinct)++] = i;
+        if (!table[at])
+            table[at] = i + 1;
+        first[i] = table[at] - 1;
     }
     gp_free(table);
+    return GP_OK;
+}
+
+GpResult distinct_places(const float *positions, uint32_t count, uint32_t *numbers,
+                         uint32_t *distinct)
+{
+    if (places_find(positions, count, numbers) != GP_OK)
+        return GP_ERROR_MEMORY;
+    *distinct = 0;
+    for (uint32_t i = 0; i < count; i++)
+        if (numbers[i] == i)
+            numbers[(*distinct)++] = i;
     return GP_OK;
 }

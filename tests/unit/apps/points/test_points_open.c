@@ -259,6 +259,34 @@ static void the_report_tells_what_was_read_and_made(void **state)
     surfels_free(&surfels);
 }
 
+static void a_mesh_turned_inside_out_has_surfels_that_look_outwards(void **state)
+{
+    (void)state;
+    GpMesh mesh;
+    PointsFacts facts;
+    if (model_mesh("builtin:ball", &mesh, &error) != GP_OK)
+        fail_msg("%s", error.text);
+    for (size_t t = 0; t < mesh.triangle_count; t++) {
+        const uint32_t second = mesh.indices[3 * t + 1];
+        mesh.indices[3 * t + 1] = mesh.indices[3 * t + 2];
+        mesh.indices[3 * t + 2] = second;
+    }
+    mesh.had_normals = false;
+    Surfels surfels = open_source(&(PointsSource){ .mesh = &mesh, .subdivide = 1 }, &facts);
+    for (uint32_t i = 0; i < surfels.count; i++) {
+        float outwards = 0;
+        for (int k = 0; k < 3; k++)
+            outwards += surfels.surfels[i].normal[k] * surfels.surfels[i].position[k];
+        assert_true(outwards > 0.8F);
+    }
+    Text lines = { .data = NULL };
+    facts_report(&facts, &lines, NULL);
+    assert_non_null(strstr(lines.data, "; 1 part turned inside out\n"));
+    text_free(&lines);
+    surfels_free(&surfels);
+    gp_mesh_free(&mesh);
+}
+
 static void scans_are_opened(void **state)
 {
     (void)state;
@@ -301,6 +329,7 @@ int main(void)
         TEST(meshes_give_vertices_midpoints_or_samples),
         TEST(a_mesh_in_memory_is_as_good),
         TEST(the_report_tells_what_was_read_and_made),
+        TEST(a_mesh_turned_inside_out_has_surfels_that_look_outwards),
         cmocka_unit_test(scans_are_opened),
     };
     return cmocka_run_group_tests(tests, create_pool, destroy_pool);
