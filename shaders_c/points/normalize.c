@@ -4,7 +4,7 @@
 /* Less weight than this is none: sums of no splat. */
 #define NOTHING 1e-6f
 
-GP_INLINE flt coverage_of(const NormalizeUniforms *c, flt weight)
+GP_INLINE flt covered_part(const NormalizeUniforms *c, flt weight)
 {
     flt alpha = sat(mad(weight, c->coverage[0], c->coverage[1]));
     return sel(weight > NOTHING, alpha, 0);
@@ -29,7 +29,7 @@ GP_INLINE void look_across(GpInvocation *gp, const NormalizeUniforms *c, float r
                            bool shades, Sums *best, flt *most)
 {
     float4 one = texel_at(gp, 0, c, right, down), other = texel_at(gp, 0, c, -right, -down);
-    flt alpha = min(coverage_of(c, one.w), coverage_of(c, other.w));
+    flt alpha = min(covered_part(c, one.w), covered_part(c, other.w));
     msk better = alpha > *most;
     *most = max(*most, alpha);
     best->color = sel(better, add(one, other), best->color);
@@ -48,7 +48,7 @@ GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, bool shad
 {
     static const float across[8][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 },
                                         { 2, 0 }, { 0, 2 }, { 2, 2 }, { 2, -2 } };
-    flt alpha = coverage_of(c, sums->color.w);
+    flt alpha = covered_part(c, sums->color.w);
     msk drawn = (msk)(sums->color.w > NOTHING) | (msk)(gp_load_local(2).x < 1.0f);
     if (any((msk)(alpha < 1.0f) & drawn)) {
         Sums best = *sums;
