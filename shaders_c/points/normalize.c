@@ -46,8 +46,8 @@ GP_INLINE void look_across(GpInvocation *gp, const NormalizeUniforms *c, float r
  * returns alpha */
 GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, bool shades, Sums *sums)
 {
-    static const float across[8][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 },
-                                        { 2, 0 }, { 0, 2 }, { 2, 2 }, { 2, -2 } };
+    const float across[8][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 },
+                                 { 2, 0 }, { 0, 2 }, { 2, 2 }, { 2, -2 } };
     flt alpha = covered_part(c, sums->color.w);
     msk drawn = (msk)(sums->color.w > NOTHING) | (msk)(gp_load_local(2).x < 1.0f);
     if (any((msk)(alpha < 1.0f) & drawn)) {
