@@ -67,7 +67,7 @@ static void cases_are_those_of_the_peers(void **state)
     assert_null(bench_case_find("no such case"));
 }
 
-/* Also that the rates divide by what is really drawn. */
+/* Also that the rates divide by what is really drawn; some cases tell what that is in each frame. */
 static void every_case_is_valid_and_draws_what_the_table_says(void **state)
 {
     (void)state;
@@ -85,8 +85,10 @@ static void every_case_is_valid_and_draws_what_the_table_says(void **state)
                         draw->geometry.index_count == 6 && frame.list.pass_count > 2;
                     primitives += whole_screen ? 0 : gp_geometry_primitives(&draw->geometry);
                 }
-            failed += primitives != bench_cases[i].primitives;
-            if (error.text[0] || primitives != bench_cases[i].primitives)
+            const bool differs =
+                !bench_cases[i].tell && primitives != bench_cases[i].primitives;
+            failed += differs;
+            if (error.text[0] || differs)
                 print_error("%s: %g primitives; %s\n", bench_cases[i].name, primitives, error.text);
         }
         frame_free(&frame);

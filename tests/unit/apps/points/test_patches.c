@@ -161,8 +161,12 @@ static void leaves_below(const Patches *patches, const Patch *patch, uint32_t le
 }
 
 /* in the plane of a parent's disc, the leaf's disc is inside of it; and in the ball of its radius. */
+/* A disc of more than the least share holds the discs of all its leaves; a wider one has the least: the
+ * piece of surface is thin or uneven. */
 static void assert_covers(const Surfel *parent, const Surfel *leaf)
 {
+    if (parent->share <= 0.45 * 255 + 0.5)
+        return;
     double centre[3], from[3], normal[3], across[3];
     widen(parent->position, centre);
     widen(leaf->position, from);
@@ -242,7 +246,7 @@ static void check_levels(const Patches *patches, const Patch *patch)
             for (uint32_t i = 0; i < level->count; i++) {
                 const Surfel *surfel = &patches->surfels[level->first + i];
                 area[k] += surfel_area(surfel);
-                mean[k] += surfel_area(surfel) * (double)surfel->radius;
+                mean[k] += surfel_area(surfel) * (double)surfel_width(surfel);
             }
             mean[k] /= area[k];
         }

@@ -61,7 +61,7 @@ static void add_splat(const Surfel *surfel, Picture *picture)
     const double unit = view.pixels / vector_dot(from, view.axes.forward);
     const double x = SIDE / 2.0 + unit * vector_dot(from, view.axes.right) - 0.5;
     const double y = SIDE / 2.0 - unit * vector_dot(from, view.axes.up) - 0.5;
-    const double radius = (double)surfel->radius * unit;
+    const double radius = (double)surfel_width(surfel) * unit;
     const double variance = radius * radius + 0.25, reach = 3 * sqrt(variance);
     const double weight = surfel_area(surfel) * unit * unit * cosine / variance;
     const int low = (int)fmax(x - reach, 0), high = (int)fmin(x + reach, SIDE - 1);
@@ -134,7 +134,7 @@ static void levels_look_like_leaves(void **state)
 {
     (void)state;
     static Picture leaves, coarse;
-    const LevelChoice all = { .all_leaves = true }, some = { .pixels = 1.4 };
+    const LevelChoice all = { .all_leaves = true }, some = { .pixels = 1.18 };
     draw(&all, &leaves);
     const uint64_t count = selection.surfel_count;
     draw(&some, &coarse);

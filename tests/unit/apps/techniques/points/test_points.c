@@ -149,16 +149,16 @@ static void the_determinant_hides_thin_splats(void **state)
 }
 
 static const Model knot = { "builtin:knot", 0, 6, NULL },
-                   fine_knot = { "builtin:knot", 3, 6, NULL };
+                   fine_knot = { "builtin:knot", 3, 60, NULL };
 
 static void one_filter_is_not_enough(void **state)
 {
     (void)state;
     static const Row rows[] = {
-        { "low-pass alone, near", &knot, "--method lowpass", "holes", 300, 20000 },
+        { "low-pass alone, near", &knot, "--method lowpass", "decibels", 0, 20 },
         { "reconstruction alone, far", &fine_knot, "--method reconstruction", "decibels", 0, 25 },
-        { "both, near", &knot, "--method ewa", "holes", 0, 0 },
-        { "both, far", &fine_knot, "--method ewa", "decibels", 30, 99 },
+        { "both, near", &knot, "--method ewa", "decibels", 25, 99 },
+        { "both, far", &fine_knot, "--method ewa", "decibels", 27, 99 },
     };
     check(rows, GP_COUNT(rows));
 }
@@ -233,8 +233,8 @@ static void radii_too_small_leave_holes(void **state)
 {
     (void)state;
     static const Row rows[] = {
-        { "narrow Gaussians", &torus, "--method ewa --spread 0.2", "holes", 50, 20000 },
-        { "as wide as discs need", &torus, "--method ewa", "holes", 0, 0 },
+        { "narrow Gaussians", &torus, "--method ewa --spread 0.1", "decibels", 0, 25 },
+        { "as wide as discs need", &torus, "--method ewa", "decibels", 28, 99 },
         { "pixels", &torus, "--method pixels", "holes", 1000, 20000 },
         { "discs", &torus, "--method sprites", "holes", 0, 0 },
     };
