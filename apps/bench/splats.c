@@ -29,6 +29,7 @@ static const struct {
     [SPLATS_ADAPTIVE] = { "meshes/bunny.ply", "--method adaptive", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_TERNARY] = { "meshes/bunny.ply", "--method ternary", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_ROUND] = { "meshes/bunny.ply", "--method sprites", 2, ORBIT_UP_Y, 512, 100, true },
+    [SPLATS_QSPLAT] = { "meshes/bunny.ply", "--method qsplat", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_PIXELS] = { "meshes/happy_buddha.ply", "--method pixels", 2, ORBIT_UP_Y, 1024, 0,
                         false },
     [SPLATS_LEVELS] = { "meshes/happy_buddha.ply", "--method adaptive --detail 0.7", 2, ORBIT_UP_Y,

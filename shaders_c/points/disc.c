@@ -1,33 +1,13 @@
-#include "shaders_c/points/disc.h"
-
-#include "shaders_c/points/splat_shared.h"
+#include "shaders_c/points/disc_shared.h"
 
 typedef struct RoundVarying {
     float2 sprite;
     float3 color;
 } RoundVarying;
 
-typedef struct FlatVarying {
-    float3 color;
-} FlatVarying;
-
-/* Squares and discs cover their surfels' discs, which leave no hole: their own diameter, and half a
- * pixel more, since a pixel's centre may be that far from the point's. */
-GP_INLINE flt disc_side(const EyeSurfel *eye)
-{
-    return eye->radius * 2 + 1.0f;
-}
-
 GP_INLINE EyeSurfel before_eye(const SplatUniforms *c, const SurfelVertex *in)
 {
     return surfel_before_eye(c, in->position, in->normal, in->radius);
-}
-
-GP_INLINE float3 lit_color(const LitPointUniforms *c, const SurfelVertex *in, const EyeSurfel *eye)
-{
-    flt lambert = dp3(in->normal, u3(c->light));
-    lambert = max(sel(eye->facing < 0.0f, -lambert, lambert), 0);
-    return mul(surfel_color(&c->splat, in), mad(lambert, 1 - c->ambient, c->ambient));
 }
 
 pixel_shader(flat_ps, SplatUniforms, FlatVarying)

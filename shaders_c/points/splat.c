@@ -2,17 +2,6 @@
 
 /* --- visibility ------------------------------------------------------------------------------- */
 
-/* Depths lie behind the surface, so that all splats of one surface pass, and no other does: as far as a
- * plane through the surfel goes back over its radius, and over the pixel's filter. */
-GP_INLINE flt behind_surface(const SplatUniforms *c, const EyeSurfel *eye, flt radius)
-{
-    flt steep = rcp(max(abs_(eye->facing), 0.1f)); /* what is steeper is seen edge on */
-    flt filter = eye->position.z * (sqrt_(bcast(c->low_pass)) * rcp(bcast(c->focal)));
-    return mad(filter, steep, radius) * c->epsilon;
-}
-
-#define THINNEST 0.1f /* half the width of a disc that is seen edge on, pixels */
-
 typedef struct DiscVarying {
     float3 conic;
     float2 place;
@@ -21,7 +10,7 @@ typedef struct DiscVarying {
 vertex_shader(splat_visibility_vs, SplatUniforms, SurfelVertex, DiscVarying)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
-    Splat disc = surfel_splat(&eye, eye.radius * eye.radius, THINNEST * THINNEST);
+    Splat disc = surfel_disc(&eye);
     *position = surfel_clip(c, &eye, behind_surface(c, &eye, in->radius));
     *point_size = splat_side(&disc, 1);
     out->conic = splat_conic(&disc);

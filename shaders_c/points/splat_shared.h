@@ -139,6 +139,25 @@ GP_INLINE float3 surfel_color(const SplatUniforms *c, const SurfelVertex *in)
                 mad(sin_(in->position.z * c->waves), 0.5f, 0.5f));
 }
 
+/* --- visibility ------------------------------------------------------------------------------- */
+
+/* Depths lie behind the surface, so that all splats of one surface pass, and no other does: as far as a
+ * plane through the surfel goes back over its radius, and over the pixel's filter. */
+GP_INLINE flt behind_surface(const SplatUniforms *c, const EyeSurfel *eye, flt radius)
+{
+    flt steep = rcp(max(abs_(eye->facing), 0.1f)); /* what is steeper is seen edge on */
+    flt filter = eye->position.z * (sqrt_(bcast(c->low_pass)) * rcp(bcast(c->focal)));
+    return mad(filter, steep, radius) * c->epsilon;
+}
+
+#define THINNEST 0.1f /* half the width of a disc that is seen edge on, pixels */
+
+/* A surfel's disc, as a splat that ends at one standard deviation. */
+GP_INLINE Splat surfel_disc(const EyeSurfel *eye)
+{
+    return surfel_splat(eye, eye->radius * eye->radius, THINNEST * THINNEST);
+}
+
 /* --- attributes ------------------------------------------------------------------------------- */
 
 /* What a splat's weight is in its centre. */

@@ -2,6 +2,7 @@
 
 #include "apps/base/stable_math.h"
 #include "shaders_c/points/normalize.h"
+#include "shaders_c/points/perspective.h"
 #include "shaders_c/points/ternary.h"
 
 #include <math.h>
@@ -73,11 +74,13 @@ static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 
 /* Leaves what the surface hides. */
 static void add_visibility(const SplatSource *source, const FilterUniforms *uniforms,
-                           GpSurface *visible, Frame *frame)
+                           const GpProgram *visibility_program, GpSurface *visible, Frame *frame)
 {
-    const SplatSource hiders = { source->surfels, source->hiders, source->hider_count, NULL, 0 };
+    const SplatSource hiders = { .surfels = source->surfels,
+                                 .runs = source->hiders,
+                                 .run_count = source->hider_count };
     frame_pass(frame, "visibility", NULL, visible, NULL);
-    splat_draw_runs(source->hiders ? &hiders : source, uniforms, &splat_visibility_program,
+    splat_draw_runs(source->hiders ? &hiders : source, uniforms, visibility_program,
                     &(GpState){ .depth = { .test = GP_LESS, .write = true } }, frame);
 }
 
@@ -95,9 +98,14 @@ static void add_hidden_splats(const SplatSource *source, const SplatEye *eye, co
                               GpSurface *visible, Frame *frame)
 {
     const FilterUniforms uniforms = splat_filter_uniforms(eye, view, setting, frame);
-    add_visibility(source, &uniforms, visible, frame);
+    const bool exact = setting->method == SPLAT_PERSPECTIVE;
+    const GpProgram *color = exact ? &perspective_color_program : &splat_color_program;
+    const GpProgram *surface = exact ? &perspective_surface_program : &splat_surface_program;
+    add_visibility(source, &uniforms,
+                   exact ? &perspective_visibility_program : &splat_visibility_program, visible,
+                   frame);
     add_sums(sums, visible, frame)->depth.clear_depth = false;
-    splat_draw_runs(source, &uniforms, view->lit ? &splat_surface_program : &splat_color_program,
+    splat_draw_runs(source, &uniforms, view->lit ? surface : color,
                     &(GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } }, frame);
 }
 

@@ -11,7 +11,7 @@ void splat_build_opaque(const SplatSource *source, const SplatEye *eye, const Sp
 
 static inline bool splat_is_opaque(SplatMethod method)
 {
-    return method == SPLAT_ROUND || method == SPLAT_PIXELS;
+    return method >= SPLAT_ROUND && method <= SPLAT_SEQUENCE;
 }
 
 #endif

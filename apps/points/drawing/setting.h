@@ -2,8 +2,7 @@
 #ifndef APPS_POINTS_DRAWING_SETTING_H
 #define APPS_POINTS_DRAWING_SETTING_H
 
-#include "apps/base/camera.h"
-#include "apps/points/surfels.h"
+#include "apps/points/hierarchy.h"
 
 typedef enum SplatMethod {
     SPLAT_ADAPTIVE,       /* the cheapest filter whose error has a bound: filter.h */
@@ -13,8 +12,11 @@ typedef enum SplatMethod {
     SPLAT_AREA,           /* adaptive as the thesis prints it: by the ratio of areas */
     SPLAT_DISTANCE,       /* adaptive as paper 003 prints it: by distances */
     SPLAT_TERNARY,        /* both filters in one pass, by the ternary depth test */
+    SPLAT_PERSPECTIVE,    /* both filters, by the ray of each pixel against the surfel's plane */
     SPLAT_ROUND,          /* discs that face the eye, without filters */
     SPLAT_PIXELS,         /* a pixel a point */
+    SPLAT_QSPLAT,         /* squares, as many as a walk down the hierarchy finds */
+    SPLAT_SEQUENCE,       /* squares, by a sequential point tree */
     SPLAT_METHODS
 } SplatMethod;
 
@@ -55,6 +57,10 @@ typedef struct SplatSource {
     uint32_t run_count;
     const SplatRun *hiders; /* what leaves visibility; NULL: the runs themselves */
     uint32_t hider_count;
+
+    const SequenceNode *nodes; /* of SPLAT_SEQUENCE, instead of surfels and runs */
+    uint32_t node_count;
+    double per_radius; /* depth at which a radius of 1 is small enough */
 } SplatSource;
 
 #endif

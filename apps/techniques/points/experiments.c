@@ -17,8 +17,11 @@ static const TechniqueSweep sweep[] = {
     { "ours", "--method adaptive --tolerance 0.02|0.05|0.1" },
     { "ours, merged", "--method adaptive --detail 0.35|0.5|0.7|1" },
     { "one pass", "--method ternary --epsilon 2|4|8" },
+    { "by rays", "--method perspective" },
     { "discs", "--method sprites" },
     { "pixels", "--method pixels" },
+    { "tree of squares", "--method qsplat --detail 1|2|4" },
+    { "sequence of squares", "--method spt --detail 1|2|4" },
     { .method = NULL },
 };
 

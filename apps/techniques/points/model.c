@@ -183,6 +183,13 @@ GpResult points_model_structure(PointsModel *model, int threads, GpError *error)
     return result;
 }
 
+GpResult points_model_sequence(PointsModel *model, GpError *error)
+{
+    if (!model->sequence.nodes && sequence_build(&model->patches, &model->sequence))
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    return GP_OK;
+}
+
 /* The triangles whose surface the points are: read again where only their points were kept. */
 static GpResult read_triangles(PointsModel *model, GpError *error)
 {
@@ -234,6 +241,7 @@ void points_model_close(void *made)
 {
     PointsModel *model = made;
     mesh_picture_free(&model->truth);
+    sequence_free(&model->sequence);
     surfels_free(&model->surfels);
     if (model->file.data)
         gp_file_free(&model->file);

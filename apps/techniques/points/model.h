@@ -3,6 +3,7 @@
 #define APPS_TECHNIQUES_POINTS_MODEL_H
 
 #include "apps/points/cache.h"
+#include "apps/points/hierarchy.h"
 #include "apps/points/open.h"
 #include "apps/points/patches.h"
 #include "apps/points/drawing/splats.h"
@@ -18,6 +19,7 @@ typedef struct PointsModel {
     PointsFacts facts; /* where a report is asked for */
     Patches patches;   /* empty until a setting needs them, or the cache had them: */
     GpFile file;       /* what they lie in then */
+    Sequence sequence; /* empty until a setting needs it */
     const char *cache; /* where they go once they are built; NULL: nowhere, or they are there */
     uint64_t cache_key;
     GpError cache_fault; /* why the cache was of no use, or could not be written; else empty */
@@ -34,6 +36,9 @@ void points_model_close(void *model);
 
 /* Builds the patches, once. errors those of patches_build */
 GpResult points_model_structure(PointsModel *model, int threads, GpError *error);
+
+/* Puts the patches' nodes into a sequence, once. errors GP_ERROR_MEMORY */
+GpResult points_model_sequence(PointsModel *model, GpError *error);
 
 /* Finds the truth, once. errors GP_ERROR_INVALID: the surface is not known; GP_ERROR_MEMORY */
 GpResult points_model_truth(PointsModel *model, int threads, GpError *error);

@@ -116,7 +116,8 @@ bool points_needs_patches(const PointsOptions *options)
 {
     const SplatMethod method = options->splats.method;
     return method == SPLAT_ADAPTIVE || method == SPLAT_AREA || method == SPLAT_DISTANCE ||
-           options->detail > 0 || options->budget > 0 || options->cache;
+           method == SPLAT_QSPLAT || method == SPLAT_SEQUENCE || options->detail > 0 ||
+           options->budget > 0 || options->cache;
 }
 
 static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame *frame,
@@ -173,6 +174,47 @@ static GpResult runs_of(const Chooser *chooser, const LevelSelection *selection,
     return GP_OK;
 }
 
+/* Of the rivals that go down to nodes of some pixels. */
+static double node_detail(const PointsOptions *options)
+{
+    return options->detail > 0 ? options->detail : 1;
+}
+
+static GpResult walked_nodes(const PointsModel *model, const PointView *view,
+                             const PointsOptions *options, Frame *frame, SplatSource *source,
+                             GpError *error)
+{
+    HierarchyCut cut;
+    SplatRun run = { .filter = SPLAT_QSPLAT };
+    if (hierarchy_walk(&model->patches, view, node_detail(options), options->splats.two_sided,
+                       &cut))
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    run.count = cut.count;
+    *source = (SplatSource){ .surfels = frame_copy(frame, cut.surfels,
+                                                   ((size_t)cut.count + 1) * sizeof *cut.surfels),
+                             .runs = frame_copy(frame, &run, sizeof run),
+                             .run_count = 1 };
+    gp_free(cut.surfels);
+    return source->surfels && source->runs ? GP_OK
+                                           : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+}
+
+/* A prefix of the sequence, by the nearest corner of the patches' boxes. */
+static void wanted_nodes(const PointsModel *model, const PointView *view,
+                         const PointsOptions *options, SplatSource *source)
+{
+    const Patches *patches = &model->patches;
+    double nearest = INFINITY;
+    for (uint32_t i = 0; i < patches->patch_count; i++)
+        nearest = fmin(nearest, box_place(view, &patches->patches[i].box).nearest);
+    const double per_radius = 2 * view->pixels / node_detail(options);
+    *source = (SplatSource){
+        .nodes = model->sequence.nodes,
+        .node_count = sequence_prefix(&model->sequence, fmax(nearest, view->near), per_radius),
+        .per_radius = per_radius,
+    };
+}
+
 GpResult points_select(const PointsModel *model, const PointsOptions *options, Frame *frame,
                        SplatSource *source, GpError *error)
 {
@@ -187,6 +229,12 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
         point_view(&view->camera, view->width, view->height, fmax(splats->spread * splats->cut, 1),
                    splats->low_pass * splats->cut);
     chooser.tangent = chooser.view.axes.half_height;
+    if (splats->method == SPLAT_QSPLAT)
+        return walked_nodes(model, &chooser.view, options, frame, source, error);
+    if (splats->method == SPLAT_SEQUENCE) {
+        wanted_nodes(model, &chooser.view, options, source);
+        return GP_OK;
+    }
     const double detail =
         options->detail > 0 || options->budget > 0 ? options->detail : bounded_detail(splats);
     const LevelChoice choice = { .pixels = detail / splats->spread,

@@ -15,6 +15,8 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
     GpResult result = GP_OK;
     if (points_needs_patches(options))
         result = points_model_structure(model, gp_device_threads(device), error);
+    if (!result && options->splats.method == SPLAT_SEQUENCE)
+        result = points_model_sequence(model, error);
     if (!result)
         result = points_select(model, options, frame, &source, error);
     if (!result)

@@ -41,7 +41,15 @@ const TechniqueWord points_words[] = {
     { "one pass",
       "Both filters, with the nearest surface found while spots are added up: a spot in front "
       "takes away what was there, faint rims of spots too." },
+    { "by rays", "Both filters, where the ray of each pixel meets the point's plane: right in wide "
+                 "views too." },
     { "discs", "Points as round discs that face the eye; the nearest is seen." },
+    { "tree of squares",
+      "QSplat: points are merged until they are so many pixels wide, by a walk down the tree, and "
+      "drawn as squares; the nearest is seen." },
+    { "sequence of squares", "A sequential point tree: all points and those that stand for "
+                             "several, in one list by size, of "
+                             "which the shader drops what is too fine or too coarse." },
     { "pixels", "Each point is one pixel; the nearest is seen." },
     { .word = NULL },
 };
