@@ -146,6 +146,8 @@ static void tell_source(const PointsFacts *facts, Text *lines)
     if (facts->turned > 0)
         add_count(lines, "; ", facts->turned,
                   facts->turned == 1 ? " part turned inside out" : " parts turned inside out");
+    if (facts->split > 0)
+        add_count(lines, "; ", facts->split, " more for the sides of creases");
     text_add(lines, "\n");
 }
 
@@ -195,6 +197,7 @@ static void fill_json(const PointsFacts *facts, json_t *members)
         { "triangles", facts->triangles },
         { "left_out", facts->left_out },
         { "turned", facts->turned },
+        { "split", facts->split },
         { "subdivided", facts->subdivided },
         { "sampled", facts->sampled },
         { "normals_estimated", facts->normals_made },

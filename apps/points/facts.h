@@ -17,6 +17,7 @@ typedef struct PointsFacts {
     uint32_t triangles;  /* of the file; 0: it holds points */
     uint32_t left_out;   /* duplicates, or vertices that no triangle uses */
     uint32_t turned;     /* parts of a mesh that showed their inside (orient.h) */
+    uint32_t split;      /* vertices on creases, for each side but the first (creases.h) */
     uint32_t subdivided; /* times */
     uint32_t sampled;    /* points spread over the triangles; 0: they are the vertices */
     uint32_t count;      /* surfels */

@@ -1,5 +1,6 @@
 #include "apps/points/open.h"
 
+#include "apps/points/creases.h"
 #include "apps/points/orient.h"
 #include "apps/points/sample.h"
 #include "apps/points/subdivide.h"
@@ -61,6 +62,7 @@ static GpResult open_cloud(Opening *opening, const GpPoints *points)
 static GpResult open_samples(Opening *opening, const GpMesh *mesh)
 {
     GpPoints points;
+    const PointsFacts of_mesh = opening->facts;
     GpResult result = tell(opening, mesh_sample(mesh, opening->source->sample, &points));
     if (result == GP_ERROR_INVALID)
         return gp_fail(opening->error, result, "%s: %u points are more than can be sampled, 2^30",
@@ -71,6 +73,8 @@ static GpResult open_samples(Opening *opening, const GpMesh *mesh)
     gp_points_free(&points);
     opening->surfels.had_normals = mesh->had_normals;
     opening->facts.sampled = opening->surfels.count;
+    opening->facts.read = of_mesh.read;
+    opening->facts.left_out = of_mesh.left_out;
     return result;
 }
 
@@ -103,28 +107,45 @@ static GpResult open_prepared(Opening *opening, GpMesh *mesh)
     return result;
 }
 
-static GpResult open_mesh(Opening *opening, const GpMesh *mesh)
+GpResult points_surface(const PointsSource *source, const GpMesh *mesh, GpMesh *surface,
+                        PointsFacts *facts)
 {
-    GpMesh referenced;
-    GpResult result = tell(opening, mesh_of_referenced(mesh, &referenced));
+    GpMesh made;
+    uint32_t turned = 0;
+    GpResult result = mesh_of_referenced(mesh, &made);
     if (result != GP_OK)
         return result;
-    if (!(mesh_area(&referenced) > 0)) {
-        gp_mesh_free(&referenced);
+    const uint32_t used = made.vertex_count;
+    result = mesh_orient(&made, &turned);
+    if (result == GP_OK && (source->sharp > 0 || source->sample))
+        result = mesh_split_creases(&made, source->sharp > 0 ? source->sharp : CREASE_DEGREES);
+    if (result != GP_OK) {
+        gp_mesh_free(&made);
+        return result;
+    }
+    facts->read = mesh->vertex_count;
+    facts->triangles = mesh->triangle_count;
+    facts->left_out = mesh->vertex_count - used;
+    facts->turned = turned;
+    facts->split = made.vertex_count - used;
+    *surface = made;
+    return GP_OK;
+}
+
+static GpResult open_mesh(Opening *opening, const GpMesh *mesh)
+{
+    GpMesh surface;
+    const GpResult result =
+        tell(opening, points_surface(opening->source, mesh, &surface, &opening->facts));
+    if (result != GP_OK)
+        return result;
+    if (!(mesh_area(&surface) > 0)) {
+        gp_mesh_free(&surface);
         return gp_fail(opening->error, GP_ERROR_FORMAT, "%s: no triangle with an area",
                        opening->name);
     }
-    const uint32_t left_out = mesh->vertex_count - referenced.vertex_count;
-    result = tell(opening, mesh_orient(&referenced, &opening->facts.turned));
-    if (result == GP_OK)
-        result = open_prepared(opening, &referenced);
-    else
-        gp_mesh_free(&referenced);
-    opening->facts.read = mesh->vertex_count;
-    opening->facts.triangles = mesh->triangle_count;
-    opening->facts.left_out = left_out;
     opening->facts.subdivided = opening->source->subdivide;
-    return result;
+    return open_prepared(opening, &surface);
 }
 
 /* --- files -------------------------------------------------------------------------------------- */

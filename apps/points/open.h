@@ -14,13 +14,25 @@ typedef struct PointsSource {
     /* Of a mesh: */
     uint32_t subdivide; /* times its triangles are cut into four first; 0: never */
     uint32_t sample;    /* points spread over it; 0: its vertices */
+    double sharp;       /* a vertex where triangles meet at more degrees is one for each side of the
+                           crease; 0: not so */
     bool each_radius;   /* a radius for each vertex rather than one for all (vertices.h) */
 } PointsSource;
+
+/* Makes the triangles ready whose vertices, or samples, become surfels: without what is not used,
+ * turned outwards, and cut along creases where `sharp` says so or samples are taken, which look as the
+ * face does that they lie on (creases.h).
+ * in     mesh: with triangles
+ * out    surface and facts: untouched on failure; of the facts read, triangles, left_out, turned and split
+ * errors GP_ERROR_MEMORY, GP_ERROR_UNSUPPORTED; owns: the caller, until gp_mesh_free */
+GpResult points_surface(const PointsSource *source, const GpMesh *mesh, GpMesh *surface,
+                        PointsFacts *facts);
 
 /* Makes surfels.
  *
  * A file with faces is a mesh: of it (its vertices after subdivision, or `sample` points) vertices.h,
- * orient.h, subdivide.h and sample.h tell all; of points, cloud.h. Samples are points with normals, so that each
+ * orient.h, creases.h, subdivide.h and sample.h tell
+ * all; of points, cloud.h. Samples are points with normals, so that each
  * has the radius and the area of its cell.
  *
  * in     facts: NULL: they are not asked for, which is quicker

@@ -1,7 +1,9 @@
 #include "apps/points/subdivide.h"
 
+#include "apps/base/camera.h"
 #include "apps/base/vector.h"
-#include "apps/points/edges.h"
+#include "apps/points/creases.h"
+#include "apps/points/sides.h"
 
 #include <string.h>
 
@@ -114,6 +116,25 @@ static void add_midpoints(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
     }
 }
 
+/* Takes the normals of midpoints away where an end's strays from a triangle at the edge. */
+static void drop_strays(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
+{
+    double sine, cosine, cross[3];
+    angle_sincos(CREASE_DEGREES, &sine, &cosine);
+    for (size_t s = 0; s < 3 * (size_t)mesh->triangle_count; s++) {
+        const size_t corners[2] = { s, side_end(s) };
+        triangle_cross(mesh, s / 3, cross);
+        const double least = cosine * sqrt(vector_dot(cross, cross));
+        for (int i = 0; i < 2; i++) {
+            const float *end = mesh->normals + 3 * (size_t)mesh->indices[corners[i]];
+            const double normal[3] = { (double)end[0], (double)end[1], (double)end[2] };
+            if (vector_dot(normal, cross) < least)
+                memset(finer->normals + 3 * ((size_t)mesh->vertex_count + edges->of_side[s]), 0,
+                       3 * sizeof(float));
+        }
+    }
+}
+
 /* The triangles at the corners, in the order of the corners, then the middle one. */
 static void cut_triangles(const GpMesh *mesh, const Edges *edges, GpMesh *finer)
 {
@@ -145,6 +166,8 @@ GpResult mesh_subdivide(const GpMesh *mesh, GpMesh *finer)
     result = alloc_mesh(mesh->vertex_count + edges.count, 4 * mesh->triangle_count, mesh, &made);
     if (result == GP_OK) {
         add_midpoints(mesh, &edges, &made);
+        if (mesh->had_normals)
+            drop_strays(mesh, &edges, &made);
         cut_triangles(mesh, &edges, &made);
     }
     edges_free(&edges);

@@ -13,8 +13,8 @@ GpResult mesh_of_referenced(const GpMesh *mesh, GpMesh *referenced);
 
 /* Cuts each triangle into four at the midpoints of its sides. Vertices keep their numbers; the midpoint
  * of an edge is one vertex for all triangles at that edge and follows them in the order of edges_find.
- * Positions and colours of midpoints are means, and normals that the file stored are, at unit length.
- * Others are made again by gp_mesh_normals: a midpoint has that of the two triangles at it, so that its
+ * Positions and colours of midpoints are means, and normals that the file stored are, at unit length,
+ * where both ends' are within CREASE_DEGREES of the triangles at the edge. Others are made again by gp_mesh_normals: a midpoint has that of the two triangles at it, so that its
  * disc lies as close to both as one disc can; the mean of its ends' would lean with triangles farther
  * away.
  * in     mesh: as mesh_of_referenced makes it

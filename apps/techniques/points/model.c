@@ -14,13 +14,10 @@ static GpResult read_surfels(const TechniqueInput *input, PointsModel *model, Gp
 {
     const PointsOptions *options = input->setting;
     const bool is_builtin = model_after(input->path, "builtin:") != NULL;
-    PointsSource source = { .path = is_builtin ? NULL : input->path,
-                            .name = input->path,
-                            .subdivide = options->subdivide,
-                            .sample = options->sample,
-                            .each_radius = !options->one_radius };
+    PointsSource source = model->source;
     GpPool *pool = NULL;
     GpResult result = is_builtin ? model_mesh(input->path, &model->mesh, error) : GP_OK;
+    source.path = is_builtin ? NULL : model->path;
     source.mesh = is_builtin ? &model->mesh : NULL;
     if (!result)
         result = gp_pool_create(machine_processors(), &pool, error);
@@ -38,8 +35,8 @@ static uint64_t key_of(const TechniqueInput *input)
 {
     const PointsOptions *options = input->setting;
     char settings[256];
-    snprintf(settings, sizeof settings, "subdivide %u sample %u one-radius %d color %s",
-             options->subdivide, options->sample, options->one_radius,
+    snprintf(settings, sizeof settings, "subdivide %u sample %u sharp %g one-radius %d color %s",
+             options->subdivide, options->sample, options->sharp, options->one_radius,
              options->color ? options->color : "");
     return cache_key(content_hash(input->path, 0), settings);
 }
@@ -153,6 +150,11 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     text_copy(model->path, sizeof model->path, input->path);
+    model->source = (PointsSource){ .name = model->path,
+                                    .subdivide = options->subdivide,
+                                    .sample = options->sample,
+                                    .sharp = options->sharp,
+                                    .each_radius = !options->one_radius };
     model->listener = (PointsListener){ input->progress, input->user };
     const bool is_cached = read_cache(input, model);
     GpResult result = is_cached ? GP_OK : read_surfels(input, model, error);
@@ -196,11 +198,21 @@ static GpResult read_triangles(PointsModel *model, GpError *error)
     GpError reason;
     if (model->mesh.triangle_count == 0 && model_mesh(model->path, &model->mesh, &reason))
         model->mesh.triangle_count = 0; /* a format of points */
-    return model->mesh.triangle_count > 0
-               ? GP_OK
-               : gp_fail(error, GP_ERROR_INVALID,
-                         "the truth is the surface whose vertices the points are, and a file of "
-                         "points has none");
+    if (model->mesh.triangle_count == 0)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "the truth is the surface whose vertices the points are, and a file of "
+                       "points has none");
+    GpMesh surface;
+    PointsFacts facts;
+    const bool is_cut = model->source.sharp > 0 || model->source.sample > 0;
+    if (model->is_surface || !is_cut) /* what vertices look like in the file is the truth of them */
+        return GP_OK;
+    if (points_surface(&model->source, &model->mesh, &surface, &facts))
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    gp_mesh_free(&model->mesh);
+    model->mesh = surface;
+    model->is_surface = true;
+    return GP_OK;
 }
 
 GpResult points_model_truth(PointsModel *model, int threads, GpError *error)

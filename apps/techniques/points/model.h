@@ -24,7 +24,9 @@ typedef struct PointsModel {
     uint64_t cache_key;
     GpError cache_fault; /* why the cache was of no use, or could not be written; else empty */
     PointsListener listener;
-    GpMesh mesh; /* whose surface they are; empty until it is needed */
+    PointsSource source;
+    GpMesh mesh;     /* whose surface they are; empty until it is needed */
+    bool is_surface; /* it is as the points are of it (points_surface) */
     SplatView view;
     const uint8_t *color; /* of all points; NULL: each has its own */
     MeshPicture truth;    /* empty until it is found */

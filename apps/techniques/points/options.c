@@ -58,6 +58,11 @@ const SettingField points_settings[] = {
       SETTING_INTEGER, OF(subdivide), .low = 0, .high = 8, .aside = true },
     { "sample", "N", "Of a mesh: N points, spread evenly over its area", SETTING_INTEGER,
       OF(sample), .low = 1, .high = 1 << 27, .aside = true },
+    { "sharp", "A",
+      "Of a mesh: where its triangles meet at more than A degrees, such as 40, a point for each "
+      "side "
+      "of the crease",
+      SETTING_NUMBER, OF(sharp), .low = 1, .high = 179, .aside = true },
     { "one-radius", NULL,
       "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each "
       "its "

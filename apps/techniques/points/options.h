@@ -13,6 +13,7 @@ typedef struct PointsOptions {
     uint32_t budget; /* splats at most; 0: any number */
 
     uint32_t subdivide, sample; /* of a mesh: midpoints, points spread over it; 0: its vertices */
+    double sharp;               /* of a mesh: the angle of creases; 0: none are looked for */
     bool one_radius;            /* for all vertices of a mesh */
     const char *color;  /* "file", "waves:K", or a name; NULL: the file's, where it has any */
     const char *camera; /* a file; NULL: the orbit */
