@@ -85,8 +85,7 @@ static void every_case_is_valid_and_draws_what_the_table_says(void **state)
                         draw->geometry.index_count == 6 && frame.list.pass_count > 2;
                     primitives += whole_screen ? 0 : gp_geometry_primitives(&draw->geometry);
                 }
-            const bool differs =
-                !bench_cases[i].tell && primitives != bench_cases[i].primitives;
+            const bool differs = !bench_cases[i].tell && primitives != bench_cases[i].primitives;
             failed += differs;
             if (error.text[0] || differs)
                 print_error("%s: %g primitives; %s\n", bench_cases[i].name, primitives, error.text);
