@@ -12,8 +12,10 @@ typedef struct SceneView {
     uint32_t width, height; /* of the targets */
     float world_to_clip[4][4];
     GpViewport viewport;
-    const Scene *scene; /* lights, ambient light and background */
-    bool has_depth;     /* the pass has a depth target */
+    const Scene *scene;       /* lights, ambient light and background */
+    bool has_depth;           /* the pass has a depth target */
+    GpSurface *color, *depth; /* the first targets, or NULL */
+    uint32_t color_count;     /* 2 stands for more than one */
 } SceneView;
 
 /* A picture that is loaded already: the same name with the same treatment is not loaded again. */
@@ -33,6 +35,8 @@ typedef struct Loader {
     SceneImage *images;
     uint32_t pass_count; /* of passes that are whole: those that others may refer to */
     uint64_t texels;     /* bytes of all surfaces of passes */
+    SplatSource *splats; /* of the pass that is read */
+    uint32_t splat_count, splat_room;
 } Loader;
 
 /* A copy of a text that lives as long as the scene. */

@@ -114,8 +114,7 @@ static const Entry *find_program(Node node, const char *fallback)
     return &programs[node_name(node, number, names, GP_COUNT(programs))];
 }
 
-/* Direction towards the first light. */
-static void light_direction(const SceneView *view, float direction[3])
+void scene_light_direction(const SceneView *view, float direction[3])
 {
     double towards[3] = { 0, 0, 0 };
     for (int i = 0; i < 3 && view->scene->light_count; i++)
@@ -150,7 +149,7 @@ static Given given_by(const SceneView *view)
     memcpy(given.background, view->scene->background, sizeof given.background);
     for (int k = 0; k < 3; k++)
         given.eye[k] = (float)view->camera.eye[k];
-    light_direction(view, given.light);
+    scene_light_direction(view, given.light);
     all_lights(view, given.lights);
     return given;
 }

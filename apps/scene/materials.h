@@ -7,6 +7,9 @@
 /* What a program is called in a material. */
 const char *scene_program_name(const GpProgram *program);
 
+/* Direction towards the first light, world, unit length, as seen from where the camera looks at. */
+void scene_light_direction(const SceneView *view, float direction[3]);
+
 /* "material": program, uniforms, textures.
  * in   program: the one where none is named */
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,

@@ -1,5 +1,6 @@
 #include "apps/scene/model.h"
 
+#include "apps/points/open.h"
 #include "pipeline/io/file.h"
 
 #include <string.h>
@@ -98,4 +99,62 @@ GpResult model_shape(const char *scene, const char *name, bool points, Shape *sh
         memcpy(shape->indices, mesh.indices, indices * sizeof *mesh.indices);
     gp_mesh_free(&mesh);
     return result ? gp_fail(error, result, "%.200s: no memory", name) : GP_OK;
+}
+
+/* --- as surfels ------------------------------------------------------------------------------- */
+
+static GpResult points_of_shape(const Shape *shape, GpPoints *points)
+{
+    const uint32_t count = shape->vertex_count;
+    *points = (GpPoints){ .positions = gp_alloc(count, 3 * sizeof(float)),
+                          .normals = gp_alloc(count, 3 * sizeof(float)),
+                          .count = count };
+    if (!points->positions || !points->normals) {
+        gp_points_free(points);
+        return GP_ERROR_MEMORY;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const ShapeVertex *vertex = &shape->vertices[i];
+        memcpy(points->positions + 3 * (size_t)i, vertex->position, sizeof vertex->position);
+        memcpy(points->normals + 3 * (size_t)i, vertex->normal, sizeof vertex->normal);
+    }
+    return GP_OK;
+}
+
+static GpResult builtin_points(const char *name, GpPoints *points, GpError *error)
+{
+    Shape shape;
+    GpResult result = make_builtin(name, true, &shape, error);
+    if (result)
+        return result;
+    result = points_of_shape(&shape, points);
+    shape_free(&shape);
+    return result ? gp_fail(error, result, "no memory") : GP_OK;
+}
+
+GpResult model_surfels(const char *scene, const char *name, bool points,
+                       const ModelSampling *sampling, GpPool *pool, Surfels *surfels,
+                       GpError *error)
+{
+    const char *builtin = model_after(name, "builtin:");
+    GpPoints cloud = { .count = 0 };
+    GpMesh mesh = { .vertex_count = 0 };
+    PointsSource source = { .name = name,
+                            .subdivide = sampling->subdivide,
+                            .sample = sampling->sample,
+                            .each_radius = true };
+    char path[4096];
+    GpResult result = !builtin ? gp_data_find_beside(scene, name, path, sizeof path, error)
+                      : points ? builtin_points(builtin, &cloud, error)
+                               : model_mesh(name, &mesh, error);
+    source.path = builtin ? NULL : path;
+    source.points = builtin && points ? &cloud : NULL;
+    source.mesh = builtin && !points ? &mesh : NULL;
+    if (!result)
+        result = points_open(&source, pool, surfels, NULL, error);
+    gp_points_free(&cloud);
+    gp_mesh_free(&mesh);
+    if (!result && builtin)
+        surfels->had_colors = false; /* a shape is white where nothing else is said */
+    return result;
 }

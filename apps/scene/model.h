@@ -4,7 +4,9 @@
 #ifndef APPS_SCENE_MODEL_H
 #define APPS_SCENE_MODEL_H
 
+#include "apps/points/surfels.h"
 #include "apps/scene/shapes.h"
+#include "pipeline/base/pool.h"
 #include "pipeline/io/mesh/mesh_file.h"
 
 /* What follows a prefix of a name, such as "builtin:"; NULL where it does not begin so. */
@@ -20,5 +22,18 @@ GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error);
  * owns   the caller, until shape_free */
 GpResult model_shape(const char *scene, const char *name, bool points, Shape *shape,
                      GpError *error);
+
+/* What an object of a scene names, as surfels: the points of a file, or the vertices of one with faces,
+ * after midpoint subdivisions or as so many samples of its area (open.h); of builtins, the points or the
+ * mesh of that name.
+ * errors also those of points_open
+ * owns   the caller, until surfels_free */
+typedef struct ModelSampling {
+    uint32_t subdivide, sample;
+} ModelSampling;
+
+GpResult model_surfels(const char *scene, const char *name, bool points,
+                       const ModelSampling *sampling, GpPool *pool, Surfels *surfels,
+                       GpError *error);
 
 #endif

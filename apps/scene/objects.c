@@ -1,11 +1,11 @@
 #include "apps/scene/objects.h"
 
-#include "apps/base/bounds.h"
 #include "apps/scene/materials.h"
 #include "apps/scene/model.h"
+#include "apps/scene/placing.h"
+#include "apps/scene/splats.h"
 #include "apps/scene/state.h"
 
-#include <math.h>
 #include <string.h>
 
 enum {
@@ -82,116 +82,7 @@ static void read_shape(const Node *node, bool points, Shape *shape)
         scene_fail(node, result, &reason);
 }
 
-/* --- to the world ---------------------------------------------------------------------------- */
-
-static Bounds bounds(const Shape *shape)
-{
-    return bounds_of((const float *)shape->vertices, sizeof *shape->vertices, NULL,
-                     shape->vertex_count);
-}
-
-/* "fit" [x, y, z, size]: the centre of the box goes to x and z, its floor to y, its longest side to
- * size. */
-static void read_fit(const Node *node, const Shape *shape, double m[4][4])
-{
-    double fit[4] = { 0 };
-    node_doubles(*node, fit, 4, -FAR, FAR);
-    node_without_default(node);
-    if (!(fit[3] > 0))
-        node_fail(node, GP_ERROR_FORMAT, "expected x, y, z and a size above 0");
-    const Bounds box = bounds(shape);
-    const double longest = bounds_longest(&box), *low = box.low, *high = box.high;
-    double s = longest > 0 ? fit[3] / longest : 1;
-    matrix_identity(m);
-    for (int i = 0; i < 3; i++) {
-        m[i][i] = s;
-        m[i][3] = fit[i] - s * (i == 1 ? low[i] : 0.5 * (low[i] + high[i]));
-    }
-}
-
-/* "transform": scale, then rotate [axis x, y, z, degrees], then translate; all before "fit". */
-static void read_transform(Node node, double m[4][4])
-{
-    node_define(&node, "transform");
-    Node scale_node = node_member(&node, "scale"), rotate = node_member(&node, "rotate");
-    double scale[3] = { 1, 1, 1 }, turn[4] = { 0, 1, 0, 0 }, move[3] = { 0 };
-    if (node_is(&scale_node, JSON_REAL))
-        scale[0] = scale[1] = scale[2] = node_double(scale_node, 1, -FAR, FAR);
-    if (node_is_not(&scale_node, JSON_REAL))
-        node_doubles(scale_node, scale, 3, -FAR, FAR);
-    node_doubles(rotate, turn, 4, -FAR, FAR);
-    node_doubles(node_member(&node, "translate"), move, 3, -FAR, FAR);
-    if (vector_dot(turn, turn) == 0.0)
-        node_fail(&rotate, GP_ERROR_FORMAT, "expected an axis with some length, and degrees");
-    if (scale[0] == 0.0 || scale[1] == 0.0 || scale[2] == 0.0)
-        node_fail(&scale_node, GP_ERROR_FORMAT, "expected numbers other than 0");
-
-    matrix_rotation(turn, turn[3], m);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++)
-            m[i][j] *= scale[j];
-        m[i][3] = move[i];
-    }
-    node_close(&node);
-}
-
-/* Positions by m, normals by its inverse transpose. A mirror image's triangles are turned round, so
- * that they keep their outside. */
-static void transform_shape(Shape *shape, double m[4][4])
-{
-    double normals[3][3];
-    matrix_normals(m, normals);
-    bool mirrored = vector_dot(m[0], normals[0]) < 0.0;
-    for (uint32_t i = 0; i < shape->vertex_count; i++) {
-        ShapeVertex *vertex = &shape->vertices[i];
-        double p[3], n[3], world[3], normal[3];
-        for (int k = 0; k < 3; k++) {
-            p[k] = (double)vertex->position[k];
-            n[k] = (double)vertex->normal[k];
-        }
-        for (int k = 0; k < 3; k++) {
-            world[k] = vector_dot(m[k], p) + m[k][3];
-            normal[k] = vector_dot(normals[k], n) * (mirrored ? -1.0 : 1.0);
-        }
-        vector_normalize(normal);
-        for (int k = 0; k < 3; k++) {
-            vertex->position[k] = (float)world[k];
-            vertex->normal[k] = (float)normal[k];
-        }
-    }
-    for (uint32_t i = 0; mirrored && i < shape->index_count; i += 3) {
-        uint32_t swap = shape->indices[i + 1];
-        shape->indices[i + 1] = shape->indices[i + 2];
-        shape->indices[i + 2] = swap;
-    }
-}
-
 /* --- vertices -------------------------------------------------------------------------------- */
-
-/* "color": one colour for all vertices, or "position": the place in the box as red, green, blue. */
-static void read_color(Node node, Shape *shape)
-{
-    static const char *const sources[] = { "position", "normal" };
-    float color[4] = { 1, 1, 1, 1 };
-    if (!node_exists(&node))
-        return;
-    int source = node_is(&node, JSON_STRING) ? node_name(node, 0, sources, 2) : -1;
-    if (node_is_not(&node, JSON_STRING))
-        node_numbers(node, color, 4, 0, 1);
-    node_without_default(&node);
-    const Bounds box = bounds(shape);
-    for (uint32_t i = 0; i < shape->vertex_count; i++) {
-        ShapeVertex *vertex = &shape->vertices[i];
-        for (int k = 0; k < 3; k++) {
-            double size = box.high[k] > box.low[k] ? box.high[k] - box.low[k] : 1;
-            if (source == 0)
-                color[k] = (float)(((double)vertex->position[k] - box.low[k]) / size);
-            else if (source == 1)
-                color[k] = 0.5f + 0.5f * vertex->normal[k];
-        }
-        memcpy(vertex->color, color, sizeof color);
-    }
-}
 
 /* "tile" [u, v]: texture coordinates times these. "size": the diameter of points. */
 static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
@@ -235,13 +126,30 @@ void scene_copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry)
 
 /* --- objects --------------------------------------------------------------------------------- */
 
+/* A mirror image's triangles are turned round, so that they keep their outside. */
+static void turn_triangles(Shape *shape)
+{
+    for (uint32_t i = 0; i < shape->index_count; i += 3) {
+        uint32_t swap = shape->indices[i + 1];
+        shape->indices[i + 1] = shape->indices[i + 2];
+        shape->indices[i + 2] = swap;
+    }
+}
+
+static void color_shape(Node node, const PlacedVertices *vertices, Shape *shape)
+{
+    const SceneColor color = scene_color(node, vertices);
+    for (uint32_t i = 0; i < shape->vertex_count && color.given; i++)
+        scene_color_at(&color, shape->vertices[i].position, shape->vertices[i].normal,
+                       shape->vertices[i].color);
+}
+
 /* Reads "mesh" or "points" and all that changes their vertices. */
 static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
 {
     Node mesh = node_member(node, "mesh"), points = node_member(node, "points");
     Node fit = node_member(node, "fit"), transform = node_member(node, "transform");
     Shape shape = { 0 };
-    double m[4][4];
     node_one_of(&mesh, &points, "a mesh or points");
     if (node_exists(&mesh))
         read_shape(&mesh, false, &shape);
@@ -251,15 +159,12 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     }
     if (!shape.vertex_count)
         node_fail(node, GP_ERROR_FORMAT, "no vertices");
-    if (node_exists(&transform)) {
-        read_transform(transform, m);
-        transform_shape(&shape, m);
-    }
-    if (node_exists(&fit)) {
-        read_fit(&fit, &shape, m);
-        transform_shape(&shape, m);
-    }
-    read_color(node_member(node, "color"), &shape);
+    const PlacedVertices vertices = { shape.vertices ? shape.vertices->position : NULL,
+                                      shape.vertices ? shape.vertices->normal : NULL,
+                                      sizeof *shape.vertices, shape.vertex_count };
+    if (scene_place(transform, fit, &vertices).mirrored)
+        turn_triangles(&shape);
+    color_shape(node_member(node, "color"), &vertices, &shape);
     read_tile_and_size(node_member(node, "tile"), node_member(node, "size"), &shape);
     scene_copy_shape(loader->frame, &shape, geometry);
     shape_free(&shape);
@@ -277,23 +182,44 @@ static void refuse_unread(Node *object, const char *key, GpSemantic input, const
                   scene_program_name(draw->program));
 }
 
-void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw)
+static void refuse_without_method(Node *object)
 {
-    node_define(&node, "object");
-    draw->name = scene_copy(loader, node_string(node_member(&node, "name"), ""));
+    static const char *const keys[] = { "subdivide", "sample" };
+    for (size_t i = 0; i < GP_COUNT(keys) && !object->schema; i++) {
+        Node node = node_member(object, keys[i]);
+        if (node_exists(&node))
+            node_fail(&node, GP_ERROR_FORMAT, "of splats: expected a method");
+    }
+}
+
+static void read_drawn(Loader *loader, Node *node, const SceneView *view, GpDraw *draw)
+{
+    draw->name = scene_copy(loader, node_string(node_member(node, "name"), ""));
     SceneView own = *view; /* an object's viewport does not change the pass's matrix */
-    scene_read_viewport(node_member(&node, "viewport"), &own.viewport);
+    scene_read_viewport(node_member(node, "viewport"), &own.viewport);
     draw->viewport = own.viewport;
     if (view->has_depth)
         draw->state.depth = (GpDepthState){ .test = GP_LESS_EQUAL, .write = true };
-    read_geometry(loader, &node, &draw->geometry);
-    scene_read_state(node_member(&node, "state"), view, &draw->state);
+    read_geometry(loader, node, &draw->geometry);
+    scene_read_state(node_member(node, "state"), view, &draw->state);
     if (!loader->reader.result)
-        scene_read_material(loader, node_member(&node, "material"), &own,
+        scene_read_material(loader, node_member(node, "material"), &own,
                             draw->geometry.primitive == GP_POINTS ? "sprite" : "phong", draw);
-    refuse_unread(&node, "color", GP_COLOR, draw);
-    refuse_unread(&node, "tile", GP_TEXCOORD0, draw);
-    refuse_unread(&node, "size", GP_POINT_SIZE, draw);
+    refuse_without_method(node);
+    refuse_unread(node, "color", GP_COLOR, draw);
+    refuse_unread(node, "tile", GP_TEXCOORD0, draw);
+    refuse_unread(node, "size", GP_POINT_SIZE, draw);
+}
+
+void scene_read_object(Loader *loader, Node node, const SceneView *view)
+{
+    const GpGeometry none = { .vertex_count = 0 };
+    node_define(&node, "object");
+    Node method = node_member(&node, "method");
+    if (node_exists(&method))
+        scene_read_splats(loader, &node, view);
+    if (node_lacks(&method))
+        read_drawn(loader, &node, view, frame_draw(loader->frame, NULL, NULL, &none));
     node_close(&node);
 }
 

@@ -5,8 +5,9 @@
 #include "apps/scene/loader.h"
 #include "apps/scene/shape.h"
 
-/* One element of "objects": mesh or points, transformed to the world, with material and state. */
-void scene_read_object(Loader *loader, Node node, const SceneView *view, GpDraw *draw);
+/* One element of "objects": mesh or points, transformed to the world, with material and state, as a draw
+ * of the frame's last pass; or splats (splats.h). */
+void scene_read_object(Loader *loader, Node node, const SceneView *view);
 
 /* "quad" of a pass: a rectangle over the whole viewport, in clip space, without depth test. */
 void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *draw);

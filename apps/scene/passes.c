@@ -1,6 +1,7 @@
 #include "apps/scene/passes.h"
 
 #include "apps/scene/objects.h"
+#include "apps/scene/splats.h"
 #include "apps/scene/state.h"
 
 #include <ctype.h>
@@ -119,8 +120,7 @@ static void read_draws(Loader *loader, Node *node, const SceneView *view)
     Node objects = node_member(node, "objects"), quad = node_member(node, "quad");
     size_t count = node_length(objects, SIZE_MAX);
     for (size_t i = 0; i < count && !loader->reader.result; i++)
-        scene_read_object(loader, node_element(&objects, i), view,
-                          frame_draw(loader->frame, NULL, NULL, &none));
+        scene_read_object(loader, node_element(&objects, i), view);
     if (node_exists(&quad))
         scene_read_quad(loader, quad, view, frame_draw(loader->frame, NULL, NULL, &none));
 }
@@ -135,8 +135,13 @@ void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, con
     GpPass *pass = frame_pass(loader->frame, name, NULL, NULL, NULL);
     read_targets(loader, node, &own, pass);
     own.has_depth = pass->depth.surface != NULL;
+    own.color = pass->color[0].surface;
+    own.color_count = pass->color[1].surface ? 2 : 1;
+    own.depth = pass->depth.surface;
     if (!loader->reader.result)
         read_draws(loader, node, &own);
+    if (!loader->reader.result)
+        scene_draw_splats(loader, &own, name);
     loader->pass_count = loader->frame->list.pass_count;
 }
 

@@ -37,6 +37,7 @@ static void read_passes(Loader *loader, Node *root)
         scene_read_pass_body(loader, root, &loader->view, "main");
     if (!node_exists(&passes))
         return;
+    loader->scene->has_passes = true;
     size_t count = node_length(passes, SIZE_MAX);
     if (count == 0)
         node_fail(&passes, GP_ERROR_FORMAT, "no pass");

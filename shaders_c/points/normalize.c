@@ -1,67 +1,4 @@
-#include "shaders_c/common/vertices_shared.h"
-#include "shaders_c/points/normalize.h"
-
-/* Less weight than this is none: sums of no splat. */
-#define NOTHING 1e-6f
-
-GP_INLINE flt covered_part(const NormalizeUniforms *c, flt weight)
-{
-    flt alpha = sat(mad(weight, c->coverage[0], c->coverage[1]));
-    return sel(weight > NOTHING, alpha, 0);
-}
-
-/* What was added up at a pixel: colour and weight, and of programs that shade normal and distance. */
-typedef struct Sums {
-    float4 color, surface;
-} Sums;
-
-/* So many pixels to the right and down. */
-GP_INLINE float4 texel_at(GpInvocation *gp, int slot, const NormalizeUniforms *c, float right,
-                          float down)
-{
-    float2 place = vpos();
-    return texldl(slot, vec4((place.x + (right + 0.5f)) * c->texel[0],
-                             (place.y + (down + 0.5f)) * c->texel[1], 0, 0));
-}
-
-/* Two pixels on opposite sides of this one; alpha is the lesser coverage of the two. */
-GP_INLINE void look_across(GpInvocation *gp, const NormalizeUniforms *c, float right, float down,
-                           bool shades, Sums *best, flt *most)
-{
-    float4 one = texel_at(gp, 0, c, right, down), other = texel_at(gp, 0, c, -right, -down);
-    flt alpha = min(covered_part(c, one.w), covered_part(c, other.w));
-    msk better = alpha > *most;
-    *most = max(*most, alpha);
-    best->color = sel(better, add(one, other), best->color);
-    if (shades)
-        best->surface =
-            sel(better, add(texel_at(gp, 1, c, right, down), texel_at(gp, 1, c, -right, -down)),
-                best->surface);
-}
-
-/* Where a surface ends before another one, its own weight fades out, and what is behind it has been
- * hidden: sums of one surface alone, though two cover the pixel. Such pixels have covered ones on both
- * sides, within two pixels, and those where the whole model ends have not. What hides, and has no sums
- * at all, takes those of both sides.
- * returns alpha */
-GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, bool shades, Sums *sums)
-{
-    const float across[8][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 },
-                                 { 2, 0 }, { 0, 2 }, { 2, 2 }, { 2, -2 } };
-    flt alpha = covered_part(c, sums->color.w);
-    msk drawn = (msk)(sums->color.w > NOTHING) | (msk)(gp_load_local(2).x < 1.0f);
-    if (any((msk)(alpha < 1.0f) & drawn)) {
-        Sums best = *sums;
-        flt most = bcast(0);
-        for (int i = 0; i < 8; i++)
-            look_across(gp, c, across[i][0], across[i][1], shades, &best, &most);
-        msk empty = drawn & (msk)(sums->color.w <= NOTHING) & (msk)(most > 0.0f);
-        sums->color = sel(empty, best.color, sums->color);
-        sums->surface = sel(empty, best.surface, sums->surface);
-        alpha = sel(drawn, max(alpha, most), alpha);
-    }
-    return alpha;
-}
+#include "shaders_c/points/surface_shared.h"
 
 GP_INLINE float4 over_background(const NormalizeUniforms *c, float3 color, flt alpha)
 {
@@ -75,7 +12,7 @@ clip_vertex_shader(normalize_vs, NormalizeUniforms);
 pixel_shader(splat_normalize_ps, NormalizeUniforms, NoVarying)
 {
     Sums sums = { texel_at(gp, 0, c, 0, 0), sp4(bcast(0)) };
-    flt alpha = close_gaps(gp, c, false, &sums);
+    flt alpha = close_gaps(gp, c, 0, &sums);
     float3 color = mul(xyz(sums.color), rcp(max(sums.color.w, NOTHING)));
     return over_background(c, color, alpha);
 }
@@ -86,20 +23,13 @@ program(splat_normalize_program, normalize_vs, splat_normalize_ps, MODEL_3_0,
 
 pixel_shader(splat_shade_ps, NormalizeUniforms, NoVarying)
 {
-    Sums sums = { texel_at(gp, 0, c, 0, 0), texel_at(gp, 1, c, 0, 0) };
-    flt alpha = close_gaps(gp, c, true, &sums);
-    flt per_weight = rcp(max(sums.color.w, NOTHING)), distance = sums.surface.w * per_weight;
-    float3 color = mul(xyz(sums.color), per_weight);
-
-    flt x = (vpos().x + (0.5f - c->centre[0])) * c->per_focal;
-    flt y = (vpos().y + (0.5f - c->centre[1])) * c->per_focal;
-    float3 ray = mad(u3(c->axes[0]), x, mad(u3(c->axes[1]), y, u3(c->axes[2])));
-    float3 L = u3(c->light), N = nrm(xyz(sums.surface)), H = nrm(sub(L, nrm(ray)));
+    SplattedSurface surface = surface_at(gp, c, 1);
+    float3 L = u3(c->light), N = surface.normal, H = nrm(sub(L, nrm(surface.ray)));
     flt diffuse = max(dp3(N, L), 0) * (1.0f - c->ambient) + c->ambient;
     flt highlight = pow_(max(dp3(N, H), 0), bcast(c->shininess)) * c->specular;
 
-    odepth(sel(alpha >= 0.5f, c->depth[0] + c->depth[1] * rcp(max(distance, NOTHING)), 1));
-    return over_background(c, add(mul(color, diffuse), highlight), alpha);
+    odepth(sel(surface.alpha >= 0.5f, surface_depth(c, surface.distance), 1));
+    return over_background(c, add(mul(surface.color, diffuse), highlight), surface.alpha);
 }
 
 program(splat_shade_program, normalize_vs, splat_shade_ps, MODEL_3_0,

@@ -347,6 +347,10 @@ static void what_the_schema_refuses_is_refused_with_a_sentence(void **state)
                 "shininess: unknown key");
     expect_both(OBJECT("\"transform\": { \"scale\": \"2\" }"), "scale: expected 3 numbers");
     expect_both(OBJECT("\"points\": \"builtin:grid\""), "expected a mesh or points");
+    expect_both(OBJECT("\"method\": \"ewa\", \"subdivide\": 2"), NULL);
+    expect_both(OBJECT("\"method\": \"ewa\", \"subdivide\": 9"),
+                "objects[0].subdivide: expected a whole number in [0, 8]");
+    expect_both(OBJECT("\"method\": \"ternary\""), "method: expected one of adaptive, ewa,");
     expect_both(OBJECT("\"state\": { \"blend\": [ { \"op\": \"sum\" } ] }"),
                 "blend[0].op: expected one of off, add,");
 }
@@ -359,6 +363,9 @@ static void what_a_program_does_not_use_is_refused(void **state)
         { "\"color\": [1, 0, 0, 1]", "objects[0].color: program phong does not use it" },
         { "\"tile\": [2, 2]", "objects[0].tile: program phong does not use it" },
         { "\"size\": 2", "objects[0].size: program phong does not use it" },
+        { "\"sample\": 9", "objects[0].sample: of splats: expected a method" },
+        { "\"method\": \"ewa\", \"tile\": [2, 2]",
+          "objects[0].tile: splats have none of their own" },
     };
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         char text[200];

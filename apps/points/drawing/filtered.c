@@ -1,7 +1,6 @@
 #include "apps/points/drawing/filtered.h"
 
 #include "apps/base/stable_math.h"
-#include "shaders_c/points/normalize.h"
 #include "shaders_c/points/perspective.h"
 #include "shaders_c/points/ternary.h"
 
@@ -18,8 +17,8 @@ static double inside_cut(double cut)
     return 1 - stable_exp(-cut * cut / 2);
 }
 
-static NormalizeUniforms normalize_uniforms(const SplatEye *eye, const SplatView *view,
-                                            const SplatSetting *setting)
+NormalizeUniforms splat_normalize_uniforms(const SplatEye *eye, const SplatView *view,
+                                           const SplatSetting *setting)
 {
     /* along a straight border the sums fall from 1 to 0 with the filter's integral; twice as steep, the
      * surface is whole where they are 3/4, and a border is blurred by less than a pixel */
@@ -36,14 +35,13 @@ static NormalizeUniforms normalize_uniforms(const SplatEye *eye, const SplatView
         .shininess = (float)light.shininess,
         .depth = { (float)eye->depth[0], (float)eye->depth[1] },
     };
-    memcpy(uniforms.background, view->background, sizeof uniforms.background);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             uniforms.axes[i][k] = (float)eye->axis[i][k];
     return uniforms;
 }
 
-static GpGeometry whole_picture(void)
+GpGeometry splat_whole_picture(void)
 {
     static const float corners[] = { -1, -1, 0, -1, 3, 0, 3, -1, 0 };
     return (GpGeometry){ .vertex_count = 3,
@@ -54,8 +52,9 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
                               const SplatSetting *setting, GpSurface *const sums[2],
                               GpSurface *visible, Frame *frame)
 {
-    const NormalizeUniforms uniforms = normalize_uniforms(eye, view, setting);
-    const GpGeometry whole = whole_picture();
+    NormalizeUniforms uniforms = splat_normalize_uniforms(eye, view, setting);
+    const GpGeometry whole = splat_whole_picture();
+    memcpy(uniforms.background, view->background, sizeof uniforms.background);
     frame->color = frame_surface(frame, GP_A8R8G8B8, view->width, view->height, 1);
     frame->depth = view->lit ? frame_surface(frame, GP_D32F, view->width, view->height, 1) : NULL;
     frame_pass(frame, "normalize", frame->color, frame->depth, view->background);
@@ -72,25 +71,35 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
 
 static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 
-/* Leaves what the surface hides. */
-static void add_visibility(const SplatSource *source, const FilterUniforms *uniforms,
-                           const GpProgram *visibility_program, GpSurface *visible, Frame *frame)
+void splat_draw_hiders(const SplatSource *source, const FilterUniforms *uniforms,
+                       const SplatSetting *setting, Frame *frame)
 {
     const SplatSource hiders = { .surfels = source->surfels,
                                  .runs = source->hiders,
                                  .run_count = source->hider_count };
-    frame_pass(frame, "visibility", NULL, visible, NULL);
-    splat_draw_runs(source->hiders ? &hiders : source, uniforms, visibility_program,
+    splat_draw_runs(source->hiders ? &hiders : source, uniforms,
+                    setting->method == SPLAT_PERSPECTIVE ? &perspective_visibility_program
+                                                         : &splat_visibility_program,
                     &(GpState){ .depth = { .test = GP_LESS, .write = true } }, frame);
 }
 
-/* A pass that adds attributes up, from 0. */
-static GpPass *add_sums(GpSurface *const sums[2], GpSurface *visible, Frame *frame)
+GpPass *splat_begin_sums(GpSurface *const sums[2], GpSurface *visible, Frame *frame)
 {
     GpPass *pass = frame_pass(frame, "splats", sums[0], visible, black);
+    pass->depth.clear_depth = false;
     if (sums[1])
         pass->color[1] = (GpColorTarget){ .surface = sums[1], .clear = true };
     return pass;
+}
+
+void splat_draw_sums(const SplatSource *source, const FilterUniforms *uniforms,
+                     const SplatView *view, const SplatSetting *setting, Frame *frame)
+{
+    const bool exact = setting->method == SPLAT_PERSPECTIVE;
+    const GpProgram *color = exact ? &perspective_color_program : &splat_color_program;
+    const GpProgram *surface = exact ? &perspective_surface_program : &splat_surface_program;
+    splat_draw_runs(source, uniforms, view->lit ? surface : color,
+                    &(GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } }, frame);
 }
 
 static void add_hidden_splats(const SplatSource *source, const SplatEye *eye, const SplatView *view,
@@ -98,15 +107,10 @@ static void add_hidden_splats(const SplatSource *source, const SplatEye *eye, co
                               GpSurface *visible, Frame *frame)
 {
     const FilterUniforms uniforms = splat_filter_uniforms(eye, view, setting, frame);
-    const bool exact = setting->method == SPLAT_PERSPECTIVE;
-    const GpProgram *color = exact ? &perspective_color_program : &splat_color_program;
-    const GpProgram *surface = exact ? &perspective_surface_program : &splat_surface_program;
-    add_visibility(source, &uniforms,
-                   exact ? &perspective_visibility_program : &splat_visibility_program, visible,
-                   frame);
-    add_sums(sums, visible, frame)->depth.clear_depth = false;
-    splat_draw_runs(source, &uniforms, view->lit ? surface : color,
-                    &(GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } }, frame);
+    frame_pass(frame, "visibility", NULL, visible, NULL);
+    splat_draw_hiders(source, &uniforms, setting, frame);
+    splat_begin_sums(sums, visible, frame);
+    splat_draw_sums(source, &uniforms, view, setting, frame);
 }
 
 /* --- one pass --------------------------------------------------------------------------------- */
@@ -141,7 +145,7 @@ static void add_ternary_splats(const SplatSource *source, const SplatEye *eye,
         .depth = { (float)(-near / span), (float)(log_2 / span) },
     };
     const TernaryUniforms *kept = frame_copy(frame, &uniforms, sizeof uniforms);
-    add_sums(sums, visible, frame);
+    splat_begin_sums(sums, visible, frame)->depth.clear_depth = true;
     for (uint32_t i = 0; i < source->run_count; i++) {
         const SplatRun *run = &source->runs[i];
         const GpGeometry geometry = splat_run_geometry(source, run);
@@ -159,16 +163,23 @@ static void add_ternary_splats(const SplatSource *source, const SplatEye *eye,
     }
 }
 
-void splat_build_filtered(const SplatSource *source, const SplatEye *eye, const SplatView *view,
-                          const SplatSetting *setting, Frame *frame)
+void splat_make_sums(const SplatView *view, const SplatSetting *setting, GpSurface *sums[2],
+                     Frame *frame)
 {
     static const GpFormat formats[] = { [SPLAT_HALVES] = GP_A16B16G16R16F,
                                         [SPLAT_FLOATS] = GP_A32B32G32R32F,
                                         [SPLAT_BYTES] = GP_A8R8G8B8 };
-    GpSurface *visible = frame_surface(frame, GP_D32F, view->width, view->height, 1);
-    GpSurface *sums[2] = { NULL, NULL };
+    sums[1] = NULL;
     for (int i = 0; i < 1 + view->lit; i++)
         sums[i] = frame_surface(frame, formats[setting->sums], view->width, view->height, 1);
+}
+
+void splat_build_filtered(const SplatSource *source, const SplatEye *eye, const SplatView *view,
+                          const SplatSetting *setting, Frame *frame)
+{
+    GpSurface *visible = frame_surface(frame, GP_D32F, view->width, view->height, 1);
+    GpSurface *sums[2];
+    splat_make_sums(view, setting, sums, frame);
     if (setting->method == SPLAT_TERNARY)
         add_ternary_splats(source, eye, view, setting, sums, visible, frame);
     else

@@ -34,6 +34,11 @@ typedef struct SplatSetting {
     bool two_sided;  /* surfels that face away from the eye are drawn too */
 } SplatSetting;
 
+#define SPLAT_DEFAULTS                                                                             \
+    {                                                                                              \
+        .low_pass = 0.4, .spread = 0.8, .tolerance = 0.05, .cut = 2, .epsilon = 4                  \
+    }
+
 /* How surfels are seen. */
 typedef struct SplatView {
     Camera camera; /* perspective */

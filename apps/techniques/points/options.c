@@ -5,7 +5,7 @@
 #include <string.h>
 
 const PointsOptions points_option_defaults = {
-    .splats = { .low_pass = 0.4, .spread = 0.8, .tolerance = 0.05, .cut = 2, .epsilon = 4 },
+    .splats = SPLAT_DEFAULTS,
     .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
 };
 

@@ -1,123 +1,14 @@
 #include "apps/techniques/points/select.h"
 
-#include "apps/points/filter.h"
-#include "apps/points/level.h"
+#include "apps/points/drawing/choose.h"
 
 #include <math.h>
-
-/* --- filters ---------------------------------------------------------------------------------- */
-
-/* The setting and the view that filters are chosen for. */
-typedef struct Chooser {
-    const PointsModel *model;
-    const SplatSetting *setting;
-    PointView view;
-    double h, tangent; /* square pixels; of half the angle of view */
-} Chooser;
-
-/* Radii of the standard deviations of what a range draws; a range may hold some of the next level. */
-static void range_deviations(const Chooser *chooser, const PatchRange *range, double *least,
-                             double *most)
-{
-    const Patches *patches = &chooser->model->patches;
-    const Patch *patch = &patches->patches[range->patch];
-    const PatchLevel *levels = patch_levels(patches, patch);
-    uint32_t level = 0;
-    while (range->first >= levels[level].first + levels[level].count)
-        level++;
-    *least = (double)levels[level].least_width;
-    *most = (double)levels[level].most_width;
-    if (range->first + range->count > levels[level].first + levels[level].count) {
-        *least = fmin(*least, (double)levels[level + 1].least_width);
-        *most = fmax(*most, (double)levels[level + 1].most_width);
-    }
-    *least *= chooser->setting->spread;
-    *most *= chooser->setting->spread;
-}
-
-/* Ours: the filter that may be left out within the tolerance, whatever surfel of the patch. */
-static SplatMethod bounded_filter(const Chooser *chooser, const PatchRange *range)
-{
-    double least, most;
-    if (!(range->nearest > 0))
-        return SPLAT_EWA;
-    range_deviations(chooser, range, &least, &most);
-    const SplatExtent extent =
-        splat_extent(&chooser->view, range->nearest, range->farthest, least, most, &range->facing);
-    const double tolerance = 2 * chooser->setting->tolerance; /* of L, of which half is an error */
-    if (filter_bound_low_pass(extent.high, extent.high, chooser->h) <= tolerance)
-        return SPLAT_LOW_PASS;
-    if (filter_bound_reconstruction(extent.low, extent.low, chooser->h) <= tolerance)
-        return SPLAT_RECONSTRUCTION;
-    return SPLAT_EWA;
-}
-
-/* Ours: by how many pixels the standard deviation of splats may grow where surfels are merged. With the
- * pixel's filter alone its variance h becomes h + d^2, along both axes; 2 f(1 + x) <= x^2, so that L is
- * at most d^2 / h (filter.h). */
-static double bounded_detail(const SplatSetting *setting)
-{
-    return setting->method == SPLAT_ADAPTIVE ? setting->low_pass * sqrt(2 * setting->tolerance) : 0;
-}
-
-/* Of a mean surfel in the patch's middle: its area on the picture over the filter's, squares of
- * standard deviations both. */
-static double area_ratio(const Chooser *chooser, const PatchRange *range)
-{
-    const double depth = (range->nearest + range->farthest) / 2;
-    const double cosine = fmax((range->facing.low + range->facing.high) / 2, 0);
-    const double radius = (double)range->mean_radius * chooser->setting->spread;
-    const double pixels = radius * chooser->view.pixels / depth;
-    return pixels * pixels * cosine / chooser->h;
-}
-
-/* source the thesis, section 3.3.2: S / Sh against c_max = 3, and widened towards the picture's corners
- *        against c_min = 0.3; patches at the silhouette keep both filters */
-static SplatMethod area_filter(const Chooser *chooser, const PatchRange *range)
-{
-    const double ratio = area_ratio(chooser, range), tangent = chooser->tangent;
-    if (range->is_silhouette || !(range->nearest > 0))
-        return SPLAT_EWA;
-    if (ratio > 3)
-        return SPLAT_RECONSTRUCTION;
-    return sqrt(2 * tangent * tangent + 1) * ratio < 0.3 ? SPLAT_LOW_PASS : SPLAT_EWA;
-}
-
-/* source paper 003, section 3: the distance against c r sqrt(cos theta) / rh with c_min = 0.3 and c_max =
- *        2 (1 + 2 tan(fov / 2))^2, so that the c are roots of ratios of areas, upside down */
-static SplatMethod distance_filter(const Chooser *chooser, const PatchRange *range)
-{
-    const double root = sqrt(area_ratio(chooser, range)), tangent = chooser->tangent;
-    const double wide = 1 + 2 * tangent;
-    if (!(range->nearest > 0))
-        return SPLAT_EWA;
-    if (root * 0.3 > 1)
-        return SPLAT_RECONSTRUCTION;
-    return root * 2 * wide * wide < 1 ? SPLAT_LOW_PASS : SPLAT_EWA;
-}
-
-static SplatMethod choose_filter(const Chooser *chooser, const PatchRange *range)
-{
-    switch (chooser->setting->method) {
-    case SPLAT_ADAPTIVE:
-        return bounded_filter(chooser, range);
-    case SPLAT_AREA:
-        return area_filter(chooser, range);
-    case SPLAT_DISTANCE:
-        return distance_filter(chooser, range);
-    default:
-        return chooser->setting->method;
-    }
-}
-
-/* --- runs ------------------------------------------------------------------------------------- */
 
 bool points_needs_patches(const PointsOptions *options)
 {
     const SplatMethod method = options->splats.method;
-    return method == SPLAT_ADAPTIVE || method == SPLAT_AREA || method == SPLAT_DISTANCE ||
-           method == SPLAT_QSPLAT || method == SPLAT_SEQUENCE || options->detail > 0 ||
-           options->budget > 0 || options->cache;
+    return splat_needs_patches(method) || method == SPLAT_QSPLAT || method == SPLAT_SEQUENCE ||
+           options->detail > 0 || options->budget > 0 || options->cache;
 }
 
 static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame *frame,
@@ -128,50 +19,6 @@ static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame 
                              .runs = frame_copy(frame, &all, sizeof all),
                              .run_count = 1 };
     return source->runs ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-}
-
-/* Pixels by which the discs that hide may reach beyond those that are drawn: less where a patch may hold
- * an edge of the surface, behind which another begins. */
-#define HIDERS_REACH      2
-#define HIDERS_EDGE_REACH 1
-
-/* What leaves the visibility of a range: the coarsest whole level above it whose discs are not much
- * wider. A parent's disc covers those of its children, so nothing behind them shows; at the edges of
- * the surface it hides a little more. */
-static SplatRun hider_of(const Chooser *chooser, const PatchRange *range, SplatRun own)
-{
-    const Patches *patches = &chooser->model->patches;
-    const PatchLevel *levels = patch_levels(patches, &patches->patches[range->patch]);
-    const double pixels = range->is_silhouette ? HIDERS_EDGE_REACH : HIDERS_REACH;
-    const double reach = pixels * range->nearest / chooser->view.pixels;
-    for (; levels->first + levels->count <= range->first; levels++)
-        if ((double)levels->most_radius - (double)range->most_radius <= reach)
-            return (SplatRun){ own.filter, levels->first, levels->count, levels->mean_radius };
-    return own;
-}
-
-static GpResult runs_of(const Chooser *chooser, const LevelSelection *selection, Frame *frame,
-                        SplatSource *source, GpError *error)
-{
-    const bool has_hiders = chooser->setting->method == SPLAT_ADAPTIVE;
-    SplatRun *runs = frame_alloc(frame, selection->range_count + 1, sizeof *runs);
-    SplatRun *hiders =
-        has_hiders ? frame_alloc(frame, selection->range_count + 1, sizeof *hiders) : NULL;
-    if (!runs || (has_hiders && !hiders))
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    for (uint32_t i = 0; i < selection->range_count; i++) {
-        const PatchRange *range = &selection->ranges[i];
-        runs[i] = (SplatRun){ choose_filter(chooser, range), range->first, range->count,
-                              range->mean_radius };
-        if (hiders)
-            hiders[i] = hider_of(chooser, range, runs[i]);
-    }
-    *source = (SplatSource){ .surfels = chooser->model->patches.surfels,
-                             .hiders = hiders,
-                             .hider_count = hiders ? selection->range_count : 0,
-                             .runs = runs,
-                             .run_count = selection->range_count };
-    return GP_OK;
 }
 
 /* Of the rivals that go down to nodes of some pixels. */
@@ -219,36 +66,15 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
                        SplatSource *source, GpError *error)
 {
     const SplatSetting *splats = &options->splats;
-    const SplatView *view = &model->view;
     if (!points_needs_patches(options))
         return all_surfels(model, splats->method, frame, source, error);
-    Chooser chooser = { .model = model,
-                        .setting = splats,
-                        .h = splats->low_pass * splats->low_pass };
-    chooser.view =
-        point_view(&view->camera, view->width, view->height, fmax(splats->spread * splats->cut, 1),
-                   splats->low_pass * splats->cut);
-    chooser.tangent = chooser.view.axes.half_height;
+    const PointView view = splat_point_view(&model->view, splats);
     if (splats->method == SPLAT_QSPLAT)
-        return walked_nodes(model, &chooser.view, options, frame, source, error);
+        return walked_nodes(model, &view, options, frame, source, error);
     if (splats->method == SPLAT_SEQUENCE) {
-        wanted_nodes(model, &chooser.view, options, source);
+        wanted_nodes(model, &view, options, source);
         return GP_OK;
     }
-    const double detail =
-        options->detail > 0 || options->budget > 0 ? options->detail : bounded_detail(splats);
-    const LevelChoice choice = { .pixels = detail / splats->spread,
-                                 .budget = options->budget,
-                                 .all_leaves = !(detail > 0) && !options->budget,
-                                 .keeps_back = splats->two_sided,
-                                 .silhouette = -1,
-                                 .curvature = -1 };
-    LevelSelection selection;
-    if (level_selection_alloc(&model->patches, &selection))
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    GpResult result = level_select(&model->patches, &chooser.view, &choice, &selection, error);
-    if (!result)
-        result = runs_of(&chooser, &selection, frame, source, error);
-    level_selection_free(&selection);
-    return result;
+    const SplatDetail detail = { options->detail, options->budget };
+    return splat_choose(&model->patches, &model->view, splats, &detail, frame, source, error);
 }

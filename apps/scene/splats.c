@@ -1,0 +1,243 @@
+#include "apps/scene/splats.h"
+
+#include "apps/base/machine.h"
+#include "apps/points/drawing/choose.h"
+#include "apps/scene/materials.h"
+#include "apps/scene/model.h"
+#include "apps/scene/placing.h"
+#include "apps/scene/shapes.h"
+#include "shaders_c/points/over.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* As `glasspipe points` calls them; the others have no place for what else is in a picture. */
+static const char *const methods[] = { "adaptive", "ewa",  "reconstruction",
+                                       "lowpass",  "area", "distance" };
+_Static_assert(SPLAT_ADAPTIVE == 0 && SPLAT_DISTANCE == 5, "in the order of SplatMethod");
+
+enum { MOST_SAMPLES = 1000000 };
+
+static const SplatSetting setting = SPLAT_DEFAULTS;
+
+/* Of points whose file has no colours: phong's own. */
+static const uint8_t grey = 179;
+
+static SplatView view_of(const SceneView *view)
+{
+    return (SplatView){
+        .camera = view->camera, .width = view->width, .height = view->height, .lit = true
+    };
+}
+
+/* --- what a pass must have -------------------------------------------------------------------- */
+
+static bool has_size(const GpSurface *surface, const SceneView *view)
+{
+    return surface->width == view->width && surface->height == view->height;
+}
+
+static const char *why_not(const SceneView *view)
+{
+    const GpViewport *port = &view->viewport;
+    if (view->camera.fovy <= 0)
+        return "splats are seen by a perspective camera: expected a \"fovy\"";
+    if (port->width > 0 || port->has_depth_range || port->d3d9_centers)
+        return "splats fill the whole target: expected no viewport";
+    if (!view->depth)
+        return "splats and other objects hide each other by depth, which the pass has not";
+    if (!view->color || view->color_count > 1)
+        return "splats are drawn to one colour target";
+    if (!has_size(view->color, view) || !has_size(view->depth, view))
+        return "splats need targets of the pass's size";
+    return NULL;
+}
+
+static void refuse_keys(Node *object)
+{
+    static const char *const keys[] = { "material", "state", "viewport", "tile", "size" };
+    for (size_t i = 0; i < GP_COUNT(keys) && !object->schema; i++) {
+        Node node = node_member(object, keys[i]);
+        if (node_exists(&node))
+            node_fail(&node, GP_ERROR_FORMAT, "splats have none of their own");
+    }
+}
+
+/* --- surfels ---------------------------------------------------------------------------------- */
+
+static GpResult open_model(const Node *node, bool points, const ModelSampling *sampling,
+                           GpPool *pool, Surfels *surfels, GpError *error)
+{
+    const char *name = node_string(*node, NULL);
+    return name ? model_surfels(node->reader->file, name, points, sampling, pool, surfels, error)
+                : GP_OK;
+}
+
+/* The model's surfels; none after a failure. */
+static Surfels read_surfels(Node *object, GpPool *pool)
+{
+    Surfels surfels = { .count = 0 };
+    GpError reason = { "" };
+    Node mesh = node_member(object, "mesh"), points = node_member(object, "points");
+    node_one_of(&mesh, &points, "a mesh or points");
+    const ModelSampling sampling = {
+        .subdivide = (uint32_t)node_integer(node_member(object, "subdivide"), 0, 0, 8),
+        .sample = (uint32_t)node_integer(node_member(object, "sample"), 0, 0, MOST_SAMPLES),
+    };
+    if (object->schema || object->reader->result)
+        return surfels;
+    const Node *model = node_exists(&mesh) ? &mesh : &points;
+    const GpResult result = open_model(model, model == &points, &sampling, pool, &surfels, &reason);
+    if (result)
+        scene_fail(model, result, &reason);
+    return surfels;
+}
+
+static uint8_t color_byte_of(float value)
+{
+    return (uint8_t)(value >= 1 ? 255 : value > 0 ? value * 255 + 0.5f : 0);
+}
+
+static void place(Node *object, Surfels *surfels)
+{
+    Surfel *first = surfels->surfels;
+    Node transform = node_member(object, "transform");
+    const PlacedVertices vertices = { first ? first->position : NULL, first ? first->normal : NULL,
+                                      sizeof *first, surfels->count };
+    const Placed placed = scene_place(transform, node_member(object, "fit"), &vertices);
+    if (placed.uneven)
+        node_fail(&transform, GP_ERROR_FORMAT, "splats stay round: expected one scale");
+    const SceneColor color = scene_color(node_member(object, "color"), &vertices);
+    for (uint32_t i = 0; i < surfels->count; i++) {
+        float rgba[4];
+        first[i].radius *= (float)placed.scale;
+        if (!color.given && !surfels->had_colors)
+            memset(first[i].color, grey, sizeof first[i].color);
+        if (!color.given)
+            continue;
+        scene_color_at(&color, first[i].position, first[i].normal, rgba);
+        for (int k = 0; k < 3; k++)
+            first[i].color[k] = color_byte_of(rgba[k]);
+    }
+}
+
+/* --- what is drawn of them -------------------------------------------------------------------- */
+
+static float mean_radius(const Surfels *surfels)
+{
+    double sum = 0;
+    for (uint32_t i = 0; i < surfels->count; i++)
+        sum += (double)surfels->surfels[i].radius;
+    return (float)(sum / surfels->count);
+}
+
+static SplatSource all_of(const Surfels *surfels, SplatMethod method, Frame *frame)
+{
+    const SplatRun all = { method, 0, surfels->count, mean_radius(surfels) };
+    return (SplatSource){ .surfels = surfels->surfels,
+                          .runs = frame_copy(frame, &all, sizeof all),
+                          .run_count = 1 };
+}
+
+static GpResult levels_of(const Surfels *surfels, SplatMethod method, const SceneView *view,
+                          GpPool *pool, Frame *frame, SplatSource *source, GpError *error)
+{
+    const SplatView seen = view_of(view);
+    const SplatDetail detail = { .pixels = 0 };
+    SplatSetting chosen = setting;
+    Patches patches = { .surfels = NULL };
+    chosen.method = method;
+    GpResult result = patches_build(surfels, NULL, pool, NULL, &patches, error);
+    if (!result)
+        result = splat_choose(&patches, &seen, &chosen, &detail, frame, source, error);
+    if (!result)
+        source->surfels =
+            frame_copy(frame, patches.surfels, patches.surfel_count * sizeof *patches.surfels);
+    patches_free(&patches);
+    return result;
+}
+
+static SplatSource *next_source(Loader *loader)
+{
+    if (loader->splat_count == loader->splat_room) {
+        const uint32_t room = loader->splat_room ? 2 * loader->splat_room : 4;
+        SplatSource *moved = frame_alloc(loader->frame, room, sizeof *moved);
+        if (!moved)
+            return NULL;
+        if (loader->splat_count)
+            memcpy(moved, loader->splats, loader->splat_count * sizeof *moved);
+        loader->splats = moved;
+        loader->splat_room = room;
+    }
+    return &loader->splats[loader->splat_count++];
+}
+
+static void keep(Loader *loader, const Node *object, const SceneView *view, SplatMethod method,
+                 GpPool *pool, const Surfels *surfels)
+{
+    Frame *frame = loader->frame;
+    SplatSource *source = next_source(loader);
+    GpError reason = { "" };
+    if (!source)
+        return;
+    if (splat_needs_patches(method)) {
+        const GpResult result = levels_of(surfels, method, view, pool, frame, source, &reason);
+        if (result)
+            scene_fail(object, result, &reason);
+        return;
+    }
+    *source = all_of(surfels, method, frame);
+    source->surfels =
+        frame_copy(frame, surfels->surfels, surfels->count * sizeof *surfels->surfels);
+}
+
+void scene_read_splats(Loader *loader, Node *object, const SceneView *view)
+{
+    GpPool *pool = NULL;
+    GpError reason = { "" };
+    Node method = node_member(object, "method");
+    node_string(node_member(object, "name"), "");
+    const int number = node_name(method, 0, methods, GP_COUNT(methods));
+    node_without_default(&method);
+    refuse_keys(object);
+    if (!object->schema && why_not(view))
+        node_fail(object, GP_ERROR_FORMAT, "%s", why_not(view));
+    const GpResult result = gp_pool_create(machine_processors(), &pool, &reason);
+    if (result)
+        scene_fail(object, result, &reason);
+    Surfels surfels = read_surfels(object, pool);
+    place(object, &surfels);
+    if (!loader->reader.result && surfels.count > 0)
+        keep(loader, object, view, (SplatMethod)number, pool, &surfels);
+    surfels_free(&surfels);
+    gp_pool_destroy(&pool);
+}
+
+/* --- the passes ------------------------------------------------------------------------------- */
+
+static const char *pass_name(Loader *loader, const char *name, const char *what)
+{
+    char text[300];
+    snprintf(text, sizeof text, "%.200s-%s", name, what);
+    return scene_copy(loader, text);
+}
+
+void scene_draw_splats(Loader *loader, const SceneView *view, const char *name)
+{
+    const SplatGroup group = { loader->splats, loader->splat_count, view_of(view), setting };
+    const SplatNames names = { pass_name(loader, name, "visibility"),
+                               pass_name(loader, name, "splats"),
+                               pass_name(loader, name, "surface") };
+    OverUniforms uniforms = { .normalize = { .specular = 0.3f, .shininess = 32 } };
+    const SplatShading shading = { .program = &splat_over_program,
+                                   .uniforms = &uniforms,
+                                   .surface_slot = 1 };
+    loader->splats = NULL;
+    loader->splat_count = loader->splat_room = 0;
+    if (group.source_count == 0 || loader->frame->arena.result)
+        return;
+    scene_light_direction(view, uniforms.normalize.light);
+    memcpy(uniforms.ambient, view->scene->ambient, sizeof uniforms.ambient);
+    loader->scene->splats = group;
+    splat_build_over(&group, &names, &shading, view->color, view->depth, loader->frame);
+}
