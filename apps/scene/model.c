@@ -67,6 +67,31 @@ GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error)
     return result ? gp_fail(error, result, "%.200s: no memory", name) : GP_OK;
 }
 
+/* --- as points -------------------------------------------------------------------------------- */
+
+GpResult model_points(const char *builtin, GpPoints *points, GpError *error)
+{
+    Shape shape;
+    GpResult result = make_builtin(builtin, true, &shape, error);
+    if (result)
+        return result;
+    GpPoints made = { .positions = gp_alloc(shape.vertex_count, 3 * sizeof(float)),
+                      .normals = gp_alloc(shape.vertex_count, 3 * sizeof(float)),
+                      .count = shape.vertex_count };
+    if (made.positions && made.normals) {
+        for (size_t i = 0; i < made.count; i++) {
+            memcpy(made.positions + 3 * i, shape.vertices[i].position, 3 * sizeof(float));
+            memcpy(made.normals + 3 * i, shape.vertices[i].normal, 3 * sizeof(float));
+        }
+        *points = made;
+    } else {
+        gp_points_free(&made);
+        result = gp_fail(error, GP_ERROR_MEMORY, "builtin:points/%.40s: no memory", builtin);
+    }
+    shape_free(&shape);
+    return result;
+}
+
 /* --- as a shape ------------------------------------------------------------------------------- */
 
 /* Files have v = 0 at the bottom of a picture. */

@@ -8,6 +8,7 @@
 #include "apps/scene/shapes.h"
 #include "pipeline/base/pool.h"
 #include "pipeline/io/mesh/mesh_file.h"
+#include "pipeline/io/points/points.h"
 
 /* What follows a prefix of a name, such as "builtin:"; NULL where it does not begin so. */
 const char *model_after(const char *name, const char *prefix);
@@ -15,6 +16,11 @@ const char *model_after(const char *name, const char *prefix);
 /* A mesh, or points where a file has no faces.
  * owns   the caller, until gp_mesh_free */
 GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error);
+
+/* A point set of shapes.h, by what follows "builtin:points/" in a name.
+ * errors GP_ERROR_INVALID: no such points; GP_ERROR_MEMORY
+ * owns   the caller, until gp_points_free */
+GpResult model_points(const char *builtin, GpPoints *points, GpError *error);
 
 /* What a scene names: a file is looked for beside the scene's first (NULL: it has none).
  * A mesh, which has faces; or (points) the vertices of one. Texture coordinates have v = 0 at the

@@ -34,6 +34,7 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ply --subdivide 9", "--subdivide: expected a whole number from 0 to 8" },
         { "a.ply --sample 0", "--sample" },
         { "a.ply --sample 5 --subdivide 1", "--sample and --subdivide" },
+        { "a.ply --sharp 0", "--sharp: expected a number from 1 to 179" },
         { "a.ply --camera a.json --from 1 2", "--camera and --from" },
         { "a.ply --from 0 90", "-89 to 89 degrees" },
         { "a.ply --up w", "--up: expected y, z, x, -y or -z" },
@@ -101,6 +102,8 @@ static void wrong_points_are_input_errors_of_one_line(void **state)
         { "missing.ply", "missing.ply: no such file" },
         { "picture.png", "picture.png: expected a name that ends with .ply" },
         { "builtin:nothing", "no builtin mesh 'nothing'" },
+        { "builtin:points/nothing", "no builtin points 'nothing'" },
+        { "builtin:points/grid --sample 9", "builtin:points/grid: only a mesh can be" },
         { "four.xyz --sample 100", "four.xyz: only a mesh can be subdivided or sampled" },
         { "four.xyz --subdivide 1", "four.xyz: only a mesh can be subdivided or sampled" },
         { "four.xyz --measure", "a file of points has none" },
@@ -154,6 +157,37 @@ static void points_are_drawn_and_reported(void **state)
     expect_files("four.png four.xyz zero.ply zero.png");
 }
 
+static void builtin_points_are_drawn(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe points builtin:points/sphere -q --size 32x32 --report"), 0);
+    expect_contains(out, "points 5,000; the file has 5,000 points\nnormals of the file;");
+    assert_int_equal(shell("glasspipe points builtin:points/grid -q --size 32x32 --report"), 0);
+    expect_contains(out, "points 4,096;");
+    unlink("grid.png");
+    unlink("sphere.png");
+}
+
+/* A millimetre from each other, at the origin and four thousand kilometres from it. */
+static void coordinates_that_floats_cannot_hold_are_warned_of(void **state)
+{
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        char text[8000] = "";
+        for (int i = 0; i < 100; i++)
+            snprintf(text + strlen(text), 60, "%.3f %.3f 7\n", far * 4e6 + 0.001 * (i % 10),
+                     far * 1e4 + 0.001 * (i / 10));
+        write_file("a.xyz", text);
+        assert_int_equal(shell("glasspipe points a.xyz --size 32x32"), 0);
+        if (far)
+            expect_contains(err, "warning: a.xyz: coordinates are rounded to steps of 0.25");
+        else
+            assert_null(strstr(err, "warning"));
+    }
+    unlink("a.xyz");
+    unlink("a.png");
+}
+
 static void json_has_what_checks_ask_for(void **state)
 {
     (void)state;
@@ -199,6 +233,8 @@ int main(void)
         PROGRAM_TEST(wrong_points_are_input_errors_of_one_line),
         PROGRAM_TEST(wrong_cameras_are_input_errors_of_one_line),
         PROGRAM_TEST(points_are_drawn_and_reported),
+        PROGRAM_TEST(builtin_points_are_drawn),
+        PROGRAM_TEST(coordinates_that_floats_cannot_hold_are_warned_of),
         PROGRAM_TEST(json_has_what_checks_ask_for),
         PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
     };

@@ -3,6 +3,7 @@
 #include "apps/scene/camera_file.h"
 #include "apps/base/content.h"
 #include "apps/base/machine.h"
+#include "apps/base/vector.h"
 #include "apps/scene/model.h"
 
 #include <stdio.h>
@@ -10,21 +11,36 @@
 
 /* --- surfels ---------------------------------------------------------------------------------- */
 
+/* A builtin mesh is kept: it is the truth too. */
+static GpResult open_builtin(PointsModel *model, PointsSource *source, GpPoints *points,
+                             GpError *error)
+{
+    const char *set = model_after(model->path, "builtin:points/");
+    const GpResult result =
+        set ? model_points(set, points, error) : model_mesh(model->path, &model->mesh, error);
+    source->points = set ? points : NULL;
+    source->mesh = set ? NULL : &model->mesh;
+    return result;
+}
+
 static GpResult read_surfels(const TechniqueInput *input, PointsModel *model, GpError *error)
 {
     const PointsOptions *options = input->setting;
-    const bool is_builtin = model_after(input->path, "builtin:") != NULL;
     PointsSource source = model->source;
+    GpPoints points = { .count = 0 };
     GpPool *pool = NULL;
-    GpResult result = is_builtin ? model_mesh(input->path, &model->mesh, error) : GP_OK;
-    source.path = is_builtin ? NULL : model->path;
-    source.mesh = is_builtin ? &model->mesh : NULL;
+    GpResult result = GP_OK;
+    if (model_after(input->path, "builtin:"))
+        result = open_builtin(model, &source, &points, error);
+    else
+        source.path = model->path;
     if (!result)
         result = gp_pool_create(machine_processors(), &pool, error);
     if (!result)
         result = points_open(&source, pool, &model->surfels,
                              options->reports ? &model->facts : NULL, error);
     gp_pool_destroy(&pool);
+    gp_points_free(&points);
     return result;
 }
 
@@ -131,6 +147,14 @@ static GpResult find_view(const TechniqueInput *input, const Surfels *surfels, S
     return result;
 }
 
+/* What a float's last place is worth at the model's farthest coordinate. */
+static double find_step(const Surfels *surfels)
+{
+    const Bounds bounds = surfels_bounds(surfels);
+    const float most = (float)fmax(vector_extent(bounds.low), vector_extent(bounds.high));
+    return (double)nextafterf(most, INFINITY) - (double)most;
+}
+
 /* --- opening ---------------------------------------------------------------------------------- */
 
 static void paint(const PointsOptions *options, PointsModel *model)
@@ -166,6 +190,7 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
     }
     paint(options, model);
     model->mean_radius = find_mean_radius(&model->surfels);
+    model->step = find_step(&model->surfels);
     *made = model;
     return GP_OK;
 }

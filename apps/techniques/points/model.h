@@ -16,6 +16,7 @@ typedef struct PointsModel {
     char path[4096];
     Surfels surfels;
     float mean_radius; /* of them */
+    double step;       /* to which floats round their farthest coordinates */
     PointsFacts facts; /* where a report is asked for */
     Patches patches;   /* empty until a setting needs them, or the cache had them: */
     GpFile file;       /* what they lie in then */

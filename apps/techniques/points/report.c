@@ -14,6 +14,18 @@ static void tell_measure(const PointsError *measured, TechniqueReport *report)
     json_object_set_new(report->members, "holes", json_integer((json_int_t)measured->holes));
 }
 
+enum { STEPS = 16 }; /* in a radius: with fewer, places are off by more than 3 % of it */
+
+/* Coordinates of surveys have an origin far away, and digits that floats do not hold. */
+static void warn_of_rounding(const PointsModel *model, TechniqueReport *report)
+{
+    if (STEPS * model->step > (double)model->mean_radius)
+        text_add(&report->warnings,
+                 "%s: coordinates are rounded to steps of %g, so far from the origin they are, and "
+                 "points have a radius of %g: subtract an offset from all points in the file\n",
+                 model->path, model->step, (double)model->mean_radius);
+}
+
 GpResult points_report(void *made, const void *setting, const Frame *frame, GpDevice *device,
                        TechniqueReport *report, GpError *error)
 {
@@ -26,6 +38,7 @@ GpResult points_report(void *made, const void *setting, const Frame *frame, GpDe
         json_object_set_new(report->members, "bytes_per_point",
                             json_real(points_model_bytes(model) / model->surfels.count));
     }
+    warn_of_rounding(model, report);
     if (model->cache_fault.text[0])
         text_add(&report->warnings, "%s\n", model->cache_fault.text);
     if (options->reports)
