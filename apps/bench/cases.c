@@ -53,6 +53,8 @@ const BenchCase bench_cases[] = {
       bench_tell_splats },
     { "points_sprites_556k", bench_build_splats, SPLATS_ROUND, 0, 0, 0, NULL,
       bench_tell_splats },
+    { "points_qsplat_556k", bench_build_splats, SPLATS_QSPLAT, 0, 0, 0, NULL,
+      bench_tell_splats },
     { "points_pixels_8m", bench_build_splats, SPLATS_PIXELS, 0, 0, 0, NULL,
       bench_tell_splats },
     { "points_lod_8m", bench_build_splats, SPLATS_LEVELS, 0, 0, 0, NULL, bench_tell_splats },

@@ -94,12 +94,18 @@ GP_INLINE flt surfel_sparse(const EyeSurfel *eye, flt share)
     return sat((0.5f - share) * 5) * sat((eye->radius - 2.0f) * 0.25f);
 }
 
-/* The one that is drawn. Where points are dense for their radius, their own area says how wide a Gaussian
- * they need: not wider than one of `spread` in a surfel that has as much area as its disc shows. */
+/* The standard deviation of a surfel's Gaussian, in its radii. Where points are dense for their radius,
+ * their own area says how wide a Gaussian they need: not wider than one of `spread` in a surfel that has
+ * as much area as its disc shows. */
+GP_INLINE flt surfel_deviation(const SplatUniforms *c, const EyeSurfel *eye, flt share)
+{
+    return max(min(share * SPLAT_PER_SHARE, 1), surfel_sparse(eye, share) * 0.65f) * c->spread;
+}
+
+/* The one that is drawn. */
 GP_INLINE Splat surfel_filtered(const SplatUniforms *c, const EyeSurfel *eye, flt share)
 {
-    flt width = max(min(share * SPLAT_PER_SHARE, 1), surfel_sparse(eye, share) * 0.65f);
-    flt deviation = eye->radius * (width * c->spread);
+    flt deviation = eye->radius * surfel_deviation(c, eye, share);
     return surfel_splat(eye, deviation * deviation, c->low_pass);
 }
 

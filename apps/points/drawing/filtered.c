@@ -1,7 +1,10 @@
 #include "apps/points/drawing/filtered.h"
 
+#include "apps/points/drawing/quads.h"
+
 #include "apps/base/stable_math.h"
 #include "shaders_c/points/perspective.h"
+#include "shaders_c/points/quad.h"
 #include "shaders_c/points/ternary.h"
 
 #include <math.h>
@@ -113,6 +116,24 @@ static void add_hidden_splats(const SplatSource *source, const SplatEye *eye, co
     splat_draw_sums(source, &uniforms, view, setting, frame);
 }
 
+static void add_quads(const SplatSource *source, const SplatEye *eye, const SplatView *view,
+                      const SplatSetting *setting, GpSurface *const sums[2], GpSurface *visible,
+                      Frame *frame)
+{
+    const SplatUniforms uniforms = splat_uniforms(eye, view, setting, SPLAT_QUADS);
+    const GpGeometry quads = splat_quads(source, frame);
+    const bool some = quads.index_count > 0;
+    frame_pass(frame, "visibility", NULL, visible, NULL);
+    if (some)
+        frame_draw_copied(frame, &quad_visibility_program, &uniforms, &quads)->state =
+            (GpState){ .depth = { .test = GP_LESS, .write = true } };
+    splat_begin_sums(sums, visible, frame);
+    if (some)
+        frame_draw_copied(frame, view->lit ? &quad_surface_program : &quad_color_program, &uniforms,
+                          &quads)
+            ->state = (GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } };
+}
+
 /* --- one pass --------------------------------------------------------------------------------- */
 
 static double mean_radius(const SplatSource *source)
@@ -182,6 +203,8 @@ void splat_build_filtered(const SplatSource *source, const SplatEye *eye, const 
     splat_make_sums(view, setting, sums, frame);
     if (setting->method == SPLAT_TERNARY)
         add_ternary_splats(source, eye, view, setting, sums, visible, frame);
+    else if (setting->method == SPLAT_QUADS)
+        add_quads(source, eye, view, setting, sums, visible, frame);
     else
         add_hidden_splats(source, eye, view, setting, sums, visible, frame);
     add_normalization(eye, view, setting, sums, visible, frame);

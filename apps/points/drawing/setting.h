@@ -13,6 +13,7 @@ typedef enum SplatMethod {
     SPLAT_DISTANCE,       /* adaptive as paper 003 prints it: by distances */
     SPLAT_TERNARY,        /* both filters in one pass, by the ternary depth test */
     SPLAT_PERSPECTIVE,    /* both filters, by the ray of each pixel against the surfel's plane */
+    SPLAT_QUADS,          /* both filters, as quads in the surfels' planes */
     SPLAT_ROUND,          /* discs that face the eye, without filters */
     SPLAT_PIXELS,         /* a pixel a point */
     SPLAT_QSPLAT,         /* squares, as many as a walk down the hierarchy finds */

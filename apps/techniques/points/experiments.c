@@ -18,6 +18,7 @@ static const TechniqueSweep sweep[] = {
     { "ours, merged", "--method adaptive --detail 0.35|0.5|0.7|1" },
     { "one pass", "--method ternary --epsilon 2|4|8" },
     { "by rays", "--method perspective" },
+    { "quads", "--method quads" },
     { "discs", "--method sprites" },
     { "pixels", "--method pixels" },
     { "tree of squares", "--method qsplat --detail 1|2|4" },

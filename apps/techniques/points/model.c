@@ -262,7 +262,8 @@ uint64_t points_model_splats(const Frame *frame)
     const GpPass *pass = &frame->list.passes[count > 1 ? count - 2 : 0];
     uint64_t splats = 0;
     for (uint32_t i = 0; i < pass->draw_count; i++)
-        splats += pass->draws[i].geometry.vertex_count;
+        splats += pass->draws[i].geometry.indices ? pass->draws[i].geometry.index_count / 6
+                                                  : pass->draws[i].geometry.vertex_count;
     return splats;
 }
 

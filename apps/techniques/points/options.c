@@ -13,8 +13,8 @@ const PointsOptions points_option_defaults = {
 
 static const char *const methods[] = { "adaptive", "ewa",      "reconstruction", "lowpass",
                                        "area",     "distance", "ternary",        "perspective",
-                                       "sprites",  "pixels",   "qsplat",         "spt",
-                                       NULL };
+                                       "quads",    "sprites",  "pixels",         "qsplat",
+                                       "spt",      NULL };
 static const char *const sums[] = { "half", "float", "byte", NULL };
 static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
@@ -25,7 +25,8 @@ const SettingField points_settings[] = {
       "adaptive: the cheapest filter within a bound of both (default); ewa: both filters, the "
       "surfel's and the pixel's; reconstruction, lowpass: one of them; area, distance: adaptive as "
       "printed; ternary: both in one pass, by a depth test that replaces, adds or drops; "
-      "perspective: both, by each pixel's ray against a point's plane; sprites: discs without "
+      "perspective: both, by each pixel's ray against a point's plane; quads: both, four vertices "
+      "a point; sprites: discs without "
       "filters; pixels: a pixel a point; qsplat, spt: squares of nodes at "
       "most --detail pixels wide (default: 1), found by "
       "a walk down the tree, or in a sequence",

@@ -43,6 +43,8 @@ const TechniqueWord points_words[] = {
       "takes away what was there, faint rims of spots too." },
     { "by rays", "Both filters, where the ray of each pixel meets the point's plane: right in wide "
                  "views too." },
+    { "quads",
+      "Both filters in the plane of each point, drawn as two triangles instead of one spot." },
     { "discs", "Points as round discs that face the eye; the nearest is seen." },
     { "tree of squares",
       "QSplat: points are merged until they are so many pixels wide, by a walk down the tree, and "
