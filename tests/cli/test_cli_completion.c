@@ -85,7 +85,7 @@ static void names_are_those_that_the_option_takes(void **state)
         { "shadow --fit e", " eye \n" },
         { "shadow --map \"\"", "  \n" },
         { "voxelize --blend \"\"", " add or \n" },
-        { "bench --table \"\"", " 2.1 2.2 4.1 4.2 \n" },
+        { "bench --table \"\"", " 2.1 2.2 4.1 4.2 3.1 3.2 003.3 \n" },
         { "render --isa \"\"", " auto sse2 avx2 avx512 neon \n" },
         { "render --executor \"\"", " fast reference \n" },
         { "shadow --curve sc", " scene.json \n" },
