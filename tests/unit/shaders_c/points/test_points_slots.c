@@ -13,7 +13,7 @@
 
 static const struct {
     const GpProgram *program;
-    int vertex, pixel; /* slots at most: what they take; the last pass a little less */
+    int vertex, pixel; /* slots at most: what they take today; the last passes a little more */
 } rows[] = {
 #define ROW(name, vertex, pixel)                                                                   \
     {                                                                                              \
