@@ -54,10 +54,8 @@ static void set_view(int variant, PointsModel *model)
                                  .fovy = 26,
                                  .near = 0.1,
                                  .far = 2 };
-    const Surfels *surfels = &model->surfels;
-    const Bounds box = bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
     double diagonal[3];
-    vector_subtract(box.high, box.low, diagonal);
+    vector_subtract(model->bounds.high, model->bounds.low, diagonal);
     model->view.waves = cases[variant].waves / sqrt(vector_dot(diagonal, diagonal));
     model->view.lit = !(cases[variant].waves > 0);
     if (cases[variant].near)
@@ -129,7 +127,7 @@ void bench_tell_splats(const Frame *frame, double ms, int threads, json_t *objec
     json_object_set_new(object, "splats", json_integer((json_int_t)splats));
     json_object_set_new(object, "splats_per_second", json_real(splats * 1000 / ms));
     json_object_set_new(object, "bytes_per_point",
-                        json_real(points_model_bytes(model) / model->surfels.count));
+                        json_real(points_model_bytes(model, made->setting) / model->point_count));
     json_object_set_new(object, "build_ms", json_real(made->build_ms));
     if (points_model_truth(model, threads, NULL))
         return;

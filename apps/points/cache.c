@@ -26,6 +26,7 @@ typedef struct Head {
     uint32_t surfel_count, patch_count, level_count, leaf_count;
     uint32_t form, has_colors, tree_depth;
     uint32_t holds; /* HOLDS_ ... */
+    Bounds bounds;
 } Head;
 
 /* A part of the file, and where its address is in a model. */
@@ -149,6 +150,7 @@ GpResult cache_read(const char *path, uint64_t key, PackedModel *model, GpError 
     read.patches.level_count = head.level_count;
     read.patches.leaf_count = head.leaf_count;
     read.patches.has_colors = head.has_colors;
+    read.patches.bounds = head.bounds;
     read.compressed.form = head.form;
     if (!fits || head.form >= COMPRESS_FORMS || head.leaf_count == 0 ||
         head.tree_depth != (uint32_t)(tree_depth(head.leaf_count) + 1) ||
@@ -187,6 +189,7 @@ GpResult cache_write(const char *path, uint64_t key, const PackedModel *model, G
                   .leaf_count = patches->leaf_count,
                   .form = compressed->form,
                   .has_colors = patches->has_colors,
+                  .bounds = patches->bounds,
                   .holds = (patches->surfels ? HOLDS_SURFELS : 0u) |
                            (compressed->words ? HOLDS_WORDS : 0u) |
                            (compressed->colors ? HOLDS_COLORS : 0u),

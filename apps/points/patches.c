@@ -242,7 +242,9 @@ GpResult patches_build(const Surfels *surfels, const PatchLimits *limits, GpPool
 {
     if (surfels->count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "no points");
-    Patches made = { .leaf_count = surfels->count, .has_colors = surfels->had_colors };
+    Patches made = { .leaf_count = surfels->count,
+                     .has_colors = surfels->had_colors,
+                     .bounds = surfels_bounds(surfels) };
     Builder builder = { .surfels = surfels,
                         .patches = &made,
                         .limits = used_limits(limits, surfels->count) };

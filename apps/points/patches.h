@@ -21,6 +21,7 @@
 #ifndef APPS_POINTS_PATCHES_H
 #define APPS_POINTS_PATCHES_H
 
+#include "apps/base/bounds.h"
 #include "apps/points/tree.h"
 
 /* A box along axes of its own; positions are in it, and discs of radius r not farther out than r. */
@@ -56,6 +57,7 @@ typedef struct Patches {
     Patch *patches;
     PatchLevel *levels;
     uint32_t surfel_count, patch_count, level_count, leaf_count;
+    Bounds bounds; /* of the leaves' places */
     bool has_colors;
 } Patches;
 

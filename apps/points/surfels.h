@@ -6,6 +6,7 @@
 #ifndef APPS_POINTS_SURFELS_H
 #define APPS_POINTS_SURFELS_H
 
+#include "apps/base/bounds.h"
 #include "pipeline/base/base.h"
 #include "shaders_c/points/splat.h"
 
@@ -48,6 +49,12 @@ static inline uint8_t surfel_share(double area, double radius)
 {
     const double share = sqrt(area / 6.283185307179586) / radius * 255 + 0.5;
     return !(share > 1) ? 1 : share > 255 ? 255 : (uint8_t)share;
+}
+
+/* Of their places. */
+static inline Bounds surfels_bounds(const Surfels *surfels)
+{
+    return bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
 }
 
 /* errors GP_ERROR_MEMORY; owns: the caller, until surfels_free */

@@ -164,6 +164,25 @@ GP_INLINE Splat surfel_disc(const EyeSurfel *eye)
     return surfel_splat(eye, eye->radius * eye->radius, THINNEST * THINNEST);
 }
 
+typedef struct DiscVarying {
+    float3 conic;
+    float2 place;
+} DiscVarying;
+
+GP_INLINE void splat_disc_vertex(const SplatUniforms *c, const SurfelVertex *in, float4 *position,
+                                 DiscVarying *out, flt *point_size)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    Splat disc = surfel_disc(&eye);
+    *position = surfel_clip(c, &eye, behind_surface(c, &eye, in->radius));
+    *point_size = splat_side(&disc, 1);
+    out->conic = splat_conic(&disc);
+    out->place = surfel_pixel(c, &eye);
+}
+
+#define discard_outside_disc(in)                                                                   \
+    discard(splat_exponent((in)->conic, (in)->place, vpos()) > HALF_LOG2_E)
+
 /* --- attributes ------------------------------------------------------------------------------- */
 
 /* What a splat's weight is in its centre. */
@@ -191,6 +210,15 @@ GP_INLINE void splat_color_vertex(const SplatUniforms *c, const SurfelVertex *in
     out->conic = splat_conic(&splat);
     out->place = surfel_pixel(c, eye);
     out->color = rgba(mul(surfel_color(c, in), height), height);
+}
+
+/* The same with the surfel's place. */
+GP_INLINE void splat_color_point(const SplatUniforms *c, const SurfelVertex *in, float4 *position,
+                                 SplatColorVarying *out, flt *point_size)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    *position = surfel_clip(c, &eye, bcast(0));
+    splat_color_vertex(c, in, &eye, out, point_size);
 }
 
 /* A splat's Gaussian at a pixel, of height 1; pixels beyond its cut are discarded. */
@@ -227,13 +255,24 @@ GP_INLINE void splat_surface_vertex(const SplatUniforms *c, const SurfelVertex *
     out->surface = rgba(mul(in->normal, turned), eye->position.z * height);
 }
 
+GP_INLINE void splat_surface_point(const SplatUniforms *c, const SurfelVertex *in, float4 *position,
+                                   SplatSurfaceVarying *out, flt *point_size)
+{
+    EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
+    *position = surfel_clip(c, &eye, bcast(0));
+    splat_surface_vertex(c, in, &eye, out, point_size);
+}
+
 /* clang-format off */
+#define SPLAT_VISIBILITY_DECLARATIONS                                                              \
+    MODEL_3_0, .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT } },                   \
+    .may_discard = true, .uses_pixel = true, .writes_point_size = true
 #define SPLAT_COLOR_DECLARATIONS                                                                   \
-    MODEL_3_0, .inputs = { SURFEL_INPUTS },                                                        \
+    MODEL_3_0,                                                                                     \
     .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT } },     \
     .may_discard = true, .uses_pixel = true, .writes_point_size = true
 #define SPLAT_SURFACE_DECLARATIONS                                                                 \
-    MODEL_3_0, .inputs = { SURFEL_INPUTS },                                                        \
+    MODEL_3_0,                                                                                     \
     .varyings = { { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT },       \
                   { "surface", 4, GP_FLAT } },                                                     \
     .may_discard = true, .uses_pixel = true, .writes_point_size = true

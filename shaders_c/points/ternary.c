@@ -20,7 +20,8 @@ pixel_shader(ternary_color_ps, TernaryUniforms, SplatColorVarying)
     return mul(in->color, splat_weight(&c->splat, in->conic, in->place));
 }
 
-program(ternary_color_program, ternary_color_vs, ternary_color_ps, SPLAT_COLOR_DECLARATIONS)
+program(ternary_color_program, ternary_color_vs, ternary_color_ps, SPLAT_COLOR_DECLARATIONS,
+        .inputs = { SURFEL_INPUTS })
 
 vertex_shader(ternary_surface_vs, TernaryUniforms, SurfelVertex, SplatSurfaceVarying)
 {
@@ -36,4 +37,5 @@ pixel_shader_targets(ternary_surface_ps, TernaryUniforms, SplatSurfaceVarying, S
     out->surface = mul(in->surface, weight);
 }
 
-program(ternary_surface_program, ternary_surface_vs, ternary_surface_ps, SPLAT_SURFACE_DECLARATIONS)
+program(ternary_surface_program, ternary_surface_vs, ternary_surface_ps, SPLAT_SURFACE_DECLARATIONS,
+        .inputs = { SURFEL_INPUTS })

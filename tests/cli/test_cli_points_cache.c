@@ -1,6 +1,8 @@
 /* What is built of points, kept in a file: the same picture with it, and without what is wrong in it. */
 #include "tests/support/program.h"
 
+#include <sys/stat.h>
+
 static char hash[64];
 
 /* Draws with the cache, and says the same hash as ever. */
@@ -70,6 +72,33 @@ static void a_cache_of_other_points_is_written_over(void **state)
                  "a cache of another model or of other settings");
 }
 
+/* The packed form is kept alone, in less than half of the bytes, and not taken for another. */
+static void a_cache_of_compressed_points_is_small(void **state)
+{
+    (void)state;
+    const char *const forms[] = { "ours", "printed" };
+    struct stat plain, packed;
+    hash[0] = '\0';
+    expect_drawn("builtin:knot --sample 30000", NULL);
+    assert_int_equal(stat("built.bin", &plain), 0);
+    for (int i = 0; i < 2; i++) {
+        char model[64];
+        snprintf(model, sizeof model, "builtin:knot --sample 30000 --compress %s", forms[i]);
+        hash[0] = '\0';
+        expect_drawn(model, "a cache of another model or of other settings");
+        expect_drawn(model, NULL);
+        assert_int_equal(stat("built.bin", &packed), 0);
+        assert_true(2 * packed.st_size < plain.st_size);
+        /* with levels of detail too, none of which is kept otherwise */
+        strncat(model, " --detail 1", sizeof model - strlen(model) - 1);
+        hash[0] = '\0';
+        expect_drawn(model, NULL);
+        expect_drawn(model, NULL);
+        damage(40000);
+        expect_drawn(model, "built.bin: damaged");
+    }
+}
+
 static void a_cache_that_cannot_be_written_is_a_warning(void **state)
 {
     (void)state;
@@ -83,6 +112,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         PROGRAM_TEST(a_cache_changes_no_picture),
         PROGRAM_TEST(a_cache_of_other_points_is_written_over),
+        PROGRAM_TEST(a_cache_of_compressed_points_is_small),
         PROGRAM_TEST(a_cache_that_cannot_be_written_is_a_warning),
     };
     return cmocka_run_group_tests(tests, find_program, NULL);

@@ -128,7 +128,8 @@ static SplatRun hider_of(const Chooser *chooser, const PatchRange *range, SplatR
     const double reach = pixels * range->nearest / chooser->view.pixels;
     for (; levels->first + levels->count <= range->first; levels++)
         if ((double)levels->most_radius - (double)range->most_radius <= reach)
-            return (SplatRun){ own.filter, levels->first, levels->count, levels->mean_radius };
+            return (SplatRun){ own.filter, levels->first, levels->count, levels->mean_radius,
+                               own.patch };
     return own;
 }
 
@@ -144,7 +145,7 @@ static GpResult runs_of(const Chooser *chooser, const LevelSelection *selection,
     for (uint32_t i = 0; i < selection->range_count; i++) {
         const PatchRange *range = &selection->ranges[i];
         runs[i] = (SplatRun){ choose_filter(chooser, range), range->first, range->count,
-                              range->mean_radius };
+                              range->mean_radius, range->patch };
         if (hiders)
             hiders[i] = hider_of(chooser, range, runs[i]);
     }

@@ -14,7 +14,7 @@ typedef struct SplatDetail {
     uint32_t budget; /* splats at most; 0: any number */
 } SplatDetail;
 
-/* in   patches: with their surfels, which the source refers to
+/* in   patches: what the source refers to, with their surfels or without
  * out  source: its runs are in the frame's memory
  * errors GP_ERROR_INVALID: the budget is too small; GP_ERROR_MEMORY */
 GpResult splat_choose(const Patches *patches, const SplatView *view, const SplatSetting *setting,

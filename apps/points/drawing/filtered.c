@@ -3,6 +3,7 @@
 #include "apps/points/drawing/quads.h"
 
 #include "apps/base/stable_math.h"
+#include "apps/points/drawing/compressed.h"
 #include "shaders_c/points/perspective.h"
 #include "shaders_c/points/quad.h"
 #include "shaders_c/points/ternary.h"
@@ -74,16 +75,31 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
 
 static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 
+static void draw_runs(const SplatSource *source, const FilterUniforms *uniforms, SplatPass pass,
+                      const SplatSetting *setting, const GpState *state, Frame *frame)
+{
+    static const GpProgram *const programs[2][SPLAT_PASSES] = {
+        { &splat_visibility_program, &splat_color_program, &splat_surface_program },
+        { &perspective_visibility_program, &perspective_color_program,
+          &perspective_surface_program },
+    };
+    const bool exact = setting->method == SPLAT_PERSPECTIVE;
+    if (source->compressed)
+        compressed_draw_runs(source, uniforms, pass, state, frame);
+    else
+        splat_draw_runs(source, uniforms, programs[exact][pass], state, frame);
+}
+
 void splat_draw_hiders(const SplatSource *source, const FilterUniforms *uniforms,
                        const SplatSetting *setting, Frame *frame)
 {
-    const SplatSource hiders = { .surfels = source->surfels,
-                                 .runs = source->hiders,
-                                 .run_count = source->hider_count };
-    splat_draw_runs(source->hiders ? &hiders : source, uniforms,
-                    setting->method == SPLAT_PERSPECTIVE ? &perspective_visibility_program
-                                                         : &splat_visibility_program,
-                    &(GpState){ .depth = { .test = GP_LESS, .write = true } }, frame);
+    SplatSource hiders = *source;
+    if (source->hiders) {
+        hiders.runs = source->hiders;
+        hiders.run_count = source->hider_count;
+    }
+    draw_runs(&hiders, uniforms, SPLAT_VISIBILITY, setting,
+              &(GpState){ .depth = { .test = GP_LESS, .write = true } }, frame);
 }
 
 GpPass *splat_begin_sums(GpSurface *const sums[2], GpSurface *visible, Frame *frame)
@@ -98,11 +114,8 @@ GpPass *splat_begin_sums(GpSurface *const sums[2], GpSurface *visible, Frame *fr
 void splat_draw_sums(const SplatSource *source, const FilterUniforms *uniforms,
                      const SplatView *view, const SplatSetting *setting, Frame *frame)
 {
-    const bool exact = setting->method == SPLAT_PERSPECTIVE;
-    const GpProgram *color = exact ? &perspective_color_program : &splat_color_program;
-    const GpProgram *surface = exact ? &perspective_surface_program : &splat_surface_program;
-    splat_draw_runs(source, uniforms, view->lit ? surface : color,
-                    &(GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } }, frame);
+    draw_runs(source, uniforms, view->lit ? SPLAT_SURFACES : SPLAT_COLORS, setting,
+              &(GpState){ .depth = { .test = GP_LESS_EQUAL }, .blend = { add, add } }, frame);
 }
 
 static void add_hidden_splats(const SplatSource *source, const SplatEye *eye, const SplatView *view,

@@ -2,6 +2,7 @@
 #ifndef APPS_POINTS_DRAWING_SETTING_H
 #define APPS_POINTS_DRAWING_SETTING_H
 
+#include "apps/points/compress.h"
 #include "apps/points/hierarchy.h"
 
 typedef enum SplatMethod {
@@ -20,6 +21,12 @@ typedef enum SplatMethod {
     SPLAT_SEQUENCE,       /* squares, by a sequential point tree */
     SPLAT_METHODS
 } SplatMethod;
+
+/* Whether a method draws compressed surfels: those that know filters by runs. */
+static inline bool splat_takes_compressed(SplatMethod method)
+{
+    return method < SPLAT_TERNARY;
+}
 
 /* What sums are kept in. */
 typedef enum SplatSums { SPLAT_HALVES, SPLAT_FLOATS, SPLAT_BYTES } SplatSums;
@@ -53,12 +60,17 @@ typedef struct SplatView {
 typedef struct SplatRun {
     SplatMethod filter; /* of splats: SPLAT_EWA, SPLAT_RECONSTRUCTION or SPLAT_LOW_PASS */
     uint32_t first, count;
-    float radius; /* mean of the surfels' */
+    float radius;   /* mean of the surfels' */
+    uint32_t patch; /* whose surfels they are; of compressed ones only */
 } SplatRun;
 
-/* What is drawn: runs of a vertex array. Borrowed until the frame has run. */
+/* What is drawn: runs of a vertex array, of surfels as they are or of compressed ones
+ * (splat_takes_compressed). Borrowed until the frame has run. */
 typedef struct SplatSource {
     const Surfel *surfels;
+    const Compressed *compressed; /* instead of surfels; NULL: these */
+    GpSurface *radii;             /* of them, in a vertex texture: compressed_radii */
+    const uint8_t *color;         /* of all compressed surfels, where they have none; NULL: white */
     const SplatRun *runs;
     uint32_t run_count;
     const SplatRun *hiders; /* what leaves visibility; NULL: the runs themselves */

@@ -19,6 +19,8 @@ static const TechniqueSweep sweep[] = {
     { "one pass", "--method ternary --epsilon 2|4|8" },
     { "by rays", "--method perspective" },
     { "quads", "--method quads" },
+    { "8 bytes a point", "--method ewa --compress ours" },
+    { "8 bytes a point, as printed", "--method ewa --compress printed" },
     { "discs", "--method sprites" },
     { "pixels", "--method pixels" },
     { "tree of squares", "--method qsplat --detail 1|2|4" },
@@ -27,7 +29,8 @@ static const TechniqueSweep sweep[] = {
 };
 
 static const char *const usual[] = { "ours", "both filters", "ours, merged", NULL };
-static const char *const metrics[] = { "decibels", "area", "holes", "largest", "covered", NULL };
+static const char *const metrics[] = { "decibels", "area",  "holes", "largest",
+                                       "covered",  "bytes", NULL };
 
 static GpResult find_truth(void *made, int threads, GpError *error)
 {
@@ -39,10 +42,12 @@ static GpResult measure(void *made, const Frame *frame, TechniqueError *measured
     const PointsModel *model = made;
     (void)error;
     const PointsError off = points_error(&model->truth, frame->color);
-    *measured = (TechniqueError){ .error = 255 * off.rmse,
-                                  .metrics = { off.interior_psnr, 100 * off.area_error, off.holes,
-                                               255 * off.largest, off.covered },
-                                  .whole = 255 };
+    *measured = (TechniqueError){
+        .error = 255 * off.rmse,
+        .metrics = { off.interior_psnr, 100 * off.area_error, off.holes, 255 * off.largest,
+                     off.covered, points_model_bytes(model, frame->made) / model->point_count },
+        .whole = 255
+    };
     return GP_OK;
 }
 

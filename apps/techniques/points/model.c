@@ -51,26 +51,16 @@ static uint64_t key_of(const TechniqueInput *input)
 {
     const PointsOptions *options = input->setting;
     char settings[256];
-    snprintf(settings, sizeof settings, "subdivide %u sample %u sharp %g one-radius %d color %s",
+    snprintf(settings, sizeof settings,
+             "subdivide %u sample %u sharp %g one-radius %d compress %d color %s",
              options->subdivide, options->sample, options->sharp, options->one_radius,
-             options->color ? options->color : "");
+             (int)options->compress, options->color ? options->color : "");
     return cache_key(content_hash(input->path, 0), settings);
 }
 
-/* The leaves of all patches. */
-static GpResult take_leaves(const Patches *patches, Surfels *surfels)
+static Compressed *kept_form(PointsModel *model)
 {
-    if (surfels_alloc(surfels, patches->leaf_count))
-        return GP_ERROR_MEMORY;
-    Surfel *to = surfels->surfels;
-    for (uint32_t i = 0; i < patches->patch_count; i++) {
-        const Patch *patch = &patches->patches[i];
-        const PatchLevel *leaves = patch_levels(patches, patch) + patch->level_count - 1;
-        memcpy(to, patches->surfels + leaves->first, leaves->count * sizeof *to);
-        to += leaves->count;
-    }
-    surfels->had_colors = patches->has_colors;
-    return GP_OK;
+    return model->keeps ? &model->compressed[model->keeps - 1] : NULL;
 }
 
 /* Whether the model came from its cache; where not, it is to be read and built. */
@@ -93,11 +83,13 @@ static bool read_cache(const TechniqueInput *input, PointsModel *model)
                 sizeof model->cache_fault.text - strlen(model->cache_fault.text) - 1);
     if (result)
         return false;
-    if (!packed.patches.surfels || take_leaves(&packed.patches, &model->surfels)) {
+    if (model->keeps ? !packed.compressed.words : !packed.patches.surfels) {
         packed_model_free(&packed);
         return false;
     }
     model->patches = packed.patches;
+    if (model->keeps)
+        *kept_form(model) = packed.compressed;
     model->file = packed.file;
     model->cache = NULL;
     return true;
@@ -106,8 +98,10 @@ static bool read_cache(const TechniqueInput *input, PointsModel *model)
 /* A cache that cannot be written is worth a warning: the picture is the same. */
 static void write_cache(PointsModel *model)
 {
-    const PackedModel packed = { .patches = model->patches };
+    PackedModel packed = { .patches = model->patches };
     GpError error;
+    if (model->keeps)
+        packed.compressed = *kept_form(model);
     if (model->cache && cache_write(model->cache, model->cache_key, &packed, &error))
         model->cache_fault = error;
     model->cache = NULL;
@@ -117,11 +111,6 @@ static void write_cache(PointsModel *model)
 
 enum { DEFAULT_SIDE = 1024 };
 
-static Bounds surfels_bounds(const Surfels *surfels)
-{
-    return bounds_of(surfels->surfels->position, sizeof(Surfel), NULL, surfels->count);
-}
-
 static float find_mean_radius(const Surfels *surfels)
 {
     double sum = 0;
@@ -130,16 +119,26 @@ static float find_mean_radius(const Surfels *surfels)
     return (float)(sum / surfels->count);
 }
 
-static GpResult find_view(const TechniqueInput *input, const Surfels *surfels, SplatView *view,
+static float mean_leaf_radius(const Patches *patches)
+{
+    double sum = 0;
+    for (uint32_t i = 0; i < patches->patch_count; i++) {
+        const Patch *patch = &patches->patches[i];
+        const PatchLevel *leaves = patch_levels(patches, patch) + patch->level_count - 1;
+        sum += leaves->count * (double)leaves->mean_radius;
+    }
+    return (float)(sum / patches->leaf_count);
+}
+
+static GpResult find_view(const TechniqueInput *input, const Bounds *bounds, SplatView *view,
                           GpError *error)
 {
     const PointsOptions *options = input->setting;
     const bool sized = input->width > 0 && input->height > 0;
     *view = (SplatView){ .width = sized ? input->width : DEFAULT_SIDE,
                          .height = sized ? input->height : DEFAULT_SIDE };
-    const Bounds bounds = surfels_bounds(surfels);
-    view->camera = orbit_camera(&options->orbit, &bounds, (double)view->width / view->height,
-                                bounds_longest(&bounds) * 1e-3);
+    view->camera = orbit_camera(&options->orbit, bounds, (double)view->width / view->height,
+                                bounds_longest(bounds) * 1e-3);
     GpResult result = points_waves(options->color, &view->waves, error);
     if (!result && options->camera)
         result = camera_read_file(options->camera, &view->camera, error);
@@ -148,15 +147,15 @@ static GpResult find_view(const TechniqueInput *input, const Surfels *surfels, S
 }
 
 /* What a float's last place is worth at the model's farthest coordinate. */
-static double find_step(const Surfels *surfels)
+static double find_step(const Bounds *bounds)
 {
-    const Bounds bounds = surfels_bounds(surfels);
-    const float most = (float)fmax(vector_extent(bounds.low), vector_extent(bounds.high));
+    const float most = (float)fmax(vector_extent(bounds->low), vector_extent(bounds->high));
     return (double)nextafterf(most, INFINITY) - (double)most;
 }
 
 /* --- opening ---------------------------------------------------------------------------------- */
 
+/* One colour for all: of the setting, or where there are none. */
 static void paint(const PointsOptions *options, PointsModel *model)
 {
     Surfels *surfels = &model->surfels;
@@ -165,6 +164,26 @@ static void paint(const PointsOptions *options, PointsModel *model)
         model->color = points_color("clay");
     for (uint32_t i = 0; i < surfels->count && model->color; i++)
         memcpy(surfels->surfels[i].color, model->color, sizeof surfels->surfels[i].color);
+    surfels->had_colors = !model->color;
+}
+
+/* The model's own points, from the cache or from the input. */
+static GpResult find_points(const TechniqueInput *input, PointsModel *model, GpError *error)
+{
+    if (read_cache(input, model)) {
+        model->point_count = model->patches.leaf_count;
+        model->bounds = model->patches.bounds;
+        model->surfels.had_colors = model->patches.has_colors;
+        model->mean_radius = mean_leaf_radius(&model->patches);
+        return GP_OK;
+    }
+    const GpResult result = read_surfels(input, model, error);
+    if (result)
+        return result;
+    model->point_count = model->surfels.count;
+    model->bounds = surfels_bounds(&model->surfels);
+    model->mean_radius = find_mean_radius(&model->surfels);
+    return GP_OK;
 }
 
 GpResult points_model_open(const TechniqueInput *input, void **made, GpError *error)
@@ -180,30 +199,56 @@ GpResult points_model_open(const TechniqueInput *input, void **made, GpError *er
                                     .sharp = options->sharp,
                                     .each_radius = !options->one_radius };
     model->listener = (PointsListener){ input->progress, input->user };
-    const bool is_cached = read_cache(input, model);
-    GpResult result = is_cached ? GP_OK : read_surfels(input, model, error);
+    model->keeps = options->compress;
+    GpResult result = find_points(input, model, error);
     if (!result)
-        result = find_view(input, &model->surfels, &model->view, error);
+        result = find_view(input, &model->bounds, &model->view, error);
     if (result) {
         points_model_close(model);
         return result;
     }
     paint(options, model);
-    model->mean_radius = find_mean_radius(&model->surfels);
-    model->step = find_step(&model->surfels);
+    model->step = find_step(&model->bounds);
     *made = model;
     return GP_OK;
 }
 
-GpResult points_model_structure(PointsModel *model, int threads, GpError *error)
+/* --- levels, and what is kept ----------------------------------------------------------------- */
+
+/* Patches, and their packed form, from all that the model still has. */
+static GpResult build_structure(PointsModel *model, PointsCompress form, GpPool *pool,
+                                GpError *error)
 {
-    GpPool *pool;
-    if (model->patches.surfels)
-        return GP_OK;
-    GpResult result = gp_pool_create(threads, &pool, error);
-    if (!result)
+    GpResult result = GP_OK;
+    if (!model->patches.surfels)
         result =
             patches_build(&model->surfels, NULL, pool, &model->listener, &model->patches, error);
+    if (result || !form)
+        return result;
+    if (model->keeps)
+        surfels_free(&model->surfels); /* before the words need room */
+    if (patches_compress(&model->patches, (CompressForm)(form - 1), pool,
+                         &model->compressed[form - 1]))
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory to compress %u points",
+                       model->point_count);
+    if (model->keeps) {
+        gp_free(model->patches.surfels);
+        model->patches.surfels = NULL;
+    }
+    return GP_OK;
+}
+
+GpResult points_model_structure(PointsModel *model, PointsCompress form, int threads,
+                                GpError *error)
+{
+    GpPool *pool;
+    if (form ? model->compressed[form - 1].words != NULL : model->patches.surfels != NULL)
+        return GP_OK;
+    if (model->keeps && model->keeps != form)
+        return gp_fail(error, GP_ERROR_INVALID, "the points are kept in another form");
+    GpResult result = gp_pool_create(threads, &pool, error);
+    if (!result)
+        result = build_structure(model, form, pool, error);
     gp_pool_destroy(&pool);
     if (!result)
         write_cache(model);
@@ -267,10 +312,12 @@ uint64_t points_model_splats(const Frame *frame)
     return splats;
 }
 
-double points_model_bytes(const PointsModel *model)
+double points_model_bytes(const PointsModel *model, const PointsOptions *options)
 {
     const Patches *patches = &model->patches;
-    return patches->surfels
+    if (options->compress)
+        return (double)compressed_bytes(patches, &model->compressed[options->compress - 1]);
+    return points_needs_patches(options)
                ? (double)patches_bytes(patches) + (double)patches->surfel_count * sizeof(Surfel)
                : (double)model->surfels.count * sizeof(Surfel);
 }
@@ -281,10 +328,15 @@ void points_model_close(void *made)
     mesh_picture_free(&model->truth);
     sequence_free(&model->sequence);
     surfels_free(&model->surfels);
-    if (model->file.data)
+    if (model->file.data) {
+        if (model->keeps)
+            *kept_form(model) = (Compressed){ .words = NULL };
         gp_file_free(&model->file);
-    else
+    } else {
         patches_free(&model->patches);
+    }
+    for (int i = 0; i < COMPRESS_FORMS; i++)
+        compressed_free(&model->compressed[i]);
     gp_mesh_free(&model->mesh);
     gp_free(model);
 }

@@ -14,14 +14,19 @@
 
 typedef struct PointsModel {
     char path[4096];
-    Surfels surfels;
+    uint32_t point_count;
+    Bounds bounds;     /* of the points */
+    Surfels surfels;   /* empty where they were freed, or lie in patches from the cache */
     float mean_radius; /* of them */
     double step;       /* to which floats round their farthest coordinates */
     PointsFacts facts; /* where a report is asked for */
-    Patches patches;   /* empty until a setting needs them, or the cache had them: */
-    GpFile file;       /* what they lie in then */
-    Sequence sequence; /* empty until a setting needs it */
-    const char *cache; /* where they go once they are built; NULL: nowhere, or they are there */
+    Patches patches;   /* empty until a setting needs them, or the cache had them */
+    Compressed compressed[COMPRESS_FORMS]; /* the same */
+    PointsCompress keeps; /* what it was opened for: of another form than POINTS_PLAIN it keeps that
+                             alone, once it is built, and frees what it was made of */
+    GpFile file;          /* what a model from the cache lies in */
+    Sequence sequence;    /* empty until a setting needs it */
+    const char *cache;    /* where they go once they are built; NULL: nowhere, or they are there */
     uint64_t cache_key;
     GpError cache_fault; /* why the cache was of no use, or could not be written; else empty */
     PointsListener listener;
@@ -37,8 +42,10 @@ typedef struct PointsModel {
 GpResult points_model_open(const TechniqueInput *input, void **model, GpError *error);
 void points_model_close(void *model);
 
-/* Builds the patches, once. errors those of patches_build */
-GpResult points_model_structure(PointsModel *model, int threads, GpError *error);
+/* Builds the patches, and compresses them, once.
+ * errors those of patches_build; GP_ERROR_INVALID: the model keeps another form alone */
+GpResult points_model_structure(PointsModel *model, PointsCompress form, int threads,
+                                GpError *error);
 
 /* Puts the patches' nodes into a sequence, once. errors GP_ERROR_MEMORY */
 GpResult points_model_sequence(PointsModel *model, GpError *error);
@@ -46,8 +53,9 @@ GpResult points_model_sequence(PointsModel *model, GpError *error);
 /* Finds the truth, once. errors GP_ERROR_INVALID: the surface is not known; GP_ERROR_MEMORY */
 GpResult points_model_truth(PointsModel *model, int threads, GpError *error);
 
-/* Points that a frame draws, and the bytes that a model takes, with the patches where there are any. */
+/* Points that a frame draws, and the bytes that what a setting draws takes in memory: surfels, or
+ * patches with all their levels. */
 uint64_t points_model_splats(const Frame *frame);
-double points_model_bytes(const PointsModel *model);
+double points_model_bytes(const PointsModel *model, const PointsOptions *options);
 
 #endif

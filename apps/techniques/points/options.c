@@ -1,5 +1,7 @@
 #include "apps/techniques/points/options.h"
 
+#include "apps/points/drawing/choose.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +17,7 @@ static const char *const methods[] = { "adaptive", "ewa",      "reconstruction",
                                        "area",     "distance", "ternary",        "perspective",
                                        "quads",    "sprites",  "pixels",         "qsplat",
                                        "spt",      NULL };
+static const char *const forms[] = { "none", "ours", "printed", NULL };
 static const char *const sums[] = { "half", "float", "byte", NULL };
 static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
@@ -52,6 +55,11 @@ const SettingField points_settings[] = {
       SETTING_NUMBER, OF(detail), .low = 0, .high = 64 },
     { "budget", "N", "Show at most N splats, merged as far as that takes", SETTING_INTEGER,
       OF(budget), .low = 1, .high = 1 << 30 },
+    { "compress", NULL,
+      "Keep points in 8 bytes, taken apart as they are drawn: none (default), ours or printed; for "
+      "the "
+      "methods adaptive to distance",
+      SETTING_NAME, OF(compress), .names = forms },
     { "two-sided", NULL, "Draw points that face away from the eye too", SETTING_FLAG,
       OF(splats.two_sided), .low = 0 },
 
@@ -97,6 +105,15 @@ const SettingField points_settings[] = {
 };
 
 _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
+
+/* --- what is built for them --------------------------------------------------------------------- */
+
+bool points_needs_patches(const PointsOptions *options)
+{
+    const SplatMethod method = options->splats.method;
+    return splat_needs_patches(method) || method == SPLAT_QSPLAT || method == SPLAT_SEQUENCE ||
+           options->detail > 0 || options->budget > 0 || options->cache || options->compress;
+}
 
 /* --- colours ---------------------------------------------------------------------------------- */
 
@@ -152,6 +169,9 @@ GpResult points_options_check(const void *setting, uint32_t given, const char *e
           "--sample and --subdivide: points come from the one or the other" },
         { options->camera && setting_is_given(points_settings, given, "from"),
           "--camera and --from: a camera is described by the one or the other" },
+        { options->compress && !splat_takes_compressed(options->splats.method),
+          "--compress: expected the method adaptive, ewa, reconstruction, lowpass, area or "
+          "distance" },
         { fabs(options->orbit.elevation) > 89, "--from: expected -89 to 89 degrees of elevation" },
     };
     for (size_t i = 0; i < GP_COUNT(rules); i++)

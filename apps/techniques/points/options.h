@@ -6,12 +6,17 @@
 #include "apps/points/drawing/splats.h"
 #include "apps/techniques/settings.h"
 
-/* The setting of the technique; what follows `splats` is aside of the key. */
+/* What points are kept as. */
+typedef enum PointsCompress { POINTS_PLAIN, POINTS_OURS, POINTS_PRINTED } PointsCompress;
+
+/* The setting of the technique. */
 typedef struct PointsOptions {
     SplatSetting splats;
     double detail;   /* largest standard deviation of a splat on the picture; 0: all points */
     uint32_t budget; /* splats at most; 0: any number */
+    PointsCompress compress;
 
+    /* aside of the key */
     uint32_t subdivide, sample; /* of a mesh: midpoints, points spread over it; 0: its vertices */
     double sharp;               /* of a mesh: the angle of creases; 0: none are looked for */
     bool one_radius;            /* for all vertices of a mesh */
@@ -29,6 +34,10 @@ extern const PointsOptions points_option_defaults;
 /* As a technique's check. */
 GpResult points_options_check(const void *options, uint32_t given, const char *extension,
                               GpError *error);
+
+/* Whether a setting asks for patches: for levels, for filters that differ from patch to patch, or since
+ * they are what is compressed and cached. */
+bool points_needs_patches(const PointsOptions *options);
 
 /* Takes K of "waves:K"; 0 where the colour is another.
  * errors GP_ERROR_INVALID: none of the colours there are */

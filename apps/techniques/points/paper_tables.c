@@ -78,7 +78,7 @@ static GpResult measure_bits(const PaperTable *table, const PaperRow *row,
     PointsModel *model = scene;
     GpPool *pool = NULL;
     (void)technique;
-    GpResult result = points_model_structure(model, threads, error);
+    GpResult result = points_model_structure(model, POINTS_PLAIN, threads, error);
     if (!result)
         result = gp_pool_create(threads, &pool, error);
     for (int form = 0; form < COMPRESS_FORMS && !result; form++) {
@@ -159,7 +159,7 @@ static GpResult measure_models(const PaperTable *table, const PaperRow *row,
     (void)table, (void)row;
     PointsModel *model = scene;
     set_window(model);
-    measured[POINTS] = model->surfels.count;
+    measured[POINTS] = model->point_count;
     GpResult result = measure_fps(clock, technique, scene, "--method adaptive --detail 0.7",
                                   &measured[FPS], &measured[DRAWN], error);
     if (!result)

@@ -33,10 +33,10 @@ GpResult points_report(void *made, const void *setting, const Frame *frame, GpDe
     const PointsOptions *options = setting;
     const uint64_t splats = points_model_splats(frame);
     if (report->members) {
-        json_object_set_new(report->members, "points", json_integer(model->surfels.count));
+        json_object_set_new(report->members, "points", json_integer(model->point_count));
         json_object_set_new(report->members, "splats", json_integer((json_int_t)splats));
         json_object_set_new(report->members, "bytes_per_point",
-                            json_real(points_model_bytes(model) / model->surfels.count));
+                            json_real(points_model_bytes(model, options) / model->point_count));
     }
     warn_of_rounding(model, report);
     if (model->cache_fault.text[0])

@@ -5,7 +5,7 @@
 static double points(const void *scene, const Frame *frame)
 {
     (void)frame;
-    return ((const PointsModel *)scene)->surfels.count;
+    return ((const PointsModel *)scene)->point_count;
 }
 
 static double splats_width(const void *scene, const Frame *frame)

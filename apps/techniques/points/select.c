@@ -1,20 +1,14 @@
 #include "apps/techniques/points/select.h"
 
 #include "apps/points/drawing/choose.h"
+#include "apps/points/drawing/compressed.h"
 
 #include <math.h>
-
-bool points_needs_patches(const PointsOptions *options)
-{
-    const SplatMethod method = options->splats.method;
-    return splat_needs_patches(method) || method == SPLAT_QSPLAT || method == SPLAT_SEQUENCE ||
-           options->detail > 0 || options->budget > 0 || options->cache;
-}
 
 static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame *frame,
                             SplatSource *source, GpError *error)
 {
-    const SplatRun all = { method, 0, model->surfels.count, model->mean_radius };
+    const SplatRun all = { method, 0, model->surfels.count, model->mean_radius, 0 };
     *source = (SplatSource){ .surfels = model->surfels.surfels,
                              .runs = frame_copy(frame, &all, sizeof all),
                              .run_count = 1 };
@@ -76,5 +70,12 @@ GpResult points_select(const PointsModel *model, const PointsOptions *options, F
         return GP_OK;
     }
     const SplatDetail detail = { options->detail, options->budget };
-    return splat_choose(&model->patches, &model->view, splats, &detail, frame, source, error);
+    const GpResult result =
+        splat_choose(&model->patches, &model->view, splats, &detail, frame, source, error);
+    if (!result && options->compress) {
+        source->compressed = &model->compressed[options->compress - 1];
+        source->radii = compressed_radii(source->compressed, frame);
+        source->color = model->color;
+    }
+    return result;
 }

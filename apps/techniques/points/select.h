@@ -10,7 +10,4 @@
 GpResult points_select(const PointsModel *model, const PointsOptions *options, Frame *frame,
                        SplatSource *source, GpError *error);
 
-/* Whether a setting asks for levels, or for filters that differ from patch to patch. */
-bool points_needs_patches(const PointsOptions *options);
-
 #endif

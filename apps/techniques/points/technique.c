@@ -13,8 +13,10 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
     const PointsOptions *options = setting;
     SplatSource source;
     GpResult result = GP_OK;
+    if (options->compress && !splat_takes_compressed(options->splats.method))
+        return gp_fail(error, GP_ERROR_INVALID, "the method does not draw compressed points");
     if (points_needs_patches(options))
-        result = points_model_structure(model, gp_device_threads(device), error);
+        result = points_model_structure(model, options->compress, gp_device_threads(device), error);
     if (!result && options->splats.method == SPLAT_SEQUENCE)
         result = points_model_sequence(model, error);
     if (!result)

@@ -18,6 +18,9 @@ const TechniqueWord points_words[] = {
     { "holes", "Pixels of the interior in which nothing was drawn." },
     { "largest", "The error that 99.9 per cent of the interior's values stay below, of 255." },
     { "covered", "Pixels that the surface covers in truth, parts of pixels counted as such." },
+    { "bytes",
+      "Memory that a point takes, with its share of levels of detail where the method needs "
+      "them." },
     { "splat", "A point, drawn as a spot that is densest in its middle." },
     { "both filters",
       "EWA splatting: each spot is as wide as the point's disc is on the picture, and wider by the "
@@ -45,6 +48,13 @@ const TechniqueWord points_words[] = {
                  "views too." },
     { "quads",
       "Both filters in the plane of each point, drawn as two triangles instead of one spot." },
+    { "8 bytes a point",
+      "Both filters, of points that are kept in 8 bytes each and taken apart as they are drawn: "
+      "places along the axes of their patch's own box, normals on an octahedron, logarithms of "
+      "radii." },
+    { "8 bytes a point, as printed",
+      "The same with the bits of the thesis: places along the world's axes, normals as two angles, "
+      "one of 256 radii." },
     { "discs", "Points as round discs that face the eye; the nearest is seen." },
     { "tree of squares",
       "QSplat: points are merged until they are so many pixels wide, by a walk down the tree, and "
