@@ -1,5 +1,6 @@
 #include "apps/points/open.h"
 
+#include "apps/points/clips.h"
 #include "apps/points/creases.h"
 #include "apps/points/orient.h"
 #include "apps/points/sample.h"
@@ -81,6 +82,8 @@ static GpResult open_samples(Opening *opening, const GpMesh *mesh)
 static GpResult open_vertices(Opening *opening, const GpMesh *mesh)
 {
     GpResult result = surfels_of_vertices(mesh, opening->source->each_radius, &opening->surfels);
+    if (result == GP_OK && opening->source->sharp > 0)
+        result = surfels_clip(mesh, opening->source->sharp, &opening->surfels);
     if (result == GP_OK && opening->wants_facts)
         result = facts_of_mesh(mesh, &opening->facts);
     opening->facts.normals_made = mesh->had_normals ? 0 : mesh->vertex_count;

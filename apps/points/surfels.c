@@ -9,5 +9,6 @@ GpResult surfels_alloc(Surfels *surfels, uint32_t count)
 void surfels_free(Surfels *surfels)
 {
     gp_free(surfels->surfels);
+    gp_free(surfels->clips);
     *surfels = (Surfels){ .surfels = NULL };
 }

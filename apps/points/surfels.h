@@ -24,9 +24,20 @@ typedef struct Surfel {
                           however dense its points are */
 } Surfel;
 
+/* Where a surfel on a crease ends: its part of its disc is bounded by lines through its centre. As vertex
+ * streams take it: 32 bytes. */
+typedef struct SurfelClip {
+    float inward[2]
+                [4]; /* x y z: unit directions of the model, in the surfel's plane and square to a
+                           line each, to where the surfel is. w of the first: 1 where it is inwards of
+                           both, -1 where of either; of the second: its share counts by that factor */
+} SurfelClip;
+
 typedef struct Surfels {
     Surfel *surfels; /* [count] */
     uint32_t count;
+    SurfelClip *clips;   /* [clip_count] of the last surfels; NULL: none were looked for */
+    uint32_t clip_count; /* others end at no line */
     bool had_normals, had_radii, had_colors; /* the file stored them; what it did not was made */
 } Surfels;
 

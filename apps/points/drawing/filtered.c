@@ -4,6 +4,7 @@
 
 #include "apps/base/stable_math.h"
 #include "apps/points/drawing/compressed.h"
+#include "shaders_c/points/clipped.h"
 #include "shaders_c/points/perspective.h"
 #include "shaders_c/points/quad.h"
 #include "shaders_c/points/ternary.h"
@@ -78,16 +79,19 @@ static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 static void draw_runs(const SplatSource *source, const FilterUniforms *uniforms, SplatPass pass,
                       const SplatSetting *setting, const GpState *state, Frame *frame)
 {
-    static const GpProgram *const programs[2][SPLAT_PASSES] = {
+    static const GpProgram *const programs[3][SPLAT_PASSES] = {
         { &splat_visibility_program, &splat_color_program, &splat_surface_program },
         { &perspective_visibility_program, &perspective_color_program,
           &perspective_surface_program },
+        { &clipped_visibility_program, &clipped_color_program, &clipped_surface_program },
     };
     const bool exact = setting->method == SPLAT_PERSPECTIVE;
     if (source->compressed)
         compressed_draw_runs(source, uniforms, pass, state, frame);
     else
         splat_draw_runs(source, uniforms, programs[exact][pass], state, frame);
+    if (source->clipped)
+        splat_draw_runs(source->clipped, uniforms, programs[2][pass], state, frame);
 }
 
 void splat_draw_hiders(const SplatSource *source, const FilterUniforms *uniforms,

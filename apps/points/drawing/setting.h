@@ -28,6 +28,12 @@ static inline bool splat_takes_compressed(SplatMethod method)
     return method < SPLAT_TERNARY;
 }
 
+/* Whether splats on creases can end at their clip lines: where all are drawn, by affine EWA. */
+static inline bool splat_has_clips(SplatMethod method)
+{
+    return method == SPLAT_EWA || method == SPLAT_RECONSTRUCTION || method == SPLAT_LOW_PASS;
+}
+
 /* What sums are kept in. */
 typedef enum SplatSums { SPLAT_HALVES, SPLAT_FLOATS, SPLAT_BYTES } SplatSums;
 
@@ -75,6 +81,9 @@ typedef struct SplatSource {
     uint32_t run_count;
     const SplatRun *hiders; /* what leaves visibility; NULL: the runs themselves */
     uint32_t hider_count;
+
+    const struct SplatSource *clipped; /* of surfels with clips, drawn beside these; NULL: none */
+    const SurfelClip *clips;           /* of such a source, one a surfel */
 
     const SequenceNode *nodes; /* of SPLAT_SEQUENCE, instead of surfels and runs */
     uint32_t node_count;

@@ -59,7 +59,7 @@ SplatLight splat_light(const SplatView *view)
 GpGeometry splat_run_geometry(const SplatSource *source, const SplatRun *run)
 {
     const Surfel *first = source->surfels + run->first;
-    return (GpGeometry){
+    GpGeometry geometry = {
         .primitive = GP_POINTS,
         .vertex_count = run->count,
         .streams = {
@@ -69,6 +69,10 @@ GpGeometry splat_run_geometry(const SplatSource *source, const SplatRun *run)
             [GP_COLOR] = { first->color, sizeof *first, 4, GP_UNORM8 },
         },
     };
+    for (int i = 0; i < 2 && source->clips; i++)
+        geometry.streams[GP_TEXCOORD0 + i] =
+            (GpStream){ source->clips[run->first].inward[i], sizeof *source->clips, 4, GP_FLOAT32 };
+    return geometry;
 }
 
 FilterUniforms splat_filter_uniforms(const SplatEye *eye, const SplatView *view,

@@ -314,12 +314,13 @@ uint64_t points_model_splats(const Frame *frame)
 
 double points_model_bytes(const PointsModel *model, const PointsOptions *options)
 {
+    const double clips = (double)model->surfels.clip_count * sizeof(SurfelClip);
     const Patches *patches = &model->patches;
     if (options->compress)
         return (double)compressed_bytes(patches, &model->compressed[options->compress - 1]);
     return points_needs_patches(options)
                ? (double)patches_bytes(patches) + (double)patches->surfel_count * sizeof(Surfel)
-               : (double)model->surfels.count * sizeof(Surfel);
+               : (double)model->surfels.count * sizeof(Surfel) + clips;
 }
 
 void points_model_close(void *made)

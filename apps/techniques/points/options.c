@@ -70,7 +70,7 @@ const SettingField points_settings[] = {
     { "sharp", "A",
       "Of a mesh: where its triangles meet at more than A degrees, such as 40, a point for each "
       "side "
-      "of the crease",
+      "of the crease, at which its splat ends",
       SETTING_NUMBER, OF(sharp), .low = 1, .high = 179, .aside = true },
     { "one-radius", NULL,
       "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each "

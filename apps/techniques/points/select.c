@@ -5,14 +5,34 @@
 
 #include <math.h>
 
+/* The last surfels, which have clips; NULL without memory. */
+static const SplatSource *clipped_surfels(const PointsModel *model, SplatMethod method,
+                                          Frame *frame)
+{
+    const Surfels *surfels = &model->surfels;
+    const SplatRun run = { method, 0, surfels->clip_count, model->mean_radius, 0 };
+    const SplatSource source = { .surfels = surfels->surfels + surfels->count - surfels->clip_count,
+                                 .clips = surfels->clips,
+                                 .runs = frame_copy(frame, &run, sizeof run),
+                                 .run_count = 1 };
+    return source.runs ? frame_copy(frame, &source, sizeof source) : NULL;
+}
+
 static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame *frame,
                             SplatSource *source, GpError *error)
 {
-    const SplatRun all = { method, 0, model->surfels.count, model->mean_radius, 0 };
+    const bool clips = splat_has_clips(method) && model->surfels.clip_count > 0;
+    const SplatRun all = { method, 0,
+                           model->surfels.count - (clips ? model->surfels.clip_count : 0),
+                           model->mean_radius, 0 };
     *source = (SplatSource){ .surfels = model->surfels.surfels,
                              .runs = frame_copy(frame, &all, sizeof all),
                              .run_count = 1 };
-    return source->runs ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    if (clips)
+        source->clipped = clipped_surfels(model, method, frame);
+    return source->runs && (!clips || source->clipped)
+               ? GP_OK
+               : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
 }
 
 /* Of the rivals that go down to nodes of some pixels. */

@@ -33,7 +33,7 @@ static int list_texts(char (*texts)[SETTING_MAX_TEXT])
 }
 
 /* Every method gives one hash, wherever it is drawn; lit: two sums, and a picture's depth. */
-static void check_devices(bool unlit, uint64_t first[MAX_TEXTS])
+static void check_devices(const char *model, bool unlit, uint64_t first[MAX_TEXTS])
 {
     char texts[MAX_TEXTS][SETTING_MAX_TEXT];
     const int count = list_texts(texts);
@@ -41,9 +41,10 @@ static void check_devices(bool unlit, uint64_t first[MAX_TEXTS])
     GpError error = { "" };
     TechniqueStage stage = { .technique = &points_technique };
     PointsOptions options = points_option_defaults;
+    options.sharp = 40; /* of use to a cube's edges */
     options.color = unlit ? "waves:20" : "gold";
     const TechniqueInput input = {
-        .path = "builtin:torus", .width = SIDE, .height = SIDE, .setting = &options
+        .path = model, .width = SIDE, .height = SIDE, .setting = &options
     };
     if (points_technique.open(&input, &stage.scene, &error))
         fail_msg("%s", error.text);
@@ -67,15 +68,25 @@ static void every_method_of_the_sweep_is_one_picture(void **state)
 {
     (void)state;
     uint64_t unlit[MAX_TEXTS], lit[MAX_TEXTS];
-    check_devices(true, unlit);
-    check_devices(false, lit);
+    check_devices("builtin:torus", true, unlit);
+    check_devices("builtin:torus", false, lit);
     assert_true(lit[0] != unlit[0]); /* or nothing was compared */
+}
+
+static void clip_lines_are_one_picture(void **state)
+{
+    (void)state;
+    uint64_t unlit[MAX_TEXTS], lit[MAX_TEXTS];
+    check_devices("builtin:cube", true, unlit);
+    check_devices("builtin:cube", false, lit);
+    assert_true(lit[0] != unlit[0]);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_method_of_the_sweep_is_one_picture),
+        cmocka_unit_test(clip_lines_are_one_picture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
