@@ -36,6 +36,7 @@ typedef struct Loader {
     uint32_t pass_count; /* of passes that are whole: those that others may refer to */
     uint64_t texels;     /* bytes of all surfaces of passes */
     SplatSource *splats; /* of the pass that is read */
+    Surfels *models;     /* as many */
     uint32_t splat_count, splat_room;
 } Loader;
 

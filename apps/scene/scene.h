@@ -45,9 +45,10 @@ typedef struct Scene {
     SceneLight lights[SCENE_MAX_LIGHTS];
     uint32_t light_count;
     float ambient[3], background[4];
-    SplatGroup splats; /* of the last pass that has any; sources in the list's memory */
-    bool has_passes;   /* of its own, instead of one for all objects */
-    Frame frame;       /* private: what all this is made of */
+    SplatGroup splats;           /* of the last pass that has any; sources in the list's memory */
+    const Surfels *splat_models; /* [splats.source_count], all surfels of each, seen or not */
+    bool has_passes;             /* of its own, instead of one for all objects */
+    Frame frame;                 /* private: what all this is made of */
 } Scene;
 
 /* Reads a scene file, found as data is (gp_data_find), and everything it names, which is looked for

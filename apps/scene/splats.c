@@ -157,38 +157,45 @@ static GpResult levels_of(const Surfels *surfels, SplatMethod method, const Scen
     return result;
 }
 
-static SplatSource *next_source(Loader *loader)
+/* Room for one more of each; false without memory. */
+static bool make_room(Loader *loader)
 {
-    if (loader->splat_count == loader->splat_room) {
-        const uint32_t room = loader->splat_room ? 2 * loader->splat_room : 4;
-        SplatSource *moved = frame_alloc(loader->frame, room, sizeof *moved);
-        if (!moved)
-            return NULL;
-        if (loader->splat_count)
-            memcpy(moved, loader->splats, loader->splat_count * sizeof *moved);
-        loader->splats = moved;
-        loader->splat_room = room;
+    if (loader->splat_count < loader->splat_room)
+        return true;
+    const uint32_t count = loader->splat_count, room = count ? 2 * count : 4;
+    SplatSource *splats = frame_alloc(loader->frame, room, sizeof *splats);
+    Surfels *models = frame_alloc(loader->frame, room, sizeof *models);
+    if (!splats || !models)
+        return false;
+    if (count) {
+        memcpy(splats, loader->splats, count * sizeof *splats);
+        memcpy(models, loader->models, count * sizeof *models);
     }
-    return &loader->splats[loader->splat_count++];
+    loader->splats = splats;
+    loader->models = models;
+    loader->splat_room = room;
+    return true;
 }
 
 static void keep(Loader *loader, const Node *object, const SceneView *view, SplatMethod method,
                  GpPool *pool, const Surfels *surfels)
 {
     Frame *frame = loader->frame;
-    SplatSource *source = next_source(loader);
     GpError reason = { "" };
-    if (!source)
+    Surfel *all = frame_alloc(frame, surfels->count, sizeof *all);
+    if (!all || !make_room(loader))
         return;
-    if (splat_needs_patches(method)) {
-        const GpResult result = levels_of(surfels, method, view, pool, frame, source, &reason);
-        if (result)
-            scene_fail(object, result, &reason);
+    SplatSource *source = &loader->splats[loader->splat_count];
+    Surfels *model = &loader->models[loader->splat_count++];
+    memcpy(all, surfels->surfels, surfels->count * sizeof *all);
+    *model = (Surfels){ .surfels = all, .count = surfels->count };
+    if (!splat_needs_patches(method)) {
+        *source = all_of(model, method, frame);
         return;
     }
-    *source = all_of(surfels, method, frame);
-    source->surfels =
-        frame_copy(frame, surfels->surfels, surfels->count * sizeof *surfels->surfels);
+    const GpResult result = levels_of(surfels, method, view, pool, frame, source, &reason);
+    if (result)
+        scene_fail(object, result, &reason);
 }
 
 void scene_read_splats(Loader *loader, Node *object, const SceneView *view)
@@ -228,10 +235,12 @@ void scene_draw_splats(Loader *loader, const SceneView *view, const char *name)
     const SplatNames names = { pass_name(loader, name, "visibility"),
                                pass_name(loader, name, "splats"),
                                pass_name(loader, name, "surface") };
-    OverUniforms uniforms = { .normalize = { .specular = 0.3f, .shininess = 32 } };
+    OverUniforms uniforms = { .normalize = { .specular = SPLAT_SPECULAR,
+                                             .shininess = SPLAT_SHININESS } };
     const SplatShading shading = { .program = &splat_over_program,
                                    .uniforms = &uniforms,
                                    .surface_slot = 1 };
+    const Surfels *models = loader->models;
     loader->splats = NULL;
     loader->splat_count = loader->splat_room = 0;
     if (group.source_count == 0 || loader->frame->arena.result)
@@ -239,5 +248,6 @@ void scene_draw_splats(Loader *loader, const SceneView *view, const char *name)
     scene_light_direction(view, uniforms.normalize.light);
     memcpy(uniforms.ambient, view->scene->ambient, sizeof uniforms.ambient);
     loader->scene->splats = group;
+    loader->scene->splat_models = models;
     splat_build_over(&group, &names, &shading, view->color, view->depth, loader->frame);
 }

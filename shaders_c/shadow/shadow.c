@@ -16,47 +16,6 @@ vertex_shader(lit_textured_vs, ShadowUniforms, TexturedVertex, TexturedVarying)
 
 /* --- the map ------------------------------------------------------------------------------------ */
 
-/* From clip space, at the pixel. */
-GP_INLINE float3 plain_place(const ShadowUniforms *c, float4 clip)
-{
-    flt x = clip.x / clip.w, y = clip.y / clip.w;
-    return vec3(x * 0.5f + (0.5f + c->half_texel), y * -0.5f + (0.5f + c->half_texel),
-                clip.z / clip.w - c->epsilon);
-}
-
-/* The map has one level, so that texldl reads what texld would. */
-GP_INLINE flt stored_depth(GpInvocation *gp, flt u, flt v)
-{
-    return texldl(1, vec4(u, v, 0, 0)).x;
-}
-
-GP_INLINE flt plain_nearest(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
-{
-    float3 place = plain_place(c, in->place);
-    return sge(stored_depth(gp, place.x, place.y), place.z);
-}
-
-GP_INLINE flt plain_bilinear(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
-{
-    float3 place = plain_place(c, in->place);
-    flt size = bcast(c->map_size), step = rcp(size), depth = place.z;
-    flt s = place.x * size - 0.5f, t = place.y * size - 0.5f;
-    flt left = (floor_(s) + 0.5f) * step, top = (floor_(t) + 0.5f) * step;
-    flt right = left + step, bottom = top + step;
-
-    flt upper = lrp(frc(s), sge(stored_depth(gp, right, top), depth),
-                    sge(stored_depth(gp, left, top), depth));
-    flt lower = lrp(frc(s), sge(stored_depth(gp, right, bottom), depth),
-                    sge(stored_depth(gp, left, bottom), depth));
-    return lrp(frc(t), lower, upper);
-}
-
-GP_INLINE flt hardware(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)
-{
-    (void)c;
-    return texldp(1, in->place).x;
-}
-
 /* A cube map, its faces side by side: +x +y +z from the left, below them -x -y -z. Each sees a quarter
  * turn; coordinates stay half a texel inside, since the neighbour on the map is none in the world. */
 GP_INLINE flt cube(GpInvocation *gp, const ShadowUniforms *c, const Varying *in)

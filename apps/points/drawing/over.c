@@ -11,7 +11,7 @@ static const GpSampler at_pixels = { .address_u = GP_BORDER, .address_v = GP_BOR
 
 /* --- what is there ---------------------------------------------------------------------------- */
 
-static float largest_radius(const SplatGroup *group)
+float splat_largest_radius(const SplatGroup *group)
 {
     float largest = 0;
     for (uint32_t i = 0; i < group->source_count; i++)
@@ -28,7 +28,7 @@ static void draw_behind(const SplatGroup *group, const SplatEye *eye, const GpSu
     const BehindUniforms uniforms = {
         .texel = { 1 / (float)depth->width, 1 / (float)depth->height },
         .depth = { (float)eye->depth[0], (float)eye->depth[1] },
-        .behind = { (float)(epsilon * (double)largest_radius(group)),
+        .behind = { (float)(epsilon * (double)splat_largest_radius(group)),
                     (float)(epsilon * steepest * group->setting.low_pass / eye->focal) },
     };
     const GpGeometry whole = splat_whole_picture();
@@ -39,11 +39,11 @@ static void draw_behind(const SplatGroup *group, const SplatEye *eye, const GpSu
 
 /* --- over it ---------------------------------------------------------------------------------- */
 
-static void draw_shaded(const SplatShading *shading, GpSurface *const sums[2], GpSurface *hides,
-                        const GpState *state, Frame *frame)
+static void draw_shaded(const SplatShading *shading, const void *uniforms, GpSurface *const sums[2],
+                        GpSurface *hides, const GpState *state, Frame *frame)
 {
     const GpGeometry whole = splat_whole_picture();
-    GpDraw *draw = frame_draw_copied(frame, shading->program, shading->uniforms, &whole);
+    GpDraw *draw = frame_draw_copied(frame, shading->program, uniforms, &whole);
     draw->state = *state;
     draw->textures[1] = shading->map;
     draw->textures[0] = (GpTexture){ sums[0], at_pixels };
@@ -51,21 +51,27 @@ static void draw_shaded(const SplatShading *shading, GpSurface *const sums[2], G
     draw->textures[2].surface = hides;
 }
 
+enum { RED = 1, GREEN = 2, BLUE = 4, ALPHA = 8 }; /* channels of a target */
+
 /* Once for the colours of all that it covers, and once for the depth of what it covers by half. */
 static void draw_over(const SplatShading *shading, GpSurface *const sums[2], GpSurface *hides,
                       Frame *frame)
 {
-    static const GpState seen = {
+    const bool own = shading->solid != NULL;
+    const GpState seen = {
         .depth = { .test = GP_LESS_EQUAL },
-        .blend = { { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA } },
+        .blend = { { .op = GP_BLEND_ADD,
+                     .src = GP_ONE,
+                     .dst = GP_INV_SRC_ALPHA,
+                     .keep = own ? ALPHA : 0 } },
     };
-    static const GpState solid = {
+    const GpState solid = {
         .depth = { .test = GP_LESS_EQUAL, .write = true },
-        .alpha_test = { .test = GP_GREATER_EQUAL, .reference = 128 },
-        .blend = { { .keep = 0xf } },
+        .alpha_test = { .test = own ? GP_ALWAYS : GP_GREATER_EQUAL, .reference = 128 },
+        .blend = { { .keep = own ? RED | GREEN | BLUE : RED | GREEN | BLUE | ALPHA } },
     };
-    draw_shaded(shading, sums, hides, &seen, frame);
-    draw_shaded(shading, sums, hides, &solid, frame);
+    draw_shaded(shading, shading->uniforms, sums, hides, &seen, frame);
+    draw_shaded(shading, own ? shading->solid : shading->uniforms, sums, hides, &solid, frame);
 }
 
 static void fill_normalization(const SplatGroup *group, const SplatEye *eye,
@@ -98,6 +104,8 @@ void splat_build_over(const SplatGroup *group, const SplatNames *names, const Sp
         splat_draw_sums(&group->sources[i], &uniforms, view, &group->setting, frame);
 
     fill_normalization(group, &eye, shading->uniforms);
+    if (shading->solid)
+        fill_normalization(group, &eye, shading->solid);
     GpPass *pass = frame_pass(frame, names->surface, color, depth, nothing);
     pass->color[0].clear = pass->depth.clear_depth = false;
     draw_over(shading, sums, hides, frame);

@@ -27,13 +27,23 @@ typedef struct SplatGroup {
 typedef struct SplatShading {
     const GpProgram *program;
     void *uniforms;
+    void *
+        solid; /* others for the draw that leaves depth, and alpha of its own; NULL: the same ones, and
+                    alpha stays that of the picture */
     GpTexture map;    /* slot 1, where the program has a shadow map there */
     int surface_slot; /* of the sums of normals and distances */
 } SplatShading;
 
+/* How splats shine in scenes: as phong where nothing is said. */
+#define SPLAT_SPECULAR  0.3f
+#define SPLAT_SHININESS 32
+
+/* The mean radius of the run that has the largest. */
+float splat_largest_radius(const SplatGroup *group);
+
 /* Appends three passes, the last of which draws over `color` and `depth`.
  * in   depth: of the picture's size, of any depth format
- *      shading: its normalization is filled in, but for the light */
+ *      shading: its normalization is filled in, but for light, specular and shininess */
 void splat_build_over(const SplatGroup *group, const SplatNames *names, const SplatShading *shading,
                       GpSurface *color, GpSurface *depth, Frame *frame);
 

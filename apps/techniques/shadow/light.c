@@ -1,5 +1,6 @@
 #include "apps/techniques/shadow/light.h"
 
+#include "apps/techniques/shadow/discs.h"
 #include "shaders_c/common/depth_only.h"
 #include "shaders_c/materials/phong.h"
 #include "shaders_c/shadow/shadow_map.h"
@@ -77,9 +78,11 @@ void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint
     const GpGeometry geometry = find_caster(build, light, object);
     if (!geometry.index_count)
         return;
-    bool plain = setting->method == SHADOW_PLAIN;
-    GpDraw *draw = frame_draw(build->frame, plain ? &shadow_map_program : &depth_only_program, clip,
-                              &geometry);
+    const bool plain = setting->method == SHADOW_PLAIN;
+    const GpProgram *triangles = plain ? &shadow_map_program : &depth_only_program;
+    const GpProgram *discs = plain ? &shadow_disc_map_program : &shadow_disc_program;
+    GpDraw *draw =
+        frame_draw(build->frame, shadow_is_disc(caster) ? discs : triangles, clip, &geometry);
     GpRasterState *raster = &draw->state.raster;
     draw->name = caster->name;
     draw->viewport = *viewport;
@@ -171,7 +174,7 @@ static void map_matrix(const ShadowBuild *build, const ShadowLight *light, float
     matrix_round(product, map);
 }
 
-static void set_light(const ShadowBuild *build, const ShadowLight *light, ShadowUniforms *uniforms)
+void shadow_set_light(const ShadowBuild *build, const ShadowLight *light, ShadowUniforms *uniforms)
 {
     const ShadowSetting *setting = build->setting;
     const SceneLight *source = light->source;
@@ -233,7 +236,7 @@ GpDraw *shadow_draw_object(const ShadowBuild *build, const ShadowLight *light, c
 {
     ShadowTilesUniforms uniforms = { .tiles = SHADOW_TILES };
     set_surface(object, &uniforms.shadow);
-    set_light(build, light, &uniforms.shadow);
+    shadow_set_light(build, light, &uniforms.shadow);
     if (!has_ambient)
         memset(uniforms.shadow.ambient, 0, sizeof uniforms.shadow.ambient);
     if (light->atlas) {

@@ -44,6 +44,9 @@ void shadow_choose(const Scene *scene, ShadowKept *kept, uint32_t number, Shadow
 void shadow_draw_caster(const ShadowBuild *build, const ShadowLight *light, uint32_t object,
                         const void *clip, const GpViewport *viewport, bool scissor);
 
+/* What programs know of the light and its map; the surface is left alone. */
+void shadow_set_light(const ShadowBuild *build, const ShadowLight *light, ShadowUniforms *uniforms);
+
 /* An object as the eye sees it under the light, by a program of shadow.h or shadow_tiles.h: a draw of
  * the present pass, with the light's map in slot 1. */
 GpDraw *shadow_draw_object(const ShadowBuild *build, const ShadowLight *light, const GpDraw *object,

@@ -1,6 +1,7 @@
 /* What a setting leaves open, and what it cannot ask for. */
 #include "apps/techniques/shadow/setting.h"
 
+#include "apps/techniques/shadow/discs.h"
 #include "shaders_c/materials/phong.h"
 #include "shaders_c/materials/textured_phong.h"
 
@@ -88,6 +89,27 @@ static bool has_size(const Scene *scene)
     return any;
 }
 
+/* Splats are lit once a pixel, when all else is drawn: by one light, whose map is one picture. */
+static GpResult check_splats(const Scene *scene, const ShadowSetting *setting, GpError *error)
+{
+    if (scene->splats.source_count == 0)
+        return GP_OK;
+    if (scene->light_count != 1)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "splats have shadows under one light, and the scene has %u",
+                       scene->light_count);
+    if (light_shines_around(&scene->lights[0]))
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "lights[0] shines to all sides, and splats have no shadows from a cube map; "
+                       "it must look at something (\"at\")");
+    if (setting->filter == SHADOW_SOFT)
+        return gp_fail(error, GP_ERROR_INVALID, "splats have no soft shadows");
+    if (setting->fit == LIGHT_FIT_ADAPTIVE)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "splats have no shadows by the adaptive fit, which asks object by object");
+    return GP_OK;
+}
+
 GpResult shadow_check(const Scene *scene, const ShadowSetting *setting, GpError *error)
 {
     bool plain = setting->method == SHADOW_PLAIN;
@@ -113,19 +135,18 @@ GpResult shadow_check(const Scene *scene, const ShadowSetting *setting, GpError 
     if (plain && setting->slope > 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "the plain method's depths are colours, which the rasterizer does not bias");
-    if (scene->splats.source_count > 0)
-        return gp_fail(error, GP_ERROR_INVALID,
-                       "the scene has objects with a method: splats have no shadows");
     if (scene->has_passes)
         return gp_fail(error, GP_ERROR_INVALID, "the scene has passes of its own");
     if (scene->light_count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "the scene has no light");
     for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
         const GpDraw *draw = &scene->list.passes[0].draws[i];
-        if (draw->program != &phong_program && draw->program != &textured_phong_program)
+        if (draw->program != &phong_program && draw->program != &textured_phong_program &&
+            !shadow_is_disc(draw))
             return gp_fail(error, GP_ERROR_INVALID,
                            "objects[%u]: program %s has no shadows; phong and textured_phong have",
                            i, draw->program->name);
     }
-    return check_cubes(scene, setting, error);
+    const GpResult result = check_splats(scene, setting, error);
+    return result ? result : check_cubes(scene, setting, error);
 }

@@ -1,7 +1,11 @@
 #include "apps/techniques/shadow/shadow.h"
 
 #include "apps/techniques/shadow/adaptive.h"
+#include "apps/techniques/shadow/discs.h"
 #include "shaders_c/materials/textured_phong.h"
+#include "shaders_c/shadow/shadow_splats.h"
+
+#include <string.h>
 
 static const GpDepthState same = { .test = GP_EQUAL };
 static const GpBlend added = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
@@ -45,6 +49,8 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
     pass->color[0].clear = pass->depth.clear_depth = first;
     for (uint32_t i = 0; i < scene->draw_count; i++) {
         const GpDraw *object = &scene->draws[i];
+        if (shadow_is_disc(object))
+            continue;
         bool textured = object->program == &textured_phong_program;
         GpDraw *draw =
             shadow_draw_object(build, light, object, choose_program(build, light, textured), first);
@@ -60,6 +66,40 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
         draw->textures[3] = draw->textures[1];
         draw->textures[3].surface = light->atlas;
     }
+}
+
+/* The splats of a scene under its one light, over all else. */
+static void draw_splats(const ShadowBuild *build, const ShadowLight *light)
+{
+    static const SplatNames names = { "visibility", "splats", "lit splats" };
+    static const GpProgram *const plain[] = {
+        [SHADOW_NEAREST] = &shadow_splats_plain_nearest_program,
+        [SHADOW_BILINEAR] = &shadow_splats_plain_bilinear_program,
+    };
+    const ShadowSetting *setting = build->setting;
+    const SplatGroup *group = &build->scene->splats;
+    ShadowSplatsUniforms uniforms = { .lift = splat_largest_radius(group) }, solid;
+    ShadowUniforms *shadow = &uniforms.shadow;
+    shadow->specular = SPLAT_SPECULAR;
+    shadow->shininess = SPLAT_SHININESS;
+    memcpy(shadow->ambient, build->scene->ambient, sizeof shadow->ambient);
+    for (int k = 0; k < 3; k++) {
+        shadow->diffuse[k] = 1;
+        shadow->eye[k] = (float)group->view.camera.eye[k];
+    }
+    shadow_set_light(build, light, shadow);
+    solid = uniforms;
+    solid.solid = 1;
+    const SplatShading shading = {
+        .program = setting->method == SHADOW_PLAIN ? plain[setting->filter]
+                                                   : &shadow_splats_hardware_program,
+        .uniforms = &uniforms,
+        .solid = &solid,
+        .map = { light->map, shadow_map_sampler(setting) },
+        .surface_slot = 3,
+    };
+    splat_build_over(group, &names, &shading, build->frame->color, build->frame->depth,
+                     build->frame);
 }
 
 /* --- the frame -------------------------------------------------------------------------------- */
@@ -84,6 +124,8 @@ GpResult shadow_build(const Scene *scene, ShadowKept *kept, const ShadowSetting 
             result = shadow_draw_tiles(&build, &light, error);
         if (!result)
             draw_lit(&build, &light, i == 0);
+        if (!result && scene->splats.source_count > 0)
+            draw_splats(&build, &light);
     }
     if (!result)
         result = frame_result(frame, error);

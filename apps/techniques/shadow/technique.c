@@ -1,6 +1,7 @@
 #include "apps/techniques/shadow/technique.h"
 
 #include "apps/scene/bounds.h"
+#include "apps/techniques/shadow/discs.h"
 #include "apps/techniques/shadow/light.h"
 #include "apps/techniques/shadow/paper_tables.h"
 #include "apps/techniques/shadow/shadow.h"
@@ -89,7 +90,8 @@ static const char *const usual[] = { "fit, near sides", "fit to the eye", "adapt
 /* --- truth ------------------------------------------------------------------------------------ */
 
 typedef struct Opened {
-    Scene scene;
+    Scene file;
+    Scene scene;  /* the same, with discs for its splats */
     Frame memory; /* of what is kept */
     ShadowKept *kept;
     ShadowTruth truth;
@@ -102,7 +104,7 @@ static void close_scene(void *made)
     gp_pool_destroy(&opened->pool);
     shadow_truth_free(&opened->truth);
     frame_free(&opened->memory);
-    scene_free(&opened->scene);
+    scene_free(&opened->file);
     gp_free(opened);
 }
 
@@ -112,9 +114,14 @@ static GpResult open_scene(const TechniqueInput *input, void **made, GpError *er
     if (!opened)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory");
     const SceneOptions options = { .width = input->width, .height = input->height };
-    GpResult result = scene_load(input->path, &options, &opened->scene, error);
+    GpResult result = scene_load(input->path, &options, &opened->file, error);
     if (result) {
         gp_free(opened);
+        return result;
+    }
+    result = shadow_scene_with_discs(&opened->file, &opened->memory, &opened->scene, error);
+    if (result) {
+        close_scene(opened);
         return result;
     }
     opened->kept = shadow_keep(&opened->scene, &opened->memory);
@@ -220,6 +227,9 @@ static GpResult cast_truth(void *made, int threads, bool only_lit, GpError *erro
     if (scene->light_count != 1)
         return gp_fail(error, GP_ERROR_INVALID, "the truth is for one light, not %u",
                        scene->light_count);
+    if (scene->splats.source_count > 0)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "the truth is of triangles, and the scene has splats");
     const ShadowView view = { .camera = scene->camera,
                               .width = scene->picture->width,
                               .height = scene->picture->height,
