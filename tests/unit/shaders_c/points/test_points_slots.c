@@ -2,6 +2,7 @@
  * EWA, 40 of reconstruction alone and 32 of the low-pass filter alone, vertex and pixel shader together: ours
  * project without tangents, but shade waves and edges as well. */
 #include "pipeline/shader/counts.h"
+#include "shaders_c/points/compressed_splat.h"
 #include "shaders_c/points/disc.h"
 #include "shaders_c/points/normalize.h"
 #include "shaders_c/points/perspective.h"
@@ -19,15 +20,30 @@ static const struct {
     {                                                                                              \
         &name##_program, vertex, pixel                                                             \
     }
-    ROW(splat_visibility, 78, 12),   ROW(splat_color, 98, 12),
-    ROW(splat_surface, 101, 13),     ROW(ternary_color, 97, 12),
-    ROW(ternary_surface, 100, 13),   ROW(perspective_visibility, 102, 26),
-    ROW(perspective_color, 155, 20), ROW(perspective_surface, 158, 25),
-    ROW(quad_visibility, 117, 7),    ROW(quad_color, 134, 7),
-    ROW(quad_surface, 134, 8),       ROW(splat_normalize, 1, 256),
-    ROW(splat_shade, 1, 400),        ROW(point_pixel, 29, 1),
-    ROW(point_round, 34, 6),         ROW(lit_round, 38, 6),
-    ROW(lit_square, 37, 1),          ROW(sequence_square, 43, 1),
+    ROW(splat_visibility, 78, 12),
+    ROW(splat_color, 98, 12),
+    ROW(splat_surface, 101, 13),
+    ROW(ternary_color, 97, 12),
+    ROW(ternary_surface, 100, 13),
+    ROW(perspective_visibility, 102, 26),
+    ROW(perspective_color, 155, 20),
+    ROW(perspective_surface, 158, 25),
+    ROW(quad_visibility, 117, 7),
+    ROW(quad_color, 134, 7),
+    ROW(quad_surface, 134, 8),
+    ROW(splat_normalize, 1, 256),
+    ROW(splat_shade, 1, 400),
+    ROW(point_pixel, 29, 1),
+    ROW(point_round, 34, 6),
+    ROW(lit_round, 38, 6),
+    ROW(lit_square, 37, 1),
+    ROW(sequence_square, 43, 1),
+    ROW(compressed_visibility, 122, 12),
+    ROW(compressed_color, 145, 12),
+    ROW(compressed_surface, 148, 13),
+    ROW(printed_visibility, 123, 12),
+    ROW(printed_color, 149, 12),
+    ROW(printed_surface, 152, 13),
 };
 
 static void shaders_stay_within_profiles_and_slots(void **state)

@@ -1,8 +1,6 @@
 /* Points kept in 8 bytes: what their pictures are off, which form shows bands, and what is kept. */
 #include "apps/techniques/points/model.h"
 #include "apps/techniques/points/technique.h"
-#include "pipeline/shader/counts.h"
-#include "shaders_c/points/compressed_splat.h"
 #include "tests/support/devices.h"
 #include "tests/support/technique_case.h"
 #include "tests/support/unit.h"
@@ -271,29 +269,6 @@ static void other_methods_are_refused(void **state)
     points_technique.close(stage.scene);
 }
 
-/* --- shaders ---------------------------------------------------------------------------------- */
-
-static void shaders_fit_their_profile(void **state)
-{
-    (void)state;
-    const GpProgram *const programs[] = {
-        &compressed_visibility_program, &compressed_color_program, &compressed_surface_program,
-        &printed_visibility_program,    &printed_color_program,    &printed_surface_program
-    };
-    for (size_t i = 0; i < GP_COUNT(programs); i++) {
-        GpError error = { "" };
-        GpShaderCounts vertex, pixel;
-        if (gp_program_check(programs[i], &error))
-            fail_msg("%s", error.text);
-        if (!programs[i]->count)
-            skip();
-        programs[i]->count(programs[i], &vertex, &pixel);
-        print_message("%s: %d and %d slots\n", programs[i]->name, (int)vertex.slots,
-                      (int)pixel.slots);
-        assert_true(vertex.slots > 40 && vertex.slots < 512); /* of vs_3_0 */
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,7 +277,6 @@ int main(void)
         cmocka_unit_test(quantized_normals_show_bands_that_ours_has_not),
         cmocka_unit_test(a_model_opened_for_a_form_keeps_it_alone),
         cmocka_unit_test(other_methods_are_refused),
-        cmocka_unit_test(shaders_fit_their_profile),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
