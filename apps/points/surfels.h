@@ -15,8 +15,8 @@
 /* As vertex streams take it: 32 bytes. */
 typedef struct Surfel {
     float position[3]; /* of the model, finite */
-    float radius; /* standard deviation of the Gaussian on the disc, in the model's unit, > 0; discs
-                          of that radius leave no hole where the sampling is watertight */
+    float radius; /* of the disc, in the model's unit, > 0: discs leave no hole where the sampling
+                          is watertight, but for those of parents (patches.h) */
     float normal[3];  /* unit length, outwards */
     uint8_t color[3]; /* red, green, blue, as stored in files; white where there is none */
     uint8_t share;    /* (share / 255)^2 is how much of the area 2 pi radius^2 this surfel stands

@@ -24,6 +24,23 @@ static char *skip_space(char *at, const char *end)
     return at;
 }
 
+GpResult gp_input_open(const char *path, GpFile *file, GpInput *input, GpError *error)
+{
+    const GpResult result = gp_file_read(path, file, error);
+    if (result != GP_OK)
+        return result;
+    if (file->size == 0) {
+        gp_file_free(file);
+        return gp_fail(error, GP_ERROR_FORMAT, "%s: the file is empty", path);
+    }
+    *input = (GpInput){ .path = path,
+                        .error = error,
+                        .begin = file->data,
+                        .next = file->data,
+                        .end = file->data + file->size };
+    return GP_OK;
+}
+
 bool gp_input_fail(GpInput *input, GpResult result, const char *format, ...)
 {
     if (input->result != GP_OK)

@@ -2,7 +2,7 @@
 #ifndef GP_IO_INPUT_H
 #define GP_IO_INPUT_H
 
-#include "pipeline/base/base.h"
+#include "pipeline/io/file.h"
 
 /* Largest count of vertices, faces or corners that a file may promise. */
 #define GP_INPUT_COUNT_MAX ((int64_t)0x7fffffff)
@@ -25,6 +25,11 @@ typedef struct GpInput {
     size_t number;            /* of the present line, from 1; 0 in bytes: place counts instead */
     const char *place;        /* of the bytes taken last */
 } GpInput;
+
+/* Reads a file, to be walked through from its start.
+ * errors those of gp_file_read; GP_ERROR_FORMAT: it is empty
+ * owns   the caller frees the file, when the input is no longer needed */
+GpResult gp_input_open(const char *path, GpFile *file, GpInput *input, GpError *error);
 
 /* "path: line 12: .." or "path: byte 34: ..", unless there was a fault before. returns false */
 bool gp_input_fail(GpInput *input, GpResult result, const char *format, ...)

@@ -159,3 +159,18 @@ void run_everywhere(const Frame *frame)
     for (size_t i = 0; i < targets.count; i++)
         gp_free(targets.before[i]);
 }
+
+static uint64_t hash_pass(const GpPass *pass, const GpDeviceDesc *desc)
+{
+    const GpList list = { pass, 1 };
+    run_list_on(desc, &list);
+    return hash_targets(&list);
+}
+
+void run_seed_everywhere(const GpPass *pass, int seed)
+{
+    const uint64_t expected = hash_pass(pass, device_here(0));
+    for (size_t d = 1; device_here(d); d++)
+        if (hash_pass(pass, device_here(d)) != expected)
+            fail_msg("seed %d, %s: other bits", seed, device_name(device_here(d)));
+}

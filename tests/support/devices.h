@@ -24,6 +24,10 @@ void run_list(const GpList *list);
 /* Hash of all targets of a list, colours and depths. */
 uint64_t hash_targets(const GpList *list);
 
+/* Runs a pass that clears its targets on every device, with run_list_on.
+ * errors fails the running test, naming the seed, where one draws other bits than the first */
+void run_seed_everywhere(const GpPass *pass, int seed);
+
 /* Runs a frame on every device; each begins with the surfaces as they are now, and leaves the same
  * bits in all of them.
  * errors fails the running test where one does not run, or draws other bits than the first */

@@ -1,5 +1,6 @@
 #include "tests/support/technique_case.h"
 
+#include "tests/support/devices.h"
 #include "tests/support/scene_text.h"
 
 #include <math.h>
@@ -60,6 +61,17 @@ GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, 
     if (result)
         frame_free(frame);
     return result;
+}
+
+uint64_t technique_stage_hash(const TechniqueStage *stage, const char *options)
+{
+    GpError error = { "" };
+    Frame frame;
+    if (technique_stage_draw(stage, options, &frame, &error))
+        fail_msg("%s: %s", options, error.text);
+    const uint64_t hash = hash_targets(&frame.list);
+    frame_free(&frame);
+    return hash;
 }
 
 GpResult technique_stage_measure(const TechniqueStage *stage, const char *options,

@@ -66,19 +66,12 @@ GpResult gp_mesh_read(const char *path, unsigned flags, GpMesh *mesh, GpError *e
                        "%s: expected a name that ends with .off, .obj, .ply, .stl or .om", path);
 
     GpFile file;
-    GpResult result = gp_file_read(path, &file, error);
+    GpInput input;
+    GpResult result = gp_input_open(path, &file, &input, error);
     if (result != GP_OK)
         return result;
     GpMeshBuilder builder = { .vertex_count = 0 };
-    GpInput input = { .path = path,
-                      .error = error,
-                      .begin = file.data,
-                      .next = file.data,
-                      .end = file.data + file.size };
-    if (file.size == 0)
-        input.result = gp_fail(error, GP_ERROR_FORMAT, "%s: the file is empty", path);
-    else
-        entry->read(&input, &builder);
+    entry->read(&input, &builder);
     gp_file_free(&file);
     result = input.result;
     if (result == GP_OK)

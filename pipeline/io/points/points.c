@@ -80,18 +80,12 @@ GpResult gp_points_read(const char *path, GpPoints *points, GpError *error)
             ".txt",
             path);
     GpFile file;
-    GpResult result = gp_file_read(path, &file, error);
+    GpInput input;
+    GpResult result = gp_input_open(path, &file, &input, error);
     if (result != GP_OK)
         return result;
     GpPointsBuilder builder = { .face_count = 0 };
-    GpInput input = { .path = path,
-                      .error = error,
-                      .begin = file.data,
-                      .next = file.data,
-                      .end = file.data + file.size };
-    if (file.size == 0)
-        input.result = gp_fail(error, GP_ERROR_FORMAT, "%s: the file is empty", path);
-    else if (format->is_text)
+    if (format->is_text)
         gp_points_read_text(&input, format->columns, &builder);
     else
         gp_points_read_ply(&input, &builder);

@@ -151,13 +151,6 @@ static void destroy_drawing(Drawing *drawing)
 
 /* --- runs ----------------------------------------------------------------------------------------- */
 
-static uint64_t run(const Drawing *drawing, const GpDeviceDesc *desc)
-{
-    const GpList list = { &drawing->pass, 1 };
-    run_list_on(desc, &list);
-    return hash_targets(&list);
-}
-
 static void flat_points_are_the_references(void **state)
 {
     (void)state;
@@ -165,10 +158,7 @@ static void flat_points_are_the_references(void **state)
     for (int seed = 0; seed < SEEDS; seed++) {
         Random random = { (uint64_t)seed };
         create_drawing(&random, &drawing);
-        const uint64_t expected = run(&drawing, device_here(0));
-        for (size_t d = 1; device_here(d); d++)
-            if (run(&drawing, device_here(d)) != expected)
-                fail_msg("seed %d, %s: other bits", seed, device_name(device_here(d)));
+        run_seed_everywhere(&drawing.pass, seed);
         destroy_drawing(&drawing);
     }
 }

@@ -9,18 +9,6 @@
 
 enum { SIDE = 64, MAX_TEXTS = 64 };
 
-/* A hash of all that a frame draws, its sums too. */
-static uint64_t hash_frame(const TechniqueStage *stage, const char *options)
-{
-    GpError error = { "" };
-    Frame frame;
-    if (technique_stage_draw(stage, options, &frame, &error))
-        fail_msg("%s: %s", options, error.text);
-    const uint64_t hash = hash_targets(&frame.list);
-    frame_free(&frame);
-    return hash;
-}
-
 /* One text of each row of the sweep. */
 static int list_texts(char (*texts)[SETTING_MAX_TEXT])
 {
@@ -51,7 +39,7 @@ static void check_devices(const char *model, bool unlit, uint64_t first[MAX_TEXT
     for (size_t d = 0; device_here(d); d++) {
         stage.device = device_open(device_here(d));
         for (int i = 0; i < count; i++) {
-            const uint64_t hash = hash_frame(&stage, texts[i]);
+            const uint64_t hash = technique_stage_hash(&stage, texts[i]);
             first[i] = d == 0 ? hash : first[i];
             if (hash == first[i])
                 continue;

@@ -14,18 +14,6 @@ enum { MAP = 64, SIDE = 96 };
 
 /* --- one picture ------------------------------------------------------------------------------ */
 
-/* A hash of all that a frame draws, its maps too. */
-static uint64_t hash_frame(const TechniqueStage *stage, const char *options)
-{
-    GpError error = { "" };
-    Frame frame;
-    if (technique_stage_draw(stage, options, &frame, &error))
-        fail_msg("%s: %s", options, error.text);
-    const uint64_t hash = hash_targets(&frame.list);
-    frame_free(&frame);
-    return hash;
-}
-
 enum { MAX_TEXTS = 32 };
 
 /* Every text of options gives one hash, wherever it is drawn. */
@@ -41,7 +29,7 @@ static void check_devices(const char *path, char (*texts)[SETTING_MAX_TEXT], int
     for (size_t d = 0; device_here(d); d++) {
         stage.device = device_open(device_here(d));
         for (int i = 0; i < count; i++) {
-            const uint64_t hash = hash_frame(&stage, texts[i]);
+            const uint64_t hash = technique_stage_hash(&stage, texts[i]);
             first[i] = d == 0 ? hash : first[i];
             if (hash == first[i])
                 continue;
