@@ -25,7 +25,7 @@ BEGIN {
     floor("shaders_c")
     floor("apps/base")
     floor("apps/frame")
-    floor("apps/compare apps/points")
+    floor("apps/compare apps/points apps/volumes")
     floor("apps/scene")
     floor("apps/truth apps/effect")
     floor("apps/techniques")
