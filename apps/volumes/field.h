@@ -19,16 +19,26 @@ typedef struct Field {
     double least, most; /* what values 0 and 255 were in the file: 0 and 255 where it has bytes */
 } Field;
 
-/* Makes a field of a volume's samples: bytes as they are, bits as 0 and 255, all others from the
- * least to the greatest that is a number; what is none becomes 0.
+/* Reads a volume's file, looked for as data is, with its samples as they are.
+ * errors those of gp_data_find and gp_volume_read
+ * owns   the caller, until gp_volume_free */
+GpResult field_read(const char *name, GpVolume *volume, GpError *error);
+
+/* Samples as bytes, from the least to the greatest that is finite; what is not becomes 0.
+ * out    range: the least and the greatest; NULL: not wanted
+ * returns NULL without memory. The caller frees them. */
+uint8_t *field_bytes(const GpVolume *volume, double range[2]);
+
+/* Makes a field of a volume's samples: bytes as they are, all others as field_bytes.
  * out    field: untouched on failure
- * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a side of more than 1024 samples
+ * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a side of more than 1024 samples, or samples more than
+ *        a thousand times as far from each other along one axis as along another
  * owns   the caller, until field_free */
 GpResult field_make(const GpVolume *volume, Field *field, GpError *error);
 
-/* Opens a volume by name: a file, looked for as data is, or builtin:marschner-lobb[:N],
- * builtin:checkerboard[:N], builtin:ball[:N].
- * errors those of gp_data_find, gp_volume_read and field_make; GP_ERROR_INVALID: no such builtin */
+/* Opens a volume by name: a file, looked for as data is, or builtin:NAME[:N] (builtin.h).
+ * errors those of field_read and field_make; GP_ERROR_INVALID: no such builtin
+ * owns   the caller, until field_free */
 GpResult field_open(const char *name, Field *field, GpError *error);
 
 void field_free(Field *field);

@@ -1,7 +1,7 @@
 #include "apps/techniques/voxel/models.h"
 
 #include "apps/base/text.h"
-#include "apps/scene/volume.h"
+#include "apps/volumes/field.h"
 
 #include <string.h>
 
@@ -24,7 +24,7 @@ static GpResult open_all(const TechniqueInput *input, VoxelModels *models, GpErr
     if (!result && options->with)
         result = voxel_scene_open(options->with, &models->second, error);
     if (!result && options->scan)
-        result = volume_open(options->scan, &models->scan, error);
+        result = field_read(options->scan, &models->scan, error);
     take_points(options, &models->scene);
     take_points(options, &models->second);
     return result;

@@ -1,8 +1,8 @@
 /* What a picture shows: which volumes in which paint, around which scan, from where. */
 #include "apps/techniques/voxel/pictures/picture.h"
 
-#include "apps/scene/volume.h"
 #include "apps/techniques/voxel/pictures/scan.h"
+#include "apps/volumes/transfer.h"
 
 #include <math.h>
 #include <string.h>
@@ -11,15 +11,33 @@
 
 enum { WIDE = 128 }; /* voxels a side of the volume whose voxels have these densities */
 
-/* Nothing, skin, flesh, bone: as bytes of a scan by X-rays have them, and other scans roughly. */
-static const VolumeStop stops[] = {
-    { 0, { 0.9, 0.6, 0.4, 0 } },
-    { 48, { 0.9, 0.6, 0.4, 0 } },
-    { 70, { 0.9, 0.6, 0.45, 0.03 * WIDE } },
-    { 110, { 0.85, 0.5, 0.4, 0.02 * WIDE } },
-    { 140, { 0.95, 0.9, 0.8, 0.12 * WIDE } },
-    { 255, { 1, 0.98, 0.92, 0.3 * WIDE } },
-};
+/* Nothing, skin, flesh, bone: as bytes of a scan by X-rays have them, and other scans roughly. In the
+ * place of opacity a density, which adds up along a ray. */
+static const Transfer densities = { 6,
+                                    { { 0, { 0.9, 0.6, 0.4, 0 } },
+                                      { 48, { 0.9, 0.6, 0.4, 0 } },
+                                      { 70, { 0.9, 0.6, 0.45, 0.03 } },
+                                      { 110, { 0.85, 0.5, 0.4, 0.02 } },
+                                      { 140, { 0.95, 0.9, 0.8, 0.12 } },
+                                      { 255, { 1, 0.98, 0.92, 0.3 } } } };
+
+/* How much light a voxel takes, as a share of what it lets through: twice as many voxels on the same
+ * way take half of it each, nearly. */
+static double opacity_of(double density)
+{
+    return density / (1 + density);
+}
+
+static void make_table(uint32_t size, uint8_t table[FIELD_VALUES][4])
+{
+    for (int i = 0; i < FIELD_VALUES; i++) {
+        double rgba[4];
+        transfer_at(&densities, i, rgba);
+        rgba[3] = opacity_of(rgba[3] * WIDE / size);
+        for (int c = 0; c < 4; c++)
+            table[i][c] = (uint8_t)(rgba[c] * 255 + 0.5);
+    }
+}
 
 static GpResult add_scan(const GpVolume *scan, uint32_t size, Frame *frame, VoxelView *view,
                          GpError *error)
@@ -30,7 +48,7 @@ static GpResult add_scan(const GpVolume *scan, uint32_t size, Frame *frame, Voxe
     GpResult result = flat_texture_check(size, 8, error);
     if (result)
         return result;
-    uint8_t *bytes = volume_bytes(scan);
+    uint8_t *bytes = field_bytes(scan, NULL);
     if (!bytes)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     double spacing[3], longest = 0;
@@ -41,8 +59,8 @@ static GpResult add_scan(const GpVolume *scan, uint32_t size, Frame *frame, Voxe
     const FlatTexture flat = voxel_scan(frame, bytes, scan->dims, spacing, size);
     gp_free(bytes);
     const FlatTexture slopes = voxel_scan_slopes(frame, &flat);
-    uint8_t transfer[VOLUME_VALUES][4];
-    volume_transfer(stops, GP_COUNT(stops), size, transfer);
+    uint8_t transfer[FIELD_VALUES][4];
+    make_table(size, transfer);
     view->scan = frame_copy(frame, &slopes, sizeof slopes);
     view->transfer = frame_copy(frame, transfer, sizeof transfer);
     return frame_result(frame, error);
@@ -79,8 +97,7 @@ GpResult voxel_picture_build(const VoxelPicture *picture, const VoxelPairMade *m
     view.shading = picture->shading;
     view.range = made->range;
     if (picture->is_solid)
-        view.paint.opacity = view.second_paint.opacity =
-            (float)volume_opacity(SOLID_DENSITY / size);
+        view.paint.opacity = view.second_paint.opacity = (float)opacity_of(SOLID_DENSITY / size);
     if (picture->shows_both) {
         view.second = &made->volumes[1];
         view.range = made->around;
