@@ -336,5 +336,7 @@ bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *grou
         group->range_count += p->range_count;
         room = at->draw == 0 && has_room(fast);
     }
+    for (uint32_t p = 0; p < group->pass_count; p++)
+        fast_slots_add_reads(&group->slots, group->passes[p].pass);
     return prepare_ranges(fast, group);
 }

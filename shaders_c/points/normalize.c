@@ -11,14 +11,14 @@ clip_vertex_shader(normalize_vs, NormalizeUniforms);
 
 pixel_shader(splat_normalize_ps, NormalizeUniforms, NoVarying)
 {
-    Sums sums = { texel_at(gp, 0, c, 0, 0), sp4(bcast(0)) };
+    Sums sums = { gp_load_local(SUMS_HERE_SLOT), sp4(bcast(0)) };
     flt alpha = close_gaps(gp, c, 0, &sums);
     float3 color = mul(xyz(sums.color), rcp(max(sums.color.w, NOTHING)));
     return over_background(c, color, alpha);
 }
 
 program(splat_normalize_program, normalize_vs, splat_normalize_ps, MODEL_3_0,
-        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .local_reads = 1 << 2,
+        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .local_reads = READ_HERE,
         .uses_pixel = true)
 
 pixel_shader(splat_shade_ps, NormalizeUniforms, NoVarying)
@@ -33,5 +33,5 @@ pixel_shader(splat_shade_ps, NormalizeUniforms, NoVarying)
 }
 
 program(splat_shade_program, normalize_vs, splat_shade_ps, MODEL_3_0,
-        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0 | 1 << 1, .local_reads = 1 << 2,
-        .writes_depth = true, .uses_pixel = true)
+        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0 | 1 << 1,
+        .local_reads = READ_HERE | 1 << SURFACE_HERE_SLOT, .writes_depth = true, .uses_pixel = true)

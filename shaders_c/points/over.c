@@ -6,9 +6,7 @@ clip_vertex_shader(behind_vs, BehindUniforms);
 
 pixel_shader(splat_behind_ps, BehindUniforms, NoVarying)
 {
-    float2 place = vpos();
-    flt depth =
-        texldl(0, vec4((place.x + 0.5f) * c->texel[0], (place.y + 0.5f) * c->texel[1], 0, 0)).x;
+    flt depth = gp_load_local(0).x;
     flt distance = rcp(depth - c->depth[0]) * c->depth[1];
     flt behind = distance + mad(distance, c->behind[1], c->behind[0]);
     odepth(sat(c->depth[0] + c->depth[1] * rcp(behind)));
@@ -16,8 +14,7 @@ pixel_shader(splat_behind_ps, BehindUniforms, NoVarying)
 }
 
 program(splat_behind_program, behind_vs, splat_behind_ps, MODEL_3_0,
-        .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0, .writes_depth = true,
-        .uses_pixel = true)
+        .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0, .writes_depth = true)
 
 clip_vertex_shader(over_vs, OverUniforms);
 
@@ -35,5 +32,5 @@ pixel_shader(splat_over_ps, OverUniforms, NoVarying)
 }
 
 program(splat_over_program, over_vs, splat_over_ps, MODEL_3_0, .inputs = { { GP_POSITION, 3 } },
-        .samplers = 1 << 0 | 1 << 1, .local_reads = 1 << 2, .may_discard = true,
-        .writes_depth = true, .uses_pixel = true)
+        .samplers = 1 << 0 | 1 << 1, .local_reads = READ_HERE | 1 << SURFACE_HERE_SLOT,
+        .may_discard = true, .writes_depth = true, .uses_pixel = true)

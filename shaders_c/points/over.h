@@ -10,7 +10,6 @@
 #include "shaders_c/points/normalize.h"
 
 typedef struct BehindUniforms {
-    float texel[2];  /* 1 / width, 1 / height of the picture */
     float depth[2];  /* depth of a distance z: depth[0] + depth[1] / z */
     float behind[2]; /* of a distance z: behind[0] + behind[1] z */
 } BehindUniforms;

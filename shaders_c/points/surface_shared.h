@@ -8,6 +8,9 @@
 /* Less weight than this is none: sums of no splat. */
 #define NOTHING 1e-6f
 
+/* Slots that all programs with a surface read in place. */
+#define READ_HERE (1 << HIDES_SLOT | 1 << SUMS_HERE_SLOT)
+
 GP_INLINE flt covered_part(const NormalizeUniforms *c, flt weight)
 {
     flt alpha = sat(mad(weight, c->coverage[0], c->coverage[1]));
@@ -55,7 +58,7 @@ GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, int surfa
     const float across[8][2] = { { 1, 0 }, { 0, 1 }, { 1, 1 }, { 1, -1 },
                                  { 2, 0 }, { 0, 2 }, { 2, 2 }, { 2, -2 } };
     flt alpha = covered_part(c, sums->color.w);
-    msk drawn = (msk)(sums->color.w > NOTHING) | (msk)(gp_load_local(2).x < 1.0f);
+    msk drawn = (msk)(sums->color.w > NOTHING) | (msk)(gp_load_local(HIDES_SLOT).x < 1.0f);
     if (any((msk)(alpha < 1.0f) & drawn)) {
         Sums best = *sums;
         flt most = bcast(0);
@@ -80,7 +83,7 @@ typedef struct SplattedSurface {
 /* in   slot: of the sums of normals and distances */
 GP_INLINE SplattedSurface surface_at(GpInvocation *gp, const NormalizeUniforms *c, int slot)
 {
-    Sums sums = { texel_at(gp, 0, c, 0, 0), texel_at(gp, slot, c, 0, 0) };
+    Sums sums = { gp_load_local(SUMS_HERE_SLOT), gp_load_local(SURFACE_HERE_SLOT) };
     flt alpha = close_gaps(gp, c, slot, &sums);
     flt per_weight = rcp(max(sums.color.w, NOTHING));
     flt x = (vpos().x + (0.5f - c->centre[0])) * c->per_focal;

@@ -32,7 +32,8 @@ GP_INLINE float4 light_splats(GpInvocation *gp, const ShadowSplatsUniforms *c,
     }                                                                                              \
     program(shadow_splats_##form##_program, shadow_splats_vs, shadow_splats_##form##_ps,           \
             MODEL_3_0, .inputs = { { GP_POSITION, 3 } }, .samplers = 1 << 0 | 1 << 1 | 1 << 3,     \
-            .local_reads = 1 << 2, .may_discard = true, .writes_depth = true, .uses_pixel = true)
+            .local_reads = READ_HERE | 1 << SURFACE_HERE_SLOT, .may_discard = true,                \
+            .writes_depth = true, .uses_pixel = true)
 
 SHADED(hardware)
 SHADED(plain_nearest)

@@ -53,6 +53,16 @@ GpGeometry splat_whole_picture(void)
                          .streams = { [GP_POSITION] = { .data = corners, .components = 3 } } };
 }
 
+void splat_bind_sums(GpDraw *draw, GpSurface *const sums[2], int surface_slot, GpSurface *hides)
+{
+    static const GpSampler at_pixels = { .address_u = GP_BORDER, .address_v = GP_BORDER };
+    draw->textures[0] = (GpTexture){ sums[0], at_pixels };
+    draw->textures[surface_slot] = (GpTexture){ sums[1], at_pixels };
+    draw->textures[HIDES_SLOT].surface = hides;
+    draw->textures[SUMS_HERE_SLOT].surface = sums[0];
+    draw->textures[SURFACE_HERE_SLOT].surface = sums[1];
+}
+
 static void add_normalization(const SplatEye *eye, const SplatView *view,
                               const SplatSetting *setting, GpSurface *const sums[2],
                               GpSurface *visible, Frame *frame)
@@ -65,9 +75,7 @@ static void add_normalization(const SplatEye *eye, const SplatView *view,
     frame_pass(frame, "normalize", frame->color, frame->depth, view->background);
     GpDraw *draw = frame_draw_copied(
         frame, view->lit ? &splat_shade_program : &splat_normalize_program, &uniforms, &whole);
-    draw->textures[0] = (GpTexture){ sums[0], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
-    draw->textures[1] = (GpTexture){ sums[1], { .address_u = GP_BORDER, .address_v = GP_BORDER } };
-    draw->textures[2].surface = visible;
+    splat_bind_sums(draw, sums, 1, visible);
     if (view->lit)
         draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
 }

@@ -31,6 +31,9 @@ GpPass *splat_begin_sums(GpSurface *const sums[2], GpSurface *visible, Frame *fr
 void splat_draw_sums(const SplatSource *source, const FilterUniforms *uniforms,
                      const SplatView *view, const SplatSetting *setting, Frame *frame);
 
+/* Gives a draw of the last pass what it reads: normalize.h. */
+void splat_bind_sums(GpDraw *draw, GpSurface *const sums[2], int surface_slot, GpSurface *hides);
+
 /* Without background. */
 NormalizeUniforms splat_normalize_uniforms(const SplatEye *eye, const SplatView *view,
                                            const SplatSetting *setting);

@@ -6,9 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Pictures are read pixel by pixel; beside them there is nothing. */
-static const GpSampler at_pixels = { .address_u = GP_BORDER, .address_v = GP_BORDER };
-
 /* --- what is there ---------------------------------------------------------------------------- */
 
 float splat_largest_radius(const SplatGroup *group)
@@ -26,7 +23,6 @@ static void draw_behind(const SplatGroup *group, const SplatEye *eye, const GpSu
 {
     const double steepest = 10, epsilon = group->setting.epsilon;
     const BehindUniforms uniforms = {
-        .texel = { 1 / (float)depth->width, 1 / (float)depth->height },
         .depth = { (float)eye->depth[0], (float)eye->depth[1] },
         .behind = { (float)(epsilon * (double)splat_largest_radius(group)),
                     (float)(epsilon * steepest * group->setting.low_pass / eye->focal) },
@@ -34,7 +30,7 @@ static void draw_behind(const SplatGroup *group, const SplatEye *eye, const GpSu
     const GpGeometry whole = splat_whole_picture();
     GpDraw *draw = frame_draw_copied(frame, &splat_behind_program, &uniforms, &whole);
     draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
-    draw->textures[0] = (GpTexture){ depth, at_pixels };
+    draw->textures[0].surface = depth;
 }
 
 /* --- over it ---------------------------------------------------------------------------------- */
@@ -46,9 +42,7 @@ static void draw_shaded(const SplatShading *shading, const void *uniforms, GpSur
     GpDraw *draw = frame_draw_copied(frame, shading->program, uniforms, &whole);
     draw->state = *state;
     draw->textures[1] = shading->map;
-    draw->textures[0] = (GpTexture){ sums[0], at_pixels };
-    draw->textures[shading->surface_slot] = (GpTexture){ sums[1], at_pixels };
-    draw->textures[2].surface = hides;
+    splat_bind_sums(draw, sums, shading->surface_slot, hides);
 }
 
 enum { RED = 1, GREEN = 2, BLUE = 4, ALPHA = 8 }; /* channels of a target */

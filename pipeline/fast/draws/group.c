@@ -1,6 +1,6 @@
 #include "pipeline/fast/draws/group.h"
 
-static int find(GpSurface *const *slots, int count, const GpSurface *surface)
+static int find(const GpSurface *const *slots, int count, const GpSurface *surface)
 {
     for (int i = 0; i < count; i++)
         if (slots[i] == surface)
@@ -9,7 +9,7 @@ static int find(GpSurface *const *slots, int count, const GpSurface *surface)
 }
 
 /* Finds the surface's slot, or gives it a free one. */
-static bool take(GpSurface **slots, int count, GpSurface *surface)
+static bool take(const GpSurface **slots, int count, const GpSurface *surface)
 {
     if (!surface || find(slots, count, surface) >= 0)
         return true;
@@ -28,6 +28,38 @@ bool fast_slots_add(FastSlots *slots, const GpPass *pass)
     if (room)
         *slots = more;
     return room;
+}
+
+/* Whether texels of a surface have a slot by another surface. */
+static bool has_other_name(const FastSlots *slots, const GpSurface *surface)
+{
+    for (int i = 0; i < FAST_COLOR_SLOTS + FAST_DEPTH_SLOTS; i++) {
+        const GpSurface *other =
+            i < FAST_COLOR_SLOTS ? slots->color[i] : slots->depth[i - FAST_COLOR_SLOTS];
+        if (other && other != surface && gp_surfaces_share(other, surface))
+            return true;
+    }
+    return false;
+}
+
+static void add_read(FastSlots *slots, const GpSurface *surface)
+{
+    const GpFormatInfo *format = gp_format_info(surface->format);
+    if (has_other_name(slots, surface))
+        return;
+    if (format->is_target)
+        take(slots->color, FAST_COLOR_SLOTS, surface);
+    else if (format->is_depth)
+        take(slots->depth, FAST_DEPTH_SLOTS, surface);
+}
+
+void fast_slots_add_reads(FastSlots *slots, const GpPass *pass)
+{
+    for (uint32_t i = 0; i < pass->draw_count; i++) {
+        const GpDraw *draw = &pass->draws[i];
+        for (unsigned read = draw->program->local_reads; read; read &= read - 1)
+            add_read(slots, draw->textures[__builtin_ctz(read)].surface);
+    }
 }
 
 int fast_color_slot(const FastSlots *slots, const GpSurface *surface)

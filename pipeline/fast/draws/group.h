@@ -6,10 +6,10 @@
 
 #include "pipeline/fast/draws/draw.h"
 
-/* The surfaces that a group draws to, each with its slot in tile memory. */
+/* The surfaces that a group draws to or reads in place, each with its slot in tile memory. */
 typedef struct FastSlots {
-    GpSurface *color[FAST_COLOR_SLOTS]; /* NULL: free */
-    GpSurface *depth[FAST_DEPTH_SLOTS];
+    const GpSurface *color[FAST_COLOR_SLOTS]; /* NULL: free */
+    const GpSurface *depth[FAST_DEPTH_SLOTS];
 } FastSlots;
 
 /* Passes that run tile by tile, all of them in one tile before the next tile's turn. */
@@ -24,7 +24,11 @@ typedef struct FastGroup {
  * are too few. An empty set is large enough for any one pass. */
 bool fast_slots_add(FastSlots *slots, const GpPass *pass);
 
-/* Slot of a target; -1: none. */
+/* The same for what its draws read in place, as far as slots are left: rows of tiles are read quicker
+ * than texels one by one. After the targets of all passes. */
+void fast_slots_add_reads(FastSlots *slots, const GpPass *pass);
+
+/* Slot of a target, or of what is read; -1: none. */
 int fast_color_slot(const FastSlots *slots, const GpSurface *surface);
 int fast_depth_slot(const FastSlots *slots, const GpSurface *surface);
 
