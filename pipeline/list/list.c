@@ -67,42 +67,76 @@ static bool is_target_by_other_name(const GpSurface *surface, const GpPass *writ
 
 /* --- groups ----------------------------------------------------------------------------------- */
 
-static bool reads_elsewhere(const GpPass *pass)
+/* Surfaces that passes read at other places than a pixel's own, and those that they render to. Frames
+ * have many passes and few surfaces. */
+enum { SURFACES = 64 };
+typedef struct SurfaceSet {
+    const GpSurface *surface[SURFACES];
+    uint32_t count;
+    bool overflows;
+} SurfaceSet;
+
+typedef struct PassSurfaces {
+    SurfaceSet read, written;
+} PassSurfaces;
+
+static void add_surface(SurfaceSet *set, const GpSurface *surface)
 {
-    for (uint32_t i = 0; i < pass->draw_count; i++)
-        if (pass->draws[i].program->samplers | pass->draws[i].program->vertex_samplers)
-            return true;
-    return false;
+    for (uint32_t i = 0; i < set->count; i++)
+        if (set->surface[i] == surface)
+            return;
+    if (set->count == SURFACES)
+        set->overflows = true;
+    else if (surface)
+        set->surface[set->count++] = surface;
 }
 
-/* Whether a pass reads something that `writer` renders to at other places than the pixel's own. */
-static bool depends_elsewhere(const GpPass *pass, const GpPass *writer)
+static void add_surfaces(SurfaceSet *set, const SurfaceSet *more)
 {
+    for (uint32_t i = 0; i < more->count; i++)
+        add_surface(set, more->surface[i]);
+    set->overflows = set->overflows || more->overflows;
+}
+
+static void find_surfaces(const GpPass *pass, PassSurfaces *surfaces)
+{
+    surfaces->read.count = surfaces->written.count = 0;
+    surfaces->read.overflows = surfaces->written.overflows = false;
+    for (int t = 0; t <= GP_MAX_TARGETS; t++)
+        add_surface(&surfaces->written, target_of(pass, t));
     for (uint32_t i = 0; i < pass->draw_count; i++) {
         const GpDraw *draw = &pass->draws[i];
         unsigned anywhere = draw->program->samplers | draw->program->vertex_samplers;
         for (; anywhere; anywhere &= anywhere - 1)
-            if (gp_pass_renders_to(writer, draw->textures[__builtin_ctz(anywhere)].surface))
-                return true;
+            add_surface(&surfaces->read, draw->textures[__builtin_ctz(anywhere)].surface);
     }
+}
+
+static bool any_shared(const SurfaceSet *a, const SurfaceSet *b)
+{
+    for (uint32_t i = 0; i < a->count; i++)
+        for (uint32_t k = 0; k < b->count; k++)
+            if (gp_surfaces_share(a->surface[i], b->surface[k]))
+                return true;
     return false;
 }
 
 /* A pass joins the group [first, pass) if it has its size, reads its targets only in place, renders to
- * nothing that the group reads elsewhere, and none of their texels has two names.
- * in   some_read, some_borrowed: of the two, one reads elsewhere, or has borrowed surfaces, at all */
-static bool joins(const GpList *list, uint32_t first, uint32_t pass, bool some_read,
-                  bool some_borrowed)
+ * nothing that the group reads elsewhere, and none of their texels has two names. (Nor where
+ * there are more surfaces than a set has room for: groups are not owed.)
+ * in   group, own: surfaces of the group and of the pass; some_borrowed: of the two, one has borrowed
+ *      surfaces at all */
+static bool joins(const GpList *list, uint32_t first, uint32_t pass, const PassSurfaces *group,
+                  const PassSurfaces *own, bool some_borrowed)
 {
     uint32_t width, height, group_width, group_height;
     gp_pass_size(&list->passes[first], &group_width, &group_height);
     gp_pass_size(&list->passes[pass], &width, &height);
     if (width != group_width || height != group_height)
         return false;
-    for (uint32_t member = first; some_read && member < pass; member++)
-        if (depends_elsewhere(&list->passes[pass], &list->passes[member]) ||
-            depends_elsewhere(&list->passes[member], &list->passes[pass]))
-            return false;
+    if (group->read.overflows || group->written.overflows || own->read.overflows ||
+        any_shared(&own->read, &group->written) || any_shared(&own->written, &group->read))
+        return false;
     for (uint32_t member = first; some_borrowed && member < pass; member++)
         if (any_at_hand(&list->passes[pass], is_target_by_other_name, &list->passes[member]) ||
             any_at_hand(&list->passes[member], is_target_by_other_name, &list->passes[pass]))
@@ -113,17 +147,20 @@ static bool joins(const GpList *list, uint32_t first, uint32_t pass, bool some_r
 uint32_t gp_list_groups(const GpList *list, uint32_t *group_of)
 {
     uint32_t groups = 0, first = 0;
-    bool some_read = false, some_borrowed = false;
+    bool some_borrowed = false;
+    PassSurfaces group, own;
     for (uint32_t pass = 0; pass < list->pass_count; pass++) {
-        bool reads = reads_elsewhere(&list->passes[pass]);
-        bool borrows = any_at_hand(&list->passes[pass], is_borrowed, NULL);
-        some_read = some_read || reads;
+        const bool borrows = any_at_hand(&list->passes[pass], is_borrowed, NULL);
+        find_surfaces(&list->passes[pass], &own);
         some_borrowed = some_borrowed || borrows;
-        if (pass == 0 || !joins(list, first, pass, some_read, some_borrowed)) {
+        if (pass == 0 || !joins(list, first, pass, &group, &own, some_borrowed)) {
             first = pass;
-            some_read = reads;
+            group = own;
             some_borrowed = borrows;
             groups++;
+        } else {
+            add_surfaces(&group.read, &own.read);
+            add_surfaces(&group.written, &own.written);
         }
         group_of[pass] = groups - 1;
     }
