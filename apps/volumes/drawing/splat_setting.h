@@ -1,15 +1,19 @@
 /* How volumes may be splatted.
  *
  * Each voxel that can be seen has a kernel, exp(-r^2 / (2 deviation^2)) of the distance r in samples
- * along the volume's own axes, cut where r is cut * deviation, and as high as makes its integral 1 in
- * units of a sample's cell: a volume of one value sums to this value, within a ripple of
+ * along the volume's own axes, cut where r is KERNEL_CUT deviations, and as high as makes its integral 1
+ * in units of a sample's cell: a volume of one value sums to this value, within a ripple of
  * 6 exp(-2 pi^2 deviation^2). A voxel of opacity a adds extinction -ln(1 - a) times its kernel, in its
  * colour. The picture is then filtered by a Gaussian of low_pass pixels.
+ *
+ * That is what is meant (apps/truth); drawn footprints end sooner, at `cut`.
  */
 #ifndef APPS_VOLUMES_DRAWING_SPLAT_SETTING_H
 #define APPS_VOLUMES_DRAWING_SPLAT_SETTING_H
 
 #include "pipeline/base/base.h"
+
+#define KERNEL_CUT 3.0
 
 /* What a voxel's footprint is on the picture. */
 typedef enum VoxelFilter {
@@ -54,7 +58,7 @@ typedef struct VolumeSplatSetting {
     bool alphas;      /* opacities are added, as printed, not extinctions */
     bool flat;        /* kernels of opaque voxels lie in their iso-surfaces */
     double deviation; /* of the kernel, samples along each axis */
-    double cut;       /* of kernels and footprints, standard deviations */
+    double cut;       /* footprints end at so many standard deviations */
     double low_pass;  /* standard deviation of the pixel's filter, pixels */
     double tolerance; /* of VOXEL_BOUNDED: by how much a colour of 0 to 1 may be off */
     double thickness; /* of image-aligned sheets, in samples */
