@@ -60,14 +60,17 @@ typedef struct VolumeSplatSetting {
     double deviation; /* of the kernel, samples along each axis */
     double cut;       /* footprints end at so many standard deviations */
     double low_pass;  /* standard deviation of the pixel's filter, pixels */
-    double tolerance; /* of VOXEL_BOUNDED: by how much a colour of 0 to 1 may be off */
-    double thickness; /* of image-aligned sheets, in samples */
-    uint32_t cull;    /* opaque pixels are marked every so many sheets; 0: never */
+    double
+        tolerance; /* of VOXEL_BOUNDED: the share of what voxels add that may come to lie elsewhere */
+    double
+        thickness; /* of sheets, in slices or in distances of the closest samples; 0: 2 slices, or 1.
+                         As printed: 1 */
+    uint32_t cull; /* opaque pixels are marked every so many sheets; 0: never */
 } VolumeSplatSetting;
 
 #define VOLUME_SPLAT_DEFAULTS                                                                      \
     {                                                                                              \
-        .deviation = 0.6, .cut = 2.5, .low_pass = 0.4, .tolerance = 0.05, .thickness = 1           \
+        .deviation = 0.5, .cut = 2, .low_pass = 0.4, .tolerance = 0.05                             \
     }
 
 #endif

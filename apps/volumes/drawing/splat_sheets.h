@@ -1,0 +1,53 @@
+/* Sheets: passes into which splats are added up, and passes that put them under each other. */
+#ifndef APPS_VOLUMES_DRAWING_SPLAT_SHEETS_H
+#define APPS_VOLUMES_DRAWING_SPLAT_SHEETS_H
+
+#include "apps/volumes/drawing/splat.h"
+#include "apps/volumes/drawing/splat_cover.h"
+#include "shaders_c/volume/sheet.h"
+
+/* Passes of a frame that draw one volume. All that they refer to is the frame's. */
+typedef struct Sheets {
+    const VolumeSplats *splats;
+    const VolumeView *view;
+    const VolumeSplatSetting *setting;
+    VoxelEye eye;
+    const VoxelOrder *order;       /* along the axis nearest to the view */
+    const VoxelUniforms *uniforms; /* NULL without memory */
+    GpSurface *look; /* of the 256 values: colour, and extinction, or opacity as printed */
+    GpSurface
+        *color; /* the target, and what hides: its depth, or that and what is opaque; or NULL */
+    GpSurface *depth;
+    GpFormat format;
+    Frame *frame;
+
+    /* private */
+    GpSurface *sheet[SHEETS_AT_ONCE], *sum;
+    SplatCover cover;
+    uint16_t shown[FIELD_VALUES + 1]; /* values shown below each */
+    uint32_t filled;                  /* sheets that wait to be put under the sum, */
+    uint32_t sheets;                  /* and all */
+    uint32_t marked;                  /* of these when opaque pixels were marked last */
+    bool begun;                       /* the sum has some */
+} Sheets;
+
+Sheets sheets_make(const VolumeSplats *splats, const VolumeView *view,
+                   const VolumeSplatSetting *setting, const VolumeTarget *target, Frame *frame);
+
+/* Slices from the front: number i of them. */
+uint32_t sheets_slice(const Sheets *sheets, uint32_t i);
+
+/* Begins the next sheet, front to back: draws then go to it. */
+void sheets_begin(Sheets *sheets);
+
+/* Says that splats of a slice are in the present sheet. */
+void sheets_cover_slice(Sheets *sheets, uint32_t slice);
+
+/* A draw that adds to a sheet, and is hidden by what hides. */
+void sheets_set_state(const Sheets *sheets, GpDraw *draw);
+
+/* Ends a sheet, and the last one: puts the sum over the target. */
+void sheets_end(Sheets *sheets);
+void sheets_finish(Sheets *sheets);
+
+#endif

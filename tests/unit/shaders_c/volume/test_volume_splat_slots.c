@@ -1,0 +1,48 @@
+/* What the shaders of splatted volumes cost: within the profiles that they name, and beside paper 003's 42
+ * slots of EWA, 32 of reconstruction alone and 28 of the low-pass filter alone, vertex and pixel shader
+ * together. */
+#include "pipeline/shader/counts.h"
+#include "shaders_c/volume/sheet.h"
+#include "shaders_c/volume/splat.h"
+#include "tests/support/unit.h"
+
+static const struct {
+    const GpProgram *program;
+    int vertex, pixel; /* slots at most: what they take today */
+} rows[] = {
+#define ROW(name, vertex, pixel)                                                                   \
+    {                                                                                              \
+        &name##_program, vertex, pixel                                                             \
+    }
+    ROW(voxel_ewa, 88, 11),   ROW(voxel_reconstruction, 88, 11), ROW(voxel_low_pass, 72, 11),
+    ROW(sheets, 1, 41),       ROW(sheets_of_alphas, 1, 14),      ROW(sheets_over, 1, 2),
+    ROW(sheets_opaque, 1, 4), ROW(sheets_depth, 1, 3),
+};
+
+static void shaders_stay_within_profiles_and_slots(void **state)
+{
+    (void)state;
+    int failed = 0;
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        const GpProgram *program = rows[i].program;
+        GpShaderCounts vertex = { 0 }, pixel = { 0 };
+        GpError error = { "" };
+        if (gp_program_check(program, &error))
+            fail_msg("%s", error.text);
+        if (!program->count)
+            skip();
+        program->count(program, &vertex, &pixel);
+        print_message("# %s: %d slots, %d registers; %d slots, %d registers\n", program->name,
+                      vertex.slots, vertex.temporaries, pixel.slots, pixel.temporaries);
+        failed += vertex.slots > rows[i].vertex || pixel.slots > rows[i].pixel;
+    }
+    assert_int_equal(failed, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shaders_stay_within_profiles_and_slots),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
