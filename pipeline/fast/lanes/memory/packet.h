@@ -6,8 +6,8 @@
 
 enum {
     ALL_LANES = (1 << GP_LANES) - 1,
-    QUADS_WIDE = GP_LANES / 2, /* pixels across a packet of quads */
-    FAST_BLOCK = 32,           /* packets of one call of a shader */
+    QUADS_WIDE = GP_LANES / 2,   /* pixels across a packet of quads */
+    FAST_BLOCK = 512 / GP_LANES, /* packets of one call of a shader */
 };
 
 /* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose

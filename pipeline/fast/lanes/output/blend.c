@@ -122,20 +122,35 @@ GP_INLINE uint32_t place_of(const BlendBlock *m, int p)
     return fast_at(m->packets[p].x, m->packets[p].y);
 }
 
-GP_INLINE itg load_pixels(const BlendBlock *m, bool whole, int p, uint32_t at, const void *plane)
+/* How a packet lies in its target. */
+typedef enum Shape {
+    SHAPE_WHOLE, /* a row that lives in all lanes */
+    SHAPE_ROW,
+    SHAPE_ANY,
+} Shape;
+
+GP_INLINE bool is_row(const FastPacket *packet)
 {
-    if (whole)
+    return packet->wide == GP_LANES && !packet->gathered;
+}
+
+GP_INLINE itg load_pixels(const BlendBlock *m, Shape shape, int p, uint32_t at, const void *plane)
+{
+    if (shape != SHAPE_ANY)
         return load_lanes((const uint32_t *)plane + at, false);
     if (m->packets[p].gathered)
         return itg_gather(plane, m->gathered[p].at * 4);
     return load_packet(plane, &m->packets[p]);
 }
 
-GP_INLINE void store_pixels(const BlendBlock *m, bool whole, int p, uint32_t at, void *plane,
+GP_INLINE void store_pixels(const BlendBlock *m, Shape shape, int p, uint32_t at, void *plane,
                             itg words)
 {
-    if (whole) {
-        store_lanes((uint32_t *)plane + at, false, words);
+    uint32_t *row = (uint32_t *)plane + at;
+    if (shape == SHAPE_ROW)
+        words = itg_select(mask_of(m->live[p]), words, load_lanes(row, false));
+    if (shape != SHAPE_ANY) {
+        store_lanes(row, false, words);
         return;
     }
     if (!m->packets[p].gathered) {
@@ -160,34 +175,43 @@ GP_INLINE bool adds_nothing(const GpBlend *blend, const flt color[4])
     return !msk_any((msk)(bits != 0));
 }
 
+GP_INLINE void blend_word(const GpBlend *blend, const BlendBlock *m, Shape shape, int p,
+                          const flt color[4])
+{
+    const uint32_t kept = kept_bits(blend), at = place_of(m, p);
+    itg before = itg_set(0), word;
+    if (blend->op != GP_BLEND_OFF || kept)
+        before = load_pixels(m, shape, p, at, m->planes->packed);
+    if (blend->op != GP_BLEND_OFF) {
+        Operands o;
+        flt result[4];
+        memcpy(o.constant, m->constant, sizeof o.constant);
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            o.source[c] = clamped(color[c]);
+        colors_of(before, o.target);
+        blend_lanes(blend, &o, result); /* from -1 to 2: needs no clamping */
+        word = word_of(result);
+    } else
+        word = word_of_any(color);
+    if (kept)
+        word = (word & (int32_t)~kept) | (before & (int32_t)kept);
+    store_pixels(m, shape, p, at, m->planes->packed, word | (int32_t)m->filled);
+}
+
 GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool whole)
 {
     const BlendBlock copy = *from, *m = &copy; /* which no store can change */
-    const uint32_t kept = kept_bits(blend);
-    Operands o;
-    memcpy(o.constant, m->constant, sizeof o.constant);
     const flt *color = m->color;
     for (int p = 0; p < m->count; p++, color += m->stride) {
         if ((!whole && !m->live[p]) || (!m->filled && adds_nothing(blend, color)))
             continue;
-        const uint32_t at = place_of(m, p);
-        itg before = itg_set(0);
-        if (blend->op != GP_BLEND_OFF || kept)
-            before = load_pixels(m, whole, p, at, m->planes->packed);
-        itg word;
-        if (blend->op != GP_BLEND_OFF) {
-            flt result[4];
-            GP_UNROLL
-            for (int c = 0; c < 4; c++)
-                o.source[c] = clamped(color[c]);
-            colors_of(before, o.target);
-            blend_lanes(blend, &o, result); /* from -1 to 2: needs no clamping */
-            word = word_of(result);
-        } else
-            word = word_of_any(color);
-        if (kept)
-            word = (word & (int32_t)~kept) | (before & (int32_t)kept);
-        store_pixels(m, whole, p, at, m->planes->packed, word | (int32_t)m->filled);
+        if (whole)
+            blend_word(blend, m, SHAPE_WHOLE, p, color);
+        else if (is_row(&m->packets[p]))
+            blend_word(blend, m, SHAPE_ROW, p, color);
+        else
+            blend_word(blend, m, SHAPE_ANY, p, color);
     }
 }
 
@@ -206,7 +230,7 @@ GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
     const int pixels = m->count / m->layers;
     flt target[FAST_BLOCK / 2][4];
     for (int p = 0; p < pixels; p++)
-        colors_of(load_pixels(m, true, p, place_of(m, p), m->planes->packed), target[p]);
+        colors_of(load_pixels(m, SHAPE_WHOLE, p, place_of(m, p), m->planes->packed), target[p]);
     Operands o;
     memcpy(o.constant, m->constant, sizeof o.constant);
     const flt *color = m->color;
@@ -226,7 +250,7 @@ GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
                         flt_quantize_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
         }
     for (int p = 0; p < pixels; p++)
-        store_pixels(m, true, p, place_of(m, p), m->planes->packed,
+        store_pixels(m, SHAPE_WHOLE, p, place_of(m, p), m->planes->packed,
                      word_of(target[p]) | (int32_t)m->filled);
 }
 
@@ -259,22 +283,34 @@ GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float c
 }
 
 /* Channels that the format lacks read 1. */
-GP_INLINE void load_channels(const BlendBlock *m, GpFormat format, bool whole, int p, flt target[4])
+GP_INLINE void load_channels(const BlendBlock *m, GpFormat format, Shape shape, int p, uint32_t at,
+                             flt target[4])
 {
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         target[c] = c < channels_of(format)
-                        ? (flt)load_pixels(m, whole, p, place_of(m, p), m->planes->channel[c])
+                        ? (flt)load_pixels(m, shape, p, at, m->planes->channel[c])
                         : flt_set(1);
 }
 
 GP_INLINE void store_channels(const BlendBlock *m, const GpBlend *blend, GpFormat format,
-                              bool whole, int p, const flt target[4])
+                              Shape shape, int p, uint32_t at, const flt target[4])
 {
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         if (c < channels_of(format) && !(blend->keep >> c & 1))
-            store_pixels(m, whole, p, place_of(m, p), m->planes->channel[c], (itg)target[c]);
+            store_pixels(m, shape, p, at, m->planes->channel[c], (itg)target[c]);
+}
+
+GP_INLINE void blend_packet(const GpBlend *blend, GpFormat format, const BlendBlock *m, Shape shape,
+                            int p, const flt color[4])
+{
+    flt target[4] = { flt_set(0), flt_set(0), flt_set(0), flt_set(0) };
+    const uint32_t at = place_of(m, p);
+    if (blend->op != GP_BLEND_OFF)
+        load_channels(m, format, shape, p, at, target);
+    blend_stored(blend, format, m->constant, color, target);
+    store_channels(m, blend, format, shape, p, at, target);
 }
 
 GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const BlendBlock *from,
@@ -283,13 +319,14 @@ GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const Blend
     const BlendBlock copy = *from, *m = &copy;
     const flt *color = m->color;
     for (int p = 0; p < m->count; p++, color += m->stride) {
-        flt target[4] = { flt_set(0), flt_set(0), flt_set(0), flt_set(0) };
-        if (!whole && !m->live[p])
+        if (whole)
+            blend_packet(blend, format, m, SHAPE_WHOLE, p, color);
+        else if (!m->live[p])
             continue;
-        if (blend->op != GP_BLEND_OFF)
-            load_channels(m, format, whole, p, target);
-        blend_stored(blend, format, m->constant, color, target);
-        store_channels(m, blend, format, whole, p, target);
+        else if (is_row(&m->packets[p]))
+            blend_packet(blend, format, m, SHAPE_ROW, p, color);
+        else
+            blend_packet(blend, format, m, SHAPE_ANY, p, color);
     }
 }
 
@@ -300,10 +337,13 @@ GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBl
 {
     const int next_layer = m->count / m->layers * m->stride;
     const flt *color = m->color + first * m->stride;
+    uint32_t at[2];
     flt target[2][4];
     GP_UNROLL
-    for (int i = 0; i < count; i++)
-        load_channels(m, format, true, first + i, target[i]);
+    for (int i = 0; i < count; i++) {
+        at[i] = place_of(m, first + i);
+        load_channels(m, format, SHAPE_WHOLE, first + i, at[i], target[i]);
+    }
     for (int k = 0; k < m->layers; k++, color += next_layer) {
         GP_UNROLL
         for (int i = 0; i < count; i++)
@@ -311,7 +351,7 @@ GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBl
     }
     GP_UNROLL
     for (int i = 0; i < count; i++)
-        store_channels(m, blend, format, true, first + i, target[i]);
+        store_channels(m, blend, format, SHAPE_WHOLE, first + i, at[i], target[i]);
 }
 
 GP_INLINE void blend_channel_layers(const GpBlend *blend, GpFormat format, const BlendBlock *from)
@@ -350,7 +390,7 @@ static void blend_layers_by(const GpBlend *blend, const BlendBlock *m)
 /* The same code for any blend, and for each of those that are common. */
 GP_INLINE void blend_words_by(const GpBlend *blend, const BlendBlock *m, bool whole)
 {
-    if (whole && m->layers > 1 && blend->op != GP_BLEND_OFF)
+    if (whole && m->layers > 1 && fast_blends_layers(blend))
         blend_layers_by(blend, m);
     else if (is_blend(blend, &replace))
         blend_words(&replace, m, whole);
@@ -367,7 +407,7 @@ GP_INLINE void blend_words_by(const GpBlend *blend, const BlendBlock *m, bool wh
 GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const BlendBlock *m,
                                  bool whole)
 {
-    if (whole && m->layers > 1)
+    if (whole && m->layers > 1 && fast_blends_layers(blend))
         blend_channel_layers(blend, format, m);
     else
         blend_channels(blend, format, m, whole);
@@ -411,9 +451,18 @@ static bool are_whole(const FastPacket *packets, const unsigned *live, int count
     return !other;
 }
 
+/* Blend factors, as the target clamps them. */
+static void set_constant(const GpState *state, GpFormat format, float constant[4])
+{
+    const bool is_float = gp_format_info(format)->is_float;
+    for (int c = 0; c < 4; c++) {
+        const float k = state->blend_constant[c];
+        constant[c] = is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
+    }
+}
+
 void fast_blend_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
-    const GpState *state = &d->draw->state;
     const FastPacketBlock *block = &shaded->block;
     const int written = gp_program_targets(d->draw->program);
     if (d->only_adds && d->packs_points) {
@@ -437,10 +486,7 @@ void fast_blend_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
             fast_blend_bits(blend, m.planes, shaded, m.color);
             continue;
         }
-        for (int c = 0; c < 4; c++) {
-            float k = state->blend_constant[c];
-            m.constant[c] = gp_format_info(format)->is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
-        }
+        set_constant(&d->draw->state, format, m.constant);
         blend_target(blend, format, &m, whole);
     }
 }

@@ -58,37 +58,56 @@ static bool find_coverage(const Tile *tile, const GpTriangle *t, Coverage *cover
 
 /* --- lanes ------------------------------------------------------------------------------------ */
 
-/* Lanes of a row, or of quads: their places, and how far edges and depth step from the first to
- * each. */
+/* Lanes of a row, or of quads: their places, and how far depth steps from the first to each. */
 typedef struct LaneSteps {
     itg column, row;
-    utg inside[3];
     dbl edge[2];
 } LaneSteps;
 
-static LaneSteps lane_steps(const GpTriangle *t, const Coverage *coverage, bool quads)
+static LaneSteps lane_steps(const GpTriangle *t, bool quads)
 {
     LaneSteps steps = { .column = lane_columns(quads), .row = lane_rows(quads) };
-    for (int i = 0; i < 3; i++)
-        steps.inside[i] = (utg)steps.column * (uint32_t)coverage->edge[i].right +
-                          (utg)steps.row * (uint32_t)coverage->edge[i].down;
     for (int i = 0; i < 2; i++)
         steps.edge[i] = dbl_from_itg(steps.column) * (double)(t->a[i + 1] * GP_SUBPIXELS) +
                         dbl_from_itg(steps.row) * (double)(t->b[i + 1] * GP_SUBPIXELS);
     return steps;
 }
 
-/* Lanes from (x, y) on that are covered. */
-GP_INLINE msk covered(const Coverage *coverage, const LaneSteps *steps, int32_t x, int32_t y)
+/* What a row, or two of quads, has inside: of the lanes from a place on, numbers that are negative
+ * where one is outside. The place moves to the right. */
+typedef struct InsideRow {
+    utg edge[3], across[3]; /* values, and what a step adds */
+    itg right, left;        /* pixels to the box's ends */
+    itg rows;               /* the same up and down, which no step changes */
+} InsideRow;
+
+static InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps, int32_t x, int32_t y,
+                            int32_t wide)
 {
-    itg column = steps->column + x, row = steps->row + y;
-    itg out = (coverage->x1 - column) | (column - coverage->x0) | (coverage->y1 - row) |
-              (row - coverage->y0);
-    for (int i = 0; i < 3 && !coverage->whole; i++) {
+    const itg column = steps->column + x, row = steps->row + y;
+    InsideRow inside = { .right = coverage->x1 - column,
+                         .left = column - coverage->x0,
+                         .rows = (coverage->y1 - row) | (row - coverage->y0) };
+    GP_UNROLL
+    for (int i = 0; i < 3; i++) {
         const TileEdge *e = &coverage->edge[i];
-        out |= (itg)(steps->inside[i] + ((uint32_t)e->value + (uint32_t)e->right * (uint32_t)x +
-                                         (uint32_t)e->down * (uint32_t)y));
+        inside.edge[i] =
+            (utg)column * (uint32_t)e->right + (utg)row * (uint32_t)e->down + (uint32_t)e->value;
+        inside.across[i] = (utg)itg_set((int32_t)((uint32_t)e->right * (uint32_t)wide));
     }
+    return inside;
+}
+
+/* Lanes that are covered; moves on. */
+GP_INLINE msk step_right(InsideRow *inside, int32_t wide)
+{
+    const itg edges = (itg)(inside->edge[0] | inside->edge[1] | inside->edge[2]);
+    const itg out = edges | inside->right | inside->left | inside->rows;
+    GP_UNROLL
+    for (int i = 0; i < 3; i++)
+        inside->edge[i] += inside->across[i];
+    inside->right -= wide;
+    inside->left += wide;
     return (msk)(out >= 0);
 }
 
@@ -147,6 +166,35 @@ static msk inside_clip_planes(const Tile *tile, const GpTriangle *t, itg x, itg 
 
 /* --- filling ---------------------------------------------------------------------------------- */
 
+/* Cuts a row's pixels first..last, which are in the box, to those that are inside an edge. */
+GP_INLINE void cut_row(const TileEdge *e, int32_t y, int32_t *first, int32_t *last)
+{
+    const int32_t value = (int32_t)((uint32_t)e->value + (uint32_t)e->right * (uint32_t)*first +
+                                    (uint32_t)e->down * (uint32_t)y);
+    if (value >= 0 && e->right < 0) {
+        const int32_t inside = *first + value / -e->right;
+        *last = inside < *last ? inside : *last;
+    } else if (value < 0 && e->right > 0)
+        *first += (int32_t)(((uint32_t)-value + (uint32_t)e->right - 1) / (uint32_t)e->right);
+    else if (value < 0)
+        *last = *first - 1;
+}
+
+/* Rows of a draw that looks at no depth: each is one run of pixels. */
+static void queue_rows(const Filler *f, const Coverage *coverage)
+{
+    for (int32_t y = coverage->y0; y <= coverage->y1; y++) {
+        int32_t first = coverage->x0, last = coverage->x1;
+        for (int i = 0; i < 3 && first <= last; i++)
+            cut_row(&coverage->edge[i], y, &first, &last);
+        for (int32_t x = first & -GP_LANES; x <= last; x += GP_LANES) {
+            const unsigned from = x < first ? (unsigned)ALL_LANES << (first - x) : ALL_LANES;
+            const unsigned to = last - x < GP_LANES ? (2u << (last - x)) - 1 : ALL_LANES;
+            fast_queue_row(f->tile, f->number, x, y, from & to, flt_set(0));
+        }
+    }
+}
+
 static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage,
                          int32_t nearest)
 {
@@ -156,17 +204,20 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
     const int32_t first_x = quads ? coverage->x0 & ~1 : coverage->x0;
     const int32_t first_y = quads ? coverage->y0 & ~1 : coverage->y0;
     const EarlyTest early = early_test(f, t);
-    if (coverage->whole && early == EARLY_NONE && d->path == FAST_ORDERED && !quads &&
-        !d->needs.clip_planes) {
+    if (early == EARLY_NONE && d->path == FAST_ORDERED && !quads && !d->needs.clip_planes) {
         const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
-        fast_queue_box(f->tile, f->number, &box);
+        if (coverage->whole)
+            fast_queue_box(f->tile, f->number, &box);
+        else
+            queue_rows(f, coverage);
         return;
     }
     const DepthPlane plane = depth_plane(f->tile, t);
-    const LaneSteps steps = lane_steps(t, coverage, quads);
-    for (int32_t y = first_y; y <= coverage->y1; y += high)
+    const LaneSteps steps = lane_steps(t, quads);
+    for (int32_t y = first_y; y <= coverage->y1; y += high) {
+        InsideRow inside = inside_row(coverage, &steps, first_x, y, wide);
         for (int32_t x = first_x; x <= coverage->x1; x += wide) {
-            msk live = covered(coverage, &steps, x, y);
+            msk live = step_right(&inside, wide);
             if (nearest) /* worth finding only where much is hidden: 0 elsewhere */
                 live &= (msk)(nearest - f->allowance <
                               load_lanes(f->tile->depth + fast_at(x, y), quads));
@@ -177,6 +228,7 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
             flt z = early == EARLY_NONE ? flt_set(0) : depth_at(&plane, &steps, x, y);
             send_lanes(f, early, d->path, quads, x, y, live, z);
         }
+    }
 }
 
 /* Nothing that was visible in the tile is so any more: all shows one record. */

@@ -137,40 +137,52 @@ void fast_find_weights(const FastDraw *d, const FastTriangleRecord *r, const Fas
 /* Up to four neighbouring components at once: more of them would leave no registers for weights. */
 enum { AT_ONCE = 4 };
 
-GP_INLINE void blend_components(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
-                                int first, int components, int count, int stride, flt *in)
+GP_INLINE FastComponent component_of(const FastTriangleRecord *r, int c)
 {
-    flt v0[AT_ONCE], to1[AT_ONCE], to2[AT_ONCE];
-    GP_UNROLL
-    for (int i = 0; i < components; i++) {
-        v0[i] = flt_set(r->corner[0][first + i]);
-        to1[i] = flt_set(r->corner[1][first + i]) - v0[i];
-        to2[i] = flt_set(r->corner[2][first + i]) - v0[i];
-    }
-    in += first;
+    const float v0 = r->corner[0][c];
+    return (FastComponent){ flt_set(v0), flt_set(r->corner[1][c] - v0),
+                            flt_set(r->corner[2][c] - v0) };
+}
+
+GP_INLINE void blend_components(const FastComponent from[AT_ONCE], const flt weight[2][FAST_BLOCK],
+                                int components, int count, int stride, flt *in)
+{
     for (int p = 0; p < count; p++, in += stride) {
         const flt l1 = weight[0][p], l2 = weight[1][p];
         GP_UNROLL
         for (int i = 0; i < components; i++)
-            in[i] = v0[i] + (l1 * to1[i] + l2 * to2[i]);
+            in[i] = from[i].v0 + (l1 * from[i].to1 + l2 * from[i].to2);
     }
 }
 
-static void blend_run(const FastTriangleRecord *r, const flt weight[2][FAST_BLOCK],
-                      uint64_t components, int count, int stride, flt *in)
+/* in   prepared: where NULL, the components are found from the triangle */
+GP_INLINE void blend_neighbours(const FastTriangleRecord *r, const FastComponent *prepared,
+                                const flt weight[2][FAST_BLOCK], int first, int components,
+                                int count, int stride, flt *in)
+{
+    FastComponent from[AT_ONCE];
+    GP_UNROLL
+    for (int i = 0; i < components; i++)
+        from[i] = prepared ? prepared[first + i] : component_of(r, first + i);
+    blend_components(from, weight, components, count, stride, in + first);
+}
+
+GP_INLINE void blend_run(const FastTriangleRecord *r, const FastComponent *prepared,
+                         const flt weight[2][FAST_BLOCK], uint64_t components, int count,
+                         int stride, flt *in)
 {
     while (components) {
         const int first = __builtin_ctzll(components);
         const int found = __builtin_ctz(~(unsigned)(components >> first & 15));
         components &= ~((uint64_t)((1 << found) - 1) << first);
         if (found == 4)
-            blend_components(r, weight, first, 4, count, stride, in);
+            blend_neighbours(r, prepared, weight, first, 4, count, stride, in);
         else if (found == 3)
-            blend_components(r, weight, first, 3, count, stride, in);
+            blend_neighbours(r, prepared, weight, first, 3, count, stride, in);
         else if (found == 2)
-            blend_components(r, weight, first, 2, count, stride, in);
+            blend_neighbours(r, prepared, weight, first, 2, count, stride, in);
         else
-            blend_components(r, weight, first, 1, count, stride, in);
+            blend_neighbours(r, prepared, weight, first, 1, count, stride, in);
     }
 }
 
@@ -189,18 +201,36 @@ bool fast_needs_perspective(const FastDraw *d, const FastTriangleRecord *r)
     return d->varyings_by[GP_PERSPECTIVE] && (r->ratio1 != 1.0f || r->ratio2 != 1.0f);
 }
 
-void fast_interpolate_run(const FastDraw *d, const FastTriangleRecord *r,
-                          const FastWeights *weights, int count, flt *in)
+GP_INLINE void interpolate_run(const FastDraw *d, const FastTriangleRecord *r,
+                               const FastComponent *prepared, const FastWeights *weights, int count,
+                               flt *in)
 {
     const int stride = d->modes.components;
     const uint64_t all = d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN];
     const uint64_t perspective = weights->has_perspective ? d->varyings_by[GP_PERSPECTIVE] : 0;
     if (perspective)
-        blend_run(r, weights->perspective, perspective, count, stride, in);
+        blend_run(r, prepared, weights->perspective, perspective, count, stride, in);
     if (all != perspective)
-        blend_run(r, weights->screen, all ^ perspective, count, stride, in);
+        blend_run(r, prepared, weights->screen, all ^ perspective, count, stride, in);
     if (d->varyings_by[GP_FLAT])
         repeat_run(r, d->varyings_by[GP_FLAT], count, stride, in);
+}
+
+void fast_prepare_components(const FastDraw *d, const FastTriangleRecord *r,
+                             FastComponent prepared[GP_MAX_VARYINGS])
+{
+    uint64_t left = d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN];
+    for (; left; left &= left - 1) {
+        const int c = __builtin_ctzll(left);
+        prepared[c] = component_of(r, c);
+    }
+}
+
+void fast_interpolate_prepared(const FastDraw *d, const FastTriangleRecord *r,
+                               const FastComponent prepared[GP_MAX_VARYINGS],
+                               const FastWeights *weights, int count, flt *in)
+{
+    interpolate_run(d, r, prepared, weights, count, in);
 }
 
 static void interpolate_triangle(const Tile *tile, const FastDraw *d, const FastPacket *packets,
@@ -214,7 +244,7 @@ static void interpolate_triangle(const Tile *tile, const FastDraw *d, const Fast
         fast_find_weights(d, r, &edges, perspective, packets, count, &weights);
     else
         weights_64(r, &tile->records->edges64[r->edges64], perspective, packets, count, &weights);
-    fast_interpolate_run(d, r, &weights, count, in);
+    interpolate_run(d, r, NULL, &weights, count, in);
 }
 
 static void interpolate_sprite(const Tile *tile, const FastDraw *d, const FastPacket *packet,

@@ -30,9 +30,19 @@ void fast_find_weights(const FastDraw *draw, const FastTriangleRecord *triangle,
                        const FastNarrowEdges *edges, bool perspective, const FastPacket *packets,
                        int count, FastWeights *weights);
 
+/* A component of a triangle: at its first corner, and how it differs at the others. */
+typedef struct FastComponent {
+    flt v0, to1, to2;
+} FastComponent;
+
+/* Those that are not flat, for many runs. */
+void fast_prepare_components(const FastDraw *draw, const FastTriangleRecord *triangle,
+                             FastComponent prepared[GP_MAX_VARYINGS]);
+
 /* A run's inputs, from its weights: [packet][component]. */
-void fast_interpolate_run(const FastDraw *draw, const FastTriangleRecord *triangle,
-                          const FastWeights *weights, int count, flt *in);
+void fast_interpolate_prepared(const FastDraw *draw, const FastTriangleRecord *triangle,
+                               const FastComponent prepared[GP_MAX_VARYINGS],
+                               const FastWeights *weights, int count, flt *in);
 
 /* Inputs of any packets: [packet][component]. */
 void fast_interpolate_packets(Tile *tile, const FastDraw *draw, const FastPacketBlock *packets,

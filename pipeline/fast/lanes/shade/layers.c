@@ -14,6 +14,7 @@ typedef struct Layer {
     FastNarrowEdges edges;
     bool perspective;
     bool as_last; /* the weights are those of the layer before it */
+    FastComponent component[GP_MAX_VARYINGS];
 } Layer;
 
 static bool same_weights(const Layer *a, const Layer *b)
@@ -36,6 +37,7 @@ static bool find_layers(const Tile *tile, const FastLayers *layers, Layer *layer
         if (!fast_narrow_edges(tile->records, layer->record, layer->perspective, &layer->edges))
             return false;
         layer->as_last = k > 0 && same_weights(layer, layer - 1);
+        fast_prepare_components(tile->draw, layer->record, layer->component);
     }
     return true;
 }
@@ -53,7 +55,7 @@ static void interpolate_layers(const Tile *tile, const Layer *layer, const FastP
         if (varies && !layer->as_last)
             fast_find_weights(d, layer->record, &layer->edges, layer->perspective, block->packets,
                               count, &weights);
-        fast_interpolate_run(d, layer->record, &weights, count, in);
+        fast_interpolate_prepared(d, layer->record, layer->component, &weights, count, in);
     }
 }
 
@@ -65,18 +67,21 @@ static void begin_packets(const FastLayers *layers, uint32_t count, FastPacket *
             set_packet(&packets[k * count + i], layers->record[k], 0, 0, ALL_LANES, GP_LANES);
 }
 
-/* Packets of all layers on the next `count` packets of the box, whose first is at (x, y). */
-static void place_packets(const FastLayers *layers, uint32_t count, int32_t *x, int32_t *y,
-                          FastPacket *packets)
+/* Packets of some layers on the next `count` packets of the box, whose first is at (x, y). Those of a
+ * box without an edge to the right live whole, as they began. */
+static void place_packets(const FastLayers *layers, uint32_t placed, bool whole, uint32_t count,
+                          int32_t *x, int32_t *y, FastPacket *packets)
 {
     const FastBox *box = &layers->box;
+    const FastPacket *const end = packets + placed * count;
     for (uint32_t i = 0; i < count; i++) {
+        const uint8_t left = (uint8_t)*x, top = (uint8_t)*y;
         const int32_t pixels = box->x1 - *x + 1;
-        const unsigned live = pixels < GP_LANES ? (1u << pixels) - 1 : ALL_LANES;
-        for (uint32_t at = i; at < layers->count * count; at += count) {
-            packets[at].live = live;
-            packets[at].x = (uint8_t)*x;
-            packets[at].y = (uint8_t)*y;
+        for (FastPacket *packet = packets + i; packet < end; packet += count) {
+            packet->x = left;
+            packet->y = top;
+            if (!whole)
+                packet->live = pixels < GP_LANES ? (1u << pixels) - 1 : ALL_LANES;
         }
         *x += GP_LANES;
         if (*x > box->x1) {
@@ -84,6 +89,17 @@ static void place_packets(const FastLayers *layers, uint32_t count, int32_t *x, 
             ++*y;
         }
     }
+}
+
+/* Of how many layers someone asks where packets are: whole ones that are blended as layers say it for
+ * all by their first. */
+static uint32_t layers_to_place(const FastDraw *d, bool whole, uint32_t layers)
+{
+    const GpProgram *program = d->draw->program;
+    bool first = whole && !program->uses_pixel && !program->local_reads;
+    for (int t = 0; t < gp_program_targets(program); t++)
+        first &= fast_blends_layers(&d->blend[t]);
+    return first ? 1 : layers;
 }
 
 /* Whether the shader gives all pixels the same: it looks at nothing that differs. */
@@ -123,8 +139,9 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
     const int room = FAST_BLOCK / (int)layers->count;
     Layer layer[FAST_LAYERS];
     const bool narrow = find_layers(tile, layers, layer), alike = are_alike(tile);
-    const bool whole = (box->x1 - box->x0 + 1) % GP_LANES == 0 && !d->draw->program->may_discard &&
-                       !d->needs.alpha_test;
+    const bool even = (box->x1 - box->x0 + 1) % GP_LANES == 0;
+    const bool whole = even && !d->draw->program->may_discard && !d->needs.alpha_test;
+    const uint32_t placed = layers_to_place(d, whole, layers->count);
 
     int32_t x = box->x0, y = box->y0;
     const int most = ((box->x1 - x) / GP_LANES + 1) * (box->y1 - y + 1);
@@ -135,7 +152,7 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
         };
         if (done == 0 || count < room)
             begin_packets(layers, (uint32_t)count, packets);
-        place_packets(layers, (uint32_t)count, &x, &y, packets);
+        place_packets(layers, placed, even, (uint32_t)count, &x, &y, packets);
         if (alike && done == 0)
             fast_run_pixel_shader(tile, d, &block);
         block.count = block.layers * count;

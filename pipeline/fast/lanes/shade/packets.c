@@ -114,20 +114,33 @@ static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *bloc
     const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
     uint32_t fragments = 0;
     for (int p = 0; p < block->count; p++) {
-        live[p] = block->whole ? ALL_LANES : block->packets[p].live;
-        replaced[p] = block->whole ? 0 : block->packets[p].replaced;
-        fragments += block->whole ? GP_LANES : (uint32_t)__builtin_popcount(live[p]);
+        live[p] = block->packets[p].live;
+        replaced[p] = block->packets[p].replaced;
+        fragments += (uint32_t)__builtin_popcount(live[p]);
     }
     for (int p = 0; late && p < block->count; p++)
         live[p] = late_tests(tile, d, block, p, &replaced[p]);
     tile->fragments_shaded += fragments;
 }
 
+/* The same of whole packets: for a full block, which is written without branches. */
+static void all_live(Tile *tile, const FastPacketBlock *block, unsigned live[FAST_BLOCK],
+                     unsigned replaced[FAST_BLOCK])
+{
+    for (int p = 0; p < FAST_BLOCK; p++)
+        live[p] = ALL_LANES;
+    memset(replaced, 0, FAST_BLOCK * sizeof *replaced);
+    tile->fragments_shaded += (uint32_t)block->count * GP_LANES;
+}
+
 void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *block)
 {
     unsigned live[FAST_BLOCK], replaced[FAST_BLOCK];
     fast_run_pixel_shader(tile, d, block);
-    find_live(tile, d, block, live, replaced);
+    if (block->whole)
+        all_live(tile, block, live, replaced);
+    else
+        find_live(tile, d, block, live, replaced);
     const FastShaded shaded = { .block = *block,
                                 .live = live,
                                 .replaced = replaced,
