@@ -91,6 +91,20 @@ static void move_draws(Frame *frame, GpDraw *draws)
     }
 }
 
+void frame_reserve(Frame *frame, uint32_t draws)
+{
+    const uint32_t room = frame->draw_count + draws;
+    if (room <= frame->draw_room)
+        return;
+    GpDraw *moved = frame_alloc(frame, room, sizeof *moved);
+    if (!moved)
+        return;
+    if (frame->draw_count)
+        memcpy(moved, frame->draws, frame->draw_count * sizeof *moved);
+    frame->draw_room = room;
+    move_draws(frame, moved);
+}
+
 static GpDraw *add_draw(Frame *frame)
 {
     GpDraw *draws =

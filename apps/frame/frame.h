@@ -66,4 +66,8 @@ GpDraw *frame_draw(Frame *frame, const GpProgram *program, const void *uniforms,
 GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *uniforms,
                           const GpGeometry *geometry);
 
+/* Makes room for so many more draws at once, of which there are millions: otherwise their array moves as it
+ * grows, and leaves what it was behind. */
+void frame_reserve(Frame *frame, uint32_t draws);
+
 #endif

@@ -112,6 +112,10 @@ GP_INLINE VoxelSplat voxel_splat(const VoxelUniforms *c, const EyeVoxel *eye, Vo
     return splat;
 }
 
+/* Rounding of places on the screen, to 1/256 of a pixel, hides no pixel of a footprint: sprites and quads
+ * have the same ones. */
+#define VOXEL_ROOM 0.03125f
+
 /* The weight of a footprint at a pixel, as a share of its height. */
 GP_INLINE flt voxel_weight(const VoxelUniforms *c, float3 conic, float2 place, float2 pixel)
 {
@@ -156,7 +160,7 @@ GP_INLINE void voxel_vertex(const VoxelUniforms *c, const EyeVoxel *eye, float4 
 {
     VoxelSplat splat = voxel_splat(c, eye, which);
     flt height = color.w * splat.height;
-    *side = splat.side;
+    *side = splat.side + VOXEL_ROOM;
     out->conic = splat.conic;
     out->place = voxel_pixel(c, eye);
     out->color = rgba(mul(xyz(color), height), height);

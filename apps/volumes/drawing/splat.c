@@ -1,39 +1,25 @@
 #include "apps/volumes/drawing/splat.h"
 
 #include "apps/volumes/drawing/splat_filter.h"
-#include "apps/volumes/drawing/splat_sheets.h"
+#include "apps/volumes/drawing/splat_modes.h"
 
 /* --- slices ----------------------------------------------------------------------------------- */
 
-static GpGeometry run_geometry(const VoxelOrder *order, const VoxelRun *run)
+static void draw_run(const VoxelFeed *feed, uint32_t slice, const VoxelRun *run)
 {
-    const Voxel *first = order->voxels + run->first;
-    return (GpGeometry){
-        .primitive = GP_POINTS,
-        .vertex_count = run->count,
-        .streams = { [GP_TEXCOORD0] = { &first->value, sizeof *first, 4, GP_UINT8 },
-                     [GP_TEXCOORD1] = { first->place, sizeof *first, 4, GP_UINT8 } },
-    };
-}
-
-static void draw_run(const Sheets *sheets, uint32_t slice, const VoxelRun *run)
-{
-    static const GpProgram *const programs[] = {
-        [VOXEL_EWA] = &voxel_ewa_program,
-        [VOXEL_RECONSTRUCTION] = &voxel_reconstruction_program,
-        [VOXEL_LOW_PASS] = &voxel_low_pass_program,
-    };
-    const GpGeometry geometry = run_geometry(sheets->order, run);
-    const VoxelFilter filter = splat_filter_of_patch(
-        &sheets->eye, sheets->order, sheets->splats->field, sheets->setting, slice, run->patch);
-    GpDraw *draw = frame_draw(sheets->frame, programs[filter], sheets->uniforms, &geometry);
-    draw->textures[0].surface = sheets->look;
-    sheets_set_state(sheets, draw);
+    const Sheets *sheets = feed->sheets;
+    voxel_feed_run(feed, slice, run,
+                   splat_filter_of_patch(&sheets->eye, sheets->order, sheets->splats->field,
+                                         sheets->setting, slice, run->patch));
 }
 
 /* Sheets of `thickness` slices that have something. */
-static void add_slices(Sheets *sheets)
+static GpResult add_slices(Sheets *sheets, GpError *error)
 {
+    VoxelFeed feed;
+    GpResult result = voxel_feed_begin(sheets, &feed, error);
+    if (result)
+        return result;
     const uint32_t *run_of = sheets->splats->run_of[sheets->eye.along];
     const VoxelRun *runs = sheets->splats->runs[sheets->eye.along];
     const double thickness = sheets->setting->thickness;
@@ -46,12 +32,13 @@ static void add_slices(Sheets *sheets)
         if (held == 0)
             sheets_begin(sheets);
         for (uint32_t run = run_of[slice]; run < run_of[slice + 1]; run++)
-            draw_run(sheets, slice, &runs[run]);
+            draw_run(&feed, slice, &runs[run]);
         sheets_cover_slice(sheets, slice);
         held = (held + 1) % most;
         if (held == 0)
             sheets_end(sheets);
     }
+    return GP_OK;
 }
 
 /* --- a frame ---------------------------------------------------------------------------------- */
@@ -61,7 +48,7 @@ GpResult volume_splats_add(const VolumeSplats *prepared, const VolumeView *view,
                            Frame *frame, GpError *error)
 {
     Sheets sheets = sheets_make(prepared, view, setting, target, frame);
-    add_slices(&sheets);
+    GpResult result = add_slices(&sheets, error);
     sheets_finish(&sheets);
-    return frame_result(frame, error);
+    return result ? result : frame_result(frame, error);
 }

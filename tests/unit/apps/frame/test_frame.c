@@ -32,6 +32,31 @@ static void an_arena_has_room_for_anything(void **state)
     assert_null(arena.chunks);
 }
 
+/* Draws of passes that were there, and of those that come, stay one behind the other. */
+static void room_for_draws_can_be_made_at_once(void **state)
+{
+    (void)state;
+    static const float black[4] = { 0 };
+    Frame frame = { .color = NULL };
+    GpSurface *surface = frame_surface(&frame, GP_R8, 4, 4, 1);
+    const GpGeometry geometry = { .vertex_count = 3 };
+    for (uint32_t pass = 0; pass < 3; pass++) {
+        frame_pass(&frame, "pass", surface, NULL, black);
+        frame_reserve(&frame, 1000);
+        const uint32_t room = frame.draw_room;
+        for (uint32_t i = 0; i < 1000; i++)
+            frame_draw(&frame, NULL, NULL, &geometry)->name = pass == 1 ? "second" : "other";
+        assert_int_equal(frame.draw_room, room);
+    }
+    for (uint32_t pass = 0; pass < 3; pass++) {
+        assert_int_equal(frame.list.passes[pass].draw_count, 1000);
+        assert_string_equal(frame.list.passes[pass].draws[0].name, pass == 1 ? "second" : "other");
+        assert_string_equal(frame.list.passes[pass].draws[999].name,
+                            pass == 1 ? "second" : "other");
+    }
+    frame_free(&frame);
+}
+
 static void an_arena_keeps_its_first_failure(void **state)
 {
     (void)state;
@@ -192,6 +217,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_arena_has_room_for_anything),
+        cmocka_unit_test(room_for_draws_can_be_made_at_once),
         cmocka_unit_test(an_arena_keeps_its_first_failure),
         cmocka_unit_test(a_list_has_any_number_of_passes_and_draws),
         cmocka_unit_test(a_frame_without_memory_is_refused_wherever_it_ends),

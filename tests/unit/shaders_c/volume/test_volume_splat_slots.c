@@ -3,7 +3,8 @@
  * together. */
 #include "pipeline/shader/counts.h"
 #include "shaders_c/volume/sheet.h"
-#include "shaders_c/volume/splat.h"
+#include "shaders_c/volume/splat_quad.h"
+#include "shaders_c/volume/splat_texture.h"
 #include "tests/support/unit.h"
 
 static const struct {
@@ -14,9 +15,23 @@ static const struct {
     {                                                                                              \
         &name##_program, vertex, pixel                                                             \
     }
-    ROW(voxel_ewa, 88, 11),   ROW(voxel_reconstruction, 88, 11), ROW(voxel_low_pass, 72, 11),
-    ROW(sheets, 1, 41),       ROW(sheets_of_alphas, 1, 14),      ROW(sheets_over, 1, 2),
-    ROW(sheets_opaque, 1, 4), ROW(sheets_depth, 1, 3),
+    ROW(voxel_ewa, 89, 11),
+    ROW(voxel_reconstruction, 89, 11),
+    ROW(voxel_low_pass, 73, 11),
+    ROW(voxel_vt_ewa, 98, 11),
+    ROW(voxel_vt_reconstruction, 98, 11),
+    ROW(voxel_vt_low_pass, 82, 11),
+    ROW(voxel_pt_ewa, 72, 36),
+    ROW(voxel_pt_reconstruction, 72, 36),
+    ROW(voxel_pt_low_pass, 56, 36),
+    ROW(voxel_qd_ewa, 98, 11),
+    ROW(voxel_qd_reconstruction, 98, 11),
+    ROW(voxel_qd_low_pass, 82, 11),
+    ROW(sheets, 1, 41),
+    ROW(sheets_of_alphas, 1, 14),
+    ROW(sheets_over, 1, 2),
+    ROW(sheets_opaque, 1, 4),
+    ROW(sheets_depth, 1, 3),
 };
 
 static void shaders_stay_within_profiles_and_slots(void **state)

@@ -98,6 +98,48 @@ static void bits_are_the_same_on_every_device(void **state)
     splatted_close(&volume);
 }
 
+/* Where voxels are kept changes no bit of the picture: places, values and footprints are the same numbers,
+ * and squares have room for all that a footprint reaches. */
+static void modes_draw_one_picture(void **state)
+{
+    (void)state;
+    SplattedVolume volume;
+    splatted_open("builtin:marschner-lobb:20", "marschner-lobb", oblique, 1.2, &volume);
+    volume.view.lit = true;
+    for (VoxelFilter filter = VOXEL_EWA; filter <= VOXEL_LOW_PASS; filter++) {
+        VolumeSplatSetting setting = usual();
+        setting.filter = filter;
+        splatted_draw(&volume, &setting, drawn);
+        for (VoxelMode mode = VOXELS_VT; mode < VOXEL_MODES; mode++) {
+            Frame frame = { .color = NULL };
+            GpError error;
+            setting.mode = mode;
+            splatted_build(&volume, &setting, &frame);
+            run_everywhere(&frame);
+            assert_int_equal(gp_surface_read_floats(frame.color, 0, NULL, other, &error), GP_OK);
+            assert_memory_equal(drawn, other, sizeof drawn);
+            frame_free(&frame);
+        }
+    }
+    splatted_close(&volume);
+}
+
+/* Table 4: vertex buffers take least, quads more than places with a texture where most is empty. */
+static void bytes_are_those_of_table_4(void **state)
+{
+    (void)state;
+    SplattedVolume volume;
+    splatted_open("builtin:ball:64", "fog", oblique, 2, &volume);
+    const double share =
+        (double)field_samples(&volume.field) / (double)volume_splats_count(&volume.splats);
+    assert_true(volume_splats_bytes(&volume.splats, VOXELS_VB) == 24);
+    assert_true(volume_splats_bytes(&volume.splats, VOXELS_IM) == 24);
+    assert_true(volume_splats_bytes(&volume.splats, VOXELS_VT) == 12 + 4 * share);
+    assert_true(volume_splats_bytes(&volume.splats, VOXELS_PT) == 12 + 4 * share);
+    assert_true(volume_splats_bytes(&volume.splats, VOXELS_QD) == 96);
+    splatted_close(&volume);
+}
+
 /* Another transfer function shows what it would show from the start, background or not. */
 static void a_change_of_the_transfer_function_leaves_no_trace(void **state)
 {
@@ -173,6 +215,8 @@ int main(void)
         cmocka_unit_test(samples_may_be_farther_apart_along_an_axis),
         cmocka_unit_test(parallel_rays_are_those_of_a_far_eye),
         cmocka_unit_test(bits_are_the_same_on_every_device),
+        cmocka_unit_test(modes_draw_one_picture),
+        cmocka_unit_test(bytes_are_those_of_table_4),
         cmocka_unit_test(a_change_of_the_transfer_function_leaves_no_trace),
         cmocka_unit_test(a_depth_buffer_cuts_the_volume),
         cmocka_unit_test(opaque_pixels_are_not_drawn_to_again),
