@@ -187,7 +187,7 @@ static void queue_rows(const Filler *f, const Coverage *coverage)
         int32_t first = coverage->x0, last = coverage->x1;
         for (int i = 0; i < 3 && first <= last; i++)
             cut_row(&coverage->edge[i], y, &first, &last);
-        for (int32_t x = first & -GP_LANES; x <= last; x += GP_LANES) {
+        for (int32_t x = first & -GP_LANES; first <= last && x <= last; x += GP_LANES) {
             const unsigned from = x < first ? (unsigned)ALL_LANES << (first - x) : ALL_LANES;
             const unsigned to = last - x < GP_LANES ? (2u << (last - x)) - 1 : ALL_LANES;
             fast_queue_row(f->tile, f->number, x, y, from & to, flt_set(0));

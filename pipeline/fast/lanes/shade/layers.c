@@ -91,12 +91,12 @@ static void place_packets(const FastLayers *layers, uint32_t placed, bool whole,
     }
 }
 
-/* Of how many layers someone asks where packets are: whole ones that are blended as layers say it for
- * all by their first. */
-static uint32_t layers_to_place(const FastDraw *d, bool whole, uint32_t layers)
+/* Of how many layers someone asks where packets are: plain ones, which share their weights' places and
+ * are blended as layers, say it for all by their first. */
+static uint32_t layers_to_place(const FastDraw *d, bool plain, uint32_t layers)
 {
     const GpProgram *program = d->draw->program;
-    bool first = whole && !program->uses_pixel && !program->local_reads;
+    bool first = plain && !program->uses_pixel && !program->local_reads;
     for (int t = 0; t < gp_program_targets(program); t++)
         first &= fast_blends_layers(&d->blend[t]);
     return first ? 1 : layers;
@@ -141,7 +141,7 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
     const bool narrow = find_layers(tile, layers, layer), alike = are_alike(tile);
     const bool even = (box->x1 - box->x0 + 1) % GP_LANES == 0;
     const bool whole = even && !d->draw->program->may_discard && !d->needs.alpha_test;
-    const uint32_t placed = layers_to_place(d, whole, layers->count);
+    const uint32_t placed = layers_to_place(d, whole && narrow, layers->count);
 
     int32_t x = box->x0, y = box->y0;
     const int most = ((box->x1 - x) / GP_LANES + 1) * (box->y1 - y + 1);
