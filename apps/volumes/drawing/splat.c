@@ -2,6 +2,7 @@
 
 #include "apps/volumes/drawing/splat_filter.h"
 #include "apps/volumes/drawing/splat_modes.h"
+#include "apps/volumes/drawing/splat_slabs.h"
 
 /* --- slices ----------------------------------------------------------------------------------- */
 
@@ -22,8 +23,8 @@ static GpResult add_slices(Sheets *sheets, GpError *error)
         return result;
     const uint32_t *run_of = sheets->splats->run_of[sheets->eye.along];
     const VoxelRun *runs = sheets->splats->runs[sheets->eye.along];
-    const double thickness = sheets->setting->thickness;
-    const uint32_t most = thickness >= 1 ? (uint32_t)thickness : 2;
+    const double thickness = splat_thickness(sheets->setting);
+    const uint32_t most = thickness >= 1 ? (uint32_t)thickness : 1;
     uint32_t held = 0;
     for (uint32_t i = 0; i < sheets->order->slices; i++) {
         const uint32_t slice = sheets_slice(sheets, i);
@@ -48,7 +49,8 @@ GpResult volume_splats_add(const VolumeSplats *prepared, const VolumeView *view,
                            Frame *frame, GpError *error)
 {
     Sheets sheets = sheets_make(prepared, view, setting, target, frame);
-    GpResult result = add_slices(&sheets, error);
+    const GpResult result = setting->sheets == SHEETS_IMAGE ? splat_slabs_add(&sheets, error)
+                                                            : add_slices(&sheets, error);
     sheets_finish(&sheets);
     return result ? result : frame_result(frame, error);
 }

@@ -29,6 +29,20 @@ static void cover_box(const double low[2], const double high[2], SplatCover *cov
         memset(cover->covered + (size_t)y * cover->width + x0, 1, x1 - x0 + 1);
 }
 
+void splat_cover_pixel(const double pixel[2], double reach, SplatCover *cover)
+{
+    const double low[2] = { pixel[0] - reach, pixel[1] - reach },
+                 high[2] = { pixel[0] + reach, pixel[1] + reach };
+    cover_box(low, high, cover);
+}
+
+void splat_cover_add(const SplatCover *more, SplatCover *cover)
+{
+    for (size_t i = 0; more->covered && cover->covered && i < (size_t)cover->width * cover->height;
+         i++)
+        cover->covered[i] |= more->covered[i];
+}
+
 /* A rectangle of a slice, by its corners in samples. */
 static void cover_rectangle(const VoxelEye *eye, const VoxelOrder *order, const double low[3],
                             const double high[3], SplatCover *cover)

@@ -23,6 +23,12 @@ void splat_cover_slice(const VoxelEye *eye, const VoxelOrder *order, uint32_t sl
                        const uint16_t shown[FIELD_VALUES + 1], const Field *field,
                        SplatCover *cover);
 
+/* Adds what a footprint reaches. in pixel, reach: as voxel_eye_pixel gives them */
+void splat_cover_pixel(const double pixel[2], double reach, SplatCover *cover);
+
+/* Adds what another one covers, of the same picture. */
+void splat_cover_add(const SplatCover *more, SplatCover *cover);
+
 /* Draws a triangle over all that is covered, a draw for each rectangle of cells. */
 void splat_cover_draw(const SplatCover *cover, const VolumeView *view, const GpProgram *program,
                       const GpTexture *textures, uint32_t texture_count, const GpState *state,

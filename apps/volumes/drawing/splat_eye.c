@@ -11,6 +11,7 @@ VoxelEye voxel_eye(const Field *field, const VolumeView *view, const VolumeSplat
     VoxelEye eye = { .focal = view->height / (2 * axes.half_height),
                      .parallel = camera->fovy == 0,
                      .centre = { view->width / 2.0, view->height / 2.0 },
+                     .half_width = axes.half_width,
                      .half_height = axes.half_height,
                      .near = camera->near,
                      .least = setting->deviation,
@@ -92,15 +93,18 @@ void voxel_eye_place(const VoxelEye *eye, const double place[3], double at[3])
 
 /* The longer axis of a footprint that J stretches is at most sqrt(1 + (x^2 + y^2) / z^2) that of the round
  * one. */
-double voxel_eye_pixel(const VoxelEye *eye, const double place[3], double pixel[2])
+double voxel_eye_project(const VoxelEye *eye, const double at[3], double pixel[2])
 {
-    double at[3];
-    voxel_eye_place(eye, place, at);
-    if (!(at[2] >= eye->near))
-        return -1;
     const double scale = eye->parallel ? eye->focal : eye->focal / at[2];
     for (int i = 0; i < 2; i++)
         pixel[i] = eye->centre[i] + at[i] * scale;
     const double slope = eye->parallel ? 0 : (at[0] * at[0] + at[1] * at[1]) / (at[2] * at[2]);
     return sqrt(1 + slope) * scale * eye->reach + eye->low_pass + 1;
+}
+
+double voxel_eye_pixel(const VoxelEye *eye, const double place[3], double pixel[2])
+{
+    double at[3];
+    voxel_eye_place(eye, place, at);
+    return at[2] >= eye->near ? voxel_eye_project(eye, at, pixel) : -1;
 }

@@ -11,9 +11,9 @@ typedef struct VoxelEye {
     double row[3][4];  /* samples to eye */
     double focal;      /* pixels that a unit takes at distance 1, or anywhere */
     bool parallel;
-    double position[3]; /* of the eye in space */
-    double half_height; /* tangent of half the field of view */
-    double centre[2];   /* pixels */
+    double position[3];             /* of the eye in space */
+    double half_width, half_height; /* tangents of half the field of view */
+    double centre[2];               /* pixels */
     double near;
     double least; /* standard deviation of kernels along the axis of the closest samples */
     double reach,
@@ -34,5 +34,8 @@ void voxel_eye_place(const VoxelEye *eye, const double place[3], double at[3]);
  * out  pixel: x, y, from the top left corner
  * returns the reach in pixels; below 0: it lies before the near plane */
 double voxel_eye_pixel(const VoxelEye *eye, const double place[3], double pixel[2]);
+
+/* The same of a place before the eye, not before the near plane. */
+double voxel_eye_project(const VoxelEye *eye, const double at[3], double pixel[2]);
 
 #endif

@@ -73,16 +73,31 @@ static VoxelFilter filter_by_bound(const VoxelEye *eye, const VolumeSplatSetting
     return VOXEL_EWA;
 }
 
+static VoxelFilter filter_of_extent(const VoxelEye *eye, const VolumeSplatSetting *setting,
+                                    const Extent *extent)
+{
+    if (!(extent->nearest >= eye->near) && !eye->parallel)
+        return VOXEL_EWA;
+    return setting->filter == VOXEL_ADAPTIVE ? filter_by_distance(eye, extent)
+                                             : filter_by_bound(eye, setting, extent);
+}
+
+VoxelFilter splat_filter_of_depths(const VoxelEye *eye, const VolumeSplatSetting *setting,
+                                   double nearest, double farthest)
+{
+    const double wide = eye->half_width * eye->half_width + eye->half_height * eye->half_height;
+    const Extent extent = { nearest, farthest, eye->parallel ? 1 : 1 + wide };
+    return setting->filter < VOXEL_ADAPTIVE ? setting->filter
+                                            : filter_of_extent(eye, setting, &extent);
+}
+
 VoxelFilter splat_filter_of_patch(const VoxelEye *eye, const VoxelOrder *order, const Field *field,
                                   const VolumeSplatSetting *setting, uint32_t slice, uint32_t patch)
 {
     if (setting->filter < VOXEL_ADAPTIVE)
         return setting->filter;
     const Extent extent = extent_of_patch(eye, order, field, slice, patch);
-    if (!(extent.nearest >= eye->near) && !eye->parallel)
-        return VOXEL_EWA;
-    return setting->filter == VOXEL_ADAPTIVE ? filter_by_distance(eye, &extent)
-                                             : filter_by_bound(eye, setting, &extent);
+    return filter_of_extent(eye, setting, &extent);
 }
 
 VoxelSums splat_sums(const VoxelEye *eye, const Field *field, const VolumeSplatSetting *setting)

@@ -16,6 +16,10 @@ VoxelFilter splat_filter_of_patch(const VoxelEye *eye, const VoxelOrder *order, 
                                   const VolumeSplatSetting *setting, uint32_t slice,
                                   uint32_t patch);
 
+/* The same of voxels at depths between two: slabs have no corners. */
+VoxelFilter splat_filter_of_depths(const VoxelEye *eye, const VolumeSplatSetting *setting,
+                                   double nearest, double farthest);
+
 /* What sums are kept in: the setting, or, where it leaves the choice, halves where the eye is farther
  * from the volume's box than (rk / rh) 0.3 cmax, and bytes where it is not.
  * source paper 003, 4.1.5. DEVIATES: the ratio is printed upside down */

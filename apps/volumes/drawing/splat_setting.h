@@ -60,13 +60,15 @@ typedef struct VolumeSplatSetting {
     double deviation; /* of the kernel, samples along each axis */
     double cut;       /* footprints end at so many standard deviations */
     double low_pass;  /* standard deviation of the pixel's filter, pixels */
-    double
-        tolerance; /* of VOXEL_BOUNDED: the share of what voxels add that may come to lie elsewhere */
-    double
-        thickness; /* of sheets, in slices or in distances of the closest samples; 0: 2 slices, or 1.
-                         As printed: 1 */
-    uint32_t cull; /* opaque pixels are marked every so many sheets; 0: never */
+    double tolerance; /* of VOXEL_BOUNDED: share of what voxels add that may lie elsewhere */
+    double thickness; /* of sheets: slices, or distances of close samples; 0: 2, of alphas 1 */
+    uint32_t cull;    /* opaque pixels are marked every so many sheets; 0: never */
 } VolumeSplatSetting;
+
+static inline double splat_thickness(const VolumeSplatSetting *setting)
+{
+    return setting->thickness > 0 ? setting->thickness : setting->alphas ? 1 : 2;
+}
 
 #define VOLUME_SPLAT_DEFAULTS                                                                      \
     {                                                                                              \

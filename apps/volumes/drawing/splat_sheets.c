@@ -106,6 +106,11 @@ void sheets_cover_slice(Sheets *sheets, uint32_t slice)
                       &sheets->cover);
 }
 
+void sheets_cover(Sheets *sheets, const SplatCover *cover)
+{
+    splat_cover_add(cover, &sheets->cover);
+}
+
 /* Where the sum is opaque, the depth buffer hides all that comes. */
 static void mark_opaque(Sheets *sheets)
 {

@@ -40,8 +40,9 @@ uint32_t sheets_slice(const Sheets *sheets, uint32_t i);
 /* Begins the next sheet, front to back: draws then go to it. */
 void sheets_begin(Sheets *sheets);
 
-/* Says that splats of a slice are in the present sheet. */
+/* Says where splats of the present sheet are: those of a slice, or in these cells. */
 void sheets_cover_slice(Sheets *sheets, uint32_t slice);
+void sheets_cover(Sheets *sheets, const SplatCover *cover);
 
 /* A draw that adds to a sheet, and is hidden by what hides. */
 void sheets_set_state(const Sheets *sheets, GpDraw *draw);

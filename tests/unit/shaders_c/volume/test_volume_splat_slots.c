@@ -4,6 +4,7 @@
 #include "pipeline/shader/counts.h"
 #include "shaders_c/volume/sheet.h"
 #include "shaders_c/volume/splat_quad.h"
+#include "shaders_c/volume/splat_slab.h"
 #include "shaders_c/volume/splat_texture.h"
 #include "tests/support/unit.h"
 
@@ -27,6 +28,9 @@ static const struct {
     ROW(voxel_qd_ewa, 98, 11),
     ROW(voxel_qd_reconstruction, 98, 11),
     ROW(voxel_qd_low_pass, 82, 11),
+    ROW(voxel_slab_ewa, 114, 11),
+    ROW(voxel_slab_reconstruction, 114, 11),
+    ROW(voxel_slab_low_pass, 98, 11),
     ROW(sheets, 1, 41),
     ROW(sheets_of_alphas, 1, 14),
     ROW(sheets_over, 1, 2),
