@@ -5,8 +5,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-static const char *const commands[] = { "bench",  "chart",  "render", "compare", "explain", "pixel",
-                                        "points", "shader", "shadow", "test",    "voxelize" };
+static const char *const commands[] = { "bench",   "chart", "render",   "compare",
+                                        "explain", "pixel", "points",   "shader",
+                                        "shadow",  "test",  "voxelize", "volume" };
 
 /* --- help ------------------------------------------------------------------------------------- */
 

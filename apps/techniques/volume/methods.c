@@ -1,0 +1,44 @@
+#include "apps/techniques/volume/methods.h"
+
+/* --- splats ------------------------------------------------------------------------------------- */
+
+static GpResult add_splats(VolumeModel *model, const VolumeOptions *options,
+                           const VolumeTarget *target, Frame *frame, GpError *error)
+{
+    GpResult result = GP_OK;
+    if (!model->splats.field)
+        result = volume_splats_make(&model->field, &model->transfer, &model->splats, error);
+    return result ? result
+                  : volume_splats_add(&model->splats, &model->view, &options->splats, target, frame,
+                                      error);
+}
+
+static GpResult classify_splats(VolumeModel *model, GpError *error)
+{
+    return volume_splats_classify(&model->splats, &model->transfer, error);
+}
+
+static double bytes_of_splat(const VolumeModel *model, const VolumeOptions *options)
+{
+    return volume_splats_bytes(&model->splats, options->splats.mode);
+}
+
+static uint64_t count_splats(const VolumeModel *model)
+{
+    return volume_splats_count(&model->splats);
+}
+
+static bool have_kernels(const VolumeOptions *options)
+{
+    return !options->splats.after;
+}
+
+static void close_splats(VolumeModel *model)
+{
+    volume_splats_free(&model->splats);
+}
+
+const VolumeMethodRow volume_methods[VOLUME_METHODS] = {
+    [VOLUME_SPLAT] = { add_splats, classify_splats, bytes_of_splat, count_splats, have_kernels,
+                       close_splats },
+};

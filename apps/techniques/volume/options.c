@@ -1,0 +1,95 @@
+#include "apps/techniques/volume/options.h"
+
+#include <math.h>
+
+const VolumeOptions volume_option_defaults = {
+    .splats = VOLUME_SPLAT_DEFAULTS,
+    .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
+};
+
+static const char *const methods[] = { [VOLUME_SPLAT] = "splat", [VOLUME_METHODS] = NULL };
+static const char *const modes[] = { [VOXELS_VB] = "vb", [VOXELS_VT] = "vt", [VOXELS_PT] = "pt",
+                                     [VOXELS_IM] = "im", [VOXELS_QD] = "qd", NULL };
+static const char *const filters[] = {
+    [VOXEL_EWA] = "ewa",          [VOXEL_RECONSTRUCTION] = "reconstruction",
+    [VOXEL_LOW_PASS] = "lowpass", [VOXEL_ADAPTIVE] = "adaptive",
+    [VOXEL_BOUNDED] = "bounded",  [VOXEL_FILTERS] = NULL
+};
+static const char *const sums[] = { [VOXEL_HALVES] = "16f",
+                                    [VOXEL_FLOATS] = "32f",
+                                    [VOXEL_BYTES] = "8",
+                                    [VOXEL_BYTES_NEAR] = "adaptive",
+                                    NULL };
+static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
+
+#define OF(member) offsetof(VolumeOptions, member)
+
+const SettingField volume_settings[] = {
+    { "method", NULL, "splat: each sample a spot, added up in sheets (default)", SETTING_NAME,
+      OF(method), .names = methods },
+
+    { "mode", NULL,
+      "Where splats are kept: vb, all in vertex buffers (default); vt, pt: values in a texture "
+      "that "
+      "the vertex or the pixel shader reads; im: a draw for each; qd: four vertices each",
+      SETTING_NAME, OF(splats.mode), .names = modes },
+    { "filter", NULL,
+      "What a splat is as wide as: ewa, its kernel and the pixel's filter (default); "
+      "reconstruction, lowpass: one of them; adaptive: by distances, as printed; bounded: the "
+      "cheapest within the tolerance",
+      SETTING_NAME, OF(splats.filter), .names = filters },
+    { "accumulate", NULL,
+      "What sheets are added up in: 16f (default) or 32f, floats; 8 bits; adaptive: 8 bits where "
+      "the volume is near",
+      SETTING_NAME, OF(splats.sums), .names = sums },
+    { "alphas", NULL, "Add up opacities, as printed, not extinctions", SETTING_FLAG,
+      OF(splats.alphas), .low = 0 },
+    { "deviation", "S", "Standard deviation of a splat's kernel, in samples (default: 0.5)",
+      SETTING_NUMBER, OF(splats.deviation), .low = 0.2, .high = 4 },
+    { "cut", "C", "Splats end at so many standard deviations (default: 2)", SETTING_NUMBER,
+      OF(splats.cut), .low = 0.5, .high = 6 },
+    { "lowpass", "S", "Standard deviation of the pixel's filter, in pixels (default: 0.4)",
+      SETTING_NUMBER, OF(splats.low_pass), .low = 0.05, .high = 4 },
+    { "tolerance", "T",
+      "Of the filter bounded: the share of what splats add that may lie elsewhere (default: 0.05)",
+      SETTING_NUMBER, OF(splats.tolerance), .low = 0, .high = 1 },
+    { "thickness", "L",
+      "Of sheets: so many slices or samples (default: 2 slices, 1 sample; as printed: 1)",
+      SETTING_NUMBER, OF(splats.thickness), .low = 0.25, .high = 64 },
+
+    { "transfer", "FILE|NAME",
+      "What values look like: lines of value, red, green, blue, opacity; or bonsai, engine, "
+      "marschner-lobb, checkerboard or fog (default: chosen from the histogram)",
+      SETTING_TEXT, OF(transfer), .aside = true },
+    { "lit", NULL, "Light surfaces in the volume from beside the eye", SETTING_FLAG, OF(lit),
+      .aside = true },
+    { "camera", "FILE", "A camera, as scenes have it: eye, at, up, fovy, near, far", SETTING_TEXT,
+      OF(camera), .aside = true },
+    { "from", "AZIMUTH ELEVATION",
+      "Where the volume is seen from, in degrees (default: 30 20; 0 0 is in front)", SETTING_VECTOR,
+      OF(orbit.azimuth), .low = -360, .high = 360, .count = 2, .aside = true },
+    { "up", NULL, "Which axis points up: y (default), z, x, -y or -z", SETTING_NAME, OF(orbit.up),
+      .names = ups, .aside = true },
+    { "zoom", "F", "Larger by so much than what fills the picture", SETTING_NUMBER, OF(orbit.zoom),
+      .low = 0.1, .high = 1000, .aside = true },
+    { "measure", NULL, "Hold the picture against the truths, and say how far off it is",
+      SETTING_FLAG, OF(measures), .aside = true },
+    { .name = NULL },
+};
+
+_Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
+
+/* --- what goes together ------------------------------------------------------------------------- */
+
+GpResult volume_options_check(const void *setting, uint32_t given, const char *extension,
+                              GpError *error)
+{
+    const VolumeOptions *options = setting;
+    (void)extension;
+    if (options->camera && setting_is_given(volume_settings, given, "from"))
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "--camera and --from: a camera is described by the one or the other");
+    if (fabs(options->orbit.elevation) > 89)
+        return gp_fail(error, GP_ERROR_INVALID, "--from: expected -89 to 89 degrees of elevation");
+    return GP_OK;
+}
