@@ -59,6 +59,18 @@ const BenchCase bench_cases[] = {
       bench_tell_splats },
     { "points_lod_8m", bench_build_splats, SPLATS_LEVELS, 0, 0, 0, NULL, bench_tell_splats },
     { "points_lion", bench_build_splats, SPLATS_SCAN, 0, 0, 0, NULL, bench_tell_splats },
+    { "splat_bonsai_vb", bench_build_volume, VOLUME_SPLAT_BONSAI_VB, 0, 0, 0, NULL,
+      bench_tell_volume },
+    { "splat_engine_vb", bench_build_volume, VOLUME_SPLAT_ENGINE_VB, 0, 0, 0, NULL,
+      bench_tell_volume },
+    { "splat_bonsai_vt", bench_build_volume, VOLUME_SPLAT_BONSAI_VT, 0, 0, 0, NULL,
+      bench_tell_volume },
+    { "splat_bonsai_pt", bench_build_volume, VOLUME_SPLAT_BONSAI_PT, 0, 0, 0, NULL,
+      bench_tell_volume },
+    { "splat_bonsai_im", bench_build_volume, VOLUME_SPLAT_BONSAI_IM, 0, 0, 0, NULL,
+      bench_tell_volume },
+    { "splat_bonsai_qd", bench_build_volume, VOLUME_SPLAT_BONSAI_QD, 0, 0, 0, NULL,
+      bench_tell_volume },
 };
 /* clang-format on */
 const size_t bench_case_count = GP_COUNT(bench_cases);

@@ -30,8 +30,9 @@ struct BenchCase {
     double flop;       /* per pixel; 0: not a case of arithmetic */
     /* Writes the picture as RGBA8, rows from the top; NULL: bench_show. */
     void (*picture)(const Frame *frame, uint8_t *rgba);
-    /* Adds what else there is to say of a frame that was drawn. in ms: of a frame; NULL: nothing */
-    void (*tell)(const Frame *frame, double ms, int threads, json_t *object);
+    /* Adds what else there is to say of a frame that was drawn. NULL: nothing
+     * in   ms: of a frame; measures: also how far it is off, which takes long */
+    void (*tell)(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 };
 
 extern const BenchCase bench_cases[];
@@ -59,9 +60,10 @@ BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_sha
 BenchBuild bench_build_small, bench_build_slabs;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
 BenchBuild bench_build_voxelize, bench_build_combine;
-BenchBuild bench_build_splats;
+BenchBuild bench_build_splats, bench_build_volume;
 
-void bench_tell_splats(const Frame *frame, double ms, int threads, json_t *object);
+void bench_tell_splats(const Frame *frame, double ms, int threads, bool measures, json_t *object);
+void bench_tell_volume(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 void bench_show_slabs(const Frame *frame, uint8_t *rgba);
 
 /* What variants mean. */
@@ -85,6 +87,14 @@ enum {
     SPLATS_PIXELS,
     SPLATS_LEVELS,
     SPLATS_SCAN,
+};
+enum {
+    VOLUME_SPLAT_BONSAI_VB,
+    VOLUME_SPLAT_ENGINE_VB,
+    VOLUME_SPLAT_BONSAI_VT,
+    VOLUME_SPLAT_BONSAI_PT,
+    VOLUME_SPLAT_BONSAI_IM,
+    VOLUME_SPLAT_BONSAI_QD,
 };
 
 /* Amounts that the table of cases and the builders share. */

@@ -119,7 +119,7 @@ GpResult bench_build_splats(const BenchCase *bench, Frame *frame, GpError *error
     return result;
 }
 
-void bench_tell_splats(const Frame *frame, double ms, int threads, json_t *object)
+void bench_tell_splats(const Frame *frame, double ms, int threads, bool measures, json_t *object)
 {
     const Case *made = frame->held;
     PointsModel *model = made->model;
@@ -129,7 +129,7 @@ void bench_tell_splats(const Frame *frame, double ms, int threads, json_t *objec
     json_object_set_new(object, "bytes_per_point",
                         json_real(points_model_bytes(model, made->setting) / model->point_count));
     json_object_set_new(object, "build_ms", json_real(made->build_ms));
-    if (points_model_truth(model, threads, NULL))
+    if (!measures || points_model_truth(model, threads, NULL))
         return;
     const PointsError off = points_error(&model->truth, frame->color);
     json_object_set_new(object, "interior_psnr", json_real(off.interior_psnr));

@@ -170,7 +170,7 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Frame
         json_object_set_new(object, "others", json_real(times->others));
     run_add_counters(statistics, object);
     if (drawn->tell)
-        drawn->tell(frame, times->frames.ms, statistics->threads, object);
+        drawn->tell(frame, times->frames.ms, statistics->threads, bench->seconds > 0, object);
     if (!reference)
         json_object_set_new(object, "phases", phases_json(bench, times));
     json_object_set_new(object, "isa", json_string(statistics->isa));

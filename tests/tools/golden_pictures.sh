@@ -7,7 +7,8 @@
 # A line is "ARGUMENTS = WHAT IS PRINTED". Every scene is there, every case of `bench', and every name
 # that an option of a technique (a command with --error) takes, by the program's own words: one that is
 # missing is a failure. A case whose data is not here ($GLASSPIPE_DATA) is skipped, and so are those of
-# millions of points, which take half a minute to open, unless $GP_TEST_LARGE asks for them.
+# millions of points, which take half a minute to open, and of millions of draws, which take gigabytes,
+# unless $GP_TEST_LARGE asks for them.
 program=$1
 cases=tests/golden/pictures.txt
 data=${GLASSPIPE_DATA:-../shared/data}
@@ -79,8 +80,8 @@ while IFS= read -r line; do
     # shellcheck disable=SC2086 # its first two words
     set -- $arguments
     case "$arguments$GP_TEST_LARGE" in
-    bench*_8m)
-        skip "$arguments" "opening takes long; GP_TEST_LARGE=1 draws it"
+    bench*_8m | bench*_im)
+        skip "$arguments" "takes long, and much memory; GP_TEST_LARGE=1 draws it"
         continue
         ;;
     esac

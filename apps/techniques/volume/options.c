@@ -15,6 +15,7 @@ static const char *const filters[] = {
     [VOXEL_LOW_PASS] = "lowpass", [VOXEL_ADAPTIVE] = "adaptive",
     [VOXEL_BOUNDED] = "bounded",  [VOXEL_FILTERS] = NULL
 };
+static const char *const sheets[] = { [SHEETS_AXIS] = "axis", [SHEETS_IMAGE] = "image", NULL };
 static const char *const sums[] = { [VOXEL_HALVES] = "16f",
                                     [VOXEL_FLOATS] = "32f",
                                     [VOXEL_BYTES] = "8",
@@ -38,6 +39,10 @@ const SettingField volume_settings[] = {
       "reconstruction, lowpass: one of them; adaptive: by distances, as printed; bounded: the "
       "cheapest within the tolerance",
       SETTING_NAME, OF(splats.filter), .names = filters },
+    { "sheets", NULL,
+      "What splats are added up in: axis, slices of the volume (default); image: slabs of equal "
+      "depth",
+      SETTING_NAME, OF(splats.sheets), .names = sheets },
     { "accumulate", NULL,
       "What sheets are added up in: 16f (default) or 32f, floats; 8 bits; adaptive: 8 bits where "
       "the volume is near",

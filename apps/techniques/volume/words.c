@@ -16,6 +16,8 @@ const TechniqueWord volume_words[] = {
                 "and wider by "
                 "the pixel's filter; those of a sheet add up, and sheets hide those behind them." },
     { "splats, wider", "The same with kernels that blur more, and ripple less." },
+    { "slabs", "Splats cut into slabs of equal depth instead of slices: nothing jumps as the "
+               "volume turns." },
     { "sums of floats", "Splats with sums of 32 bits instead of 16." },
     { "reconstruction alone",
       "Splats as wide as their kernels: those smaller than a pixel fall between pixels." },

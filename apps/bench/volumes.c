@@ -1,0 +1,138 @@
+/* Benchmark cases of volumes: three of them, each under a transfer function of its own, from one place. */
+#include "apps/bench/cases.h"
+#include "apps/base/machine.h"
+#include "apps/techniques/volume/methods.h"
+#include "apps/techniques/volume/report.h"
+#include "apps/techniques/volume/technique.h"
+
+enum { SIDE = 512 };
+
+/* A volume that frames are built of again and again. */
+typedef struct Case {
+    VolumeModel *model;
+    VolumeOptions *options;
+    double build_ms; /* the list of a second frame */
+} Case;
+
+#define BONSAI "volumes/bonsai.raw.gz", "bonsai"
+#define ENGINE "volumes/engine.raw.gz", "engine"
+
+static const struct {
+    const char *path, *transfer, *options;
+} cases[] = {
+    [VOLUME_SPLAT_BONSAI_VB] = { BONSAI, "--method splat --mode vb" },
+    [VOLUME_SPLAT_ENGINE_VB] = { ENGINE, "--method splat --mode vb" },
+    [VOLUME_SPLAT_BONSAI_VT] = { BONSAI, "--method splat --mode vt" },
+    [VOLUME_SPLAT_BONSAI_PT] = { BONSAI, "--method splat --mode pt" },
+    [VOLUME_SPLAT_BONSAI_IM] = { BONSAI, "--method splat --mode im" },
+    [VOLUME_SPLAT_BONSAI_QD] = { BONSAI, "--method splat --mode qd" },
+};
+
+static void release(void *held)
+{
+    Case *made = held;
+    if (made->model)
+        volume_technique.close(made->model);
+    gp_free(made->options);
+    gp_free(made);
+}
+
+static GpResult open_case(int variant, Case *made, GpError *error)
+{
+    static const Camera camera = { .eye = { 330, 230, 560 },
+                                   .at = { 127.5, 127.5, 127.5 },
+                                   .up = { 0, 1, 0 },
+                                   .fovy = 40,
+                                   .near = 1,
+                                   .far = 2000 };
+    void *setting, *model;
+    GpResult result = technique_setting(&volume_technique, cases[variant].options, &setting, error);
+    if (result)
+        return result;
+    made->options = setting;
+    made->options->transfer = cases[variant].transfer;
+    const TechniqueInput input = {
+        .path = cases[variant].path, .width = SIDE, .height = SIDE, .setting = setting
+    };
+    result = volume_technique.open(&input, &model, error);
+    if (result)
+        return result;
+    made->model = model;
+    made->model->view.camera = camera;
+    return GP_OK;
+}
+
+/* Twice: what is made once for a volume is not made again, as in all frames but the first. Not where
+ * that is little beside a draw for each splat. */
+static GpResult build_twice(Case *made, GpDevice *device, Frame *frame, GpError *error)
+{
+    Frame first = { .color = NULL };
+    GpResult result = GP_OK;
+    if (made->options->splats.mode != VOXELS_IM)
+        result = volume_technique.build(made->model, made->options, device, &first, error);
+    frame_free(&first);
+    const double start = machine_clock_ms(CLOCK_MONOTONIC);
+    if (!result)
+        result = volume_technique.build(made->model, made->options, device, frame, error);
+    made->build_ms = machine_clock_ms(CLOCK_MONOTONIC) - start;
+    return result;
+}
+
+GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error)
+{
+    Case *made = gp_alloc(1, sizeof *made);
+    if (!made)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    GpDevice *device = NULL;
+    GpResult result = open_case(bench->variant, made, error);
+    if (!result)
+        result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
+    if (!result)
+        result = build_twice(made, device, frame, error);
+    gp_device_destroy(&device);
+    if (result) {
+        release(made);
+        return result;
+    }
+    frame->held = made;
+    frame->release = release;
+    return GP_OK;
+}
+
+/* The mean time that a change of the transfer function takes before the next frame is built: to one that
+ * shows half of the values, and back. */
+static GpResult time_classes(Case *made, double *ms)
+{
+    VolumeModel *model = made->model;
+    const VolumeMethodRow *method = &volume_methods[made->options->method];
+    const Transfer kept = model->transfer;
+    const double start = machine_clock_ms(CLOCK_MONOTONIC);
+    for (uint32_t i = 0; i < kept.count / 2; i++)
+        model->transfer.stops[i].rgba[3] = 0;
+    GpResult result = method->classify(model, NULL);
+    model->transfer = kept;
+    if (!result)
+        result = method->classify(model, NULL);
+    *ms = (machine_clock_ms(CLOCK_MONOTONIC) - start) / 2;
+    return result;
+}
+
+void bench_tell_volume(const Frame *frame, double ms, int threads, bool measures, json_t *object)
+{
+    Case *made = frame->held;
+    VolumeModel *model = made->model;
+    VolumeError off;
+    double transfer_ms;
+    volume_tell_size(model, made->options, object);
+    const json_t *splats = json_object_get(object, "splats");
+    if (splats)
+        json_object_set_new(object, "splats_per_second",
+                            json_real(json_number_value(splats) * 1000 / ms));
+    json_object_set_new(object, "build_ms", json_real(made->build_ms));
+    if (!measures || volume_error(model, made->options, frame->color, threads, &off, NULL))
+        return;
+    json_object_set_new(object, "psnr_data", json_real(off.psnr_data));
+    json_object_set_new(object, "psnr_method", json_real(off.psnr_method));
+    if (!time_classes(made, &transfer_ms))
+        json_object_set_new(object, "transfer_ms", json_real(transfer_ms));
+}
