@@ -29,6 +29,25 @@ static void set_attributes(const Field *field, size_t at, const uint32_t place[3
         attributes[1 + k] = (uint8_t)(128.5 + gradient[k] * scale);
 }
 
+static void set_place(const uint32_t place[3], Voxel *voxel)
+{
+    for (int k = 0; k < 3; k++)
+        voxel->place[k] = (uint8_t)place[k];
+    voxel->place[3] = (uint8_t)((place[0] >> 8) * 32 + (place[1] >> 8) * 4 + (place[2] >> 8));
+}
+
+Voxel voxel_of(const Field *field, const uint32_t place[3])
+{
+    uint8_t attributes[4];
+    Voxel voxel;
+    set_attributes(field,
+                   ((size_t)place[2] * field->size[1] + place[1]) * field->size[0] + place[0],
+                   place, attributes);
+    memcpy(&voxel, attributes, sizeof attributes);
+    set_place(place, &voxel);
+    return voxel;
+}
+
 void voxels_attributes(const Field *field, uint8_t *attributes)
 {
     uint32_t place[3];
@@ -84,9 +103,7 @@ static void put_voxel(VoxelOrder *order, const uint32_t place[3], const uint8_t 
     Voxel *voxel =
         &order->voxels[order->first[patch_of(order, place) * FIELD_VALUES + attributes[0]]++];
     memcpy(voxel, attributes, 4);
-    for (int k = 0; k < 3; k++)
-        voxel->place[k] = (uint8_t)place[k];
-    voxel->place[3] = (uint8_t)((place[0] >> 8) * 32 + (place[1] >> 8) * 4 + (place[2] >> 8));
+    set_place(place, voxel);
 }
 
 static GpResult make_order(const Field *field, int background, const uint8_t *attributes,

@@ -55,6 +55,9 @@ GpResult voxels_make(const Field *field, const bool shown[FIELD_VALUES], Voxels 
 
 void voxels_free(Voxels *voxels);
 
+/* A sample as a voxel. */
+Voxel voxel_of(const Field *field, const uint32_t place[3]);
+
 /* Value and gradient of all samples, as in a Voxel, [z][y][x][4].
  * out  attributes: 4 bytes a sample of the field */
 void voxels_attributes(const Field *field, uint8_t *attributes);

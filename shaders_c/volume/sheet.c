@@ -1,20 +1,9 @@
 #include "shaders_c/volume/sheet.h"
 
 #include "shaders_c/common/vertices_shared.h"
-
-#define LOG2_E 1.44269504088896340736f
+#include "shaders_c/volume/sheet_shared.h"
 
 clip_vertex_shader(sheet_vs, NoUniforms);
-
-/* Colour times opacity, and opacity. Of little matter 1 - exp(-e) has lost its digits, and its series has
- * them. */
-GP_INLINE float4 sheet_of_extinctions(float4 sheet)
-{
-    flt e = sheet.w;
-    flt little = mad(e, mad(e, 1.0f / 6, -0.5f), 1);
-    flt share = sel(e < 0.0625f, little, (1.0f - exp_(e * -LOG2_E)) * rcp(max(e, 0.0625f)));
-    return mul(sheet, share);
-}
 
 GP_INLINE float4 sheet_of_alphas(float4 sheet)
 {
@@ -28,9 +17,9 @@ GP_INLINE float4 put_under(float4 front, float4 behind)
 
 pixel_shader(sheets_ps, NoUniforms, NoVarying)
 {
-    float4 front = sheet_of_extinctions(gp_load_local(0));
-    front = put_under(front, sheet_of_extinctions(gp_load_local(1)));
-    return put_under(front, sheet_of_extinctions(gp_load_local(2)));
+    float4 front = sheet_of_light(gp_load_local(0));
+    front = put_under(front, sheet_of_light(gp_load_local(1)));
+    return put_under(front, sheet_of_light(gp_load_local(2)));
 }
 
 pixel_shader(sheets_of_alphas_ps, NoUniforms, NoVarying)

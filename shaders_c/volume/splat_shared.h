@@ -126,15 +126,22 @@ GP_INLINE flt voxel_weight(const VoxelUniforms *c, float3 conic, float2 place, f
 
 /* --- light ------------------------------------------------------------------------------------ */
 
-/* A light beside the eye, from both sides: gradients of densities have no outside. Without a gradient
- * all is lit. */
-GP_INLINE flt voxel_light(const VoxelUniforms *c, float3 gradient)
+/* In eye space, of length 1, or 0 where there is no gradient. in gradient: 127 times a direction */
+GP_INLINE float3 voxel_normal(const VoxelUniforms *c, float3 gradient)
 {
     float3 n = vec3(dp3(gradient, u3(c->normal[0])), dp3(gradient, u3(c->normal[1])),
                     dp3(gradient, u3(c->normal[2])));
     flt square = dp3(n, n);
-    flt facing = abs_(dp3(n, u3(c->light))) * rsq(max(square, 1e-6f));
-    return mad(sel(square < 0.5f, bcast(1), facing), c->diffuse, c->ambient);
+    return mul(n, sel(square < 0.5f, bcast(0), rsq(max(square, 0.5f))));
+}
+
+/* A light beside the eye, from both sides: gradients of densities have no outside. Without a gradient
+ * all is lit. */
+GP_INLINE flt voxel_light(const VoxelUniforms *c, float3 gradient)
+{
+    float3 n = voxel_normal(c, gradient);
+    flt facing = sel(dp3(n, n) < 0.5f, bcast(1), abs_(dp3(n, u3(c->light))));
+    return mad(facing, c->diffuse, c->ambient);
 }
 
 GP_INLINE float4 voxel_color(GpInvocation *gp, const VoxelUniforms *c, float4 attributes)

@@ -1,5 +1,6 @@
 #include "apps/volumes/drawing/splat.h"
 
+#include "apps/volumes/drawing/splat_after.h"
 #include "apps/volumes/drawing/splat_filter.h"
 #include "apps/volumes/drawing/splat_modes.h"
 #include "apps/volumes/drawing/splat_slabs.h"
@@ -49,8 +50,9 @@ GpResult volume_splats_add(const VolumeSplats *prepared, const VolumeView *view,
                            Frame *frame, GpError *error)
 {
     Sheets sheets = sheets_make(prepared, view, setting, target, frame);
-    const GpResult result = setting->sheets == SHEETS_IMAGE ? splat_slabs_add(&sheets, error)
-                                                            : add_slices(&sheets, error);
+    const GpResult result = setting->after                    ? splat_after_add(&sheets, error)
+                            : setting->sheets == SHEETS_IMAGE ? splat_slabs_add(&sheets, error)
+                                                              : add_slices(&sheets, error);
     sheets_finish(&sheets);
     return result ? result : frame_result(frame, error);
 }

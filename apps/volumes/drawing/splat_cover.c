@@ -43,9 +43,8 @@ void splat_cover_add(const SplatCover *more, SplatCover *cover)
         cover->covered[i] |= more->covered[i];
 }
 
-/* A rectangle of a slice, by its corners in samples. */
-static void cover_rectangle(const VoxelEye *eye, const VoxelOrder *order, const double low[3],
-                            const double high[3], SplatCover *cover)
+void splat_cover_rectangle(const VoxelEye *eye, const VoxelOrder *order, const double low[3],
+                           const double high[3], SplatCover *cover)
 {
     double least[2] = { HUGE_VAL, HUGE_VAL }, most[2] = { -HUGE_VAL, -HUGE_VAL };
     for (int corner = 0; corner < 4; corner++) {
@@ -82,7 +81,7 @@ void splat_cover_slice(const VoxelEye *eye, const VoxelOrder *order, uint32_t sl
                 low[order->axis[1 + k]] = first[k];
                 high[order->axis[1 + k]] = last < end ? last : end;
             }
-            cover_rectangle(eye, order, low, high, cover);
+            splat_cover_rectangle(eye, order, low, high, cover);
         }
 }
 
@@ -107,14 +106,15 @@ static GpRect take_rectangle(const SplatCover *cover, uint32_t x, uint32_t y)
                      (int32_t)((x + wide) * COVER_CELL), (int32_t)((y + high) * COVER_CELL) };
 }
 
-static void draw_rectangle(const GpRect *rect, const GpProgram *program, const GpTexture *textures,
-                           uint32_t texture_count, const GpState *state, Frame *frame)
+static void draw_rectangle(const GpRect *rect, const GpProgram *program, const void *uniforms,
+                           const GpTexture *textures, uint32_t texture_count, const GpState *state,
+                           Frame *frame)
 {
     static const float corners[] = { -1, -1, 0, -1, 3, 0, 3, -1, 0 };
     const GpGeometry whole = {
         .vertex_count = 3, .streams = { [GP_POSITION] = { .data = corners, .components = 3 } }
     };
-    GpDraw *draw = frame_draw(frame, program, NULL, &whole);
+    GpDraw *draw = frame_draw(frame, program, uniforms, &whole);
     draw->state = *state;
     draw->state.raster.scissor = true;
     draw->state.raster.scissor_x0 = rect->x0;
@@ -125,8 +125,8 @@ static void draw_rectangle(const GpRect *rect, const GpProgram *program, const G
 }
 
 void splat_cover_draw(const SplatCover *cover, const VolumeView *view, const GpProgram *program,
-                      const GpTexture *textures, uint32_t texture_count, const GpState *state,
-                      Frame *frame)
+                      const void *uniforms, const GpTexture *textures, uint32_t texture_count,
+                      const GpState *state, Frame *frame)
 {
     for (uint32_t y = 0; cover->covered && y < cover->height; y++)
         for (uint32_t x = 0; x < cover->width; x++)
@@ -134,7 +134,7 @@ void splat_cover_draw(const SplatCover *cover, const VolumeView *view, const GpP
                 GpRect rect = take_rectangle(cover, x, y);
                 rect.x1 = rect.x1 < (int32_t)view->width ? rect.x1 : (int32_t)view->width;
                 rect.y1 = rect.y1 < (int32_t)view->height ? rect.y1 : (int32_t)view->height;
-                draw_rectangle(&rect, program, textures, texture_count, state, frame);
+                draw_rectangle(&rect, program, uniforms, textures, texture_count, state, frame);
             }
     for (size_t i = 0; cover->covered && i < (size_t)cover->width * cover->height; i++)
         cover->covered[i] = cover->covered[i] > 0;

@@ -23,6 +23,10 @@ void splat_cover_slice(const VoxelEye *eye, const VoxelOrder *order, uint32_t sl
                        const uint16_t shown[FIELD_VALUES + 1], const Field *field,
                        SplatCover *cover);
 
+/* Adds what the footprints of a rectangle of a slice reach, by its corners in samples. */
+void splat_cover_rectangle(const VoxelEye *eye, const VoxelOrder *order, const double low[3],
+                           const double high[3], SplatCover *cover);
+
 /* Adds what a footprint reaches. in pixel, reach: as voxel_eye_pixel gives them */
 void splat_cover_pixel(const double pixel[2], double reach, SplatCover *cover);
 
@@ -31,8 +35,8 @@ void splat_cover_add(const SplatCover *more, SplatCover *cover);
 
 /* Draws a triangle over all that is covered, a draw for each rectangle of cells. */
 void splat_cover_draw(const SplatCover *cover, const VolumeView *view, const GpProgram *program,
-                      const GpTexture *textures, uint32_t texture_count, const GpState *state,
-                      Frame *frame);
+                      const void *uniforms, const GpTexture *textures, uint32_t texture_count,
+                      const GpState *state, Frame *frame);
 
 void splat_cover_clear(SplatCover *cover);
 

@@ -14,7 +14,7 @@ static const float nothing[4] = { 0 };
 /* --- beginning -------------------------------------------------------------------------------- */
 
 /* Opaque is what lets 2^-16 through. */
-static float extinction(double opacity)
+float sheets_extinction(double opacity)
 {
     return (float)-stable_log(fmax(1 - opacity, 0x1p-16));
 }
@@ -27,7 +27,7 @@ static GpSurface *make_look(const VolumeSplats *splats, const VolumeSplatSetting
     for (int v = 0; v < FIELD_VALUES && texel; v++, texel += 4) {
         memcpy(texel, splats->table[v], 4 * sizeof *texel);
         if (!setting->alphas)
-            texel[3] = extinction((double)texel[3]);
+            texel[3] = sheets_extinction((double)texel[3]);
     }
     return look;
 }
@@ -86,11 +86,16 @@ uint32_t sheets_slice(const Sheets *sheets, uint32_t i)
 
 /* --- a sheet ---------------------------------------------------------------------------------- */
 
-void sheets_begin(Sheets *sheets)
+void sheets_begin_in(Sheets *sheets, uint32_t surface)
 {
-    frame_pass(sheets->frame, "sheet", sheets->sheet[sheets->filled++], sheets->depth, nothing)
+    frame_pass(sheets->frame, "sheet", sheets->sheet[surface], sheets->depth, nothing)
         ->depth.clear_depth = false;
     sheets->sheets++;
+}
+
+void sheets_begin(Sheets *sheets)
+{
+    sheets_begin_in(sheets, sheets->filled++);
 }
 
 void sheets_set_state(const Sheets *sheets, GpDraw *draw)
@@ -116,9 +121,21 @@ static void mark_opaque(Sheets *sheets)
 {
     const GpTexture sum = { .surface = sheets->sum };
     frame_pass(sheets->frame, "opaque", NULL, sheets->depth, nothing)->depth.clear_depth = false;
-    splat_cover_draw(&sheets->cover, sheets->view, &sheets_opaque_program, &sum, 1,
+    splat_cover_draw(&sheets->cover, sheets->view, &sheets_opaque_program, NULL, &sum, 1,
                      &(GpState){ .depth = { .test = GP_ALWAYS, .write = true } }, sheets->frame);
     sheets->marked = sheets->sheets;
+}
+
+void sheets_under(Sheets *sheets, const GpProgram *program, const void *uniforms,
+                  const GpTexture *textures, uint32_t texture_count)
+{
+    frame_pass(sheets->frame, "under", sheets->sum, NULL, nothing)->color[0].clear = !sheets->begun;
+    splat_cover_draw(&sheets->cover, sheets->view, program, uniforms, textures, texture_count,
+                     &(GpState){ .blend = { under } }, sheets->frame);
+    sheets->begun = true;
+    if (sheets->setting->cull && sheets->sheets - sheets->marked >= sheets->setting->cull)
+        mark_opaque(sheets);
+    splat_cover_clear(&sheets->cover);
 }
 
 /* Those that are filled, and empty ones for the rest. */
@@ -131,15 +148,9 @@ static void put_under(Sheets *sheets)
         textures[i].surface = sheets->sheet[i];
     for (; sheets->filled < SHEETS_AT_ONCE; sheets->filled++)
         frame_pass(sheets->frame, "no sheet", sheets->sheet[sheets->filled], NULL, nothing);
-    frame_pass(sheets->frame, "under", sheets->sum, NULL, nothing)->color[0].clear = !sheets->begun;
-    splat_cover_draw(&sheets->cover, sheets->view,
-                     sheets->setting->alphas ? &sheets_of_alphas_program : &sheets_program,
-                     textures, SHEETS_AT_ONCE, &(GpState){ .blend = { under } }, sheets->frame);
-    sheets->begun = true;
+    sheets_under(sheets, sheets->setting->alphas ? &sheets_of_alphas_program : &sheets_program,
+                 NULL, textures, SHEETS_AT_ONCE);
     sheets->filled = 0;
-    if (sheets->setting->cull && sheets->sheets - sheets->marked >= sheets->setting->cull)
-        mark_opaque(sheets);
-    splat_cover_clear(&sheets->cover);
 }
 
 void sheets_end(Sheets *sheets)

@@ -19,16 +19,16 @@ typedef struct Sheets {
         *color; /* the target, and what hides: its depth, or that and what is opaque; or NULL */
     GpSurface *depth;
     GpFormat format;
+    GpSurface *sheet[SHEETS_AT_ONCE], *sum;
+    uint16_t shown[FIELD_VALUES + 1]; /* values shown below each */
     Frame *frame;
 
     /* private */
-    GpSurface *sheet[SHEETS_AT_ONCE], *sum;
     SplatCover cover;
-    uint16_t shown[FIELD_VALUES + 1]; /* values shown below each */
-    uint32_t filled;                  /* sheets that wait to be put under the sum, */
-    uint32_t sheets;                  /* and all */
-    uint32_t marked;                  /* of these when opaque pixels were marked last */
-    bool begun;                       /* the sum has some */
+    uint32_t filled; /* sheets that wait to be put under the sum, */
+    uint32_t sheets; /* and all */
+    uint32_t marked; /* of these when opaque pixels were marked last */
+    bool begun;      /* the sum has some */
 } Sheets;
 
 Sheets sheets_make(const VolumeSplats *splats, const VolumeView *view,
@@ -37,8 +37,13 @@ Sheets sheets_make(const VolumeSplats *splats, const VolumeView *view,
 /* Slices from the front: number i of them. */
 uint32_t sheets_slice(const Sheets *sheets, uint32_t i);
 
-/* Begins the next sheet, front to back: draws then go to it. */
+/* Extinction of a slab one unit thick that has this opacity. */
+float sheets_extinction(double opacity);
+
+/* Begins the next sheet, front to back: draws then go to it. The other: in a surface of the caller's
+ * choice, which puts it under the sum. */
 void sheets_begin(Sheets *sheets);
+void sheets_begin_in(Sheets *sheets, uint32_t surface);
 
 /* Says where splats of the present sheet are: those of a slice, or in these cells. */
 void sheets_cover_slice(Sheets *sheets, uint32_t slice);
@@ -46,6 +51,11 @@ void sheets_cover(Sheets *sheets, const SplatCover *cover);
 
 /* A draw that adds to a sheet, and is hidden by what hides. */
 void sheets_set_state(const Sheets *sheets, GpDraw *draw);
+
+/* Puts what a program makes of sheets under the sum, where they cover the picture; then marks what is
+ * opaque, where that is due. */
+void sheets_under(Sheets *sheets, const GpProgram *program, const void *uniforms,
+                  const GpTexture *textures, uint32_t texture_count);
 
 /* Ends a sheet, and the last one: puts the sum over the target. */
 void sheets_end(Sheets *sheets);
