@@ -50,7 +50,9 @@ static void print_text(const PaperTable *table, const PaperRow *row, const doubl
         char here[32] = "";
         if (measured && column->number != PAPER_GIVEN)
             snprintf(here, sizeof here, "%.*f", column->digits, measured[i]);
-        if (column->number == PAPER_BOTH)
+        if (column->number == PAPER_BOTH && row->printed[i] < 0)
+            printf("  %7s %8s", "-", here);
+        else if (column->number == PAPER_BOTH)
             printf("  %7.7g %8s", row->printed[i], here);
         else if (column->number == PAPER_GIVEN)
             printf("  %*g", SINGLE_WIDTH, row->printed[i]);
@@ -71,7 +73,8 @@ static void print_json(const PaperTable *table, const PaperRow *row, const doubl
                                "scene", row->scene, "reduced", row->reduced);
     for (int i = 0; table->columns[i].name; i++) {
         const PaperColumn *column = &table->columns[i];
-        json_t *printed = number(column, row->printed[i]), *here = number(column, measured[i]);
+        json_t *printed = row->printed[i] < 0 ? json_null() : number(column, row->printed[i]);
+        json_t *here = number(column, measured[i]);
         json_t *value = column->number == PAPER_GIVEN ? json_incref(printed)
                         : column->number == PAPER_MEASURED
                             ? json_incref(here)

@@ -23,7 +23,7 @@ typedef struct PaperRow {
     const char *name;                  /* as printed; NULL ends a table */
     const char *scene;                 /* that is drawn here: a path; NULL: it is not at hand */
     bool reduced;                      /* of fewer triangles than what was printed */
-    double printed[PAPER_MAX_COLUMNS]; /* by columns; what is given too */
+    double printed[PAPER_MAX_COLUMNS]; /* by columns; what is given too; below 0: there was none */
 } PaperRow;
 
 struct PaperTable {

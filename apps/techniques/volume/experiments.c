@@ -7,6 +7,7 @@ static const TechniqueSweep sweep[] = {
     { "splats", "--method splat --thickness 1|2" },
     { "splats, wider", "--method splat --deviation 0.6|0.7" },
     { "slabs", "--method splat --sheets image --thickness 1|2" },
+    { "classified after", "--method splat --after --thickness 1|2" },
     { "sums of floats", "--method splat --accumulate 32f" },
     { "reconstruction alone", "--method splat --filter reconstruction" },
     { "low-pass alone", "--method splat --filter lowpass" },

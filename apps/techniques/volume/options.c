@@ -47,6 +47,8 @@ const SettingField volume_settings[] = {
       "What sheets are added up in: 16f (default) or 32f, floats; 8 bits; adaptive: 8 bits where "
       "the volume is near",
       SETTING_NAME, OF(splats.sums), .names = sums },
+    { "after", NULL, "Classify what splats add up to, not samples before they are splatted",
+      SETTING_FLAG, OF(splats.after), .low = 0 },
     { "alphas", NULL, "Add up opacities, as printed, not extinctions", SETTING_FLAG,
       OF(splats.alphas), .low = 0 },
     { "deviation", "S", "Standard deviation of a splat's kernel, in samples (default: 0.5)",

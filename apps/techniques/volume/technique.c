@@ -2,7 +2,9 @@
 
 #include "apps/techniques/volume/experiments.h"
 #include "apps/techniques/volume/methods.h"
+#include "apps/techniques/volume/paper_tables.h"
 #include "apps/techniques/volume/report.h"
+#include "apps/techniques/volume/scaling.h"
 
 static GpResult build(void *made, const void *setting, GpDevice *device, Frame *frame,
                       GpError *error)
@@ -56,6 +58,8 @@ const Technique volume_technique = {
     .defaults = &volume_option_defaults,
     .setting_bytes = sizeof(VolumeOptions),
     .experiments = volume_experiments,
+    .scaling = &volume_scaling,
+    .tables = volume_tables,
     .check = volume_options_check,
     .open = volume_model_open,
     .close = close_all,

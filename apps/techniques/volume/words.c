@@ -18,6 +18,8 @@ const TechniqueWord volume_words[] = {
     { "splats, wider", "The same with kernels that blur more, and ripple less." },
     { "slabs", "Splats cut into slabs of equal depth instead of slices: nothing jumps as the "
                "volume turns." },
+    { "classified after",
+      "Splats of values, added up in slices and then classified: borders stay sharp." },
     { "sums of floats", "Splats with sums of 32 bits instead of 16." },
     { "reconstruction alone",
       "Splats as wide as their kernels: those smaller than a pixel fall between pixels." },
