@@ -84,7 +84,19 @@ typedef struct VoxelSplat {
     flt height;   /* of strength 1 */
 } VoxelSplat;
 
-GP_INLINE VoxelSplat voxel_splat(const VoxelUniforms *c, const EyeVoxel *eye, VoxelFootprint which)
+/* W S W^T of one voxel. */
+typedef struct VoxelSpread {
+    flt xx, xy, yy, xz, yz, zz;
+} VoxelSpread;
+
+GP_INLINE VoxelSpread voxel_spread(const VoxelUniforms *c)
+{
+    return (VoxelSpread){ bcast(c->spread[0]), bcast(c->spread[1]), bcast(c->spread[2]),
+                          bcast(c->spread[3]), bcast(c->spread[4]), bcast(c->spread[5]) };
+}
+
+GP_INLINE VoxelSplat voxel_splat_of(const VoxelUniforms *c, const EyeVoxel *eye, VoxelSpread spread,
+                                    VoxelFootprint which)
 {
     VoxelSplat splat;
     flt square = eye->scale * eye->scale;
@@ -98,18 +110,23 @@ GP_INLINE VoxelSplat voxel_splat(const VoxelUniforms *c, const EyeVoxel *eye, Vo
         return splat;
     }
     const float h = which == FOOTPRINT_EWA ? c->low_pass : 0;
-    flt xx = mad(s.x, mad(s.x, c->spread[5], -2 * c->spread[3]), c->spread[0]);
-    flt yy = mad(s.y, mad(s.y, c->spread[5], -2 * c->spread[4]), c->spread[2]);
-    flt xy = mad(s.x, mad(s.y, c->spread[5], -c->spread[4]), mad(s.y, -c->spread[3], c->spread[1]));
+    flt xx = mad(s.x, mad(s.x, spread.zz, spread.xz * -2), spread.xx);
+    flt yy = mad(s.y, mad(s.y, spread.zz, spread.yz * -2), spread.yy);
+    flt xy = mad(s.x, mad(s.y, spread.zz, -spread.yz), mad(s.y, -spread.xz, spread.xy));
     xx = mad(xx, square, h);
     yy = mad(yy, square, h);
     xy = xy * square;
-    flt det = mad(xx, yy, -(xy * xy));
+    flt det = max(mad(xx, yy, -(xy * xy)), 1e-12f);
     flt per_det = rcp(det) * VOXEL_HALF_LOG2_E;
     splat.conic = vec3(yy * per_det, xy * per_det * -2, xx * per_det);
     splat.side = sqrt_(max(xx, yy)) * (2 * c->cut);
     splat.height = height * rsq(det);
     return splat;
+}
+
+GP_INLINE VoxelSplat voxel_splat(const VoxelUniforms *c, const EyeVoxel *eye, VoxelFootprint which)
+{
+    return voxel_splat_of(c, eye, voxel_spread(c), which);
 }
 
 /* Rounding of places on the screen, to 1/256 of a pixel, hides no pixel of a footprint: sprites and quads
@@ -162,15 +179,21 @@ typedef struct VoxelVarying {
     { "conic", 3, GP_FLAT }, { "place", 2, GP_FLAT }, { "color", 4, GP_FLAT }
 /* clang-format on */
 
+GP_INLINE void voxel_put(const VoxelUniforms *c, const EyeVoxel *eye, float4 color,
+                         const VoxelSplat *splat, VoxelVarying *out, flt *side)
+{
+    flt height = color.w * splat->height;
+    *side = splat->side + VOXEL_ROOM;
+    out->conic = splat->conic;
+    out->place = voxel_pixel(c, eye);
+    out->color = rgba(mul(xyz(color), height), height);
+}
+
 GP_INLINE void voxel_vertex(const VoxelUniforms *c, const EyeVoxel *eye, float4 color,
                             VoxelFootprint which, VoxelVarying *out, flt *side)
 {
     VoxelSplat splat = voxel_splat(c, eye, which);
-    flt height = color.w * splat.height;
-    *side = splat.side + VOXEL_ROOM;
-    out->conic = splat.conic;
-    out->place = voxel_pixel(c, eye);
-    out->color = rgba(mul(xyz(color), height), height);
+    voxel_put(c, eye, color, &splat, out, side);
 }
 
 #endif

@@ -45,10 +45,34 @@ static GpResult add_slices(Sheets *sheets, GpError *error)
 
 /* --- a frame ---------------------------------------------------------------------------------- */
 
+/* What the shaders have no program for. */
+static GpResult check(const VolumeSplatSetting *setting, GpError *error)
+{
+    const bool vertices = setting->mode == VOXELS_VB || setting->mode == VOXELS_IM;
+    const bool image = setting->sheets == SHEETS_IMAGE;
+    if ((setting->after || image) && setting->mode != VOXELS_VB)
+        return gp_fail(error, GP_ERROR_UNSUPPORTED,
+                       "%s: voxels are sorted anew for each picture: expected mode vb",
+                       setting->after ? "classification after splatting" : "image-aligned sheets");
+    if (setting->after && (image || setting->alphas))
+        return gp_fail(
+            error, GP_ERROR_UNSUPPORTED,
+            "classification after splatting: expected sheets along the volume's axes, of "
+            "extinctions");
+    if (setting->flat && (setting->after || image || !vertices))
+        return gp_fail(error, GP_ERROR_UNSUPPORTED,
+                       "flat kernels: expected modes vb or im, sheets along the volume's axes, and "
+                       "classification before splatting");
+    return GP_OK;
+}
+
 GpResult volume_splats_add(const VolumeSplats *prepared, const VolumeView *view,
                            const VolumeSplatSetting *setting, const VolumeTarget *target,
                            Frame *frame, GpError *error)
 {
+    const GpResult possible = check(setting, error);
+    if (possible)
+        return possible;
     Sheets sheets = sheets_make(prepared, view, setting, target, frame);
     const GpResult result = setting->after                    ? splat_after_add(&sheets, error)
                             : setting->sheets == SHEETS_IMAGE ? splat_slabs_add(&sheets, error)

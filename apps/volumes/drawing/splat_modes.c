@@ -1,5 +1,6 @@
 #include "apps/volumes/drawing/splat_modes.h"
 
+#include "shaders_c/volume/splat_flat.h"
 #include "shaders_c/volume/splat_quad.h"
 #include "shaders_c/volume/splat_texture.h"
 
@@ -37,10 +38,18 @@ static void draw_voxels(const VoxelFeed *feed, const VoxelRun *run, VoxelFilter 
         [VOXEL_RECONSTRUCTION] = &voxel_reconstruction_program,
         [VOXEL_LOW_PASS] = &voxel_low_pass_program,
     };
+    static const GpProgram *const flat[] = {
+        [VOXEL_EWA] = &voxel_flat_ewa_program,
+        [VOXEL_RECONSTRUCTION] = &voxel_flat_reconstruction_program,
+        [VOXEL_LOW_PASS] = &voxel_low_pass_program,
+    };
     for (uint32_t i = 0; i < run->count; i += at_once) {
         const GpGeometry geometry =
             voxel_geometry(feed->sheets->order->voxels + run->first + i, at_once);
-        begin_draw(feed, programs[filter], feed->sheets->uniforms, &geometry);
+        if (feed->sheets->setting->flat)
+            begin_draw(feed, flat[filter], feed->flat, &geometry);
+        else
+            begin_draw(feed, programs[filter], feed->sheets->uniforms, &geometry);
     }
 }
 
@@ -196,10 +205,23 @@ static GpResult reserve_draws(const Sheets *sheets, GpError *error)
     return GP_OK;
 }
 
+/* A kernel's tenth is left of it along its normal. */
+static const VoxelFlatUniforms *flat_uniforms(const Sheets *sheets)
+{
+    VoxelFlatUniforms uniforms = { .opaque =
+                                       sheets->setting->alphas ? 0.5f : sheets_extinction(0.5),
+                                   .flatness = 0.99f };
+    if (sheets->uniforms)
+        uniforms.voxel = *sheets->uniforms;
+    return frame_copy(sheets->frame, &uniforms, sizeof uniforms);
+}
+
 GpResult voxel_feed_begin(Sheets *sheets, VoxelFeed *feed, GpError *error)
 {
     const VoxelMode mode = sheets->setting->mode;
     *feed = (VoxelFeed){ .sheets = sheets };
+    if (sheets->setting->flat)
+        feed->flat = flat_uniforms(sheets);
     if (mode == VOXELS_VT || mode == VOXELS_PT)
         return make_values(sheets->splats->field, sheets->frame, feed, error);
     if (mode == VOXELS_IM)

@@ -7,7 +7,8 @@
 /* What a mode needs beside the voxels. A zeroed one is of no mode. */
 typedef struct VoxelFeed {
     Sheets *sheets;
-    GpSurface *values; /* of VT and PT: the flat texture */
+    const struct VoxelFlatUniforms *flat; /* of flat kernels */
+    GpSurface *values;                    /* of VT and PT: the flat texture */
     uint32_t columns;
     const uint8_t *corners; /* of QD: of as many voxels as the longest run has */
     const uint32_t *indices;

@@ -54,9 +54,9 @@ typedef struct VolumeSplatSetting {
     VoxelSheets sheets;
     VoxelMode mode;
     VoxelSums sums;
-    bool after;       /* densities are splatted, and classified and lit in the sheet */
-    bool alphas;      /* opacities are added, as printed, not extinctions */
-    bool flat;        /* kernels of opaque voxels lie in their iso-surfaces */
+    bool after;  /* densities are splatted, and classified and lit in the sheet */
+    bool alphas; /* opacities are added, as printed, not extinctions */
+    bool flat; /* kernels of voxels that are opaque, by half at least, lie in their iso-surfaces */
     double deviation; /* of the kernel, samples along each axis */
     double cut;       /* footprints end at so many standard deviations */
     double low_pass;  /* standard deviation of the pixel's filter, pixels */

@@ -4,6 +4,7 @@
 #include "pipeline/shader/counts.h"
 #include "shaders_c/volume/sheet.h"
 #include "shaders_c/volume/splat_after.h"
+#include "shaders_c/volume/splat_flat.h"
 #include "shaders_c/volume/splat_quad.h"
 #include "shaders_c/volume/splat_slab.h"
 #include "shaders_c/volume/splat_texture.h"
@@ -17,23 +18,25 @@ static const struct {
     {                                                                                              \
         &name##_program, vertex, pixel                                                             \
     }
-    ROW(voxel_ewa, 92, 11),
-    ROW(voxel_reconstruction, 92, 11),
+    ROW(voxel_ewa, 95, 11),
+    ROW(voxel_reconstruction, 95, 11),
     ROW(voxel_low_pass, 76, 11),
-    ROW(voxel_vt_ewa, 101, 11),
-    ROW(voxel_vt_reconstruction, 101, 11),
+    ROW(voxel_vt_ewa, 104, 11),
+    ROW(voxel_vt_reconstruction, 104, 11),
     ROW(voxel_vt_low_pass, 85, 11),
-    ROW(voxel_pt_ewa, 72, 39),
-    ROW(voxel_pt_reconstruction, 72, 39),
+    ROW(voxel_pt_ewa, 75, 39),
+    ROW(voxel_pt_reconstruction, 75, 39),
     ROW(voxel_pt_low_pass, 56, 39),
-    ROW(voxel_qd_ewa, 101, 11),
-    ROW(voxel_qd_reconstruction, 101, 11),
+    ROW(voxel_qd_ewa, 104, 11),
+    ROW(voxel_qd_reconstruction, 104, 11),
     ROW(voxel_qd_low_pass, 85, 11),
-    ROW(voxel_slab_ewa, 117, 11),
-    ROW(voxel_slab_reconstruction, 117, 11),
+    ROW(voxel_slab_ewa, 120, 11),
+    ROW(voxel_slab_reconstruction, 120, 11),
     ROW(voxel_slab_low_pass, 101, 11),
-    ROW(voxel_after_ewa, 82, 11),
-    ROW(voxel_after_reconstruction, 82, 11),
+    ROW(voxel_flat_ewa, 127, 11),
+    ROW(voxel_flat_reconstruction, 127, 11),
+    ROW(voxel_after_ewa, 85, 11),
+    ROW(voxel_after_reconstruction, 85, 11),
     ROW(voxel_after_low_pass, 66, 11),
     ROW(sheets_after, 1, 62),
     ROW(sheets, 1, 41),
