@@ -23,8 +23,8 @@ GP_INLINE void flat_point(GpInvocation *gp, const VoxelFlatUniforms *c, const Vo
     float3 normal = voxel_normal(
         &c->voxel, sub(vec3(in->attributes.y, in->attributes.z, in->attributes.w), 128));
     flt share = sel(color.w < c->opaque, bcast(0), bcast(c->flatness));
-    VoxelSpread spread = flattened(voxel_spread(&c->voxel), normal, share);
-    VoxelSplat splat = voxel_splat_of(&c->voxel, &eye, spread, which);
+    VoxelSpread flat = flattened(voxel_spread(&c->voxel), normal, share);
+    VoxelSplat splat = voxel_splat_spread(&c->voxel, &eye, flat, which);
     *position = voxel_clip(&c->voxel, &eye, color.w);
     voxel_put(&c->voxel, &eye, color, &splat, out, point_size);
 }

@@ -95,8 +95,8 @@ GP_INLINE VoxelSpread voxel_spread(const VoxelUniforms *c)
                           bcast(c->spread[3]), bcast(c->spread[4]), bcast(c->spread[5]) };
 }
 
-GP_INLINE VoxelSplat voxel_splat_of(const VoxelUniforms *c, const EyeVoxel *eye, VoxelSpread spread,
-                                    VoxelFootprint which)
+GP_INLINE VoxelSplat voxel_splat_spread(const VoxelUniforms *c, const EyeVoxel *eye,
+                                        VoxelSpread spread, VoxelFootprint which)
 {
     VoxelSplat splat;
     flt square = eye->scale * eye->scale;
@@ -126,7 +126,7 @@ GP_INLINE VoxelSplat voxel_splat_of(const VoxelUniforms *c, const EyeVoxel *eye,
 
 GP_INLINE VoxelSplat voxel_splat(const VoxelUniforms *c, const EyeVoxel *eye, VoxelFootprint which)
 {
-    return voxel_splat_of(c, eye, voxel_spread(c), which);
+    return voxel_splat_spread(c, eye, voxel_spread(c), which);
 }
 
 /* Rounding of places on the screen, to 1/256 of a pixel, hides no pixel of a footprint: sprites and quads
