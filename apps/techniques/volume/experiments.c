@@ -8,6 +8,7 @@ static const TechniqueSweep sweep[] = {
     { "splats, wider", "--method splat --deviation 0.6|0.7" },
     { "slabs", "--method splat --sheets image --thickness 1|2" },
     { "classified after", "--method splat --after --thickness 1|2" },
+    { "flat", "--method splat --flat" },
     { "sums of floats", "--method splat --accumulate 32f" },
     { "reconstruction alone", "--method splat --filter reconstruction" },
     { "low-pass alone", "--method splat --filter lowpass" },

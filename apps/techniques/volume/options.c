@@ -51,6 +51,8 @@ const SettingField volume_settings[] = {
       SETTING_FLAG, OF(splats.after), .low = 0 },
     { "alphas", NULL, "Add up opacities, as printed, not extinctions", SETTING_FLAG,
       OF(splats.alphas), .low = 0 },
+    { "flat", NULL, "Flatten the kernels of opaque samples into their surface", SETTING_FLAG,
+      OF(splats.flat), .low = 0 },
     { "deviation", "S", "Standard deviation of a splat's kernel, in samples (default: 0.5)",
       SETTING_NUMBER, OF(splats.deviation), .low = 0.2, .high = 4 },
     { "cut", "C", "Splats end at so many standard deviations (default: 2)", SETTING_NUMBER,

@@ -20,6 +20,7 @@ const TechniqueWord volume_words[] = {
                "volume turns." },
     { "classified after",
       "Splats of values, added up in slices and then classified: borders stay sharp." },
+    { "flat", "Splats of which those that are opaque by half lie flat in their surface." },
     { "sums of floats", "Splats with sums of 32 bits instead of 16." },
     { "reconstruction alone",
       "Splats as wide as their kernels: those smaller than a pixel fall between pixels." },
