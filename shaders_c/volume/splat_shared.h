@@ -58,8 +58,10 @@ GP_INLINE float4 voxel_clip(const VoxelUniforms *c, const EyeVoxel *eye, flt str
     const float3 p = eye->position;
     float4 clip = vec4(p.x * (c->focal * c->ndc[0]), -p.y * (c->focal * c->ndc[1]),
                        mad(p.z, c->depth[0], c->depth[1]), eye->w);
-    msk drawn = (msk)(p.z >= c->nearest) & (msk)(strength > 0.0f);
-    return sel(drawn, clip, vec4(2, 2, 0, 1)); /* 2: outside */
+    msk met = (msk)(abs_(p.x) <= mad(eye->w, c->side[0], c->reach[0])) &
+              (msk)(abs_(p.y) <= mad(eye->w, c->side[1], c->reach[1]));
+    msk drawn = met & (msk)(p.z >= c->nearest) & (msk)(strength > 0.0f);
+    return sel(drawn, clip, vec4(0, 0, -1, 1)); /* before the near plane, however large it is */
 }
 
 /* Pixel whose centre is the voxel's, as vpos counts. */

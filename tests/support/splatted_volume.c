@@ -117,7 +117,7 @@ void splatted_truth_of_method(const SplattedVolume *volume, const VolumeSplatSet
     const VolumeKernels kernels = { .deviation = setting->deviation,
                                     .cut = KERNEL_CUT * setting->deviation,
                                     .low_pass = setting->low_pass,
-                                    .rays = 2 };
+                                    .rays = volume->rays ? volume->rays : 2 };
     VolumePicture picture;
     GpPool *pool = NULL;
     assert_int_equal(gp_pool_create(2, &pool, NULL), GP_OK);

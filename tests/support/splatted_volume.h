@@ -11,6 +11,7 @@ typedef struct SplattedVolume {
     Transfer transfer;
     VolumeSplats splats;
     VolumeView view;
+    uint32_t rays;       /* of the truth of the method, a side of a pixel; 0: 2 */
     VolumeTarget target; /* beside the frame's own colour: its depth, or NULL */
 } SplattedVolume;
 

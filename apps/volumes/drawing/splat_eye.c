@@ -73,7 +73,12 @@ VoxelUniforms voxel_uniforms(const VoxelEye *eye, const Field *field, const Volu
         .ambient = view->lit ? 0.25f : 1,
         .diffuse = view->lit ? 0.75f : 0,
     };
+    const double half[2] = { eye->half_width, eye->half_height };
     set_spread(eye, field->scale, setting->deviation, uniforms.spread);
+    for (int i = 0; i < 2; i++) { /* a ball's distance from a side of the view */
+        uniforms.side[i] = (float)(half[i] + eye->low_pass / eye->focal);
+        uniforms.reach[i] = (float)(eye->reach * (eye->parallel ? 1 : sqrt(1 + half[i] * half[i])));
+    }
     for (int i = 0; i < 3; i++) {
         uniforms.light[i] = (float)(light[i] / length);
         for (int k = 0; k < 4; k++)
