@@ -156,6 +156,29 @@ static void one_is_chosen_for_any_field(void **state)
     }
 }
 
+/* A thin shell of 200 and a large inside of 97, in air of 0 to 7. */
+static void around_is_nothing_and_what_is_rare_shows_most(void **state)
+{
+    (void)state;
+    enum { SIDE = 40 };
+    Field field = { .size = { SIDE, SIDE, SIDE }, .scale = { 1, 1, 1 } };
+    field.value = malloc(SIDE * SIDE * SIDE);
+    for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
+        const int x = i % SIDE - 20, y = i / SIDE % SIDE - 20, z = i / SIDE / SIDE - 20;
+        const int r2 = x * x + y * y + z * z;
+        field.value[i] = (uint8_t)(r2 > 256 ? i % 8 : r2 > 225 ? 200 : 97);
+    }
+    Transfer transfer;
+    double air[4], inside[4], shell[4];
+    transfer_choose(&field, &transfer);
+    transfer_at(&transfer, 7, air);
+    transfer_at(&transfer, 97, inside);
+    transfer_at(&transfer, 200, shell);
+    assert_true(air[3] < inside[3] / 2 && inside[3] > 0.005 && inside[3] < 0.2);
+    assert_true(shell[3] > 2 * inside[3]);
+    free(field.value);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -173,6 +196,7 @@ int main(void)
         cmocka_unit_test(those_built_in_have_values_that_rise),
         cmocka_unit_test(extinction_is_that_of_the_slab),
         cmocka_unit_test(one_is_chosen_for_any_field),
+        cmocka_unit_test(around_is_nothing_and_what_is_rare_shows_most),
     };
     return cmocka_run_group_tests_name("transfer", tests, NULL, NULL);
 }
