@@ -219,13 +219,24 @@ static double leave(const VolumeRay *ray, const int low[3], const int high[3], i
     return first;
 }
 
-/* The cell of a place of the ray; where it has just left a box, that beyond the side. */
+/* The cell of a place of the ray. */
 static void find_cell(const Run *run, const VolumeRay *ray, double t, int cell[3])
 {
     for (int k = 0; k < 3; k++) {
         const double at = floor(ray->begin[k] + t * ray->way[k]);
         cell[k] = (int)fmin(fmax(at, 0), run->cells[k] - 1.0);
     }
+}
+
+/* The same of a place behind the one that `cell` was found for: what is rounded never turns back, or two
+ * axes whose walls are met at once would take each other back for ever. */
+static void find_next_cell(const Run *run, const VolumeRay *ray, double t, int cell[3])
+{
+    int found[3];
+    find_cell(run, ray, t, found);
+    for (int k = 0; k < 3; k++)
+        if (ray->way[k] > 0 ? found[k] > cell[k] : found[k] < cell[k])
+            cell[k] = found[k];
 }
 
 static bool brick_is_empty(const Run *run, const int cell[3], int low[3], int high[3])
@@ -259,7 +270,7 @@ static Light light_of(const Run *run, const VolumeRay *ray)
         }
         t = fmax(t, next);
         if (is_empty)
-            find_cell(run, ray, t, cell);
+            find_next_cell(run, ray, t, cell);
         cell[axis] = ray->way[axis] > 0 ? high[axis] : low[axis] - 1;
         if (cell[axis] < 0 || cell[axis] >= (int)run->cells[axis])
             break;

@@ -85,7 +85,8 @@ enum class Kind : uint8_t {
     face,
     arithmetic,
     texture,
-    kill
+    kill,
+    loop
 };
 
 /* What an instruction is: its slots in shader models 2 and 3, and whether component i of the result
@@ -292,7 +293,7 @@ class Recorder
             for (const flt &part : output.parts)
                 nodes[size_t(part.node)].live |= 1u << part.component;
         for (size_t i = nodes.size(); i-- > 0;) {
-            if (nodes[i].kind == Kind::kill)
+            if (nodes[i].kind >= Kind::kill)
                 nodes[i].live = 1;
             if (nodes[i].live)
                 each_read(nodes[i], [this](const flt &part) {
@@ -362,7 +363,7 @@ class Recorder
     void arrange(const std::vector<Register> &outputs)
     {
         for (size_t i = 0; i < nodes.size(); i++)
-            if (nodes[i].kind == Kind::kill)
+            if (nodes[i].kind >= Kind::kill)
                 place(int32_t(i));
         for (const Register &output : outputs)
             for (const flt &part : output.parts)
@@ -395,7 +396,9 @@ class Recorder
     void read_instruction(const Node &node, GpShaderCounts *counts)
     {
         int slots = model2() ? node.op.model2 : node.op.model3;
-        (node.kind == Kind::arithmetic ? counts->arithmetic_slots : counts->texture_slots) += slots;
+        const bool reads = node.kind == Kind::texture || node.kind == Kind::kill;
+        (reads ? counts->texture_slots : counts->arithmetic_slots) += slots;
+        counts->loops |= node.kind == Kind::loop;
         counts->gradients |= node.op.gradient;
         counts->needs_quads |= node.op.gradient && node.kind == Kind::arithmetic;
         counts->discards |= node.kind == Kind::kill;

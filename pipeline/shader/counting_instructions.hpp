@@ -158,6 +158,13 @@ inline bool any(msk)
     return true;
 }
 
+/* rep, break_comp and endrep. */
+inline void gp_begin_loop(msk goes_on)
+{
+    recording->record({ 8, 8, Op::all, Kind::loop }, { Operand(goes_on.value) });
+}
+#define loop_while(turns, m) if (gp_begin_loop(m); true)
+
 template <class V> V neg(V a)
 {
     Operand parts(a);

@@ -34,6 +34,7 @@ struct GpShaderCounts {
     bool needs_quads;               /* dsx or dsy */
     bool implicit_lod;              /* texld, texldp or texldb appear */
     bool explicit_lod;              /* texldl appears */
+    bool loops;                     /* loop_while appears */
     bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
 };
 

@@ -129,6 +129,16 @@ GP_INLINE float4 gp_sel4(msk m, float4 a, float4 b)
  * for nothing else: which pixels share a packet is the executor's business. */
 #define any(m) msk_any(m)
 
+/* loop_while(turns, mask): a loop of the machine (rep and break_comp of model 3), which is left
+ * where the mask is false in all lanes, and after so many turns, at most 255, in any case. What `any`
+ * asks for holds. Its slots are counted once, and not for every turn as those of C's loops are. */
+#define loop_while(turns, m)                                                                       \
+    for (int GP_UNIQUE(gp_turn) = 0; GP_UNIQUE(gp_turn) < (turns) && msk_any(m);                   \
+         GP_UNIQUE(gp_turn)++)
+#define GP_UNIQUE(name)            GP_UNIQUE_LINE(name, __LINE__)
+#define GP_UNIQUE_LINE(name, line) GP_UNIQUE_PASTE(name, line)
+#define GP_UNIQUE_PASTE(a, b)      a##_##b
+
 /* Dot products: summed left to right. */
 GP_INLINE flt dp2(float2 a, float2 b)
 {

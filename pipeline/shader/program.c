@@ -234,6 +234,9 @@ static GpResult check_instructions(const GpProgram *p, GpProfile profile,
                       p->name, name);
     if (counts->explicit_lod && !limits->explicit_lod)
         return REFUSE("program %s, %s: has no texldl; model 3 has", p->name, name);
+    if (counts->loops && !limits->explicit_lod) /* model 3 brought both */
+        return REFUSE("program %s, %s: has no loop that is left by a mask; model 3 has", p->name,
+                      name);
     if ((counts->reads_pixel || counts->reads_face) && !limits->pixel_registers)
         return REFUSE("program %s, %s: has no vPos and vFace; ps_3_0 has", p->name, name);
     return GP_OK;

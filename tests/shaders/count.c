@@ -243,6 +243,20 @@ SHADER(explicit_level)
 }
 PROGRAM(explicit_level, .samplers = 1)
 
+/* The loop's body stands there once, whatever its turns: 8 slots of the loop, and 2 adds. */
+SHADER(looping)
+{
+    float4 sum = in->a;
+    loop_while(100, sum.x < 0.0f)
+    {
+        sum = add(add(sum, in->b), in->b);
+    }
+    return sum;
+}
+PROGRAM(looping, .samplers = 0)
+program(count_looping_3, count_vs, looping_ps, .vertex_profile = GP_VS_3_0,
+        .pixel_profile = GP_PS_3_0, .inputs = INPUTS, .varyings = VARYINGS)
+
 SHADER(place)
 {
     return vec4(vpos().x, vpos().y, 0, 1);

@@ -115,7 +115,10 @@ extern const GpProgram count_over_constants, count_numbers;
 /* Living registers: three float4; a float3 with a flt; two float3; 13 float4. */
 extern const GpProgram count_three, count_shared, count_two, count_over_temporaries;
 /* What profiles lack. */
-extern const GpProgram count_gradients, count_explicit_level, count_place, count_facing;
+extern const GpProgram count_gradients, count_explicit_level, count_looping, count_place,
+    count_facing;
+/* A loop of 100 turns in model 3. */
+extern const GpProgram count_looping_3;
 /* Vertex shaders: 257 slots; a texture; an implicit level; a written point size and depth. */
 extern const GpProgram count_long_vertex, count_vertex_texture, count_vertex_texld, count_extras;
 /* A varying, and a target, that are not written whole. */

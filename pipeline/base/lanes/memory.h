@@ -54,19 +54,6 @@ GP_INLINE void fours_add(float *to, const float *from, bool halves)
     __builtin_memcpy(to, &sum, sizeof sum);
 }
 
-#if GP_LANES >= 8
-/* The same of eight to eight. */
-GP_INLINE void eights_add(float *to, itg8 more, bool halves)
-{
-    flt8 sum;
-    __builtin_memcpy(&sum, to, sizeof sum);
-    sum += (flt8)more;
-    if (halves)
-        sum = flt8_quantize_half(sum);
-    __builtin_memcpy(to, &sum, sizeof sum);
-}
-#endif
-
 /* GP_LANES bytes in a row. */
 GP_INLINE itg itg_load_bytes(const uint8_t *from)
 {
@@ -183,7 +170,7 @@ GP_INLINE void itg_gather2(const uint8_t *base, itg offset, itg word[2])
     word[1] =
         __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
 #elif defined GP_X86_LANES
-    __m128 first[GP_LANES / 4], second[GP_LANES / 4];
+    itg4 first[GP_LANES / 4], second[GP_LANES / 4];
     GP_UNROLL
     for (int i = 0; i < GP_LANES; i += 4) {
         const uint8_t *at[4] = { base + offset[i], base + offset[i + 1], base + offset[i + 2],
@@ -192,11 +179,11 @@ GP_INLINE void itg_gather2(const uint8_t *base, itg offset, itg word[2])
         __m128 right = (__m128)_mm_loadl_epi64((const __m128i *)(const void *)at[2]);
         left = _mm_loadh_pi(left, (const __m64 *)(const void *)at[1]);
         right = _mm_loadh_pi(right, (const __m64 *)(const void *)at[3]);
-        first[i / 4] = _mm_shuffle_ps(left, right, _MM_SHUFFLE(2, 0, 2, 0));
-        second[i / 4] = _mm_shuffle_ps(left, right, _MM_SHUFFLE(3, 1, 3, 1));
+        first[i / 4] = (itg4)_mm_shuffle_ps(left, right, _MM_SHUFFLE(2, 0, 2, 0));
+        second[i / 4] = (itg4)_mm_shuffle_ps(left, right, _MM_SHUFFLE(3, 1, 3, 1));
     }
-    __builtin_memcpy(&word[0], first, sizeof word[0]);
-    __builtin_memcpy(&word[1], second, sizeof word[1]);
+    word[0] = itg_join_fours(first);
+    word[1] = itg_join_fours(second);
 #else
     for (int k = 0; k < 2; k++)
         word[k] = itg_gather(base + 4 * k, offset);

@@ -101,6 +101,16 @@ static void kills_are_texture_slots_and_dearer_in_model_3(void **state)
     assert_int_equal(two.inputs_read, 0x1f); /* all of a, and b.x */
 }
 
+static void loops_are_counted_once(void **state)
+{
+    (void)state;
+    const GpShaderCounts counts = pixel_counts(&count_looping_3);
+    assert_true(counts.loops);
+    assert_int_equal(counts.arithmetic_slots, 8 + 2);
+    assert_int_equal(counts.texture_slots, 0);
+    assert_accepted(&count_looping_3);
+}
+
 /* slots: phong_ps is nrm 3, sub 1, nrm 3, add 1, nrm 3, dp3 1, max 1, dp3 1, max 1, pow 3, mad 1,
  * mad 1, mov 1. Constants: eye, light, ambient, diffuse, specular and shininess are 14 floats, and 0
  * and 1. Temporaries: N beside H. */
@@ -225,6 +235,7 @@ static void programs_are_held_to_the_limits_of_their_profiles(void **state)
           ", ps_2_0: 4 orders of dependent reads, at most 3; ps_2_sw has no such limit" },
         { &count_gradients, ", ps_2_0: has no dsx, dsy or texldd; ps_2_a, ps_2_sw and 3_0 have" },
         { &count_explicit_level, ", ps_2_0: has no texldl; model 3 has" },
+        { &count_looping, ", ps_2_0: has no loop that is left by a mask; model 3 has" },
         { &count_place, ", ps_2_0: has no vPos and vFace; ps_3_0 has" },
         { &count_facing, ", ps_2_0: has no vPos and vFace; ps_3_0 has" },
         { &count_long_vertex, ", vs_2_0: 257 slots, at most 256; vs_2_sw has no such limit" },
@@ -439,6 +450,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instructions_cost_what_table_a3_says),
+        cmocka_unit_test(loops_are_counted_once),
         cmocka_unit_test(kills_are_texture_slots_and_dearer_in_model_3),
         cmocka_unit_test(phong_costs_what_it_does_by_hand),
         cmocka_unit_test(code_that_reaches_no_output_costs_nothing),

@@ -1,0 +1,168 @@
+#include "apps/volumes/bricks.h"
+
+#include <string.h>
+
+/* --- ranges ------------------------------------------------------------------------------------- */
+
+static void widen(uint8_t range[2], const uint8_t *values, uint32_t count)
+{
+    uint8_t least = range[0], most = range[1];
+    for (uint32_t i = 0; i < count; i++) {
+        least = values[i] < least ? values[i] : least;
+        most = values[i] > most ? values[i] : most;
+    }
+    range[0] = least;
+    range[1] = most;
+}
+
+/* Of a row of bricks and a row of samples that is theirs. */
+static void widen_row(const Field *field, const Bricks *bricks, uint32_t y, uint32_t z,
+                      uint8_t (*range)[2])
+{
+    const uint8_t *row = field->value + ((size_t)z * field->size[1] + y) * field->size[0];
+    for (uint32_t x = 0; x < bricks->count[0]; x++) {
+        const uint32_t first = x * BRICK_SIDE, left = field->size[0] - first;
+        widen(range[x], row + first, left < BRICK_SIDE + 1 ? left : BRICK_SIDE + 1);
+    }
+}
+
+/* Samples of a side that belong to a brick: [first, end). */
+static uint32_t end_of(const Field *field, int axis, uint32_t brick)
+{
+    const uint32_t end = (brick + 1) * BRICK_SIDE + 1;
+    return end < field->size[axis] ? end : field->size[axis];
+}
+
+GpResult bricks_make(const Field *field, Bricks *bricks, GpError *error)
+{
+    Bricks made = { { 0 }, NULL };
+    for (int i = 0; i < 3; i++)
+        made.count[i] = (field->size[i] - 1 + BRICK_SIDE - 1) / BRICK_SIDE;
+    made.range = gp_alloc(bricks_total(&made) + 1, sizeof *made.range);
+    if (!made.range)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    uint8_t(*row)[2] = made.range;
+    for (uint32_t z = 0; z < made.count[2]; z++)
+        for (uint32_t y = 0; y < made.count[1]; y++, row += made.count[0]) {
+            for (uint32_t x = 0; x < made.count[0]; x++)
+                row[x][0] = FIELD_VALUES - 1;
+            for (uint32_t k = z * BRICK_SIDE; k < end_of(field, 2, z); k++)
+                for (uint32_t j = y * BRICK_SIDE; j < end_of(field, 1, y); j++)
+                    widen_row(field, &made, j, k, row);
+        }
+    *bricks = made;
+    return GP_OK;
+}
+
+void bricks_free(Bricks *bricks)
+{
+    gp_free(bricks->range);
+    *bricks = (Bricks){ { 0 }, NULL };
+}
+
+/* --- what they show ------------------------------------------------------------------------------ */
+
+/* Whether values from one whole number to the next have any opacity; out: how many before value i do. */
+static void count_shown(const Transfer *transfer, uint32_t before[FIELD_VALUES])
+{
+    bool shown[FIELD_VALUES] = { false };
+    for (uint32_t i = 0; i + 1 < FIELD_VALUES; i++) {
+        double low[4], high[4];
+        transfer_at(transfer, i, low);
+        transfer_at(transfer, i + 1, high);
+        shown[i] = low[3] > 0 || high[3] > 0;
+    }
+    for (uint32_t i = 0; i < transfer->count; i++) {
+        const TransferStop *stop = &transfer->stops[i];
+        if (stop->rgba[3] > 0 && stop->value >= 0 && stop->value < FIELD_VALUES - 1)
+            shown[(int)stop->value] = true;
+    }
+    before[0] = 0;
+    for (uint32_t i = 0; i + 1 < FIELD_VALUES; i++)
+        before[i + 1] = before[i] + shown[i];
+}
+
+static bool shows(const uint32_t before[FIELD_VALUES], const uint8_t range[2])
+{
+    const int least = range[0] > 0 ? range[0] - 1 : 0;
+    const int most = range[1] < FIELD_VALUES - 1 ? range[1] + 1 : FIELD_VALUES - 1;
+    return before[most] > before[least];
+}
+
+void bricks_show(const Bricks *bricks, const Transfer *transfer, uint8_t *shown)
+{
+    uint32_t before[FIELD_VALUES];
+    count_shown(transfer, before);
+    for (size_t i = 0; i < bricks_total(bricks); i++)
+        shown[i] = shows(before, bricks->range[i]);
+}
+
+/* --- runs ----------------------------------------------------------------------------------------- */
+
+/* Row (y, z) of an array of bricks; of what lies beyond it, all is far. */
+static const uint8_t *row_at(const Bricks *bricks, const uint8_t *array, int64_t y, int64_t z,
+                             const uint8_t *far)
+{
+    if (y < 0 || z < 0 || y >= bricks->count[1] || z >= bricks->count[2])
+        return far;
+    return array + ((size_t)z * bricks->count[1] + (size_t)y) * bricks->count[0];
+}
+
+static uint8_t lesser(uint8_t a, uint8_t b)
+{
+    return a < b ? a : b;
+}
+
+/* A row of cubes from the three rows ahead: one more than the least of the seven that begin at the next
+ * bricks; 0 where the brick itself is not of the kind. The mathematics of the largest square of an image
+ * in one scan, as everyone knows it, in three dimensions. */
+static void grow_row(uint8_t *cube, const uint8_t *is, uint8_t kind, const uint8_t *const ahead[3],
+                     uint32_t count, bool falls)
+{
+    uint8_t next = BRICKS_FAR, next_ahead = BRICKS_FAR; /* what the brick along the row has */
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t x = falls ? i : count - 1 - i;
+        const uint8_t least = lesser(lesser(ahead[0][x], ahead[1][x]), ahead[2][x]);
+        const uint8_t all = lesser(lesser(least, next_ahead), next);
+        next = is[x] != kind ? 0 : all < BRICKS_FAR ? (uint8_t)(all + 1) : BRICKS_FAR;
+        next_ahead = least;
+        cube[x] = next;
+    }
+}
+
+/* out  cubes: sides of the largest cubes of bricks of one kind */
+static void grow_cubes(const Bricks *bricks, const uint8_t *is, uint8_t kind, unsigned way,
+                       uint8_t *cubes)
+{
+    const uint32_t nx = bricks->count[0], ny = bricks->count[1], nz = bricks->count[2];
+    const int64_t along_y = way & 2 ? -1 : 1, along_z = way & 4 ? -1 : 1;
+    uint8_t far[1024 / BRICK_SIDE];
+    memset(far, BRICKS_FAR, sizeof far);
+    GP_ASSERT(nx <= sizeof far);
+    for (uint32_t k = 0; k < nz; k++)
+        for (uint32_t j = 0; j < ny; j++) {
+            const int64_t z = way & 4 ? k : nz - 1 - k, y = way & 2 ? j : ny - 1 - j;
+            const uint8_t *ahead[3] = { row_at(bricks, cubes, y + along_y, z, far),
+                                        row_at(bricks, cubes, y, z + along_z, far),
+                                        row_at(bricks, cubes, y + along_y, z + along_z, far) };
+            const size_t row = ((size_t)z * ny + (size_t)y) * nx;
+            grow_row(cubes + row, is + row, kind, ahead, nx, way & 1);
+        }
+}
+
+GpResult bricks_runs(const Bricks *bricks, const uint8_t *shown, unsigned way, uint8_t *runs,
+                     GpError *error)
+{
+    const size_t total = bricks_total(bricks);
+    uint8_t *empty = gp_alloc(total + 1, 1);
+    if (!empty)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    grow_cubes(bricks, shown, 0, way, empty);
+    for (size_t i = 0; i < total; i++)
+        empty[i] = empty[i] > 0 ? empty[i] : 0;
+    grow_cubes(bricks, empty, 0, way, runs);
+    for (size_t i = 0; i < total; i++)
+        runs[i] = empty[i] ? (uint8_t)(BRICKS_FAR + empty[i]) : runs[i];
+    gp_free(empty);
+    return GP_OK;
+}
