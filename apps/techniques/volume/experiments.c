@@ -4,6 +4,7 @@
 #include "apps/techniques/volume/words.h"
 
 static const TechniqueSweep sweep[] = {
+    { "rays", "--method raycast --step 0.5|1|1.5|2|3" },
     { "splats", "--method splat --thickness 1|2" },
     { "splats, wider", "--method splat --deviation 0.6|0.7" },
     { "slabs", "--method splat --sheets image --thickness 1|2" },
@@ -16,7 +17,7 @@ static const TechniqueSweep sweep[] = {
     { .method = NULL },
 };
 
-static const char *const usual[] = { "splats", NULL };
+static const char *const usual[] = { "rays", "splats", NULL };
 static const char *const metrics[] = { "decibels", "bytes", NULL };
 
 static GpResult find_truth(void *model, int threads, GpError *error)

@@ -1,5 +1,44 @@
 #include "apps/techniques/volume/methods.h"
 
+/* --- rays --------------------------------------------------------------------------------------- */
+
+static GpResult classify_rays(VolumeModel *model, GpError *error)
+{
+    (void)error;
+    raycast_classify(&model->rays, &model->transfer);
+    return GP_OK;
+}
+
+static GpResult add_rays(VolumeModel *model, const VolumeOptions *options,
+                         const VolumeTarget *target, Frame *frame, GpError *error)
+{
+    GpResult result = GP_OK;
+    if (!model->rays.field) {
+        result = raycast_open(&model->field, &model->rays, error);
+        if (!result)
+            result = classify_rays(model, error);
+    }
+    return result ? result
+                  : raycast_add(&model->rays, &model->view, &options->rays, target, frame, error);
+}
+
+static double surface_bytes(const GpSurface *surface)
+{
+    return surface ? (double)surface->level[0].pitch * surface->height : 0;
+}
+
+static double bytes_of_rays(const VolumeModel *model, const VolumeOptions *options)
+{
+    (void)options;
+    return (surface_bytes(model->rays.atlas) + surface_bytes(model->rays.runs)) /
+           (double)field_samples(&model->field);
+}
+
+static void close_rays(VolumeModel *model)
+{
+    raycast_close(&model->rays);
+}
+
 /* --- splats ------------------------------------------------------------------------------------- */
 
 static GpResult add_splats(VolumeModel *model, const VolumeOptions *options,
@@ -39,6 +78,7 @@ static void close_splats(VolumeModel *model)
 }
 
 const VolumeMethodRow volume_methods[VOLUME_METHODS] = {
+    [VOLUME_RAYCAST] = { add_rays, classify_rays, bytes_of_rays, NULL, NULL, close_rays },
     [VOLUME_SPLAT] = { add_splats, classify_splats, bytes_of_splat, count_splats, have_kernels,
                        close_splats },
 };

@@ -11,7 +11,8 @@ typedef struct VolumeModel {
     Field field;
     Transfer transfer;
     VolumeView view;
-    VolumeSplats splats;  /* empty until a setting needs it; so are all below */
+    RaycastVolume rays; /* empty until a setting needs it; so are all below */
+    VolumeSplats splats;
     VolumePicture data;   /* what the picture should be */
     VolumePicture method; /* what splats should make it, with kernels as these */
     VolumeKernel kernel;

@@ -7,7 +7,9 @@ const VolumeOptions volume_option_defaults = {
     .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
 };
 
-static const char *const methods[] = { [VOLUME_SPLAT] = "splat", [VOLUME_METHODS] = NULL };
+static const char *const methods[] = {
+    [VOLUME_RAYCAST] = "raycast", [VOLUME_SPLAT] = "splat", [VOLUME_METHODS] = NULL
+};
 static const char *const modes[] = { [VOXELS_VB] = "vb", [VOXELS_VT] = "vt", [VOXELS_PT] = "pt",
                                      [VOXELS_IM] = "im", [VOXELS_QD] = "qd", NULL };
 static const char *const filters[] = {
@@ -26,9 +28,13 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 #define OF(member) offsetof(VolumeOptions, member)
 
 const SettingField volume_settings[] = {
-    { "method", NULL, "splat: each sample a spot, added up in sheets (default)", SETTING_NAME,
-      OF(method), .names = methods },
+    { "method", NULL,
+      "raycast: a ray for each pixel, values interpolated and then classified (default); splat: "
+      "each sample a spot, added up in sheets",
+      SETTING_NAME, OF(method), .names = methods },
 
+    { "step", "L", "Length of a ray's steps, in samples (default: 1)", SETTING_NUMBER,
+      OF(rays.step), .low = 0.05, .high = 16 },
     { "mode", NULL,
       "Where splats are kept: vb, all in vertex buffers (default); vt, pt: values in a texture "
       "that "
@@ -90,11 +96,28 @@ _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two a
 
 /* --- what goes together ------------------------------------------------------------------------- */
 
+/* Options of one method, refused beside another. */
+static const struct {
+    const char *option;
+    VolumeMethod method;
+} belongs[] = {
+    { "step", VOLUME_RAYCAST },    { "mode", VOLUME_SPLAT },       { "filter", VOLUME_SPLAT },
+    { "sheets", VOLUME_SPLAT },    { "accumulate", VOLUME_SPLAT }, { "after", VOLUME_SPLAT },
+    { "alphas", VOLUME_SPLAT },    { "flat", VOLUME_SPLAT },       { "deviation", VOLUME_SPLAT },
+    { "cut", VOLUME_SPLAT },       { "lowpass", VOLUME_SPLAT },    { "tolerance", VOLUME_SPLAT },
+    { "thickness", VOLUME_SPLAT },
+};
+
 GpResult volume_options_check(const void *setting, uint32_t given, const char *extension,
                               GpError *error)
 {
     const VolumeOptions *options = setting;
     (void)extension;
+    for (size_t i = 0; i < GP_COUNT(belongs); i++)
+        if (options->method != belongs[i].method &&
+            setting_is_given(volume_settings, given, belongs[i].option))
+            return gp_fail(error, GP_ERROR_INVALID, "--%s: expected --method %s with it",
+                           belongs[i].option, methods[belongs[i].method]);
     if (options->camera && setting_is_given(volume_settings, given, "from"))
         return gp_fail(error, GP_ERROR_INVALID,
                        "--camera and --from: a camera is described by the one or the other");

@@ -4,13 +4,15 @@
 
 #include "apps/base/orbit.h"
 #include "apps/techniques/settings.h"
+#include "apps/volumes/drawing/raycast.h"
 #include "apps/volumes/drawing/splat_setting.h"
 
-typedef enum VolumeMethod { VOLUME_SPLAT, VOLUME_METHODS } VolumeMethod;
+typedef enum VolumeMethod { VOLUME_RAYCAST, VOLUME_SPLAT, VOLUME_METHODS } VolumeMethod;
 
 /* The setting of the technique. */
 typedef struct VolumeOptions {
     VolumeMethod method;
+    RaycastSetting rays;
     VolumeSplatSetting splats;
 
     /* aside of the key */

@@ -20,6 +20,7 @@ static double kernels_width(const void *scene, const Frame *frame)
 #define GROWING_KERNELS "--deviation 0.35|0.5|0.7|1|1.4"
 
 static const TechniqueLine with_samples[] = {
+    { "rays", GROWING_VOLUMES, "--method raycast" },
     { "splats", GROWING_VOLUMES, "--method splat" },
     { "slabs", GROWING_VOLUMES, "--method splat --sheets image" },
     { "quads", GROWING_VOLUMES, "--method splat --mode qd" },
@@ -41,7 +42,8 @@ static const char *const scaling_text[] = {
     "The volume fills the picture, whatever its size. Splats are as many as samples that show "
     "something, eight times as many at twice the side, and smaller by that: the pixels that they "
     "lie "
-    "over only double, with the slices. So their own cost takes over, as the cube of the side.",
+    "over only double, with the slices. So their own cost takes over, as the cube of the side. "
+    "Rays are as many as pixels, and their steps grow with the side.",
     "Wider kernels lie over more pixels, as the square of their width, once these are what costs.",
     NULL
 };
@@ -49,6 +51,7 @@ static const char *const scaling_text[] = {
 static const TechniqueWord scaling_words[] = {
     { "samples a side", "Samples of the volume along each axis." },
     { "the kernel's width", "Standard deviation of the kernels, in samples." },
+    { "rays", "A ray for each pixel, along which values are interpolated and classified." },
     { "splats", "Each sample that shows something as a spot, added up in slices." },
     { "slabs", "The same, cut into slabs of equal depth." },
     { "quads", "The same as two triangles each, instead of a spot." },

@@ -11,6 +11,9 @@ const TechniqueWord volume_words[] = {
       "of the mean square, of 255." },
     { "decibels", "The same error as peak signal to noise ratio: 20 log10 of 255 over codes." },
     { "bytes", "Memory that a sample takes as it is kept to be drawn; of splats one that is." },
+    { "rays",
+      "A ray for each pixel: at even steps values are interpolated and then classified; what shows "
+      "nothing is stepped over." },
     { "splat", "A sample, drawn as a spot that is densest in its middle." },
     { "splats", "Samples are classified and splatted, each as wide as its kernel is on the picture "
                 "and wider by "
