@@ -158,6 +158,8 @@ GP_INLINE float3 voxel_normal(const VoxelUniforms *c, float3 gradient)
  * all is lit. */
 GP_INLINE flt voxel_light(const VoxelUniforms *c, float3 gradient)
 {
+    if (c->diffuse <= 0)
+        return bcast(c->ambient);
     float3 n = voxel_normal(c, gradient);
     flt facing = sel(dp3(n, n) < 0.5f, bcast(1), abs_(dp3(n, u3(c->light))));
     return mad(facing, c->diffuse, c->ambient);

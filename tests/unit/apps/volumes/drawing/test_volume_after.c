@@ -56,6 +56,36 @@ static void a_slab_of_one_value_is_as_opaque_as_it_is_thick(void **state)
     splatted_close(&volume);
 }
 
+/* A light beside the eye: the middle of a ball faces it, the rim does not; classified before or after. */
+static void gradients_are_lit_before_and_after(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        VolumeSplatSetting setting = VOLUME_SPLAT_DEFAULTS;
+        SplattedVolume volume;
+        double middle = 0, rim = 0;
+        setting.after = i;
+        splatted_open("builtin:ball:40", "checkerboard", (double[3]){ 0, 0, 1 }, 2, &volume);
+        volume.transfer =
+            (Transfer){ .count = 2,
+                        .stops = { { 120, { 1, 1, 1, 0 } }, { 135, { 1, 1, 1, 0.9 } } } };
+        GpError error;
+        assert_int_equal(volume_splats_classify(&volume.splats, &volume.transfer, &error), GP_OK);
+        volume.view.camera.fovy = 0;
+        volume.view.camera.height = 39; /* the ball's radius is 26 pixels */
+        volume.view.lit = true;
+        splatted_draw(&volume, &setting, drawn);
+        const int centre = SPLATTED_SIDE / 2;
+        for (int k = -2; k < 2; k++) {
+            middle += (double)drawn[4 * (centre * SPLATTED_SIDE + centre + k)] / 4;
+            rim += (double)drawn[4 * (centre * SPLATTED_SIDE + centre + 23 + k / 2)] / 4;
+        }
+        print_message("# middle %.2f, rim %.2f\n", middle, rim);
+        assert_true(middle > 0.8 && rim < 0.75 * middle && rim > 0.2);
+        splatted_close(&volume);
+    }
+}
+
 static void bits_are_the_same_on_every_device(void **state)
 {
     (void)state;
@@ -81,6 +111,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(classified_voxels_blur_and_classified_sheets_do_not),
         cmocka_unit_test(a_slab_of_one_value_is_as_opaque_as_it_is_thick),
+        cmocka_unit_test(gradients_are_lit_before_and_after),
         cmocka_unit_test(bits_are_the_same_on_every_device),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
