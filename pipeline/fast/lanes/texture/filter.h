@@ -22,26 +22,39 @@ GP_INLINE flt lerp(flt a, flt b, itg weight)
 
 /* --- texels ----------------------------------------------------------------------------------- */
 
-/* One texel of 1 or 2 bytes for each lane. */
-static itg load_narrow(const FastSampler *s, const Footprint *f, int tap)
+/* A 16-bit number in each lane; in registers, where as many 32-bit ones would go through memory. */
+typedef uint16_t narrow __attribute__((vector_size(2 * GP_LANES)));
+
+/* A byte, or two, for each lane. */
+GP_INLINE itg load_narrow(const uint8_t *texels, itg offset, int bytes)
 {
-    int32_t offset[GP_LANES], word[GP_LANES];
-    itg all;
-    memcpy(offset, &f->offset[tap], sizeof offset);
+    narrow all = { 0 };
+    GP_UNROLL
     for (int lane = 0; lane < GP_LANES; lane++) {
-        const uint8_t *texel = f->texels + offset[lane];
-        word[lane] = s->shift == 0 ? texel[0] : texel[0] | texel[1] << 8;
+        const uint8_t *texel = texels + offset[lane];
+        all[lane] = (uint16_t)(bytes == 1 ? texel[0] : texel[0] | texel[1] << 8);
     }
-    memcpy(&all, word, sizeof all);
-    return all;
+    return (itg) __builtin_convertvector(all, utg);
 }
 
 /* All texels of a format of up to 4 bytes. */
 GP_INLINE void load_words(const FastSampler *s, const Footprint *f, int taps, itg word[4])
 {
-    if (s->shift < 2) {
+    if (s->shift == 0 && taps == 4 && f->adjacent) {
+        const itg upper = load_narrow(f->texels, f->offset[0], 2);
+        const itg lower = load_narrow(f->texels, f->offset[2], 2);
+        word[0] = upper & 255;
+        word[1] = upper >> 8;
+        word[2] = lower & 255;
+        word[3] = lower >> 8;
+    } else if (s->shift == 0) {
+        GP_UNROLL
         for (int i = 0; i < taps; i++)
-            word[i] = load_narrow(s, f, i);
+            word[i] = load_narrow(f->texels, f->offset[i], 1);
+    } else if (s->shift == 1) {
+        GP_UNROLL
+        for (int i = 0; i < taps; i++)
+            word[i] = load_narrow(f->texels, f->offset[i], 2);
     } else if (taps == 4 && f->adjacent) {
         itg_gather2(f->texels, f->offset[0], word);
         itg_gather2(f->texels, f->offset[2], word + 2);
@@ -85,7 +98,7 @@ GP_INLINE void load_floats(const FastSampler *s, const Footprint *f, int tap, fl
         rgba[3] = flt_from_unorm8((itg)((utg)word[0] >> 24));
         break;
     case GP_D16:
-        rgba[0] = depth_from_codes(GP_D16, load_narrow(s, f, tap));
+        rgba[0] = depth_from_codes(GP_D16, load_narrow(f->texels, offset, 2));
         break;
     case GP_D24S8:
         rgba[0] = depth_from_codes(GP_D24S8, (itg)((utg)itg_gather(f->texels, offset) >> 8));

@@ -4,6 +4,7 @@
 #include "pipeline/shader/counts.h"
 #include "shaders_c/volume/raycast.h"
 #include "shaders_c/volume/sheet.h"
+#include "shaders_c/volume/slices.h"
 #include "shaders_c/volume/splat_after.h"
 #include "shaders_c/volume/splat_flat.h"
 #include "shaders_c/volume/splat_quad.h"
@@ -47,6 +48,8 @@ static const struct {
     ROW(sheets_depth, 1, 3), /* rays and slices were not in the paper */
     ROW(raycast, 3, 233),
     ROW(raycast_lit, 3, 475),
+    ROW(volume_slice, 8, 19),
+    ROW(volume_slice_lit, 8, 58),
 };
 
 static void shaders_stay_within_profiles_and_slots(void **state)
