@@ -11,8 +11,8 @@
 #include "apps/volumes/transfer.h"
 
 enum {
-    VOXEL_PATCH = 64, /* samples along the side of a patch */
-    VOXEL_CELL = 16,  /* and of a cell, of which it is known what values lie in it */
+    VOXEL_PATCH = 128, /* samples along the side of a patch */
+    VOXEL_CELL = 16,   /* and of a cell, of which it is known what values lie in it */
 };
 
 /* x = place[0] + 256 (place[3] / 32), y = place[1] + 256 (place[3] / 4 mod 8),

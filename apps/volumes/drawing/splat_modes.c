@@ -6,8 +6,10 @@
 
 #include <string.h>
 
-/* A list of more would fill the memory of most machines. */
-enum { MOST_DRAWS = 4000000 };
+enum {
+    MOST_DRAWS = 4000000, /* a list of more would fill the memory of most machines */
+    OTHER_DRAWS = 100000, /* at least as many as sheets are put under each other with */
+};
 
 static GpDraw *begin_draw(const VoxelFeed *feed, const GpProgram *program, const void *uniforms,
                           const GpGeometry *geometry)
@@ -201,7 +203,7 @@ static GpResult reserve_draws(const Sheets *sheets, GpError *error)
         return gp_fail(error, GP_ERROR_UNSUPPORTED,
                        "%llu voxels: mode im has a draw for each, of %zu bytes, and stops at %u",
                        (unsigned long long)count, sizeof(GpDraw), (unsigned)MOST_DRAWS);
-    frame_reserve(sheets->frame, (uint32_t)count);
+    frame_reserve(sheets->frame, (uint32_t)count + OTHER_DRAWS);
     return GP_OK;
 }
 

@@ -113,4 +113,20 @@ GP_INLINE flt4 flt4_quantize_half(flt4 v)
 #endif
 }
 
+#if GP_LANES >= 8
+/* The same of eight. */
+GP_INLINE flt8 flt8_quantize_half(flt8 v)
+{
+#if defined GP_X86_LANES && defined __F16C__
+    return (flt8)_mm256_cvtph_ps(_mm256_cvtps_ph((__m256)v, _MM_FROUND_TO_NEAREST_INT));
+#else
+    flt all = flt_set(0);
+    __builtin_memcpy(&all, &v, sizeof v);
+    all = flt_quantize_half(all);
+    __builtin_memcpy(&v, &all, sizeof v);
+    return v;
+#endif
+}
+#endif
+
 #endif

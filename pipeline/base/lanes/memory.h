@@ -54,6 +54,19 @@ GP_INLINE void fours_add(float *to, const float *from, bool halves)
     __builtin_memcpy(to, &sum, sizeof sum);
 }
 
+#if GP_LANES >= 8
+/* The same of eight to eight. */
+GP_INLINE void eights_add(float *to, itg8 more, bool halves)
+{
+    flt8 sum;
+    __builtin_memcpy(&sum, to, sizeof sum);
+    sum += (flt8)more;
+    if (halves)
+        sum = flt8_quantize_half(sum);
+    __builtin_memcpy(to, &sum, sizeof sum);
+}
+#endif
+
 /* GP_LANES bytes in a row. */
 GP_INLINE itg itg_load_bytes(const uint8_t *from)
 {

@@ -60,6 +60,18 @@ GP_INLINE void itg_split_fours(itg all, itg4 part[GP_LANES / 4])
 #endif
 }
 
+#if GP_LANES >= 8
+typedef int32_t itg8 __attribute__((vector_size(32)));
+
+GP_INLINE void itg_split_eights(itg all, itg8 part[GP_LANES / 8])
+{
+    part[0] = __builtin_shufflevector(all, all, 0, 1, 2, 3, 4, 5, 6, 7);
+#if GP_LANES == 16
+    part[1] = __builtin_shufflevector(all, all, 8, 9, 10, 11, 12, 13, 14, 15);
+#endif
+}
+#endif
+
 /* Transposes every 4x4 block: lane k of four q in to[i] is lane i of four q in from[k]. */
 GP_INLINE void lanes_transpose4(const itg from[4], itg to[4])
 {

@@ -48,6 +48,7 @@ typedef __m512i gp_native_itg;
 
 typedef float flt __attribute__((vector_size(4 * GP_LANES)));
 typedef float flt4 __attribute__((vector_size(16)));
+typedef float flt8 __attribute__((vector_size(32)));
 typedef int32_t itg __attribute__((vector_size(4 * GP_LANES)));
 typedef uint32_t utg __attribute__((vector_size(4 * GP_LANES)));
 typedef itg msk; /* per lane: -1 true, 0 false; what comparisons of flt and itg give */

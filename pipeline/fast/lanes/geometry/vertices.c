@@ -54,14 +54,18 @@ static Codes load_codes(const GpStream *stream, const uint32_t vertex[GP_LANES])
     const size_t stride = gp_stream_stride(stream);
     const size_t size = stream->components * gp_component_bytes(stream->type);
     uint32_t word[2][GP_LANES] = { { 0 } };
-    Codes codes;
+    Codes codes = { { { 0 } } };
+    if (size == sizeof word[0][0]) { /* colours: one load each, which end where the stream does */
+        itg from_first;
+        memcpy(&from_first, vertex, sizeof from_first);
+        from_first -= (int32_t)vertex[0];
+        codes.word[0] = (utg)itg_gather((const uint8_t *)stream->data + vertex[0] * stride,
+                                        from_first * (int32_t)stride);
+        return codes;
+    }
     for (int lane = 0; lane < GP_LANES; lane++) {
         const uint8_t *at = (const uint8_t *)stream->data + vertex[lane] * stride;
         uint32_t both[2] = { 0, 0 };
-        if (size == sizeof both[0]) { /* colours: one load each */
-            memcpy(&word[0][lane], at, sizeof both[0]);
-            continue;
-        }
         memcpy(both, at, size);
         word[0][lane] = both[0];
         word[1][lane] = both[1];

@@ -53,16 +53,6 @@ void fast_end_sums(Tile *tile)
 
 /* --- fragments -------------------------------------------------------------------------------- */
 
-/* Where the lanes of a block's packets go: dead ones past the tile, each to a pixel of its own, so that
- * none waits for another. */
-static void find_places(const FastShaded *shaded, uint32_t (*place)[GP_LANES])
-{
-    const itg nowhere = lane_numbers() + (int32_t)fast_at(0, FAST_TILE);
-    for (int p = 0; p < shaded->block.count; p++)
-        store_lanes(place[p], false,
-                    itg_select(mask_of(shaded->live[p]), shaded->block.gathered[p].at, nowhere));
-}
-
 /* Of which some replace what there was. */
 static void replace_or_add(float (*pixel)[4], bool halves, const uint32_t place[GP_LANES],
                            const float (*more)[4], unsigned replaced)
@@ -74,38 +64,77 @@ static void replace_or_add(float (*pixel)[4], bool halves, const uint32_t place[
     }
 }
 
-GP_INLINE void add_all(float (*pixel)[4], bool halves, const FastShaded *shaded,
-                       const uint32_t (*place)[GP_LANES], const flt *color)
+GP_INLINE void add_fours(float (*pixel)[4], bool halves, const uint32_t place[GP_LANES],
+                         const itg channel[4], unsigned replaced)
 {
-    const int count = shaded->block.count, stride = shaded->stride;
-    const unsigned *replaced = shaded->replaced;
-    for (int p = 0; p < count; p++, color += stride) {
-        _Alignas(64) float more[GP_LANES][4];
+    _Alignas(64) float more[GP_LANES][4];
+    lanes_store4(more, sizeof more[0], channel);
+    if (replaced) {
+        replace_or_add(pixel, halves, place, more, replaced);
+        return;
+    }
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        fours_add(pixel[place[lane]], more[lane], halves);
+}
+
+/* Transposed, a pixel's channels have their neighbour's behind them. */
+GP_INLINE void add_pairs(float (*pixel)[4], bool halves, const uint32_t place[GP_LANES],
+                         const itg channel[4])
+{
+#if GP_LANES >= 8
+    itg row[4];
+    itg8 pair[4][GP_LANES / 8];
+    lanes_transpose4(channel, row);
+    GP_UNROLL
+    for (int k = 0; k < 4; k++)
+        itg_split_eights(row[k], pair[k]);
+    GP_UNROLL
+    for (int i = 0; i < GP_LANES / 2; i++)
+        eights_add(pixel[place[i / 4 * 8 + i % 4]], pair[i % 4][i / 4], halves);
+#else
+    (void)pixel, (void)halves, (void)place, (void)channel;
+#endif
+}
+
+/* Dead lanes add -0, which changes no number. */
+GP_INLINE void add_all(float (*pixel)[4], bool halves, bool pairs, const FastShaded *shaded,
+                       const flt *color)
+{
+    const FastShaded copy = *shaded, *s = &copy; /* which no store can change */
+    for (int p = 0; p < s->block.count; p++, color += s->stride) {
+        const msk alive = mask_of(s->live[p]);
+        uint32_t place[GP_LANES];
         itg channel[4];
+        store_lanes(place, false, s->block.gathered[p].at);
         GP_UNROLL
         for (int c = 0; c < 4; c++)
-            channel[c] = (itg)color[c];
-        lanes_store4(more, sizeof more[0], channel);
-        if (replaced[p]) {
-            replace_or_add(pixel, halves, place[p], more, replaced[p]);
-            continue;
-        }
-        GP_UNROLL
-        for (int lane = 0; lane < GP_LANES; lane++)
-            fours_add(pixel[place[p][lane]], more[lane], halves);
+            channel[c] = itg_select(alive, (itg)color[c], itg_set(INT32_MIN));
+        if (pairs)
+            add_pairs(pixel, halves, place, channel);
+        else
+            add_fours(pixel, halves, place, channel, s->replaced[p]);
     }
+}
+
+GP_INLINE void add_as(float (*pixel)[4], bool halves, bool pairs, const FastShaded *shaded,
+                      const flt *color)
+{
+    if (pairs)
+        add_all(pixel, halves, true, shaded, color);
+    else
+        add_all(pixel, halves, false, shaded, color);
 }
 
 void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
-    uint32_t place[FAST_BLOCK][GP_LANES];
-    find_places(shaded, place);
+    const bool pairs = fast_adds_pairs(d);
     for (int t = 0; t < tile->sums->targets; t++) {
         const GpFormat format = d->pass->color[t].surface->format;
         const flt *color = shaded->color + 4 * t;
         if (format == GP_G16R16F || format == GP_A16B16G16R16F)
-            add_all(tile->sums->pixel[t], true, shaded, place, color);
+            add_as(tile->sums->pixel[t], true, pairs, shaded, color);
         else
-            add_all(tile->sums->pixel[t], false, shaded, place, color);
+            add_as(tile->sums->pixel[t], false, pairs, shaded, color);
     }
 }

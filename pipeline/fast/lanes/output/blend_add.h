@@ -14,6 +14,13 @@ typedef struct FastSums {
     _Alignas(64) float pixel[GP_MAX_TARGETS][FAST_PIXELS][4];
 } FastSums;
 
+/* Whether fragments of points come as pairs of neighbours in a row, in lanes k and k + 4 of every
+ * eight, which are added together: some of them dead. Where depth is tested, too few would pass. */
+GP_INLINE bool fast_adds_pairs(const FastDraw *d)
+{
+    return GP_LANES >= 8 && d->only_adds && d->packs_points && !d->wants_depth;
+}
+
 /* Takes the targets of a draw out of their planes, and brings them back. */
 void fast_begin_sums(Tile *tile, const FastDraw *draw);
 void fast_end_sums(Tile *tile);

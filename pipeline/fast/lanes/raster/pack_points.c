@@ -12,6 +12,7 @@
 #include "pipeline/fast/lanes/raster/pack_points.h"
 
 #include "pipeline/fast/lanes/geometry/vertices.h"
+#include "pipeline/fast/lanes/output/blend_add.h"
 #include "pipeline/fast/lanes/raster/fragment_path.h"
 #include "pipeline/fast/lanes/shade/interpolate.h"
 #include "pipeline/fast/lanes/shade/shader_block.h"
@@ -19,12 +20,14 @@
 #include <string.h>
 
 enum {
-    PACKETS = 16, /* of one call of the shader: their inputs stay in the first cache */
+    PACKETS = FAST_BLOCK / 2, /* of one call of the shader: their inputs stay in the first cache */
     ROOM = 64 * GP_LANES,
     SMALL_BOX = 2 * GP_LANES, /* pixels */
-    Y_SHIFT = 8,
-    POINT_SHIFT = 16,
+    POINT_SHIFT = 8,
+    Y_SHIFT = 16,
     BYTE = 255,
+    PLACE = BYTE | BYTE << Y_SHIFT,
+    DEAD = INT32_MIN,
 };
 
 /* Fragments of a batch of points: where they are in the tile, and their point's lane. The first
@@ -34,18 +37,25 @@ typedef struct Fragments {
     const SpriteBatch *batch;
     itg *varying; /* of the batch's points, side by side, component after component */
     bool loaded;  /* they are, once a fragment wants them so */
+    bool pairs;   /* as fast_adds_pairs: two by two, the second may be dead */
+    itg order;    /* of each lane, the number of its fragment in the packet */
     uint32_t taken, count;
-    uint32_t word[ROOM + GP_LANES]; /* x | y << Y_SHIFT | lane << POINT_SHIFT */
+    uint32_t word[ROOM + GP_LANES]; /* x | lane << POINT_SHIFT | y << Y_SHIFT, and perhaps DEAD */
 } Fragments;
 
 /* --- packets ---------------------------------------------------------------------------------- */
 
 static void begin_fragments(const Tile *tile, Fragments *f)
 {
-    const uint32_t last =
-        tile->queue->count ? tile->queue->packets[tile->queue->count - 1].live : 0;
-    f->taken = f->count = (uint32_t)__builtin_popcount(last) % GP_LANES;
+    f->taken = f->count = tile->queue->count ? tile->queue->taken : 0;
     store_lanes(f->word, false, itg_set(0));
+}
+
+/* In which order lanes take fragments: one after the other, or pairs in lanes k and k + 4. */
+static itg order_of_lanes(bool pairs)
+{
+    const itg lane = lane_numbers();
+    return pairs ? (lane & ~7) | (lane & 3) << 1 | (lane >> 2 & 1) : lane;
 }
 
 /* Component after component of GP_LANES points, side by side. */
@@ -60,21 +70,56 @@ static void load_varyings(const FastDraw *d, const uint32_t vertex[GP_LANES], it
     }
 }
 
-/* A new packet at the end of the queue. One record serves a block of them: it only tells that
+/* Packets of a block, which differ in what lives alone. One record serves them all: it only tells that
  * points face the eye. */
-static void begin_packet(Tile *tile)
+static void begin_packets(Tile *tile)
+{
+    fast_reserve_records(tile, 1);
+    const uint32_t number = tile->records->count++;
+    tile->records->record[number] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
+    for (int p = 0; p < PACKETS; p++) {
+        set_packet(&tile->queue->packets[p], number, 0, FAST_TILE, 0, GP_LANES);
+        tile->queue->packets[p].gathered = true;
+    }
+}
+
+/* A new packet at the end of the queue. */
+GP_INLINE void begin_packet(Tile *tile)
 {
     if (tile->queue->count == PACKETS)
         fast_flush_packets(tile);
-    uint32_t number = tile->queue->packets[0].record;
-    if (tile->queue->count == 0) {
-        fast_reserve_records(tile, 1);
-        number = tile->records->count++;
-        tile->records->record[number] = (FastTriangleRecord){ .face = 1.0f, .kind = FAST_SPRITE };
-    }
-    FastPacket *packet = &tile->queue->packets[tile->queue->count++];
-    set_packet(packet, number, 0, FAST_TILE, 0, GP_LANES);
-    packet->gathered = true;
+    if (tile->queue->count == 0)
+        begin_packets(tile);
+    tile->queue->count++;
+}
+
+/* What all packets of a batch's fragments share: apart, so that no store can change it. */
+typedef struct Source {
+    Tile *tile;
+    const SpriteBatch *batch;
+    const itg *varying;
+    int components,
+        before; /* before: of them come before those of the place in the sprite, if any */
+    bool has_place, keeps_depth;
+    itg order;
+    msk fresh; /* lanes of the first packet that are not taken */
+    bool pairs;
+} Source;
+
+static Source source_of(const Fragments *f)
+{
+    const FastDraw *d = f->filler.d;
+    const bool has_place = d->modes.sprite >= 0;
+    return (Source){ .tile = f->filler.tile,
+                     .batch = f->batch,
+                     .varying = f->varying,
+                     .components = d->modes.components,
+                     .before = has_place ? d->modes.sprite : d->modes.components,
+                     .has_place = has_place,
+                     .keeps_depth = d->late_depth,
+                     .order = f->order,
+                     .fresh = (msk)(f->order >= (int32_t)f->taken),
+                     .pairs = f->pairs };
 }
 
 /* Replaces the fresh lanes of what is kept, or all of them. */
@@ -84,31 +129,34 @@ GP_INLINE void keep_fresh(flt *kept, flt value, msk fresh, bool whole)
 }
 
 /* What of the inputs differs from pixel to pixel. */
-GP_INLINE void fill_places(const Fragments *f, const FastGathered *gathered, itg point, flt *in,
-                           msk fresh, bool whole)
+GP_INLINE void fill_places(const Source *s, itg x, itg y, itg point, flt *in, bool whole)
 {
-    const SpriteBatch *batch = f->batch;
+    const SpriteBatch *batch = s->batch;
     const flt per_step = (flt)itg_permute((itg)batch->per_step, point);
-    const itg across = gathered->x * GP_SUBPIXELS - itg_permute(batch->at.left, point);
-    const itg down = gathered->y * GP_SUBPIXELS - itg_permute(batch->at.top, point);
-    keep_fresh(&in[0], flt_from_itg(across) * per_step, fresh, whole);
-    keep_fresh(&in[1], flt_from_itg(down) * per_step, fresh, whole);
+    const itg across = x * GP_SUBPIXELS - itg_permute(batch->at.left, point);
+    const itg down = y * GP_SUBPIXELS - itg_permute(batch->at.top, point);
+    keep_fresh(&in[0], flt_from_itg(across) * per_step, s->fresh, whole);
+    keep_fresh(&in[1], flt_from_itg(down) * per_step, s->fresh, whole);
 }
 
-/* What of the inputs is one value a point. Four lanes fetch it sooner than they find it among the
- * values that lie side by side. */
-GP_INLINE void fill_values(const Fragments *f, itg point, flt *in, msk fresh, bool whole)
+/* Components first..end-1 of the inputs, one value a point. */
+GP_INLINE void fill_values(const Source *s, itg point, int first, int end, flt *in, bool whole)
+{
+    int c = first;
+    for (; c + 2 <= end; c += 2) {
+        keep_fresh(&in[c], (flt)itg_permute(s->varying[c], point), s->fresh, whole);
+        keep_fresh(&in[c + 1], (flt)itg_permute(s->varying[c + 1], point), s->fresh, whole);
+    }
+    if (c < end)
+        keep_fresh(&in[c], (flt)itg_permute(s->varying[c], point), s->fresh, whole);
+}
+
+/* The same of all components. Four lanes fetch them sooner than they find them among the values that
+ * lie side by side. */
+static void fetch_values(const Fragments *f, itg point, flt *in, msk fresh, bool whole)
 {
     const FastDraw *d = f->filler.d;
     const int components = d->modes.components, sprite = d->modes.sprite;
-    if (GP_LANES > 4 || d->shades_again) {
-        for (int c = 0; c < components; c++)
-            if (c == sprite)
-                c++; /* both of them differ from pixel to pixel */
-            else
-                keep_fresh(&in[c], (flt)itg_permute(f->varying[c], point), fresh, whole);
-        return;
-    }
     const void *record[GP_LANES];
     itg four[4];
     for (int c = 0; c < components; c += 4) {
@@ -122,48 +170,57 @@ GP_INLINE void fill_values(const Fragments *f, itg point, flt *in, msk fresh, bo
     }
 }
 
-/* Puts fragments into the lanes of the queue's last packet that `fresh` tells. */
-GP_INLINE void fill_packet(const Fragments *f, itg word, msk fresh, bool whole)
+/* Puts fragments into the queue's last packet, in all its lanes or the fresh ones. */
+GP_INLINE void fill_packet(const Fragments *f, const Source *s, itg word, bool whole)
 {
-    Tile *tile = f->filler.tile;
-    const FastDraw *d = f->filler.d;
-    const uint32_t at = tile->queue->count - 1;
-    FastGathered *gathered = &tile->queue->gathered[at];
-    const itg x = word & BYTE, y = word >> Y_SHIFT & BYTE, point = word >> POINT_SHIFT;
-    gathered->x = whole ? x : itg_select(fresh, x, gathered->x);
-    gathered->y = whole ? y : itg_select(fresh, y, gathered->y);
-    gathered->at = gathered->y * FAST_PITCH + gathered->x;
-    flt *in = fast_inputs(tile) + at * (uint32_t)d->modes.components;
-    fill_values(f, point, in, fresh, whole);
-    if (d->modes.sprite >= 0)
-        fill_places(f, gathered, point, in + d->modes.sprite, fresh, whole);
-    if (d->late_depth)
-        keep_fresh((flt *)(void *)tile->queue->depths + at,
-                   (flt)itg_permute((itg)f->batch->at.z, point), fresh, whole);
+    FastQueue *queue = s->tile->queue;
+    const uint32_t at = queue->count - 1;
+    FastGathered *gathered = &queue->gathered[at];
+    FastPacket *packet = &queue->packets[at];
+    const itg place = word & PLACE, point = word >> POINT_SHIFT & BYTE;
+    const itg x = place & BYTE, y = place >> Y_SHIFT;
+    const itg pixel = itg_dot2(place, itg_set(1 | FAST_PITCH << Y_SHIFT));
+    const unsigned alive = ~msk_bits((msk)word) & ALL_LANES;
+    gathered->x = whole ? x : itg_select(s->fresh, x, gathered->x);
+    gathered->y = whole ? y : itg_select(s->fresh, y, gathered->y);
+    gathered->at = whole ? pixel : itg_select(s->fresh, pixel, gathered->at);
+    packet->live = whole ? alive : packet->live | (alive & msk_bits(s->fresh));
+    flt *in = fast_inputs(s->tile) + at * (uint32_t)s->components;
+    if (GP_LANES > 4 || f->filler.d->shades_again) {
+        fill_values(s, point, 0, s->before, in, whole);
+        fill_values(s, point, s->before + 2, s->components, in, whole);
+    } else
+        fetch_values(f, point, in, s->fresh, whole);
+    if (s->has_place)
+        fill_places(s, x, y, point, in + s->before, whole);
+    if (s->keeps_depth)
+        keep_fresh((flt *)(void *)queue->depths + at, (flt)itg_permute((itg)s->batch->at.z, point),
+                   s->fresh, whole);
 }
 
-/* Moves the fragments into the queue. Lanes that are left over repeat the last of them. */
+/* Moves the fragments into the queue. Lanes that are left over repeat the last of them, dead. */
 static void queue_fragments(Fragments *f)
 {
-    Tile *tile = f->filler.tile;
-    if (f->count == f->taken)
+    const uint32_t count = f->count, taken = f->taken;
+    if (count == taken)
         return;
     if (GP_LANES > 4 && !f->loaded)
         load_varyings(f->filler.d, f->batch->vertex, f->varying);
     f->loaded = true;
-    store_lanes(f->word + f->count, false, itg_set((int32_t)f->word[f->count - 1]));
-    for (uint32_t first = 0; first < f->count; first += GP_LANES) {
-        const itg word = load_lanes(f->word + first, false);
-        if (first || !f->taken) {
-            begin_packet(tile);
-            fill_packet(f, word, word, true);
+    store_lanes(f->word + count, false, itg_set((int32_t)f->word[count - 1] | DEAD));
+    const Source source = source_of(f);
+    for (uint32_t first = 0; first < count; first += GP_LANES) {
+        itg word = load_lanes(f->word + first, false);
+        if (source.pairs)
+            word = itg_permute(word, source.order);
+        if (first || !taken) {
+            begin_packet(source.tile);
+            fill_packet(f, &source, word, true);
         } else
-            fill_packet(f, word, (msk)(lane_numbers() >= (int32_t)f->taken), false);
-        const uint32_t left = f->count - first;
-        tile->queue->packets[tile->queue->count - 1].live =
-            left < GP_LANES ? (1u << left) - 1 : ALL_LANES;
+            fill_packet(f, &source, word, false);
     }
-    begin_fragments(tile, f);
+    source.tile->queue->taken = count % GP_LANES;
+    begin_fragments(source.tile, f);
 }
 
 /* --- boxes ------------------------------------------------------------------------------------ */
@@ -198,14 +255,15 @@ GP_INLINE msk test_row(const Filler *f, EarlyTest early, uint32_t at, msk inside
     return inside;
 }
 
-/* Rows of one box, of at most GP_LANES pixels. */
+/* Rows of one box, of at most GP_LANES pixels; where there are pairs, of an even number of fragments. */
 GP_INLINE void add_rows(Fragments *f, EarlyTest early, int32_t x, int32_t pixels, int32_t point,
                         itg code)
 {
     const Sprites *s = &f->batch->at;
     const msk inside = (msk)(lane_numbers() < pixels);
     const int32_t y0 = s->y0[point];
-    itg word = lane_numbers() + (x | y0 << Y_SHIFT | point << POINT_SHIFT);
+    const uint32_t odd = f->pairs && pixels % 2, fragments = (uint32_t)pixels + odd;
+    itg word = (lane_numbers() + (x | y0 << Y_SHIFT | point << POINT_SHIFT)) | (~inside & DEAD);
     uint32_t at = fast_at(x, y0), count = f->count;
     for (int32_t left = s->y1[point] - y0; left >= 0; left--, at += FAST_PITCH) {
         if (count > ROOM - GP_LANES) {
@@ -215,7 +273,7 @@ GP_INLINE void add_rows(Fragments *f, EarlyTest early, int32_t x, int32_t pixels
         }
         if (early == EARLY_NONE) {
             store_lanes(f->word + count, false, word);
-            count += (uint32_t)pixels;
+            count += fragments;
         } else {
             const unsigned passed = msk_bits(test_row(&f->filler, early, at, inside, code));
             itg_compress(f->word + count, passed, word);
@@ -276,6 +334,8 @@ void fast_pack_points(const Filler *filler, const SpriteBatch *batches, uint32_t
         fast_shade_varyings(d, vertex, count, (float *)(void *)varying);
     Fragments fragments;
     fragments.filler = *filler;
+    fragments.pairs = fast_adds_pairs(d);
+    fragments.order = order_of_lanes(fragments.pairs);
     for (uint32_t i = 0; i < count; i++) {
         fragments.batch = &batches[i];
         fragments.varying = varying + i * components;

@@ -31,21 +31,29 @@ GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
     return (d->indices ? d->indices[at] : at) - d->first_vertex;
 }
 
-/* Some vertices in a row. */
-GP_INLINE void prefetch_vertices(const FastDraw *d, uint32_t vertex, uint32_t count)
+/* Inputs of some vertices in a row, where these are shaded again. */
+static void prefetch_inputs(const FastDraw *d, uint32_t vertex, uint32_t count)
 {
     const GpStream *stream = &d->draw->geometry.streams[d->draw->program->inputs[0].semantic];
     const size_t step = gp_stream_stride(stream);
     const uint8_t *inputs = (const uint8_t *)stream->data + (d->first_vertex + vertex) * step;
+    for (size_t i = 0; i < count * step; i += 64)
+        __builtin_prefetch(inputs + i);
+}
+
+/* Some vertices in a row; often one. */
+GP_INLINE void prefetch_vertices(const FastDraw *d, uint32_t vertex, uint32_t count)
+{
     const float *varyings = d->varyings + (size_t)vertex * d->stride;
     for (uint32_t i = 0; i < count; i += 4)
         __builtin_prefetch(&d->positions[vertex + i]);
     if (d->path != FAST_ORDERED) /* varyings wait until it is known what is visible */
         return;
-    for (size_t i = 0; d->shades_again && i < count * step; i += 64)
-        __builtin_prefetch(inputs + i);
-    for (uint32_t i = 0; !d->shades_again && i < count * d->stride; i += 16)
-        __builtin_prefetch(varyings + i);
+    if (d->shades_again)
+        prefetch_inputs(d, vertex, count);
+    else
+        for (uint32_t i = 0; i < count * d->stride; i += 16)
+            __builtin_prefetch(varyings + i);
 }
 
 void fast_prefetch_points(const FastDraw *d, const FastPrimitiveMask *mask)

@@ -81,17 +81,19 @@ static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered 
     return passed;
 }
 
-/* Lanes of shaded packet p that pass the tests which had to wait; those of them that replace. */
+GP_INLINE const msk *killed_lanes(const Tile *tile)
+{
+    return (const msk *)(const void *)tile->block->killed;
+}
+
+/* Lanes of shaded packet p that pass the tests which had to wait, of those that live; those of them
+ * that replace. */
 static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock *block, int p,
-                           unsigned *replaced)
+                           unsigned live, unsigned *replaced)
 {
     const FastPacket *packet = &block->packets[p];
     const GpAlphaTest *alpha = &d->draw->state.alpha_test;
     const int targets = gp_program_targets(d->draw->program);
-    unsigned live = packet->live;
-    if (d->draw->program->may_discard)
-        live &= ~msk_bits(
-            (msk)flt_load((const float *)(const void *)tile->block->killed + p * GP_LANES));
     if (d->needs.alpha_test)
         live &= msk_bits(compare_lanes(
             alpha->test, flt_load(tile->block->color + (p * targets * 4 + 3) * GP_LANES),
@@ -111,15 +113,18 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock 
 static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *block,
                       unsigned live[FAST_BLOCK], unsigned replaced[FAST_BLOCK])
 {
-    const bool late = d->draw->program->may_discard || d->needs.alpha_test || d->late_depth;
+    const bool late = d->needs.alpha_test || d->late_depth;
+    const itg *killed = d->draw->program->may_discard ? killed_lanes(tile) : NULL;
     uint32_t fragments = 0;
     for (int p = 0; p < block->count; p++) {
         live[p] = block->packets[p].live;
         replaced[p] = block->packets[p].replaced;
         fragments += (uint32_t)__builtin_popcount(live[p]);
     }
+    for (int p = 0; killed && p < block->count; p++)
+        live[p] &= ~msk_bits(killed[p]);
     for (int p = 0; late && p < block->count; p++)
-        live[p] = late_tests(tile, d, block, p, &replaced[p]);
+        live[p] = late_tests(tile, d, block, p, live[p], &replaced[p]);
     tile->fragments_shaded += fragments;
 }
 
