@@ -247,12 +247,16 @@ void node_require(const Node *node)
         schema_require(node->parent->schema, node->key);
 }
 
-void node_one_of(const Node *a, const Node *b, const char *expected)
+void node_one_of(const Node *const members[], size_t count, const char *expected)
 {
-    if (a->schema)
-        schema_one_of(a->parent->schema, a->key, b->key);
-    else if (!a->value == !b->value)
-        node_fail(a->parent, GP_ERROR_FORMAT, "expected %s", expected);
+    size_t there = 0;
+    for (size_t i = 0; i < count; i++) {
+        there += members[i]->value != NULL;
+        if (members[i]->schema)
+            schema_one_of(members[i]->parent->schema, members[i]->key);
+    }
+    if (!members[0]->schema && there != 1)
+        node_fail(members[0]->parent, GP_ERROR_FORMAT, "expected %s", expected);
 }
 
 void node_define(Node *object, const char *name)

@@ -83,8 +83,9 @@ bool node_is_false(const Node *node); /* there, and the word false */
 /* Fails where the value is not there. */
 void node_require(const Node *node);
 
-/* Fails with "expected A or B" unless exactly one of two members is there, whose nodes these are. */
-void node_one_of(const Node *a, const Node *b, const char *expected);
+/* Fails with "expected A or B" unless exactly one of several members of an object is there, whose nodes
+ * these are. */
+void node_one_of(const Node *const members[], size_t count, const char *expected);
 
 /* --- for the description alone ---------------------------------------------------------------- */
 

@@ -80,12 +80,18 @@ void schema_require(json_t *schema, const char *key)
     json_array_append_new(required, json_string(key));
 }
 
-void schema_one_of(json_t *schema, const char *a, const char *b)
+void schema_one_of(json_t *schema, const char *key)
 {
-    json_object_set_new(schema_type(schema, "object"), "oneOf",
-                        json_pack("[{s:[s]}, {s:[s]}]", "required", a, "required", b));
-    schema_without_default(schema_member(schema, a));
-    schema_without_default(schema_member(schema, b));
+    json_t *choices = part(schema_type(schema, "object"), "oneOf", json_array), *one;
+    size_t i;
+    json_array_foreach(choices, i, one)
+    {
+        const json_t *required = json_object_get(one, "required");
+        if (strcmp(json_string_value(json_array_get(required, 0)), key) == 0)
+            return;
+    }
+    json_array_append_new(choices, json_pack("{s:[s]}", "required", key));
+    schema_without_default(schema_member(schema, key));
 }
 
 json_t *schema_element(json_t *schema)

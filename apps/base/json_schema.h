@@ -24,7 +24,8 @@ json_t *schema_define(json_t *schema, json_t *definitions, const char *name);
 json_t *schema_member(json_t *schema, const char *key);
 void schema_close(json_t *schema); /* an object: no other members */
 void schema_require(json_t *schema, const char *key);
-void schema_one_of(json_t *schema, const char *a, const char *b); /* of two members exactly one */
+void schema_one_of(json_t *schema,
+                   const char *key); /* exactly one of the members that it is asked for */
 
 json_t *schema_element(json_t *schema);
 void schema_length(json_t *schema, size_t least, size_t most);

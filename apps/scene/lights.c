@@ -40,7 +40,7 @@ static void read_light(Node node, SceneLight *light)
                            .aims = node_exists(&at) };
     node_doubles(position, light->position, 3, -1e6, 1e6);
     node_doubles(direction, light->position, 3, -1e6, 1e6);
-    node_one_of(&position, &direction, "a position or a direction");
+    node_one_of((const Node *const[]){ &position, &direction }, 2, "a position or a direction");
     if (light->directional && vector_dot(light->position, light->position) == 0.0)
         node_fail(&direction, GP_ERROR_FORMAT, "a direction has some length");
     if (light->directional)

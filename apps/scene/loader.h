@@ -38,6 +38,7 @@ typedef struct Loader {
     SplatSource *splats; /* of the pass that is read */
     Surfels *models;     /* as many */
     uint32_t splat_count, splat_room;
+    struct SceneVolume *volumes; /* likewise */
 } Loader;
 
 /* A copy of a text that lives as long as the scene. */

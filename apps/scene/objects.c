@@ -5,6 +5,7 @@
 #include "apps/scene/placing.h"
 #include "apps/scene/splats.h"
 #include "apps/scene/state.h"
+#include "apps/scene/volumes.h"
 
 #include <string.h>
 
@@ -149,8 +150,10 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
 {
     Node mesh = node_member(node, "mesh"), points = node_member(node, "points");
     Node fit = node_member(node, "fit"), transform = node_member(node, "transform");
+    Node volume = node_member(node, "volume");
+    const Node *const shapes[] = { &mesh, &points, &volume };
     Shape shape = { 0 };
-    node_one_of(&mesh, &points, "a mesh or points");
+    node_one_of(shapes, GP_COUNT(shapes), "a mesh, points or a volume");
     if (node_exists(&mesh))
         read_shape(&mesh, false, &shape);
     if (node_exists(&points)) {
@@ -206,6 +209,7 @@ static void read_drawn(Loader *loader, Node *node, const SceneView *view, GpDraw
         scene_read_material(loader, node_member(node, "material"), &own,
                             draw->geometry.primitive == GP_POINTS ? "sprite" : "phong", draw);
     refuse_without_method(node);
+    scene_refuse_without_volume(node);
     refuse_unread(node, "color", GP_COLOR, draw);
     refuse_unread(node, "tile", GP_TEXCOORD0, draw);
     refuse_unread(node, "size", GP_POINT_SIZE, draw);
@@ -215,10 +219,12 @@ void scene_read_object(Loader *loader, Node node, const SceneView *view)
 {
     const GpGeometry none = { .vertex_count = 0 };
     node_define(&node, "object");
-    Node method = node_member(&node, "method");
-    if (node_exists(&method))
+    Node volume = node_member(&node, "volume"), method = node_member(&node, "method");
+    if (node_exists(&volume))
+        scene_read_volume(loader, &node, view);
+    if (node_lacks(&volume) && node_exists(&method))
         scene_read_splats(loader, &node, view);
-    if (node_lacks(&method))
+    if (node_lacks(&volume) && node_lacks(&method))
         read_drawn(loader, &node, view, frame_draw(loader->frame, NULL, NULL, &none));
     node_close(&node);
 }

@@ -2,6 +2,7 @@
 
 #include "apps/scene/objects.h"
 #include "apps/scene/splats.h"
+#include "apps/scene/volumes.h"
 #include "apps/scene/state.h"
 
 #include <ctype.h>
@@ -142,6 +143,8 @@ void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, con
         read_draws(loader, node, &own);
     if (!loader->reader.result)
         scene_draw_splats(loader, &own, name);
+    if (!loader->reader.result)
+        scene_draw_volumes(loader, &own, name);
     loader->pass_count = loader->frame->list.pass_count;
 }
 

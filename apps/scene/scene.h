@@ -47,6 +47,7 @@ typedef struct Scene {
     float ambient[3], background[4];
     SplatGroup splats;           /* of the last pass that has any; sources in the list's memory */
     const Surfels *splat_models; /* [splats.source_count], all surfels of each, seen or not */
+    uint32_t volume_count;       /* of all passes */
     bool has_passes;             /* of its own, instead of one for all objects */
     Frame frame;                 /* private: what all this is made of */
 } Scene;

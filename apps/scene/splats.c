@@ -6,6 +6,7 @@
 #include "apps/scene/model.h"
 #include "apps/scene/placing.h"
 #include "apps/scene/shapes.h"
+#include "apps/scene/volumes.h"
 #include "shaders_c/points/over.h"
 
 #include <stdio.h>
@@ -79,7 +80,9 @@ static Surfels read_surfels(Node *object, GpPool *pool)
     Surfels surfels = { .count = 0 };
     GpError reason = { "" };
     Node mesh = node_member(object, "mesh"), points = node_member(object, "points");
-    node_one_of(&mesh, &points, "a mesh or points");
+    Node volume = node_member(object, "volume");
+    const Node *const shapes[] = { &mesh, &points, &volume };
+    node_one_of(shapes, GP_COUNT(shapes), "a mesh, points or a volume");
     const ModelSampling sampling = {
         .subdivide = (uint32_t)node_integer(node_member(object, "subdivide"), 0, 0, 8),
         .sample = (uint32_t)node_integer(node_member(object, "sample"), 0, 0, MOST_SAMPLES),
@@ -207,6 +210,7 @@ void scene_read_splats(Loader *loader, Node *object, const SceneView *view)
     const int number = node_name(method, 0, methods, GP_COUNT(methods));
     node_without_default(&method);
     refuse_keys(object);
+    scene_refuse_without_volume(object);
     if (!object->schema && why_not(view))
         node_fail(object, GP_ERROR_FORMAT, "%s", why_not(view));
     const GpResult result = gp_pool_create(machine_processors(), &pool, &reason);

@@ -135,6 +135,8 @@ GpResult shadow_check(const Scene *scene, const ShadowSetting *setting, GpError 
     if (plain && setting->slope > 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "the plain method's depths are colours, which the rasterizer does not bias");
+    if (scene->volume_count > 0)
+        return gp_fail(error, GP_ERROR_INVALID, "the scene has volumes, which have no shadows");
     if (scene->has_passes)
         return gp_fail(error, GP_ERROR_INVALID, "the scene has passes of its own");
     if (scene->light_count == 0)

@@ -316,7 +316,9 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
     RayCorner *corners = frame_alloc(frame, 3, sizeof *corners);
     double reach[2];
 
-    frame_pass(frame, "raycast", target->color, NULL, none)->color[0].clear = false;
+    frame_pass(frame, setting->name ? setting->name : "raycast", target->color, NULL, none)
+        ->color[0]
+        .clear = false;
     if (!corners || !volume->runs || !find_reach(volume->field, &view->camera, &axes, reach))
         return frame_result(frame, error);
     find_corners(volume->field, view, &axes, reach, corners);

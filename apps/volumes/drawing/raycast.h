@@ -7,8 +7,9 @@
 
 /* All zero: as they are meant. */
 typedef struct RaycastSetting {
-    double step;  /* length of a step, in the field's space; 0: 1 */
-    double least; /* share of light at which a ray ends; 0: 1/256 */
+    double step;      /* length of a step, in the field's space; 0: 1 */
+    double least;     /* share of light at which a ray ends; 0: 1/256 */
+    const char *name; /* of the pass, borrowed; NULL: "raycast" */
 } RaycastSetting;
 
 /* A field, and a transfer function, as rays read them. A zeroed one is empty. Owned by whoever made it,
@@ -33,7 +34,7 @@ void raycast_close(RaycastVolume *volume);
 /* Takes a transfer function, the first or another. Frames that were made before are to be made anew. */
 void raycast_classify(RaycastVolume *volume, const Transfer *transfer);
 
-/* Appends a pass "raycast" that draws the volume over what the target holds.
+/* Appends a pass that draws the volume over what the target holds.
  * in   volume: classified; what the frame's ways ask for is added to it
  * errors GP_ERROR_MEMORY */
 GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const RaycastSetting *setting,

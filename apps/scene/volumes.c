@@ -1,0 +1,246 @@
+#include "apps/scene/volumes.h"
+
+#include "apps/scene/placing.h"
+#include "apps/volumes/drawing/raycast.h"
+#include "pipeline/io/file.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+struct SceneVolume {
+    struct SceneVolume *next;  /* of the pass that is read */
+    struct SceneVolume *older; /* of the whole scene */
+    Field field;
+    RaycastVolume rays;
+    RaycastSetting setting;
+    bool lit;
+    double origin[3],
+        axes[3][3]; /* where sample (0, 0, 0) is in the world, and steps of 1 along x, y, z */
+    double scale;   /* their length */
+};
+
+/* --- what a pass must have -------------------------------------------------------------------- */
+
+static bool has_size(const GpSurface *surface, const SceneView *view)
+{
+    return surface->width == view->width && surface->height == view->height;
+}
+
+static const char *why_not(const SceneView *view)
+{
+    const GpViewport *port = &view->viewport;
+    if (port->width > 0 || port->has_depth_range || port->d3d9_centers)
+        return "volumes fill the whole target: expected no viewport";
+    if (!view->color || view->color_count > 1)
+        return "volumes are drawn to one colour target";
+    if (!has_size(view->color, view) || (view->depth && !has_size(view->depth, view)))
+        return "volumes need targets of the pass's size";
+    return NULL;
+}
+
+static void refuse(Node *object, const char *const *keys, size_t count, const char *reason)
+{
+    for (size_t i = 0; i < count && !object->schema; i++) {
+        Node node = node_member(object, keys[i]);
+        if (node_exists(&node))
+            node_fail(&node, GP_ERROR_FORMAT, "%s", reason);
+    }
+}
+
+void scene_refuse_without_volume(Node *object)
+{
+    static const char *const keys[] = { "transfer", "step", "lit" };
+    refuse(object, keys, GP_COUNT(keys), "of volumes: expected a volume");
+}
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+/* Frees what volumes have beside the frame's memory. */
+static void release(void *held)
+{
+    for (struct SceneVolume *volume = held; volume; volume = volume->older) {
+        raycast_close(&volume->rays);
+        field_free(&volume->field);
+    }
+}
+
+/* Corners of its box to the world, and from them the way back. */
+static void place(Node *object, struct SceneVolume *volume)
+{
+    Node transform = node_member(object, "transform"), fit = node_member(object, "fit");
+    float corners[8][2][3] = { { { 0 } } }; /* with normals, which nobody needs */
+    double extent[3];
+    for (int i = 0; i < 3; i++)
+        extent[i] =
+            volume->field.value ? (volume->field.size[i] - 1.0) * volume->field.scale[i] : 1;
+    for (int k = 0; k < 8; k++)
+        for (int i = 0; i < 3; i++)
+            corners[k][0][i] = (float)(k >> i & 1 ? extent[i] : 0);
+    const PlacedVertices vertices = { corners[0][0], corners[0][1], sizeof corners[0], 8 };
+    const Placed placed = scene_place(transform, fit, &vertices);
+    if (placed.uneven || placed.mirrored)
+        node_fail(&transform, GP_ERROR_FORMAT,
+                  "volumes keep their shape: expected one scale above 0");
+    volume->scale = placed.scale;
+    for (int i = 0; i < 3; i++) {
+        volume->origin[i] = (double)corners[0][0][i];
+        for (int k = 0; k < 3; k++)
+            volume->axes[i][k] = ((double)corners[1 << i][0][k] - (double)corners[0][0][k]) /
+                                 (extent[i] > 0 ? extent[i] : 1);
+    }
+}
+
+static GpResult open_field(const char *scene, const char *name, Field *field, GpError *error)
+{
+    char path[4096];
+    if (strncmp(name, "builtin:", strlen("builtin:")) == 0)
+        return field_open(name, field, error);
+    const GpResult result = gp_data_find_beside(scene, name, path, sizeof path, error);
+    return result ? result : field_open(path, field, error);
+}
+
+static GpResult open_transfer(const char *scene, const char *name, const Field *field,
+                              Transfer *transfer, GpError *error)
+{
+    char path[4096];
+    for (size_t i = 0; transfer_names[i]; i++)
+        if (strcmp(name, transfer_names[i]) == 0)
+            return transfer_open(name, field, transfer, error);
+    const GpResult result = gp_data_find_beside(scene, name, path, sizeof path, error);
+    return result ? result : transfer_open(path, field, transfer, error);
+}
+
+/* The volume and its transfer function; an empty one after a failure. */
+static void read_field(Node *object, struct SceneVolume *volume)
+{
+    Node name_node = node_member(object, "volume"), transfer_node = node_member(object, "transfer");
+    Node mesh = node_member(object, "mesh"), points = node_member(object, "points");
+    const Node *const shapes[] = { &mesh, &points, &name_node };
+    GpError reason = { "" };
+    Transfer transfer;
+    node_one_of(shapes, GP_COUNT(shapes), "a mesh, points or a volume");
+    const char *name = node_string(name_node, NULL);
+    const char *transfer_name = node_string(transfer_node, NULL);
+    node_without_default(&transfer_node);
+    if (!name || object->reader->result)
+        return;
+    const char *scene = object->reader->file;
+    GpResult result = open_field(scene, name, &volume->field, &reason);
+    if (result) {
+        scene_fail(&name_node, result, &reason);
+        return;
+    }
+    if (transfer_name)
+        result = open_transfer(scene, transfer_name, &volume->field, &transfer, &reason);
+    else
+        transfer_choose(&volume->field, &transfer);
+    if (result) {
+        scene_fail(&transfer_node, result, &reason);
+        return;
+    }
+    result = raycast_open(&volume->field, &volume->rays, &reason);
+    if (result)
+        scene_fail(&name_node, result, &reason);
+    else
+        raycast_classify(&volume->rays, &transfer);
+}
+
+void scene_read_volume(Loader *loader, Node *object, const SceneView *view)
+{
+    static const char *const others[] = { "material", "state",  "viewport",  "tile",  "size",
+                                          "color",    "method", "subdivide", "sample" };
+    Frame *frame = loader->frame;
+    struct SceneVolume none = { .next = NULL }, *volume = frame_alloc(frame, 1, sizeof *volume);
+    if (!volume)
+        volume = &none;
+    node_string(node_member(object, "name"), "");
+    refuse(object, others, GP_COUNT(others), "volumes have none of their own");
+    if (!object->schema && why_not(view))
+        node_fail(object, GP_ERROR_FORMAT, "%s", why_not(view));
+    volume->setting.step = node_double(node_member(object, "step"), 1, 0.05, 16);
+    volume->lit = node_bool(node_member(object, "lit"), false);
+    if (volume != &none) {
+        volume->older = frame->held;
+        frame->held = volume;
+        frame->release = release;
+        read_field(object, volume);
+    }
+    place(object, volume);
+    if (loader->reader.result || !volume->field.value)
+        return;
+    volume->next = loader->volumes;
+    loader->volumes = volume;
+    loader->scene->volume_count++;
+}
+
+/* --- drawing ---------------------------------------------------------------------------------- */
+
+/* A place, or a direction, of the world where sample (0, 0, 0) is the origin and x, y, z its axes. */
+static void turn(const struct SceneVolume *volume, const double world[3], bool place_,
+                 double own[3])
+{
+    for (int i = 0; i < 3; i++) {
+        own[i] = 0;
+        for (int k = 0; k < 3; k++)
+            own[i] += (world[k] - (place_ ? volume->origin[k] : 0)) * volume->axes[i][k];
+        own[i] /= volume->scale * volume->scale;
+    }
+}
+
+static VolumeView view_of(const struct SceneVolume *volume, const SceneView *view)
+{
+    const Camera *camera = &view->camera;
+    VolumeView own = {
+        .camera = *camera, .width = view->width, .height = view->height, .lit = volume->lit
+    };
+    turn(volume, camera->eye, true, own.camera.eye);
+    turn(volume, camera->at, true, own.camera.at);
+    turn(volume, camera->up, false, own.camera.up);
+    own.camera.height = camera->height / volume->scale;
+    own.camera.near = camera->near / volume->scale;
+    own.camera.far = camera->far / volume->scale;
+    return own;
+}
+
+/* Of the middle of a volume's box, along the view. */
+static double distance_of(const struct SceneVolume *volume, const SceneView *view)
+{
+    const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
+    const Field *field = &volume->field;
+    double distance = 0;
+    for (int k = 0; k < 3; k++) {
+        double middle = volume->origin[k] - view->camera.eye[k];
+        for (int i = 0; i < 3; i++)
+            middle += volume->axes[i][k] * (field->size[i] - 1) * field->scale[i] / 2;
+        distance += middle * axes.forward[k];
+    }
+    return distance;
+}
+
+/* Takes the farthest out of the list; of equal ones that which was read last. */
+static struct SceneVolume *take_farthest(struct SceneVolume **list, const SceneView *view)
+{
+    struct SceneVolume **farthest = list, *taken;
+    for (struct SceneVolume **at = list; *at; at = &(*at)->next)
+        if (distance_of(*at, view) > distance_of(*farthest, view))
+            farthest = at;
+    taken = *farthest;
+    *farthest = taken->next;
+    return taken;
+}
+
+void scene_draw_volumes(Loader *loader, const SceneView *view, const char *name)
+{
+    const VolumeTarget target = { view->color, view->depth };
+    struct SceneVolume *list = loader->volumes;
+    char text[300];
+    loader->volumes = NULL;
+    while (list && !loader->frame->arena.result) {
+        struct SceneVolume *volume = take_farthest(&list, view);
+        const VolumeView own = view_of(volume, view);
+        snprintf(text, sizeof text, "%.200s-volume", name);
+        volume->setting.name = scene_copy(loader, text);
+        raycast_add(&volume->rays, &own, &volume->setting, &target, loader->frame, NULL);
+    }
+}
