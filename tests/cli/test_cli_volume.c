@@ -34,6 +34,7 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.nrrd --mode vt", "--mode: expected --method splat with it" },
         { "a.nrrd --method splat --step 2", "--step: expected --method raycast with it" },
         { "a.nrrd --step 0", "--step" },
+        { "a.nrrd --spacing 1", "--spacing: expected --method slices with it" },
         { "a.nrrd --method splat --mode xx", "--mode: expected vb, vt, pt, im or qd" },
         { "a.nrrd --method splat --filter box",
           "--filter: expected ewa, reconstruction, lowpass, adaptive or" },

@@ -5,6 +5,7 @@
 
 static const TechniqueSweep sweep[] = {
     { "rays", "--method raycast --step 0.5|1|1.5|2|3" },
+    { "planes", "--method slices --spacing 0.5|1|2" },
     { "splats", "--method splat --thickness 1|2" },
     { "splats, wider", "--method splat --deviation 0.6|0.7" },
     { "slabs", "--method splat --sheets image --thickness 1|2" },
@@ -17,7 +18,7 @@ static const TechniqueSweep sweep[] = {
     { .method = NULL },
 };
 
-static const char *const usual[] = { "rays", "splats", NULL };
+static const char *const usual[] = { "rays", "planes", "splats", NULL };
 static const char *const metrics[] = { "decibels", "bytes", NULL };
 
 static GpResult find_truth(void *model, int threads, GpError *error)

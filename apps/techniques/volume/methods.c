@@ -39,6 +39,41 @@ static void close_rays(VolumeModel *model)
     raycast_close(&model->rays);
 }
 
+/* --- slices ------------------------------------------------------------------------------------- */
+
+static GpResult classify_slices(VolumeModel *model, GpError *error)
+{
+    (void)error;
+    slices_classify(&model->slices, &model->transfer);
+    return GP_OK;
+}
+
+static GpResult add_slices(VolumeModel *model, const VolumeOptions *options,
+                           const VolumeTarget *target, Frame *frame, GpError *error)
+{
+    GpResult result = GP_OK;
+    if (!model->slices.field) {
+        result = slices_open(&model->field, &model->slices, error);
+        if (!result)
+            result = classify_slices(model, error);
+    }
+    return result
+               ? result
+               : slices_add(&model->slices, &model->view, &options->slices, target, frame, error);
+}
+
+/* Slices across two axes are the samples themselves. */
+static double bytes_of_slices(const VolumeModel *model, const VolumeOptions *options)
+{
+    (void)options;
+    return model->slices.turned ? 2 : 1;
+}
+
+static void close_slices(VolumeModel *model)
+{
+    slices_close(&model->slices);
+}
+
 /* --- splats ------------------------------------------------------------------------------------- */
 
 static GpResult add_splats(VolumeModel *model, const VolumeOptions *options,
@@ -79,6 +114,7 @@ static void close_splats(VolumeModel *model)
 
 const VolumeMethodRow volume_methods[VOLUME_METHODS] = {
     [VOLUME_RAYCAST] = { add_rays, classify_rays, bytes_of_rays, NULL, NULL, close_rays },
+    [VOLUME_SLICES] = { add_slices, classify_slices, bytes_of_slices, NULL, NULL, close_slices },
     [VOLUME_SPLAT] = { add_splats, classify_splats, bytes_of_splat, count_splats, have_kernels,
                        close_splats },
 };

@@ -12,6 +12,7 @@ typedef struct VolumeModel {
     Transfer transfer;
     VolumeView view;
     RaycastVolume rays; /* empty until a setting needs it; so are all below */
+    SlicesVolume slices;
     VolumeSplats splats;
     VolumePicture data;   /* what the picture should be */
     VolumePicture method; /* what splats should make it, with kernels as these */

@@ -7,9 +7,10 @@ const VolumeOptions volume_option_defaults = {
     .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
 };
 
-static const char *const methods[] = {
-    [VOLUME_RAYCAST] = "raycast", [VOLUME_SPLAT] = "splat", [VOLUME_METHODS] = NULL
-};
+static const char *const methods[] = { [VOLUME_RAYCAST] = "raycast",
+                                       [VOLUME_SLICES] = "slices",
+                                       [VOLUME_SPLAT] = "splat",
+                                       [VOLUME_METHODS] = NULL };
 static const char *const modes[] = { [VOXELS_VB] = "vb", [VOXELS_VT] = "vt", [VOXELS_PT] = "pt",
                                      [VOXELS_IM] = "im", [VOXELS_QD] = "qd", NULL };
 static const char *const filters[] = {
@@ -29,12 +30,16 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 const SettingField volume_settings[] = {
     { "method", NULL,
-      "raycast: a ray for each pixel, values interpolated and then classified (default); splat: "
-      "each sample a spot, added up in sheets",
+      "raycast: a ray for each pixel, values interpolated and then classified (default); slices: "
+      "the "
+      "same in planes between slices, with 2D textures; splat: each sample a spot, added up in "
+      "sheets",
       SETTING_NAME, OF(method), .names = methods },
 
     { "step", "L", "Length of a ray's steps, in samples (default: 1)", SETTING_NUMBER,
       OF(rays.step), .low = 0.05, .high = 16 },
+    { "spacing", "L", "Of slices: distance of planes, in samples (default: 1)", SETTING_NUMBER,
+      OF(slices.spacing), .low = 0.05, .high = 16 },
     { "mode", NULL,
       "Where splats are kept: vb, all in vertex buffers (default); vt, pt: values in a texture "
       "that "
@@ -72,7 +77,10 @@ const SettingField volume_settings[] = {
       "Of sheets: so many slices or samples (default: 2 slices, 1 sample; as printed: 1)",
       SETTING_NUMBER, OF(splats.thickness), .low = 0.25, .high = 64 },
 
-    { "transfer", "FILE|NAME",
+    { "cull", "N", "Mark opaque pixels every N sheets (default: 0, never)", SETTING_INTEGER,
+      OF(splats.cull), .low = 0, .high = 64 },
+
+    { "transfer", "FILE",
       "What values look like: lines of value, red, green, blue, opacity; or bonsai, engine, "
       "marschner-lobb, checkerboard or fog (default: chosen from the histogram)",
       SETTING_TEXT, OF(transfer), .aside = true },
@@ -101,11 +109,11 @@ static const struct {
     const char *option;
     VolumeMethod method;
 } belongs[] = {
-    { "step", VOLUME_RAYCAST },    { "mode", VOLUME_SPLAT },       { "filter", VOLUME_SPLAT },
-    { "sheets", VOLUME_SPLAT },    { "accumulate", VOLUME_SPLAT }, { "after", VOLUME_SPLAT },
-    { "alphas", VOLUME_SPLAT },    { "flat", VOLUME_SPLAT },       { "deviation", VOLUME_SPLAT },
-    { "cut", VOLUME_SPLAT },       { "lowpass", VOLUME_SPLAT },    { "tolerance", VOLUME_SPLAT },
-    { "thickness", VOLUME_SPLAT },
+    { "step", VOLUME_RAYCAST },    { "spacing", VOLUME_SLICES },  { "mode", VOLUME_SPLAT },
+    { "filter", VOLUME_SPLAT },    { "sheets", VOLUME_SPLAT },    { "accumulate", VOLUME_SPLAT },
+    { "after", VOLUME_SPLAT },     { "alphas", VOLUME_SPLAT },    { "flat", VOLUME_SPLAT },
+    { "deviation", VOLUME_SPLAT }, { "cut", VOLUME_SPLAT },       { "lowpass", VOLUME_SPLAT },
+    { "tolerance", VOLUME_SPLAT }, { "thickness", VOLUME_SPLAT }, { "cull", VOLUME_SPLAT },
 };
 
 GpResult volume_options_check(const void *setting, uint32_t given, const char *extension,

@@ -5,14 +5,21 @@
 #include "apps/base/orbit.h"
 #include "apps/techniques/settings.h"
 #include "apps/volumes/drawing/raycast.h"
+#include "apps/volumes/drawing/slices.h"
 #include "apps/volumes/drawing/splat_setting.h"
 
-typedef enum VolumeMethod { VOLUME_RAYCAST, VOLUME_SPLAT, VOLUME_METHODS } VolumeMethod;
+typedef enum VolumeMethod {
+    VOLUME_RAYCAST,
+    VOLUME_SLICES,
+    VOLUME_SPLAT,
+    VOLUME_METHODS
+} VolumeMethod;
 
 /* The setting of the technique. */
 typedef struct VolumeOptions {
     VolumeMethod method;
     RaycastSetting rays;
+    SlicesSetting slices;
     VolumeSplatSetting splats;
 
     /* aside of the key */

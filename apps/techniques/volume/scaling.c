@@ -21,6 +21,7 @@ static double kernels_width(const void *scene, const Frame *frame)
 
 static const TechniqueLine with_samples[] = {
     { "rays", GROWING_VOLUMES, "--method raycast" },
+    { "planes", GROWING_VOLUMES, "--method slices" },
     { "splats", GROWING_VOLUMES, "--method splat" },
     { "slabs", GROWING_VOLUMES, "--method splat --sheets image" },
     { "quads", GROWING_VOLUMES, "--method splat --mode qd" },
@@ -43,7 +44,7 @@ static const char *const scaling_text[] = {
     "something, eight times as many at twice the side, and smaller by that: the pixels that they "
     "lie "
     "over only double, with the slices. So their own cost takes over, as the cube of the side. "
-    "Rays are as many as pixels, and their steps grow with the side.",
+    "Rays are as many as pixels, and their steps grow with the side; so do planes.",
     "Wider kernels lie over more pixels, as the square of their width, once these are what costs.",
     NULL
 };
@@ -52,6 +53,7 @@ static const TechniqueWord scaling_words[] = {
     { "samples a side", "Samples of the volume along each axis." },
     { "the kernel's width", "Standard deviation of the kernels, in samples." },
     { "rays", "A ray for each pixel, along which values are interpolated and classified." },
+    { "planes", "Planes between slices, as many as there are slices, each over the picture." },
     { "splats", "Each sample that shows something as a spot, added up in slices." },
     { "slabs", "The same, cut into slabs of equal depth." },
     { "quads", "The same as two triangles each, instead of a spot." },

@@ -14,6 +14,9 @@ const TechniqueWord volume_words[] = {
     { "rays",
       "A ray for each pixel: at even steps values are interpolated and then classified; what shows "
       "nothing is stepped over." },
+    { "planes",
+      "Planes across the axis nearest to the view, in which values are interpolated between two "
+      "slices and then classified, one over the other." },
     { "splat", "A sample, drawn as a spot that is densest in its middle." },
     { "splats", "Samples are classified and splatted, each as wide as its kernel is on the picture "
                 "and wider by "
