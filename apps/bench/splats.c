@@ -32,7 +32,7 @@ static const struct {
     [SPLATS_QSPLAT] = { "meshes/bunny.ply", "--method qsplat", 2, ORBIT_UP_Y, 512, 100, true },
     [SPLATS_PIXELS] = { "meshes/happy_buddha.ply", "--method pixels", 2, ORBIT_UP_Y, 1024, 0,
                         false },
-    [SPLATS_LEVELS] = { "meshes/happy_buddha.ply", "--method adaptive --detail 0.7", 2, ORBIT_UP_Y,
+    [SPLATS_LEVELS] = { "meshes/happy_buddha.ply", "--method adaptive --detail 0.65", 2, ORBIT_UP_Y,
                         1024, 0, false },
     [SPLATS_SCAN] = { "points/lion_takanawa.ply", "--method adaptive", 0, ORBIT_UP_Z, 1024, 0,
                       false },

@@ -14,7 +14,7 @@
  *
  * A parent's position, normal and colour are the means of its leaves', by their area; its radius is
  * that of a ball that holds the discs of all its leaves, so its disc covers theirs and no hole opens;
- * its share makes its area that of its leaves together.
+ * its share makes its area that of its leaves together, as seen along its normal.
  *
  * source Dong Zhao's thesis, 3.2.2: "linear binary tree"; the ranges and the depths left out: ours
  */

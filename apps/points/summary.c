@@ -160,6 +160,7 @@ Surfel surfel_parent(const Surfel *leaves, uint32_t count)
 {
     Mixture sum = mix(leaves, count);
     Surfel parent = leaves[0];
+    const double flat = sqrt(vector_dot(sum.normal, sum.normal)); /* area along the mean normal */
     /* Where normals take each other away, the first one's stays. */
     if (vector_dot(sum.normal, sum.normal) > 1e-12 * sum.area * sum.area) {
         vector_normalize(sum.normal);
@@ -177,6 +178,8 @@ Surfel surfel_parent(const Surfel *leaves, uint32_t count)
         radius = reach > radius ? reach : radius;
     }
     /* Surfels on top of each other: a disc that has room for their areas. */
+    /* what is bent, or has two sides, shows less than its area to those whom the disc faces */
+    sum.area = fmax(flat, sum.area / 4);
     const double full = sqrt(sum.area / surfel_area(&(Surfel){ .radius = 1, .share = 255 }));
     radius = fmin(fmax(radius, full), full / LEAST_SHARE);
     parent.radius = round_up(radius);

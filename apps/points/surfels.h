@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-/* As vertex streams take it: 32 bytes. */
+/* As vertex streams take it, position and radius as one: 32 bytes. */
 typedef struct Surfel {
     float position[3]; /* of the model, finite */
     float radius; /* of the disc, in the model's unit, > 0: discs leave no hole where the sampling

@@ -136,7 +136,7 @@ static float mean_radius(const Surfels *surfels)
 
 static SplatSource all_of(const Surfels *surfels, SplatMethod method, Frame *frame)
 {
-    const SplatRun all = { method, 0, surfels->count, mean_radius(surfels), 0 };
+    const SplatRun all = { method, 0, surfels->count, mean_radius(surfels), 0, false };
     return (SplatSource){ .surfels = surfels->surfels,
                           .runs = frame_copy(frame, &all, sizeof all),
                           .run_count = 1 };

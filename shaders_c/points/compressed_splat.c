@@ -23,8 +23,13 @@ typedef struct ColoredPrintedVertex {
 
 GP_INLINE SurfelVertex surfel_vertex(const CompressedSurfel *surfel, float3 color)
 {
-    return (SurfelVertex){ surfel->position, surfel->normal, surfel->radius,
+    return (SurfelVertex){ surfel->position, surfel->radius, surfel->normal,
                            rgba(color, surfel->share) };
+}
+
+GP_INLINE DiscVertex disc_vertex(const SurfelVertex *surfel)
+{
+    return (DiscVertex){ surfel->position, surfel->radius, surfel->normal };
 }
 
 GP_INLINE float3 own_color(const CompressedUniforms *c, float3 color)
@@ -72,7 +77,8 @@ pixel_shader_targets(compressed_surface_ps, CompressedUniforms, SplatSurfaceVary
 vertex_shader(compressed_visibility_vs, CompressedUniforms, WordsVertex, DiscVarying)
 {
     SurfelVertex surfel = unpack(c, in->words, vec3(0, 0, 0));
-    splat_disc_vertex(&c->splat, &surfel, position, out, point_size);
+    DiscVertex disc = disc_vertex(&surfel);
+    splat_disc_vertex(&c->splat, &disc, position, out, point_size);
 }
 
 vertex_shader(compressed_color_vs, CompressedUniforms, ColoredWordsVertex, SplatColorVarying)
@@ -104,7 +110,8 @@ program(compressed_surface_program, compressed_surface_vs, compressed_surface_ps
 vertex_shader(printed_visibility_vs, CompressedUniforms, PrintedVertex, DiscVarying)
 {
     SurfelVertex surfel = unpack_printed(gp, c, in->place, in->rest, vec3(0, 0, 0));
-    splat_disc_vertex(&c->splat, &surfel, position, out, point_size);
+    DiscVertex disc = disc_vertex(&surfel);
+    splat_disc_vertex(&c->splat, &disc, position, out, point_size);
 }
 
 vertex_shader(printed_color_vs, CompressedUniforms, ColoredPrintedVertex, SplatColorVarying)

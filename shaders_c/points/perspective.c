@@ -42,7 +42,7 @@ typedef struct ExactDiscVarying {
     float2 place, tilt, depth; /* of the centre, and how far behind */
 } ExactDiscVarying;
 
-vertex_shader(perspective_visibility_vs, SplatUniforms, SurfelVertex, ExactDiscVarying)
+vertex_shader(perspective_visibility_vs, SplatUniforms, DiscVertex, ExactDiscVarying)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);
     Splat disc = surfel_disc(&eye);
@@ -65,7 +65,7 @@ pixel_shader(perspective_visibility_ps, SplatUniforms, ExactDiscVarying)
 }
 
 program(perspective_visibility_program, perspective_visibility_vs, perspective_visibility_ps,
-        MODEL_3_0, .inputs = { SURFEL_INPUTS },
+        MODEL_3_0, .inputs = { DISC_INPUTS },
         .varyings = { { "conic", 3, GP_FLAT },
                       { "place", 2, GP_FLAT },
                       { "tilt", 2, GP_FLAT },

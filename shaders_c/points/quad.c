@@ -8,8 +8,7 @@ typedef struct CornerVertex {
 } CornerVertex;
 
 /* clang-format off */
-#define CORNER_INPUTS                                                                              \
-    { GP_POSITION, 3 }, { GP_NORMAL, 3 }, { GP_POINT_SIZE, 1 }, { GP_COLOR, 4 }, { GP_TEXCOORD0, 2 }
+#define CORNER_INPUTS SURFEL_INPUTS, { GP_TEXCOORD0, 2 }
 /* clang-format on */
 
 /* Tangents of a surfel before the eye.

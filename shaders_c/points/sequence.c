@@ -26,9 +26,5 @@ pixel_shader(sequence_square_ps, SequenceUniforms, FlatVarying)
 }
 
 program(sequence_square_program, sequence_square_vs, sequence_square_ps, MODEL_2_0,
-        .inputs = { { GP_POSITION, 3 },
-                    { GP_NORMAL, 3 },
-                    { GP_POINT_SIZE, 1 },
-                    { GP_COLOR, 4 },
-                    { GP_TEXCOORD0, 2 } },
-        .varyings = { { "color", 3, GP_FLAT } }, .writes_point_size = true)
+        .inputs = { SURFEL_INPUTS, { GP_TEXCOORD0, 2 } }, .varyings = { { "color", 3, GP_FLAT } },
+        .writes_point_size = true)

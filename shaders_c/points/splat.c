@@ -2,7 +2,7 @@
 
 /* --- visibility ------------------------------------------------------------------------------- */
 
-vertex_shader(splat_visibility_vs, SplatUniforms, SurfelVertex, DiscVarying)
+vertex_shader(splat_visibility_vs, SplatUniforms, DiscVertex, DiscVarying)
 {
     splat_disc_vertex(c, in, position, out, point_size);
 }
@@ -14,7 +14,7 @@ pixel_shader(splat_visibility_ps, SplatUniforms, DiscVarying)
 }
 
 program(splat_visibility_program, splat_visibility_vs, splat_visibility_ps,
-        SPLAT_VISIBILITY_DECLARATIONS, .inputs = { SURFEL_INPUTS })
+        SPLAT_VISIBILITY_DECLARATIONS, .inputs = { DISC_INPUTS })
 
 /* --- attributes ------------------------------------------------------------------------------- */
 

@@ -7,15 +7,23 @@
 
 #define HALF_LOG2_E 0.72134752044448170368f
 
-typedef struct SurfelVertex {
-    float3 position, normal;
+/* What is needed of a surfel's disc. */
+typedef struct DiscVertex {
+    float3 position;
     flt radius;
+    float3 normal;
+} DiscVertex;
+
+typedef struct SurfelVertex {
+    float3 position;
+    flt radius;
+    float3 normal;
     float4 color; /* its alpha squared is how much of the area 2 pi radius^2 it stands for */
 } SurfelVertex;
 
 /* clang-format off */
-#define SURFEL_INPUTS                                                                              \
-    { GP_POSITION, 3 }, { GP_NORMAL, 3 }, { GP_POINT_SIZE, 1 }, { GP_COLOR, 4 }
+#define DISC_INPUTS   { GP_POSITION, 4 }, { GP_NORMAL, 3 }
+#define SURFEL_INPUTS DISC_INPUTS, { GP_COLOR, 4 }
 /* clang-format on */
 
 /* Where a surfel lies before the eye: x right, y down, z forward. */
@@ -169,7 +177,7 @@ typedef struct DiscVarying {
     float2 place;
 } DiscVarying;
 
-GP_INLINE void splat_disc_vertex(const SplatUniforms *c, const SurfelVertex *in, float4 *position,
+GP_INLINE void splat_disc_vertex(const SplatUniforms *c, const DiscVertex *in, float4 *position,
                                  DiscVarying *out, flt *point_size)
 {
     EyeSurfel eye = surfel_before_eye(c, in->position, in->normal, in->radius);

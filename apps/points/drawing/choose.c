@@ -15,6 +15,13 @@ typedef struct Chooser {
     double h, tangent; /* square pixels; of half the angle of view */
 } Chooser;
 
+/* Whether a range holds more than leaves. */
+static bool is_merged(const Patches *patches, const PatchRange *range)
+{
+    const Patch *patch = &patches->patches[range->patch];
+    return range->first < patch_levels(patches, patch)[patch->level_count - 1].first;
+}
+
 /* Radii of the standard deviations of what a range draws; a range may hold some of the next level. */
 static void range_deviations(const Chooser *chooser, const PatchRange *range, double *least,
                              double *most)
@@ -31,8 +38,10 @@ static void range_deviations(const Chooser *chooser, const PatchRange *range, do
         *least = fmin(*least, (double)levels[level + 1].least_width);
         *most = fmax(*most, (double)levels[level + 1].most_width);
     }
-    *least *= chooser->setting->spread;
-    *most *= chooser->setting->spread;
+    const double spread =
+        chooser->setting->spread * (is_merged(patches, range) ? SPLAT_MERGED_SPREAD : 1);
+    *least *= spread;
+    *most *= spread;
 }
 
 /* Ours: the filter that may be left out within the tolerance, whatever surfel of the patch. */
@@ -114,8 +123,8 @@ static SplatMethod choose_filter(const Chooser *chooser, const PatchRange *range
 
 /* Pixels by which the discs that hide may reach beyond those that are drawn: less where a patch may hold
  * an edge of the surface, behind which another begins. */
-#define HIDERS_REACH      2
-#define HIDERS_EDGE_REACH 1
+#define HIDERS_REACH      1
+#define HIDERS_EDGE_REACH 0.5
 
 /* What leaves the visibility of a range: the coarsest whole level above it whose discs are not much
  * wider. A parent's disc covers those of its children, so nothing behind them shows; at the edges of
@@ -128,8 +137,8 @@ static SplatRun hider_of(const Chooser *chooser, const PatchRange *range, SplatR
     const double reach = pixels * range->nearest / chooser->view.pixels;
     for (; levels->first + levels->count <= range->first; levels++)
         if ((double)levels->most_radius - (double)range->most_radius <= reach)
-            return (SplatRun){ own.filter, levels->first, levels->count, levels->mean_radius,
-                               own.patch };
+            return (SplatRun){ own.filter,          levels->first, levels->count,
+                               levels->mean_radius, own.patch,     true };
     return own;
 }
 
@@ -144,8 +153,12 @@ static GpResult runs_of(const Chooser *chooser, const LevelSelection *selection,
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (uint32_t i = 0; i < selection->range_count; i++) {
         const PatchRange *range = &selection->ranges[i];
-        runs[i] = (SplatRun){ choose_filter(chooser, range), range->first, range->count,
-                              range->mean_radius, range->patch };
+        runs[i] = (SplatRun){ choose_filter(chooser, range),
+                              range->first,
+                              range->count,
+                              range->mean_radius,
+                              range->patch,
+                              is_merged(chooser->patches, range) };
         if (hiders)
             hiders[i] = hider_of(chooser, range, runs[i]);
     }
@@ -173,7 +186,7 @@ GpResult splat_choose(const Patches *patches, const SplatView *view, const Splat
     chooser.tangent = chooser.view.axes.half_height;
     const double pixels =
         detail->pixels > 0 || detail->budget > 0 ? detail->pixels : bounded_detail(setting);
-    const LevelChoice choice = { .pixels = pixels / setting->spread,
+    const LevelChoice choice = { .pixels = pixels / (setting->spread * SPLAT_MERGED_SPREAD),
                                  .budget = detail->budget,
                                  .all_leaves = !(pixels > 0) && !detail->budget,
                                  .keeps_back = setting->two_sided,

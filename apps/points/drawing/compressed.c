@@ -48,7 +48,7 @@ void compressed_draw_runs(const SplatSource *source, const FilterUniforms *unifo
     for (uint32_t i = 0; i < source->run_count; i++) {
         const SplatRun *run = &source->runs[i];
         const GpGeometry geometry = run_geometry(compressed, run);
-        const SplatUniforms *filtered = uniforms->of[run->filter];
+        const SplatUniforms *filtered = splat_run_uniforms(uniforms, run);
         if (run->count == 0 || !filtered) /* without memory */
             continue;
         set.splat = *filtered;

@@ -31,8 +31,8 @@ static void draw_runs(const SplatSource *source, const SplatEye *eye, const Spla
 {
     FilterUniforms uniforms;
     const LitPointUniforms lit = lit_uniforms(eye, view, setting);
-    uniforms.of[setting->method] = /* those that are not lit are its beginning */
-        frame_copy(frame, &lit, view->lit ? sizeof lit : sizeof lit.splat);
+    uniforms.of[false][setting->method] = uniforms.of[true][setting->method] =
+        frame_copy(frame, &lit, view->lit ? sizeof lit : sizeof lit.splat); /* its beginning */
     splat_draw_runs(source, &uniforms, program_of(setting->method, view->lit), &nearest, frame);
 }
 
@@ -47,9 +47,8 @@ static void draw_sequence(const SplatSource *source, const SplatEye *eye, const 
         .primitive = GP_POINTS,
         .vertex_count = source->node_count,
         .streams = {
-            [GP_POSITION] = { first->surfel.position, step, 3, GP_FLOAT32 },
+            [GP_POSITION] = { first->surfel.position, step, 4, GP_FLOAT32 },
             [GP_NORMAL] = { first->surfel.normal, step, 3, GP_FLOAT32 },
-            [GP_POINT_SIZE] = { &first->surfel.radius, step, 1, GP_FLOAT32 },
             [GP_COLOR] = { first->surfel.color, step, 4, GP_UNORM8 },
             [GP_TEXCOORD0] = { first->size, step, 2, GP_FLOAT32 },
         },

@@ -36,9 +36,8 @@ GpGeometry splat_quads(const SplatSource *source, Frame *frame)
         .indices = indices,
         .index_count = 6 * count,
         .streams = {
-            [GP_POSITION] = { vertices->surfel.position, step, 3, GP_FLOAT32 },
+            [GP_POSITION] = { vertices->surfel.position, step, 4, GP_FLOAT32 },
             [GP_NORMAL] = { vertices->surfel.normal, step, 3, GP_FLOAT32 },
-            [GP_POINT_SIZE] = { &vertices->surfel.radius, step, 1, GP_FLOAT32 },
             [GP_COLOR] = { vertices->surfel.color, step, 4, GP_UNORM8 },
             [GP_TEXCOORD0] = { vertices->corner, step, 2, GP_FLOAT32 },
         },

@@ -63,9 +63,8 @@ GpGeometry splat_run_geometry(const SplatSource *source, const SplatRun *run)
         .primitive = GP_POINTS,
         .vertex_count = run->count,
         .streams = {
-            [GP_POSITION] = { first->position, sizeof *first, 3, GP_FLOAT32 },
+            [GP_POSITION] = { first->position, sizeof *first, 4, GP_FLOAT32 },
             [GP_NORMAL] = { first->normal, sizeof *first, 3, GP_FLOAT32 },
-            [GP_POINT_SIZE] = { &first->radius, sizeof *first, 1, GP_FLOAT32 },
             [GP_COLOR] = { first->color, sizeof *first, 4, GP_UNORM8 },
         },
     };
@@ -80,8 +79,10 @@ FilterUniforms splat_filter_uniforms(const SplatEye *eye, const SplatView *view,
 {
     FilterUniforms uniforms;
     for (int i = 0; i < SPLAT_METHODS; i++) {
-        const SplatUniforms filtered = splat_uniforms(eye, view, setting, (SplatMethod)i);
-        uniforms.of[i] = frame_copy(frame, &filtered, sizeof filtered);
+        SplatUniforms filtered = splat_uniforms(eye, view, setting, (SplatMethod)i);
+        uniforms.of[false][i] = frame_copy(frame, &filtered, sizeof filtered);
+        filtered.spread *= (float)SPLAT_MERGED_SPREAD;
+        uniforms.of[true][i] = frame_copy(frame, &filtered, sizeof filtered);
     }
     return uniforms;
 }
@@ -93,6 +94,7 @@ void splat_draw_runs(const SplatSource *source, const FilterUniforms *uniforms,
         const SplatRun *run = &source->runs[i];
         const GpGeometry geometry = splat_run_geometry(source, run);
         if (run->count > 0)
-            frame_draw(frame, program, uniforms->of[run->filter], &geometry)->state = *state;
+            frame_draw(frame, program, splat_run_uniforms(uniforms, run), &geometry)->state =
+                *state;
     }
 }

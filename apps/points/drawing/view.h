@@ -27,15 +27,20 @@ SplatLight splat_light(const SplatView *view);
 SplatUniforms splat_uniforms(const SplatEye *eye, const SplatView *view,
                              const SplatSetting *setting, SplatMethod filter);
 
-/* Uniforms for each filter that a run may have, in the frame's memory. */
+/* Uniforms for each filter that a run may have, of leaves and of merged surfels, in the frame's memory. */
 typedef struct FilterUniforms {
-    const void *of[SPLAT_METHODS];
+    const void *of[2][SPLAT_METHODS];
 } FilterUniforms;
+
+static inline const void *splat_run_uniforms(const FilterUniforms *uniforms, const SplatRun *run)
+{
+    return uniforms->of[run->merged][run->filter];
+}
 
 FilterUniforms splat_filter_uniforms(const SplatEye *eye, const SplatView *view,
                                      const SplatSetting *setting, Frame *frame);
 
-/* Surfels of a run as points. */
+/* Surfels of a run as points; a position's fourth component is the radius behind it. */
 GpGeometry splat_run_geometry(const SplatSource *source, const SplatRun *run);
 
 /* Draws every run to the frame's last pass, with its filter's uniforms. */

@@ -10,7 +10,7 @@ static const SplatSource *clipped_surfels(const PointsModel *model, SplatMethod 
                                           Frame *frame)
 {
     const Surfels *surfels = &model->surfels;
-    const SplatRun run = { method, 0, surfels->clip_count, model->mean_radius, 0 };
+    const SplatRun run = { method, 0, surfels->clip_count, model->mean_radius, 0, false };
     const SplatSource source = { .surfels = surfels->surfels + surfels->count - surfels->clip_count,
                                  .clips = surfels->clips,
                                  .runs = frame_copy(frame, &run, sizeof run),
@@ -24,7 +24,7 @@ static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame 
     const bool clips = splat_has_clips(method) && model->surfels.clip_count > 0;
     const SplatRun all = { method, 0,
                            model->surfels.count - (clips ? model->surfels.clip_count : 0),
-                           model->mean_radius, 0 };
+                           model->mean_radius, 0, false };
     *source = (SplatSource){ .surfels = model->surfels.surfels,
                              .runs = frame_copy(frame, &all, sizeof all),
                              .run_count = 1 };
