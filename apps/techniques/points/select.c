@@ -22,9 +22,12 @@ static GpResult all_surfels(const PointsModel *model, SplatMethod method, Frame 
                             SplatSource *source, GpError *error)
 {
     const bool clips = splat_has_clips(method) && model->surfels.clip_count > 0;
-    const SplatRun all = { method, 0,
+    const SplatRun all = { method,
+                           0,
                            model->surfels.count - (clips ? model->surfels.clip_count : 0),
-                           model->mean_radius, 0, false };
+                           model->mean_radius,
+                           0,
+                           false };
     *source = (SplatSource){ .surfels = model->surfels.surfels,
                              .runs = frame_copy(frame, &all, sizeof all),
                              .run_count = 1 };

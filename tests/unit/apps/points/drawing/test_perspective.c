@@ -82,7 +82,7 @@ static Off measure(SplatMethod method)
     Frame frame = { .color = NULL };
     make_plane(surfels);
     const SplatView view = make_view();
-    const SplatRun run = { SPLAT_EWA, 0, COUNT, surfels[0].radius };
+    const SplatRun run = { .filter = SPLAT_EWA, .count = COUNT, .radius = surfels[0].radius };
     const SplatSource source = { .surfels = surfels, .runs = &run, .run_count = 1 };
     const SplatSetting setting = { .method = method,
                                    .sums = SPLAT_FLOATS,
