@@ -13,7 +13,7 @@ enum { SIDE = 512 };
 typedef struct Case {
     VolumeModel *model;
     VolumeOptions *options;
-    double build_ms; /* the list of a second frame */
+    double build_ms; /* the list of a second frame, by this thread, which alone makes it */
 } Case;
 
 #define BONSAI "volumes/bonsai.raw.gz", "bonsai"
@@ -78,10 +78,10 @@ static GpResult build_twice(Case *made, GpDevice *device, Frame *frame, GpError 
     if (made->options->splats.mode != VOXELS_IM)
         result = volume_technique.build(made->model, made->options, device, &first, error);
     frame_free(&first);
-    const double start = machine_clock_ms(CLOCK_MONOTONIC);
+    const double start = machine_clock_ms(CLOCK_THREAD_CPUTIME_ID);
     if (!result)
         result = volume_technique.build(made->model, made->options, device, frame, error);
-    made->build_ms = machine_clock_ms(CLOCK_MONOTONIC) - start;
+    made->build_ms = machine_clock_ms(CLOCK_THREAD_CPUTIME_ID) - start;
     return result;
 }
 
@@ -117,20 +117,27 @@ static GpResult draw_class(Case *made)
     return result;
 }
 
-/* The mean time that a change of the transfer function takes, to one that hides half of the stops, and
- * back, beyond that of building a frame. */
+enum { CHANGES = 5 };
+
+/* What a change of the transfer function takes, to one that hides half of the stops and back, beyond that
+ * of building a frame: the mean of both, the least of several times. */
 static GpResult time_classes(Case *made, double *ms)
 {
     VolumeModel *model = made->model;
     const Transfer kept = model->transfer;
-    const double start = machine_clock_ms(CLOCK_MONOTONIC);
-    for (uint32_t i = 0; i < kept.count / 2; i++)
-        model->transfer.stops[i].rgba[3] = 0;
-    GpResult result = draw_class(made);
-    model->transfer = kept;
-    if (!result)
+    GpResult result = GP_OK;
+    double least = (double)INFINITY;
+    for (int change = 0; change < CHANGES && !result; change++) {
+        const double start = machine_clock_ms(CLOCK_THREAD_CPUTIME_ID);
+        for (uint32_t i = 0; i < kept.count / 2; i++)
+            model->transfer.stops[i].rgba[3] = 0;
         result = draw_class(made);
-    *ms = fmax((machine_clock_ms(CLOCK_MONOTONIC) - start) / 2 - made->build_ms, 0);
+        model->transfer = kept;
+        if (!result)
+            result = draw_class(made);
+        least = fmin(least, (machine_clock_ms(CLOCK_THREAD_CPUTIME_ID) - start) / 2);
+    }
+    *ms = fmax(least - made->build_ms, 0);
     return result;
 }
 
