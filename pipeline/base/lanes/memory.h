@@ -145,6 +145,33 @@ GP_INLINE void lanes_store4(void *record, size_t stride, const itg word[4])
     }
 }
 
+/* Four words of each lane from records in a row, and the way back. */
+GP_INLINE void lanes_load4_row(const void *records, itg word[4])
+{
+    enum { FOURS = GP_LANES / 4 };
+    itg row[4], from;
+    __builtin_memcpy(row, records, sizeof row);
+    lanes_transpose4(row, word); /* lane k of four q is record k FOURS + q */
+    for (int lane = 0; lane < GP_LANES; lane++)
+        from[lane] = lane % FOURS * 4 + lane / FOURS;
+    GP_UNROLL
+    for (int i = 0; i < 4 && FOURS > 1; i++)
+        word[i] = itg_permute(word[i], from);
+}
+
+GP_INLINE void lanes_store4_row(void *records, const itg word[4])
+{
+    enum { FOURS = GP_LANES / 4 };
+    itg row[4], mixed[4], from;
+    for (int lane = 0; lane < GP_LANES; lane++)
+        from[lane] = lane % 4 * FOURS + lane / 4;
+    GP_UNROLL
+    for (int i = 0; i < 4; i++)
+        mixed[i] = FOURS > 1 ? itg_permute(word[i], from) : word[i];
+    lanes_transpose4(mixed, row);
+    __builtin_memcpy(records, row, sizeof row);
+}
+
 /* --- gathered by offsets ---------------------------------------------------------------------- */
 
 /* Without optimization these intrinsics are macros that the compiler's own warnings stumble over. */

@@ -4,25 +4,34 @@
 
 /* --- targets ---------------------------------------------------------------------------------- */
 
-/* Pixels of a row from x on. Channels that the format lacks are 0, and go nowhere. */
-GP_INLINE void interleave(const FastPlanes *planes, int channels, uint32_t at, float (*pixel)[4])
+/* A whole target's pixels side by side, or its channels. Channels that the format lacks are 0, and go
+ * nowhere. */
+GP_INLINE void interleave(const Tile *tile, const FastPlanes *planes, int channels,
+                          float (*pixel)[4])
 {
-    itg channel[4];
-    for (int c = 0; c < 4; c++)
-        channel[c] = c < channels ? (itg)flt_load(planes->channel[c] + at) : itg_set(0);
-    lanes_store4(pixel[at], sizeof pixel[at], channel);
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
+            const uint32_t at = fast_at(x, y);
+            itg channel[4];
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                channel[c] = c < channels ? (itg)flt_load(planes->channel[c] + at) : itg_set(0);
+            lanes_store4_row(pixel[at], channel);
+        }
 }
 
-GP_INLINE void separate(const float (*pixel)[4], int channels, uint32_t at, FastPlanes *planes)
+GP_INLINE void separate(const Tile *tile, const float (*pixel)[4], int channels, FastPlanes *planes)
 {
-    const void *place[GP_LANES];
-    itg channel[4];
-    GP_UNROLL
-    for (int lane = 0; lane < GP_LANES; lane++)
-        place[lane] = pixel[at + (uint32_t)lane];
-    lanes_load4(place, channel);
-    for (int c = 0; c < channels; c++)
-        flt_store(planes->channel[c] + at, (flt)channel[c]);
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
+            const uint32_t at = fast_at(x, y);
+            itg channel[4];
+            lanes_load4_row(pixel[at], channel);
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                if (c < channels)
+                    flt_store(planes->channel[c] + at, (flt)channel[c]);
+        }
 }
 
 static int channels_of(const Tile *tile, int target)
@@ -34,20 +43,24 @@ void fast_begin_sums(Tile *tile, const FastDraw *d)
 {
     const int written = gp_program_targets(d->draw->program);
     tile->sums->targets = written < tile->targets ? written : tile->targets;
-    for (int t = 0; t < tile->sums->targets; t++)
-        for (int32_t y = 0; y < tile->height; y++)
-            for (int32_t x = 0; x < tile->width; x += GP_LANES)
-                interleave(tile->planes[t], channels_of(tile, t), fast_at(x, y),
-                           tile->sums->pixel[t]);
+    for (int t = 0; t < tile->sums->targets; t++) {
+        const int channels = channels_of(tile, t);
+        if (channels == 4)
+            interleave(tile, tile->planes[t], 4, tile->sums->pixel[t]);
+        else
+            interleave(tile, tile->planes[t], channels, tile->sums->pixel[t]);
+    }
 }
 
 void fast_end_sums(Tile *tile)
 {
-    for (int t = 0; t < tile->sums->targets; t++)
-        for (int32_t y = 0; y < tile->height; y++)
-            for (int32_t x = 0; x < tile->width; x += GP_LANES)
-                separate(tile->sums->pixel[t], channels_of(tile, t), fast_at(x, y),
-                         tile->planes[t]);
+    for (int t = 0; t < tile->sums->targets; t++) {
+        const int channels = channels_of(tile, t);
+        if (channels == 4)
+            separate(tile, tile->sums->pixel[t], 4, tile->planes[t]);
+        else
+            separate(tile, tile->sums->pixel[t], channels, tile->planes[t]);
+    }
     tile->sums->targets = 0;
 }
 
