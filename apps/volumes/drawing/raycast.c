@@ -207,6 +207,36 @@ static bool find_reach(const Field *field, const Camera *camera, const CameraAxe
     return reach[0] < reach[1];
 }
 
+/* Pixels that the volume's box is on, and one around; all, where it is not wholly before the eye. */
+static GpRect find_rect(const Field *field, const VolumeView *view, const CameraAxes *axes)
+{
+    const Camera *camera = &view->camera;
+    const double half[2] = { axes->half_width, axes->half_height };
+    const double size[2] = { view->width, view->height };
+    double low[2] = { 1, 1 }, high[2] = { -1, -1 };
+    for (int corner = 0; corner < 8; corner++) {
+        double at[3] = { 0 };
+        for (int i = 0; i < 3; i++) {
+            const double end = corner >> i & 1 ? (field->size[i] - 1) * field->scale[i] : 0;
+            at[0] += (end - camera->eye[i]) * axes->right[i];
+            at[1] -= (end - camera->eye[i]) * axes->up[i];
+            at[2] += (end - camera->eye[i]) * axes->forward[i];
+        }
+        for (int i = 0; i < 2; i++) {
+            const double place = at[i] / (half[i] * (camera->fovy > 0 ? at[2] : 1));
+            low[i] = fmin(low[i], at[2] < camera->near ? -1 : fmax(place, -1));
+            high[i] = fmax(high[i], at[2] < camera->near ? 1 : fmin(place, 1));
+        }
+    }
+    int32_t pixels[2][2];
+    for (int i = 0; i < 2; i++) {
+        pixels[0][i] = (int32_t)floor((low[i] + 1) / 2 * size[i]) - 1;
+        pixels[1][i] = (int32_t)ceil((high[i] + 1) / 2 * size[i]) + 1;
+    }
+    return gp_rect_common((GpRect){ pixels[0][0], pixels[0][1], pixels[1][0], pixels[1][1] },
+                          (GpRect){ 0, 0, (int32_t)view->width, (int32_t)view->height });
+}
+
 typedef struct RayCorner {
     float corner[2], start[3], way[3];
 } RayCorner;
@@ -319,7 +349,9 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
     frame_pass(frame, setting->name ? setting->name : "raycast", target->color, NULL, none)
         ->color[0]
         .clear = false;
-    if (!corners || !volume->runs || !find_reach(volume->field, &view->camera, &axes, reach))
+    const GpRect rect = find_rect(volume->field, view, &axes);
+    if (!corners || !volume->runs || gp_rect_is_empty(rect) ||
+        !find_reach(volume->field, &view->camera, &axes, reach))
         return frame_result(frame, error);
     find_corners(volume->field, view, &axes, reach, corners);
     const GpResult result = find_runs(volume, ways_of(&view->camera, &axes), error);
@@ -345,6 +377,11 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
     draw->textures[1] = (GpTexture){ volume->runs, points };
     draw->textures[2] = (GpTexture){ make_table(&volume->transfer, step, frame), points };
     draw->textures[3] = (GpTexture){ depth, points };
+    draw->state.raster = (GpRasterState){ .scissor = true,
+                                          .scissor_x0 = rect.x0,
+                                          .scissor_y0 = rect.y0,
+                                          .scissor_x1 = rect.x1,
+                                          .scissor_y1 = rect.y1 };
     draw->state.blend[0] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
     return frame_result(frame, error);
 }

@@ -226,11 +226,12 @@ static void what_cannot_be_seen_is_not(void **state)
     static const Transfer even = { 1, { { 0, { 1, .5, .25, .2 } } } };
     const Field flat = { { 5, 5, 1 }, { 1, 1, 1 }, samples, 0, 255 };
     Field field = volume_field("builtin:ball:16", NULL);
-    const Field *fields[] = { &flat, &field };
-    for (int i = 0; i < 2; i++) {
+    const Field *fields[] = { &flat, &field, &field };
+    static const double at[3][3] = { { 5, 5, 5 }, { 5, 5, 50 }, { 40, 5, 20 } };
+    for (int i = 0; i < 3; i++) {
         RaycastVolume volume = open_volume(fields[i], &even);
         const VolumeView view = volume_view((Camera){ .eye = { 5, 5, 40 },
-                                                      .at = { 5, 5, i ? 50 : 5 },
+                                                      .at = { at[i][0], at[i][1], at[i][2] },
                                                       .up = { 0, 1, 0 },
                                                       .fovy = 50,
                                                       .near = 1,
