@@ -103,6 +103,8 @@ static GpResult check_output(TechniqueArgs *args, GpError *error)
             setting_is_given(technique->settings, args->settings.given, field->name))
             return gp_fail(error, GP_ERROR_INVALID, "--%s is for pictures: -o FILE.png",
                            field->name);
+    if (technique->imply)
+        technique->imply(args->settings.object, args->settings.given);
     return technique->check ? technique->check(args->settings.object, args->settings.given,
                                                args->extension, error)
                             : GP_OK;

@@ -156,6 +156,11 @@ typedef struct Technique {
     const TechniqueScaling *scaling; /* NULL: none */
     const PaperTable *const *tables; /* NULL at the end; NULL: none */
 
+    /* Sets what the options that were given mean of those that were not: that of one method alone means
+     * the method. Before check.
+     * in   given: bit i: the user gave settings[i]. NULL: they mean nothing else */
+    void (*imply)(void *setting, uint32_t given);
+
     /* Whether options go together, and with the extension of the file to be written.
      * in   given: bit i: the user gave settings[i]
      * errors GP_ERROR_INVALID, with the reason. NULL: always */

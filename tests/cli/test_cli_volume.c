@@ -31,10 +31,10 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "", "expected a volume" },
         { "a.nrrd b.nrrd", "b.nrrd" },
         { "a.nrrd --method best", "--method: expected raycast" },
-        { "a.nrrd --mode vt", "--mode: expected --method splat with it" },
+        { "a.nrrd --method raycast --mode vt", "--mode: expected --method splat with it" },
         { "a.nrrd --method splat --step 2", "--step: expected --method raycast with it" },
         { "a.nrrd --step 0", "--step" },
-        { "a.nrrd --spacing 1", "--spacing: expected --method slices with it" },
+        { "a.nrrd --method raycast --spacing 1", "--spacing: expected --method slices with it" },
         { "a.nrrd --method splat --mode xx", "--mode: expected vb, vt, pt, im or qd" },
         { "a.nrrd --method splat --filter box",
           "--filter: expected ewa, reconstruction, lowpass, adaptive or" },
@@ -193,6 +193,34 @@ static void json_has_what_checks_ask_for(void **state)
     expect_files("a.exr b.png");
 }
 
+static void setting_of(const char *options, char setting[512])
+{
+    assert_int_equal(
+        shell("glasspipe volume builtin:ball:16 --size 32x32 -q --json -o a.png %s", options), 0);
+    json_t *object = parse_output();
+    snprintf(setting, 512, "%s", json_string_value(json_object_get(object, "setting")));
+    json_decref(object);
+}
+
+static void options_of_one_method_mean_it(void **state)
+{
+    (void)state;
+    static const char *const options[][2] = {
+        { "--mode vt", "--method splat --mode vt" },
+        { "--filter lowpass", "--method splat --filter lowpass" },
+        { "--spacing 2", "--method slices --spacing 2" },
+        { "--step 2", "--method raycast --step 2" },
+        { "", "--method raycast" },
+    };
+    unlink("scene.json");
+    for (size_t i = 0; i < GP_COUNT(options); i++) {
+        char implied[512], named[512];
+        setting_of(options[i][0], implied);
+        setting_of(options[i][1], named);
+        assert_string_equal(implied, named);
+    }
+}
+
 /* The README shows them. */
 static void stored_pictures_are_what_their_commands_draw(void **state)
 {
@@ -229,6 +257,7 @@ int main(void)
         PROGRAM_TEST(volumes_are_drawn),
         PROGRAM_TEST(odd_volumes_and_places_are_drawn),
         PROGRAM_TEST(json_has_what_checks_ask_for),
+        PROGRAM_TEST(options_of_one_method_mean_it),
         PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
     };
     return cmocka_run_group_tests_name("volume", tests, find_program, NULL);

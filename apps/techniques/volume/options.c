@@ -33,7 +33,7 @@ const SettingField volume_settings[] = {
       "raycast: a ray for each pixel, values interpolated and then classified (default); slices: "
       "the "
       "same in planes between slices, with 2D textures; splat: each sample a spot, added up in "
-      "sheets",
+      "sheets. An option of one method alone means that method",
       SETTING_NAME, OF(method), .names = methods },
 
     { "step", "L", "Length of a ray's steps, in samples (default: 1)", SETTING_NUMBER,
@@ -104,7 +104,7 @@ _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two a
 
 /* --- what goes together ------------------------------------------------------------------------- */
 
-/* Options of one method, refused beside another. */
+/* Options of one method, which mean it where none is named, and are refused beside another. */
 static const struct {
     const char *option;
     VolumeMethod method;
@@ -115,6 +115,16 @@ static const struct {
     { "deviation", VOLUME_SPLAT }, { "cut", VOLUME_SPLAT },       { "lowpass", VOLUME_SPLAT },
     { "tolerance", VOLUME_SPLAT }, { "thickness", VOLUME_SPLAT }, { "cull", VOLUME_SPLAT },
 };
+
+void volume_options_imply(void *setting, uint32_t given)
+{
+    VolumeOptions *options = setting;
+    if (setting_is_given(volume_settings, given, "method"))
+        return;
+    for (size_t i = 0; i < GP_COUNT(belongs); i++)
+        if (setting_is_given(volume_settings, given, belongs[i].option))
+            options->method = belongs[i].method;
+}
 
 GpResult volume_options_check(const void *setting, uint32_t given, const char *extension,
                               GpError *error)

@@ -33,7 +33,9 @@ typedef struct VolumeOptions {
 extern const SettingField volume_settings[];
 extern const VolumeOptions volume_option_defaults;
 
-/* As a technique's check. */
+/* As a technique's imply and check. */
+void volume_options_imply(void *options, uint32_t given);
+
 GpResult volume_options_check(const void *options, uint32_t given, const char *extension,
                               GpError *error);
 

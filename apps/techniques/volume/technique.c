@@ -60,6 +60,7 @@ const Technique volume_technique = {
     .experiments = volume_experiments,
     .scaling = &volume_scaling,
     .tables = volume_tables,
+    .imply = volume_options_imply,
     .check = volume_options_check,
     .open = volume_model_open,
     .close = close_all,
