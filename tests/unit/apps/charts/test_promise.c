@@ -335,7 +335,10 @@ static const char tetrahedron[] =
 static uint64_t key_of(const char *path, uint32_t width, const void *setting)
 {
     const Technique *technique = technique_find(technique_registry, "shadow");
-    const TechniqueInput input = { path, width, width, setting ? setting : technique->defaults };
+    const TechniqueInput input = { .path = path,
+                                   .width = width,
+                                   .height = width,
+                                   .setting = setting ? setting : technique->defaults };
     return measured_key(technique, technique->experiments, &input);
 }
 
@@ -369,8 +372,8 @@ static void settings_aside_are_in_the_key_and_pictures_of_volumes_are_not(void *
                   { "size", "64", false } };
     const Technique *technique = technique_find(technique_registry, "voxelize");
     void *setting = gp_alloc(1, technique->setting_bytes);
-    const TechniqueInput usual = { "builtin:knot", 0, 0, technique->defaults },
-                         own = { "builtin:knot", 0, 0, setting };
+    const TechniqueInput usual = { .path = "builtin:knot", .setting = technique->defaults },
+                         own = { .path = "builtin:knot", .setting = setting };
     const uint64_t key = measured_key(technique, technique->experiments, &usual);
     assert_true(measured_key(technique, technique->experiments + 1, &usual) != key);
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
