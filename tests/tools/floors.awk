@@ -25,7 +25,7 @@ BEGIN {
     floor("shaders_c")
     floor("apps/base")
     floor("apps/frame")
-    floor("apps/compare apps/points apps/volumes apps/depth_images apps/convex_pieces")
+    floor("apps/compare apps/points apps/volumes apps/depth_images apps/fragments")
     floor("apps/scene")
     floor("apps/truth apps/effect")
     floor("apps/techniques")
