@@ -1,6 +1,7 @@
 #include "apps/base/stable_math.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* ln 2 in two parts: products of the first with whole numbers of up to 11 bits are exact. */
 static const double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33;
@@ -46,4 +47,30 @@ double stable_pow(double x, double y)
     if (y == 0)
         return 1;
     return x == 0 && y > 0 ? 0 : stable_exp(y * stable_log(x));
+}
+
+/* atan t for t in [0, 1]: above tan(pi / 8) as pi / 4 + atan((t - 1) / (t + 1)); by its series, in which
+ * t^2 <= 0.1716, so that the first term left out is below 2^-57 of the sum. */
+static double atan_of_share(double t)
+{
+    const double quarter = 0x1.921fb54442d18p-1;
+    const bool is_large = t > 0x1.a827999fcef32p-2;
+    const double z = is_large ? (t - 1) / (t + 1) : t, z2 = z * z;
+    double sum = 0;
+    for (int i = 43; i > 1; i -= 2)
+        sum = (1.0 / i - sum) * z2;
+    const double angle = z - z * sum;
+    return is_large ? quarter + angle : angle;
+}
+
+double stable_atan2(double y, double x)
+{
+    const double half = 0x1.921fb54442d18p+0, whole = 0x1.921fb54442d18p+1;
+    const double up = fabs(y), right = fabs(x);
+    if (up == 0 && right == 0)
+        return 0;
+    double angle = up > right ? half - atan_of_share(right / up) : atan_of_share(up / right);
+    if (x < 0)
+        angle = whole - angle;
+    return y < 0 ? -angle : angle;
 }

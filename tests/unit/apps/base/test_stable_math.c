@@ -57,12 +57,33 @@ static void edges_are_those_that_are_promised(void **state)
     assert_true(stable_pow(1, 0.3) == 1);
 }
 
+static void angles_are_those_of_long_double_all_round(void **state)
+{
+    (void)state;
+    Random random = { 9 };
+    double worst = 0;
+    for (int i = 0; i < 200000; i++) {
+        const double y = (double)random_float(&random, -1, 1),
+                     x = (double)random_float(&random, -1, 1);
+        const double scale = i & 1 ? 1e-9 : 1;
+        const double off =
+            ulps(stable_atan2(y * scale, x), atan2l((long double)(y * scale), (long double)x));
+        worst = off > worst ? off : worst;
+    }
+    if (!(worst <= 3))
+        fail_msg("atan2 %.2f ulp", worst);
+    assert_true(stable_atan2(0, 0) == 0 && stable_atan2(0, 2) == 0);
+    assert_true(stable_atan2(3, 0) == acos(0) && stable_atan2(-3, 0) == -acos(0));
+    assert_true(stable_atan2(0, -2) == acos(-1) && stable_atan2(1, 1) == acos(0) / 2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_arguments_have_the_errors_that_are_stated),
         cmocka_unit_test(arguments_near_one_keep_their_digits),
         cmocka_unit_test(edges_are_those_that_are_promised),
+        cmocka_unit_test(angles_are_those_of_long_double_all_round),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
