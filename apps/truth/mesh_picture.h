@@ -5,12 +5,8 @@
 #define APPS_TRUTH_MESH_PICTURE_H
 
 #include "apps/base/camera.h"
+#include "apps/truth/mesh_paint.h"
 #include "pipeline/base/pool.h"
-
-/* Colour at a place of a triangle.
- * in  share: of each corner, at least 0, sum 1; out color: red, green, blue */
-typedef void TruthColor(const void *context, uint32_t triangle, const double share[3],
-                        double color[3]);
 
 typedef struct MeshPictureScene {
     const float *positions;  /* three a vertex */

@@ -4,71 +4,28 @@
 
 /* --- the mesh --------------------------------------------------------------------------------- */
 
-typedef struct Paint {
-    const GpMesh *mesh;
-    const SplatView *view;
-    const uint8_t *color; /* of all points; NULL: the vertices' own */
-    SplatLight light;
-} Paint;
-
-/* A vector of the vertices at a place of a triangle. */
-static void mix(const float *vertices, size_t width, const uint32_t *corner, const double share[3],
-                double mixed[3])
-{
-    for (size_t k = 0; k < 3; k++) {
-        mixed[k] = 0;
-        for (int i = 0; i < 3; i++)
-            mixed[k] += share[i] * (double)vertices[width * corner[i] + k];
-    }
-}
-
-/* As the program that shades does it (shaders_c/points/normalize.c), in double. */
-static void shade(const Paint *paint, const double place[3], double normal[3], double color[3])
-{
-    const SplatLight *light = &paint->light;
-    double towards[3], half[3];
-    vector_normalize(normal);
-    vector_subtract(paint->view->camera.eye, place, towards);
-    vector_normalize(towards);
-    if (vector_dot(normal, towards) < 0)
-        for (int k = 0; k < 3; k++)
-            normal[k] = -normal[k];
-    for (int k = 0; k < 3; k++)
-        half[k] = light->towards[k] + towards[k];
-    vector_normalize(half);
-    const double lambert = fmax(vector_dot(normal, light->towards), 0);
-    const double highlight = pow(fmax(vector_dot(normal, half), 0), light->shininess);
-    for (int k = 0; k < 3; k++)
-        color[k] = fmin(color[k] * (light->ambient + (1 - light->ambient) * lambert) +
-                            light->specular * highlight,
-                        1);
-}
-
-static void color_of(const void *context, uint32_t triangle, const double share[3], double color[3])
-{
-    const Paint *paint = context;
-    const GpMesh *mesh = paint->mesh;
-    const uint32_t *corner = mesh->indices + 3 * (size_t)triangle;
-    double place[3], normal[3];
-    mix(mesh->positions, 3, corner, share, place);
-    if (paint->view->waves > 0)
-        for (int k = 0; k < 3; k++)
-            color[k] = 0.5 + 0.5 * sin(paint->view->waves * place[k]);
-    else if (paint->color)
-        for (int k = 0; k < 3; k++)
-            color[k] = paint->color[k] / 255.0;
-    else
-        mix(mesh->colors, 4, corner, share, color);
-    if (!paint->view->lit)
-        return;
-    mix(mesh->normals, 3, corner, share, normal);
-    shade(paint, place, normal, color);
-}
-
 GpResult points_truth_find(const GpMesh *mesh, const uint8_t *color, const SplatView *view,
                            GpPool *pool, MeshPicture *truth)
 {
-    const Paint paint = { mesh, view, color, splat_light(view) };
+    const SplatLight beside = splat_light(view);
+    TruthLight light = { .shininess = beside.shininess };
+    double all[3] = { 0 };
+    for (int k = 0; k < 3; k++) {
+        light.eye[k] = view->camera.eye[k];
+        light.source[k] = beside.towards[k];
+        light.ambient[k] = beside.ambient;
+        light.diffuse[k] = 1 - beside.ambient;
+        light.specular[k] = beside.specular;
+        all[k] = color ? color[k] / 255.0 : 0;
+    }
+    light.eye[3] = 1;
+    const MeshPaint paint = { .positions = mesh->positions,
+                              .normals = mesh->normals,
+                              .colors = mesh->colors,
+                              .indices = mesh->indices,
+                              .color = color ? all : NULL,
+                              .waves = view->waves,
+                              .light = view->lit ? &light : NULL };
     const MeshPictureScene scene = { .positions = mesh->positions,
                                      .stride = 3 * sizeof *mesh->positions,
                                      .indices = mesh->indices,
@@ -77,7 +34,7 @@ GpResult points_truth_find(const GpMesh *mesh, const uint8_t *color, const Splat
                                      .width = view->width,
                                      .height = view->height,
                                      .samples = 8,
-                                     .color = color_of,
+                                     .color = mesh_paint_color,
                                      .context = &paint };
     return mesh_picture_make(&scene, pool, truth);
 }
