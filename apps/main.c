@@ -16,8 +16,8 @@ static int dispatch(int argc, char **argv)
     bool help = strcmp(name, "help") == 0;
     if (help && argc > 2) {
         char option[] = "--help";
-        char *arguments[] = { NULL, option, NULL };
-        return commands_run(argv[2], 2, arguments);
+        char *arguments[] = { NULL, argc > 3 ? argv[3] : option, option, NULL };
+        return commands_run(argv[2], 3, arguments);
     }
     if (help || strcmp(name, "-h") == 0 || strcmp(name, "--help") == 0) {
         commands_help(stdout);

@@ -105,14 +105,27 @@ static int unknown_command(const char *name)
     return EXIT_USAGE;
 }
 
+/* Whether a command's name is a word and the one behind it: "warp capture". */
+static bool is_asked(const char *command, const char *name, int argc, char **argv, bool *has_two)
+{
+    const size_t length = strlen(name);
+    *has_two = command[length] == ' ' && strncmp(command, name, length) == 0;
+    return *has_two ? argc > 1 && strcmp(command + length + 1, argv[1]) == 0
+                    : strcmp(command, name) == 0;
+}
+
 int commands_run(const char *name, int argc, char **argv)
 {
     char title[32];
+    bool has_two;
     const Technique *technique = technique_find(technique_registry, name);
+    for (size_t i = 0; i < GP_COUNT(commands); i++)
+        if (is_asked(commands[i].name, name, argc, argv, &has_two)) {
+            snprintf(title, sizeof title, "glasspipe %s", commands[i].name);
+            argv[has_two] = title;
+            return commands[i].run(argc - has_two, argv + has_two);
+        }
     snprintf(title, sizeof title, "glasspipe %s", name);
     argv[0] = title;
-    for (size_t i = 0; i < GP_COUNT(commands); i++)
-        if (strcmp(commands[i].name, name) == 0)
-            return commands[i].run(argc, argv);
     return technique ? technique_command(technique, argc, argv) : unknown_command(name);
 }

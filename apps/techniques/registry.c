@@ -4,11 +4,13 @@
 #include "apps/techniques/shadow/technique.h"
 #include "apps/techniques/volume/technique.h"
 #include "apps/techniques/voxel/technique.h"
+#include "apps/techniques/warp/technique.h"
 
 #include <string.h>
 
 TechniqueList technique_registry = {
-    &voxel_technique, &shadow_technique, &points_technique, &volume_technique, NULL,
+    &voxel_technique,  &shadow_technique, &points_technique,
+    &volume_technique, &warp_technique,   NULL,
 };
 
 const Technique *technique_find(const Technique *const *list, const char *name)

@@ -5,9 +5,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-static const char *const commands[] = { "bench",   "chart", "render",   "compare",
-                                        "explain", "pixel", "points",   "shader",
-                                        "shadow",  "test",  "voxelize", "volume" };
+static const char *const commands[] = { "bench",    "chart",  "render", "compare", "explain",
+                                        "pixel",    "points", "shader", "shadow",  "test",
+                                        "voxelize", "volume", "warp" };
 
 /* --- help ------------------------------------------------------------------------------------- */
 

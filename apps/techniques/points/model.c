@@ -3,6 +3,7 @@
 #include "apps/scene/camera_file.h"
 #include "apps/base/content.h"
 #include "apps/base/machine.h"
+#include "apps/base/model_color.h"
 #include "apps/base/vector.h"
 #include "apps/scene/model.h"
 
@@ -139,7 +140,7 @@ static GpResult find_view(const TechniqueInput *input, const Bounds *bounds, Spl
                          .height = sized ? input->height : DEFAULT_SIDE };
     view->camera = orbit_camera(&options->orbit, bounds, (double)view->width / view->height,
                                 bounds_longest(bounds) * 1e-3);
-    GpResult result = points_waves(options->color, &view->waves, error);
+    GpResult result = model_waves(options->color, &view->waves, error);
     if (!result && options->camera)
         result = camera_read_file(options->camera, &view->camera, error);
     view->lit = !options->unlit && !(view->waves > 0);
@@ -159,9 +160,9 @@ static double find_step(const Bounds *bounds)
 static void paint(const PointsOptions *options, PointsModel *model)
 {
     Surfels *surfels = &model->surfels;
-    model->color = options->color ? points_color(options->color) : NULL;
+    model->color = options->color ? model_color(options->color) : NULL;
     if (!model->color && !surfels->had_colors)
-        model->color = points_color("clay");
+        model->color = model_color("clay");
     for (uint32_t i = 0; i < surfels->count && model->color; i++)
         memcpy(surfels->surfels[i].color, model->color, sizeof surfels->surfels[i].color);
     surfels->had_colors = !model->color;

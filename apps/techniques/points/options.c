@@ -1,10 +1,9 @@
 #include "apps/techniques/points/options.h"
 
+#include "apps/base/model_color.h"
 #include "apps/points/drawing/choose.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 const PointsOptions points_option_defaults = {
     .splats = SPLAT_DEFAULTS,
@@ -77,9 +76,7 @@ const SettingField points_settings[] = {
       "its "
       "own",
       SETTING_FLAG, OF(one_radius), .aside = true },
-    { "color", "NAME",
-      "file: the points' own (default where there are any); waves:K, 0.5 + 0.5 sin(K p), unlit; "
-      "or white, grey, clay, gold, jade or black",
+    { "color", "NAME", "file: the points' own (default where there are any); " MODEL_COLOR_HELP,
       SETTING_TEXT, OF(color), .aside = true },
     { "unlit", NULL, "Show colours as they are, without light", SETTING_FLAG, OF(unlit),
       .aside = true },
@@ -115,44 +112,6 @@ bool points_needs_patches(const PointsOptions *options)
            options->detail > 0 || options->budget > 0 || options->cache || options->compress;
 }
 
-/* --- colours ---------------------------------------------------------------------------------- */
-
-const uint8_t *points_color(const char *name)
-{
-    static const struct {
-        const char *name;
-        uint8_t color[3];
-    } colors[] = {
-        { "white", { 255, 255, 255 } }, { "grey", { 160, 160, 160 } },
-        { "clay", { 200, 150, 110 } },  { "gold", { 230, 180, 70 } },
-        { "jade", { 110, 180, 140 } },  { "black", { 0, 0, 0 } },
-    };
-    for (size_t i = 0; i < GP_COUNT(colors); i++)
-        if (strcmp(colors[i].name, name) == 0)
-            return colors[i].color;
-    return NULL;
-}
-
-GpResult points_waves(const char *color, double *waves, GpError *error)
-{
-    *waves = 0;
-    if (!color || strcmp(color, "file") == 0 || points_color(color))
-        return GP_OK;
-    if (strncmp(color, "waves:", 6) == 0) {
-        char *end;
-        *waves = strtod(color + 6, &end);
-        if (end != color + 6 && !*end && isfinite(*waves) && *waves > 0)
-            return GP_OK;
-        return gp_fail(error, GP_ERROR_INVALID, "--color: expected a number above 0, not '%.40s'",
-                       color + 6);
-    }
-    return gp_fail(
-        error, GP_ERROR_INVALID,
-        "--color: expected file, white, grey, clay, gold, jade, black or such as waves:40, "
-        "not '%.40s'",
-        color);
-}
-
 /* --- what goes together ----------------------------------------------------------------------- */
 
 GpResult points_options_check(const void *setting, uint32_t given, const char *extension,
@@ -177,5 +136,5 @@ GpResult points_options_check(const void *setting, uint32_t given, const char *e
     for (size_t i = 0; i < GP_COUNT(rules); i++)
         if (rules[i].is_wrong)
             return gp_fail(error, GP_ERROR_INVALID, "%s", rules[i].reason);
-    return points_waves(options->color, &waves, error);
+    return model_waves(options->color, &waves, error);
 }

@@ -39,11 +39,4 @@ GpResult points_options_check(const void *options, uint32_t given, const char *e
  * they are what is compressed and cached. */
 bool points_needs_patches(const PointsOptions *options);
 
-/* Takes K of "waves:K"; 0 where the colour is another.
- * errors GP_ERROR_INVALID: none of the colours there are */
-GpResult points_waves(const char *color, double *waves, GpError *error);
-
-/* Red, green and blue of a colour's name in 255ths; NULL: there is none of that name. */
-const uint8_t *points_color(const char *name);
-
 #endif

@@ -1,0 +1,165 @@
+/* glasspipe warp as its user meets it. */
+#include "pipeline/base/base.h"
+#include "tests/support/program.h"
+
+#include <math.h>
+
+static void write_cameras(void)
+{
+    unlink("scene.json");
+    write_file("one_place.json", "{ \"eye\": [1, 2, 3], \"at\": [1, 2, 3] }");
+    write_file("ahead.json", "{ \"eye\": [0, 1, 9], \"at\": [0, 1, 0] }");
+    write_file("far.json", "{ \"eye\": [0, 0, 9000], \"near\": 10, \"far\": 10000 }");
+    write_file("inside.json", "{ \"eye\": [0.1, 0.2, 0], \"at\": [0, 0, 1], \"near\": 0.01 }");
+    write_file("behind.json", "{ \"eye\": [0, 1, -9], \"at\": [0, 1, 0] }");
+    write_file("parallel.json", "{ \"eye\": [0, 2, 9], \"at\": [0, 1, 0], \"height\": 5 }");
+}
+
+#define CAMERAS "ahead.json behind.json far.json inside.json one_place.json parallel.json"
+
+/* --- what is refused -------------------------------------------------------------------------- */
+
+static void wrong_arguments_are_usage_errors(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "", "expected a mesh or a depth image" },
+        { "a.ply b.ply", "b.ply" },
+        { "a.ply --method best", "--method: expected auto" },
+        { "a.ply --kind box", "--kind: expected planar or cylinder" },
+        { "a.ply --source-size 0x5", "--source-size" },
+        { "a.ply --source-size 5000x5", "--source-size" },
+        { "a.ply --turn 181", "--turn: expected a number from -180 to 180" },
+        { "a.ply --turn 5 --from 1 2", "--turn is about the source" },
+        { "a.ply --turn 5 --camera a.json", "--turn is about the source" },
+        { "a.ply --camera a.json --from 1 2", "--camera and --from" },
+        { "a.ply --from 0 90", "-89 to 89 degrees" },
+        { "a.ply --zoom 2", "--zoom is for --from" },
+        { "a.ply --up w", "--up: expected y, z, x, -y or -z" },
+        { "a.ply --color pink", "--color: expected file, white" },
+        { "a.ply --color waves:0", "--color: expected a number above 0" },
+        { "a.ply --truth b.ply", "--truth is for --measure" },
+        { "a.ply --size 0x5", "--size" },
+        { "a.ply --error 1 --turn 1", "--error chooses the setting" },
+        { "a.ply -o a.nrrd", ".png" },
+    };
+    unlink("scene.json");
+    expect_all_refused(2, "warp", wrong, GP_COUNT(wrong));
+    expect_files("");
+}
+
+/* One line, with the file's name in it; nothing is written. */
+static void wrong_files_are_input_errors_of_one_line(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        { "missing.ply", "missing.ply: no such file" },
+        { "builtin:nothing", "no builtin mesh 'nothing'" },
+        { "empty.off", "empty.off: no faces" },
+        { "nan.off", "nan.off: line 3" },
+        { "far.json", "far.json" },
+        { "builtin:ball --camera one_place.json", "one_place.json:1: eye, at and up give" },
+        { "builtin:ball --source one_place.json", "one_place.json:1: eye, at and up give" },
+        { "builtin:ball --source missing.json", "missing.json: No such file" },
+        { "builtin:ball --measure --truth missing.ply", "missing.ply: no such file" },
+    };
+    write_cameras();
+    write_file("empty.off", "OFF\n1 0 0\n0 0 0\n");
+    write_file("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "warp %s -o a.png", rows[i][0]);
+        expect_refused(3, arguments, rows[i][1]);
+        const char *end = strchr(err, '\n');
+        if (!end || end[1])
+            fail_msg("more than a line: %s", err);
+    }
+    expect_files(CAMERAS " empty.off nan.off");
+}
+
+/* --- what is drawn ------------------------------------------------------------------------------ */
+
+#define MEASURED                                                                                   \
+    "interior [0-9.]+ dB, [0-9]+ missing and [0-9]+ extra of [0-9]+ pixels, depth off by "         \
+    "[0-9.e+-]+ \\(median; mean [0-9.e+-]+\\)\n$"
+
+/* From inside, from behind, from so far that all is in a pixel, and pictures of one. */
+static void odd_places_and_sizes_are_drawn(void **state)
+{
+    (void)state;
+    static const char *const arguments[] = {
+        "--camera ahead.json",
+        "--camera behind.json",
+        "--camera far.json",
+        "--camera inside.json",
+        "--camera parallel.json",
+        "--source parallel.json",
+        "--source inside.json",
+        "--source far.json",
+        "--from 200 -80 --zoom 3",
+        "--turn 180",
+        "--size 1x1",
+        "--source-size 1x1",
+        "--source-size 2x2 --size 1x40",
+        "--truth builtin:knot",
+    };
+    write_cameras();
+    for (size_t i = 0; i < GP_COUNT(arguments); i++) {
+        const bool has_size = strstr(arguments[i], "--size");
+        if (shell("glasspipe warp builtin:ball -q -o a.exr --measure %s %s", arguments[i],
+                  has_size ? "" : "--size 40x30"))
+            fail_msg("%s: %s", arguments[i], err);
+        expect_matches(out, "^hash A8R8G8B8 [0-9x]+ [0-9a-f]{16}\n(seen .*\n)?" MEASURED);
+    }
+    expect_files("a.exr " CAMERAS);
+}
+
+static void json_has_what_checks_ask_for(void **state)
+{
+    (void)state;
+    static const char *const members[] = { "hash",          "triangles",     "triangles_per_second",
+                                           "source_pixels", "setting",       "view",
+                                           "warnings",      "interior_psnr", "missing",
+                                           "extra",         "depth_error",   "depth_mean",
+                                           "coverage" };
+    unlink("scene.json");
+    assert_int_equal(shell("glasspipe warp builtin:knot --color waves:9 --size 96x96 --measure "
+                           "--method polygons --json -q -o a.exr --output-coverage b.png"),
+                     0);
+    json_t *object = parse_output();
+    for (size_t i = 0; i < GP_COUNT(members); i++)
+        if (!json_object_get(object, members[i]))
+            fail_msg("%s is missing in:\n%s", members[i], out);
+    /* the mesh against itself */
+    assert_true(json_real_value(json_object_get(object, "interior_psnr")) > 40);
+    assert_true(json_integer_value(json_object_get(object, "missing")) < 3);
+    assert_true(json_real_value(json_object_get(object, "depth_error")) < 1e-4);
+    json_decref(object);
+    expect_files("a.exr b.png");
+}
+
+static void without_a_view_it_is_beside_the_source_and_says_so(void **state)
+{
+    (void)state;
+    char first[256];
+    unlink("scene.json");
+    assert_int_equal(shell("glasspipe warp builtin:knot -q --size 64x64 -o a.png"), 0);
+    expect_contains(out, "seen 12 degrees to the right of the source\n");
+    snprintf(first, sizeof first, "%.46s", out);
+    assert_int_equal(shell("glasspipe warp builtin:knot -q --size 64x64 -o a.png --turn 12"), 0);
+    assert_true(strncmp(out, first, strlen(first)) == 0);
+    assert_int_equal(shell("glasspipe warp builtin:knot -q --size 64x64 -o a.png --from 42 20"), 0);
+    assert_null(strstr(out, "seen"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(wrong_arguments_are_usage_errors),
+        PROGRAM_TEST(wrong_files_are_input_errors_of_one_line),
+        PROGRAM_TEST(odd_places_and_sizes_are_drawn),
+        PROGRAM_TEST(json_has_what_checks_ask_for),
+        PROGRAM_TEST(without_a_view_it_is_beside_the_source_and_says_so),
+    };
+    return cmocka_run_group_tests_name("warp", tests, find_program, NULL);
+}
