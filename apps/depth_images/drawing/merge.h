@@ -1,0 +1,54 @@
+/* Grids of points as few triangles: cells are merged where what they stand for is flat.
+ *
+ * Squares of 32 x 32 cells are halved along their diagonals, and halved again, until each triangle is
+ * as near to the points that it stands for as was asked. A triangle is halved together with its
+ * neighbour across the long side, so that no crack opens, between squares neither.
+ * source Evans, Kirkpatrick, Townsend, "Right-triangulated irregular networks", Algorithmica 30, 2001
+ */
+#ifndef APPS_DEPTH_IMAGES_DRAWING_MERGE_H
+#define APPS_DEPTH_IMAGES_DRAWING_MERGE_H
+
+#include "pipeline/base/base.h"
+
+enum { MERGE_SIDE = 32 }; /* cells of a patch */
+
+/* Points in rows. Seen from outside, rows go down and columns to the right. */
+typedef struct MergeGrid {
+    uint32_t columns, rows;     /* of points */
+    bool wraps;                 /* the last column is the first one again */
+    const float (*position)[3]; /* [rows][columns]; x infinite: there is none */
+    const uint8_t
+        *cut; /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side;
+                           NULL: none is cut */
+} MergeGrid;
+
+enum { MERGE_CUT_RIGHT = 1, MERGE_CUT_DOWN = 2 };
+
+/* Triangles of one square of the grid: neighbours in memory, and all that is needed to leave them out. */
+typedef struct MergedPatch {
+    uint32_t first_vertex, vertex_count, first_index, index_count;
+    double center[3], radius; /* of a ball about them */
+    double axis[3],
+        sine; /* their normals are within an angle of this about the axis; 1: anywhere */
+} MergedPatch;
+
+/* Owned by whoever made it, until merged_free; a zeroed one is empty. */
+typedef struct MergedMesh {
+    uint32_t vertex_count, index_count, patch_count;
+    uint32_t *points;     /* [vertex_count]: which point of the grid, row * columns + column */
+    uint32_t *indices;    /* [index_count], counter-clockwise from outside */
+    MergedPatch *patches; /* only those that have triangles; square by square, in rows */
+} MergedMesh;
+
+/* Merges cells so far that no point of the grid is farther than `tolerance` from the triangle that
+ * stands for it, at its own place along the grid; next to points that are missing, and at cuts, nothing
+ * is merged. A half of a cell is there where its three points are and no side is cut.
+ * errors GP_ERROR_MEMORY */
+GpResult merge_grid(const MergeGrid *grid, double tolerance, MergedMesh *mesh, GpError *error);
+void merged_free(MergedMesh *mesh);
+
+/* Whether some triangle of a patch may show its outside to an eye; parallel: eye is the direction
+ * towards it. */
+bool merged_may_face(const MergedPatch *patch, const double eye[3], bool parallel);
+
+#endif
