@@ -1,18 +1,11 @@
 /* Benchmark cases of points: the bunny's vertices as surfels, with waves of colour over them that no
  * light changes; a larger model; and a scan. */
 #include "apps/bench/cases.h"
-#include "apps/base/machine.h"
+#include "apps/bench/made.h"
 #include "apps/techniques/points/technique.h"
 #include "apps/techniques/points/model.h"
 
 #include <math.h>
-
-/* A model that frames are built of again and again. */
-typedef struct Case {
-    PointsModel *model;
-    void *setting;
-    double build_ms; /* choosing what to draw, for a second frame */
-} Case;
 
 static const struct {
     const char *path, *options;
@@ -38,14 +31,6 @@ static const struct {
                       false },
 };
 
-static void release(void *held)
-{
-    Case *made = held;
-    points_technique.close(made->model);
-    gp_free(made->setting);
-    gp_free(made);
-}
-
 static void set_view(int variant, PointsModel *model)
 {
     static const Camera near = { .eye = { -0.0168, 0.16, 0.40 },
@@ -62,66 +47,35 @@ static void set_view(int variant, PointsModel *model)
         model->view.camera = near;
 }
 
-static GpResult open_case(int variant, Case *made, GpError *error)
+static GpResult open_case(int variant, BenchMade *made, GpError *error)
 {
-    void *model;
-    GpResult result =
-        technique_setting(&points_technique, cases[variant].options, &made->setting, error);
-    if (!result) {
-        PointsOptions *options = made->setting;
-        options->subdivide = cases[variant].subdivide;
-        options->orbit.up = cases[variant].up;
-    }
-    const TechniqueInput input = { .path = cases[variant].path,
-                                   .width = cases[variant].side,
-                                   .height = cases[variant].side,
-                                   .setting = made->setting };
+    const uint32_t side = cases[variant].side;
+    PointsOptions *options = made->setting;
+    options->subdivide = cases[variant].subdivide;
+    options->orbit.up = cases[variant].up;
+    const GpResult result = bench_made_open(made, cases[variant].path, side, side, error);
     if (!result)
-        result = points_technique.open(&input, &model, error);
-    if (result)
-        return result;
-    made->model = model;
-    set_view(variant, made->model);
-    return GP_OK;
-}
-
-/* Twice: what is made once for a model is not made again, as in all frames but the first. */
-static GpResult build_twice(Case *made, GpDevice *device, Frame *frame, GpError *error)
-{
-    Frame first = { .color = NULL };
-    GpResult result = points_technique.build(made->model, made->setting, device, &first, error);
-    frame_free(&first);
-    const double start = machine_clock_ms(CLOCK_MONOTONIC);
-    if (!result)
-        result = points_technique.build(made->model, made->setting, device, frame, error);
-    made->build_ms = machine_clock_ms(CLOCK_MONOTONIC) - start;
+        set_view(variant, made->model);
     return result;
 }
 
 GpResult bench_build_splats(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    Case *made = gp_alloc(1, sizeof *made);
-    if (!made)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    GpDevice *device = NULL;
-    GpResult result = open_case(bench->variant, made, error);
-    if (result) {
-        gp_free(made->setting);
-        gp_free(made);
+    BenchMade *made;
+    GpResult result =
+        bench_made_create(&points_technique, cases[bench->variant].options, &made, error);
+    if (result)
         return result;
-    }
-    result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
+    result = open_case(bench->variant, made, error);
     if (!result)
-        result = build_twice(made, device, frame, error);
-    gp_device_destroy(&device);
-    frame->held = made;
-    frame->release = release;
+        return bench_made_build(made, true, frame, error);
+    bench_made_free(made);
     return result;
 }
 
 void bench_tell_splats(const Frame *frame, double ms, int threads, bool measures, json_t *object)
 {
-    const Case *made = frame->held;
+    const BenchMade *made = frame->held;
     PointsModel *model = made->model;
     const double splats = (double)points_model_splats(frame);
     json_object_set_new(object, "splats", json_integer((json_int_t)splats));

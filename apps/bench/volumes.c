@@ -1,6 +1,7 @@
 /* Benchmark cases of volumes: three of them, each under a transfer function of its own, from one place. */
-#include "apps/bench/cases.h"
+#include "apps/bench/made.h"
 #include "apps/base/machine.h"
+#include "apps/bench/cases.h"
 #include "apps/techniques/volume/methods.h"
 #include "apps/techniques/volume/report.h"
 #include "apps/techniques/volume/technique.h"
@@ -8,13 +9,6 @@
 #include <math.h>
 
 enum { SIDE = 512 };
-
-/* A volume that frames are built of again and again. */
-typedef struct Case {
-    VolumeModel *model;
-    VolumeOptions *options;
-    double build_ms; /* the list of a second frame, by this thread, which alone makes it */
-} Case;
 
 #define BONSAI "volumes/bonsai.raw.gz", "bonsai"
 #define ENGINE "volumes/engine.raw.gz", "engine"
@@ -35,16 +29,7 @@ static const struct {
     [VOLUME_SPLAT_BONSAI_QD] = { BONSAI, "--method splat --mode qd" },
 };
 
-static void release(void *held)
-{
-    Case *made = held;
-    if (made->model)
-        volume_technique.close(made->model);
-    gp_free(made->options);
-    gp_free(made);
-}
-
-static GpResult open_case(int variant, Case *made, GpError *error)
+static GpResult open_case(int variant, BenchMade *made, GpError *error)
 {
     static const Camera camera = { .eye = { 330, 230, 560 },
                                    .at = { 127.5, 127.5, 127.5 },
@@ -52,67 +37,38 @@ static GpResult open_case(int variant, Case *made, GpError *error)
                                    .fovy = 40,
                                    .near = 1,
                                    .far = 2000 };
-    void *setting, *model;
-    GpResult result = technique_setting(&volume_technique, cases[variant].options, &setting, error);
-    if (result)
-        return result;
-    made->options = setting;
-    made->options->transfer = cases[variant].transfer;
-    const TechniqueInput input = {
-        .path = cases[variant].path, .width = SIDE, .height = SIDE, .setting = setting
-    };
-    result = volume_technique.open(&input, &model, error);
-    if (result)
-        return result;
-    made->model = model;
-    made->model->view.camera = camera;
-    return GP_OK;
-}
-
-/* Twice: what is made once for a volume is not made again, as in all frames but the first. Not where
- * that is little beside a draw for each splat. */
-static GpResult build_twice(Case *made, GpDevice *device, Frame *frame, GpError *error)
-{
-    Frame first = { .color = NULL };
-    GpResult result = GP_OK;
-    if (made->options->splats.mode != VOXELS_IM)
-        result = volume_technique.build(made->model, made->options, device, &first, error);
-    frame_free(&first);
-    const double start = machine_clock_ms(CLOCK_THREAD_CPUTIME_ID);
+    VolumeOptions *options = made->setting;
+    options->transfer = cases[variant].transfer;
+    const GpResult result = bench_made_open(made, cases[variant].path, SIDE, SIDE, error);
     if (!result)
-        result = volume_technique.build(made->model, made->options, device, frame, error);
-    made->build_ms = machine_clock_ms(CLOCK_THREAD_CPUTIME_ID) - start;
+        ((VolumeModel *)made->model)->view.camera = camera;
     return result;
 }
 
+/* What is made once is not made before where it is little beside a draw for each splat. */
 GpResult bench_build_volume(const BenchCase *bench, Frame *frame, GpError *error)
 {
-    Case *made = gp_alloc(1, sizeof *made);
-    if (!made)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    GpDevice *device = NULL;
-    GpResult result = open_case(bench->variant, made, error);
-    if (!result)
-        result = gp_device_create(&(GpDeviceDesc){ .threads = 0 }, &device, error);
-    if (!result)
-        result = build_twice(made, device, frame, error);
-    gp_device_destroy(&device);
-    if (result) {
-        release(made);
+    BenchMade *made;
+    GpResult result =
+        bench_made_create(&volume_technique, cases[bench->variant].options, &made, error);
+    if (result)
         return result;
-    }
-    frame->held = made;
-    frame->release = release;
-    return GP_OK;
+    result = open_case(bench->variant, made, error);
+    if (!result)
+        return bench_made_build(
+            made, ((const VolumeOptions *)made->setting)->splats.mode != VOXELS_IM, frame, error);
+    bench_made_free(made);
+    return result;
 }
 
 /* Takes the model's transfer function, and builds the frame by it. */
-static GpResult draw_class(Case *made)
+static GpResult draw_class(const BenchMade *made)
 {
     Frame frame = { .color = NULL };
-    GpResult result = volume_methods[made->options->method].classify(made->model, NULL);
+    const VolumeOptions *options = made->setting;
+    GpResult result = volume_methods[options->method].classify(made->model, NULL);
     if (!result)
-        result = volume_technique.build(made->model, made->options, NULL, &frame, NULL);
+        result = volume_technique.build(made->model, options, NULL, &frame, NULL);
     frame_free(&frame);
     return result;
 }
@@ -121,7 +77,7 @@ enum { CHANGES = 5 };
 
 /* What a change of the transfer function takes, to one that hides half of the stops and back, beyond that
  * of building a frame: the mean of both, the least of several times. */
-static GpResult time_classes(Case *made, double *ms)
+static GpResult time_classes(const BenchMade *made, double *ms)
 {
     VolumeModel *model = made->model;
     const Transfer kept = model->transfer;
@@ -143,20 +99,21 @@ static GpResult time_classes(Case *made, double *ms)
 
 void bench_tell_volume(const Frame *frame, double ms, int threads, bool measures, json_t *object)
 {
-    Case *made = frame->held;
+    const BenchMade *made = frame->held;
+    const VolumeOptions *options = made->setting;
     VolumeModel *model = made->model;
     VolumeError off;
     double transfer_ms;
-    volume_tell_size(model, made->options, object);
+    volume_tell_size(model, options, object);
     const json_t *splats = json_object_get(object, "splats");
     if (splats)
         json_object_set_new(object, "splats_per_second",
                             json_real(json_number_value(splats) * 1000 / ms));
     json_object_set_new(object, "build_ms", json_real(made->build_ms));
-    if (!measures || volume_error(model, made->options, frame->color, threads, &off, NULL))
+    if (!measures || volume_error(model, options, frame->color, threads, &off, NULL))
         return;
     json_object_set_new(object, "psnr_data", json_real(off.psnr_data));
     json_object_set_new(object, "psnr_method", json_real(off.psnr_method));
-    if (made->options->splats.mode != VOXELS_IM && !time_classes(made, &transfer_ms))
+    if (options->splats.mode != VOXELS_IM && !time_classes(made, &transfer_ms))
         json_object_set_new(object, "transfer_ms", json_real(transfer_ms));
 }

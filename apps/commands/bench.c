@@ -15,7 +15,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { MAX_CASES = 64, MIN_FRAMES = 20 };
+enum { MAX_CASES = 128, MIN_FRAMES = 20 };
 
 typedef struct Bench {
     Options options; /* first: see options.h */

@@ -74,7 +74,8 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
         if (!end || end[1])
             fail_msg("more than a line: %s", err);
     }
-    expect_files(CAMERAS " empty.off nan.off");
+    expect_files("ahead.json behind.json empty.off far.json inside.json nan.off one_place.json "
+                 "parallel.json");
 }
 
 /* --- what is drawn ------------------------------------------------------------------------------ */
