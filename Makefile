@@ -92,7 +92,7 @@ CORE    := $(call object,$(filter-out $(LANES) pipeline/io/%,$(call below,pipeli
            $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/obj/%.lanes$(firstword $(subst :, ,$(isa))).o, \
                                             $(LANES)))
 # OpenImageIO is loaded when a picture needs it: a library of its own.
-OIIO    := pipeline/io/image/oiio_library.cpp
+OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)))
@@ -193,7 +193,7 @@ $(CORE_SO): $(CORE)
 	@ln -sf $(notdir $@).$(VERSION) $(@D)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
-$(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/base/base.c)
+$(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/io/image/layers.c pipeline/base/base.c)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
 

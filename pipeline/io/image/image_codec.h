@@ -4,6 +4,7 @@
 
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image.h"
+#include "pipeline/io/image/layers.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -60,6 +61,7 @@ GpResult gp_image_need_bytes(const GpImageSource *source, size_t at, uint64_t le
  * errors GP_ERROR_FORMAT, GP_ERROR_UNSUPPORTED */
 GpResult gp_image_check_png(GpImageSource *source);
 GpResult gp_image_check_exr(GpImageSource *source);
+GpResult gp_image_check_exr_parts(GpImageSource *source); /* of any number of parts and channels */
 GpResult gp_image_check_pnm(GpImageSource *source);
 GpResult gp_image_check_pfm(GpImageSource *source);
 GpResult gp_image_check_tga(GpImageSource *source);
@@ -77,10 +79,18 @@ GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_oiio(const char *path, GpImageFormat format, const GpImage *image,
                               GpFile *file, GpError *error);
 
+/* The same for parts of named channels; encoding needs checked layers. */
+GpResult gp_image_decode_layers(const GpImageSource *source, const char *attribute,
+                                GpLayers *layers);
+GpResult gp_image_encode_layers(const char *path, const char *attribute, const GpLayers *layers,
+                                GpFile *file, GpError *error);
+
 /* What libglasspipe_oiio.so exports under the name "gp_image_oiio". */
 typedef struct GpImageLibrary {
     GpResult (*decode)(const GpImageSource *, GpImage *);
     GpResult (*encode)(const char *, GpImageFormat, const GpImage *, GpFile *, GpError *);
+    GpResult (*decode_layers)(const GpImageSource *, const char *, GpLayers *);
+    GpResult (*encode_layers)(const char *, const char *, const GpLayers *, GpFile *, GpError *);
 } GpImageLibrary;
 
 #ifdef __cplusplus

@@ -14,13 +14,30 @@ typedef struct ExrHeader {
     int64_t window[4]; /* x0 y0 x1 y1 of the data window, inclusive */
     unsigned compression;
     uint32_t tile[2];
+    uint32_t channels;
     bool has_window, has_compression, has_tile;
 } ExrHeader;
 
-/* Reads the attributes in use: name, 0, type, 0, size, value, until an empty name. */
-static GpResult parse_exr(const GpImageSource *source, ExrHeader *exr, size_t *end)
+/* Channels of a list: name, 0, then sixteen bytes; an empty name ends it. 0: it has none, or no end. */
+static uint32_t count_channels(const unsigned char *at, size_t size)
 {
-    size_t at = 8;
+    uint32_t count = 0;
+    while (size > 0 && *at) {
+        const unsigned char *end = memchr(at, 0, size);
+        if (!end || size - (size_t)(end - at) < 17)
+            return 0;
+        size -= (size_t)(end - at) + 17;
+        at = end + 17;
+        count++;
+    }
+    return size == 1 ? count : 0;
+}
+
+/* Reads the attributes in use: name, 0, type, 0, size, value, until an empty name.
+ * in/out at: the first byte of a part's header; that behind it */
+static GpResult parse_exr(const GpImageSource *source, ExrHeader *exr, size_t *begin)
+{
+    size_t at = *begin;
     for (;;) {
         const unsigned char *name = gp_image_bytes(source) + at;
         size_t left = source->file.size - at;
@@ -43,6 +60,8 @@ static GpResult parse_exr(const GpImageSource *source, ExrHeader *exr, size_t *e
         } else if (strcmp((const char *)name, "compression") == 0 && size == 1) {
             exr->compression = value[0];
             exr->has_compression = true;
+        } else if (strcmp((const char *)name, "channels") == 0) {
+            exr->channels = count_channels(value, size);
         } else if (strcmp((const char *)name, "tiles") == 0 && size == 9) {
             exr->tile[0] = little(value);
             exr->tile[1] = little(value + 4);
@@ -50,7 +69,7 @@ static GpResult parse_exr(const GpImageSource *source, ExrHeader *exr, size_t *e
         }
         at += used + size;
     }
-    *end = at + 1;
+    *begin = at + 1;
     return GP_OK;
 }
 
@@ -65,31 +84,30 @@ static const struct {
     { 16, 1376 }, { 32, 16 }, { 32, 16 },  { 32, 64 * 1032 }, { 256, 64 * 1032 },
 };
 
-GpResult gp_image_check_exr(GpImageSource *source)
+/* Checks one part's header. in pixel_size: bytes that a decoder takes for a pixel; 0: four a channel
+ * in/out at: as parse_exr has it; out: what its data take at least, and have at most */
+static GpResult check_part(GpImageSource *source, size_t *at, bool is_tiled, uint64_t pixel_size,
+                           uint64_t *least, uint64_t *most)
 {
-    if (source->file.size < 8 || little(gp_image_bytes(source)) != 20000630)
-        return gp_image_refuse(source, 0, "the number of OpenEXR files, 20000630");
-    unsigned flags = little(gp_image_bytes(source) + 4);
-    if ((flags & 0xff) != 2 || flags & 0x1800)
-        return gp_image_unsupported(source, 4, "only single-part version 2 pictures are read");
-
     ExrHeader exr = { .has_window = false };
-    size_t end = 0;
-    GpResult result = parse_exr(source, &exr, &end);
+    const size_t begin = *at;
+    GpResult result = parse_exr(source, &exr, at);
     if (result != GP_OK)
         return result;
-    bool is_tiled = flags & 0x200;
     if (!exr.has_window || !exr.has_compression || exr.compression >= GP_COUNT(exr_compressions) ||
         (is_tiled && !exr.has_tile))
-        return gp_image_refuse(source, 8,
+        return gp_image_refuse(source, begin,
                                "a data window, a compression, and tiles in a tiled file");
+    if (pixel_size == 0 && exr.channels == 0)
+        return gp_image_refuse(source, begin, "a list of channels");
+    pixel_size = pixel_size ? pixel_size : 4 * (uint64_t)exr.channels;
     int64_t width = exr.window[2] - exr.window[0] + 1, height = exr.window[3] - exr.window[1] + 1;
     result = gp_image_take_size(source, width > 0 ? (uint64_t)width : 0,
-                                height > 0 ? (uint64_t)height : 0, 16);
+                                height > 0 ? (uint64_t)height : 0, pixel_size);
     if (result != GP_OK)
         return result;
     if (is_tiled && (uint64_t)exr.tile[0] * exr.tile[1] > (uint64_t)1 << 24)
-        return gp_image_unsupported(source, 8, "a tile of over 2^24 pixels");
+        return gp_image_unsupported(source, begin, "a tile of over 2^24 pixels");
 
     /* Each block has an offset of 8 bytes in a table and at least 8 bytes before its samples, which
      * are two bytes a pixel or more. */
@@ -99,5 +117,47 @@ GpResult gp_image_check_exr(GpImageSource *source)
         blocks = (((uint64_t)width + exr.tile[0] - 1) / exr.tile[0]) *
                  (((uint64_t)height + exr.tile[1] - 1) / exr.tile[1]);
     uint64_t samples = 2 * (uint64_t)(width * height) / exr_compressions[exr.compression].ratio;
-    return gp_image_need_bytes(source, end, 16 * blocks + samples);
+    *least += 16 * blocks + samples;
+    *most += (uint64_t)(width * height) * pixel_size;
+    return GP_OK;
+}
+
+static GpResult check_version(const GpImageSource *source, unsigned refused, const char *what,
+                              unsigned *flags)
+{
+    if (source->file.size < 8 || little(gp_image_bytes(source)) != 20000630)
+        return gp_image_refuse(source, 0, "the number of OpenEXR files, 20000630");
+    *flags = little(gp_image_bytes(source) + 4);
+    return (*flags & 0xff) != 2 || *flags & refused ? gp_image_unsupported(source, 4, what) : GP_OK;
+}
+
+enum { TILED = 0x200, DEEP = 0x800, PARTS = 0x1000 };
+
+GpResult gp_image_check_exr(GpImageSource *source)
+{
+    unsigned flags;
+    size_t at = 8;
+    uint64_t least = 0, most = 0;
+    GpResult result =
+        check_version(source, DEEP | PARTS, "only single-part version 2 pictures are read", &flags);
+    if (result == GP_OK)
+        result = check_part(source, &at, flags & TILED, 16, &least, &most);
+    return result == GP_OK ? gp_image_need_bytes(source, at, least) : result;
+}
+
+GpResult gp_image_check_exr_parts(GpImageSource *source)
+{
+    unsigned flags;
+    size_t at = 8;
+    uint64_t least = 0, most = 0;
+    GpResult result = check_version(source, DEEP | TILED,
+                                    "only version 2 pictures of scan lines are read", &flags);
+    for (bool more = true; result == GP_OK && more;) {
+        result = check_part(source, &at, false, 0, &least, &most);
+        more = flags & PARTS && at < source->file.size && source->file.data[at];
+    }
+    if (result == GP_OK && most > (uint64_t)1 << 32)
+        result = gp_image_unsupported(source, 8, "samples of at most 4 GiB are read");
+    return result == GP_OK ? gp_image_need_bytes(source, at + (flags & PARTS ? 1 : 0), least)
+                           : result;
 }

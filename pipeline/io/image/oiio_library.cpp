@@ -1,30 +1,14 @@
 /* OpenImageIO's codecs on bytes in memory: it opens no file, so what was checked is what is read,
  * and gp_file_write alone decides what appears on the disk. This file is a library of its own, which
  * oiio_loader.c loads. */
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
+#include "pipeline/io/image/oiio_shared.hpp"
 
-#include <cstring>
 #include <memory>
-#include <mutex>
-#include <new>
-#include <vector>
-
-#include "pipeline/io/image/image_codec.h"
 
 namespace
 {
 using namespace OIIO;
-
-/* Once: no threads of its own. */
-void configure()
-{
-    static std::once_flag once;
-    std::call_once(once, [] {
-        attribute("threads", 1);
-        attribute("exr_threads", -1);
-    });
-}
+using namespace oiio_shared;
 
 const struct {
     TypeDesc::BASETYPE base;
@@ -35,13 +19,6 @@ const struct {
     { TypeDesc::HALF, GP_IMAGE_F16 },
     { TypeDesc::FLOAT, GP_IMAGE_F32 },
 };
-
-/* The message of a codec is taken in any case: what is left would be printed later. */
-GpResult fail(const char *path, const std::string &reason, GpError *error)
-{
-    return gp_fail(error, GP_ERROR_FORMAT, "%s: %s", path,
-                   reason.empty() ? "not a picture of this format" : reason.c_str());
-}
 
 GpResult take_samples(const GpImageSource &source, ImageInput &input, GpImage *image)
 {
@@ -130,15 +107,9 @@ GpResult encode(const char *path, GpImageFormat, const GpImage *image, GpFile *f
         configure();
         std::vector<unsigned char> bytes;
         GpResult result = write_exr(path, *image, &bytes, error);
-        if (result != GP_OK)
-            return result;
-        char *data = static_cast<char *>(gp_alloc(bytes.size(), 1));
-        if (!data)
-            throw std::bad_alloc();
-        std::memcpy(data, bytes.data(), bytes.size());
-        file->data = data;
-        file->size = bytes.size();
-        return GP_OK;
+        if (result == GP_OK)
+            take_bytes(bytes, file);
+        return result;
     } catch (const std::bad_alloc &) {
         return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory to encode %ux%u pixels", path,
                        image->width, image->height);
@@ -149,4 +120,4 @@ GpResult encode(const char *path, GpImageFormat, const GpImage *image, GpFile *f
 } // namespace
 
 extern "C" const GpImageLibrary gp_image_oiio;
-const GpImageLibrary gp_image_oiio = { decode, encode };
+const GpImageLibrary gp_image_oiio = { decode, encode, oiio_decode_layers, oiio_encode_layers };

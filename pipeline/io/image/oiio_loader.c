@@ -52,3 +52,27 @@ GpResult gp_image_encode_oiio(const char *path, GpImageFormat format, const GpIm
     fesetenv(&environment);
     return result;
 }
+
+GpResult gp_image_decode_layers(const GpImageSource *source, const char *attribute,
+                                GpLayers *layers)
+{
+    fenv_t environment;
+    fegetenv(&environment);
+    GpResult result = need_library(source->path, source->error);
+    if (result == GP_OK)
+        result = library->decode_layers(source, attribute, layers);
+    fesetenv(&environment);
+    return result;
+}
+
+GpResult gp_image_encode_layers(const char *path, const char *attribute, const GpLayers *layers,
+                                GpFile *file, GpError *error)
+{
+    fenv_t environment;
+    fegetenv(&environment);
+    GpResult result = need_library(path, error);
+    if (result == GP_OK)
+        result = library->encode_layers(path, attribute, layers, file, error);
+    fesetenv(&environment);
+    return result;
+}
