@@ -1,5 +1,6 @@
 #include "apps/volumes/drawing/raycast.h"
 
+#include "apps/base/reach.h"
 #include "apps/base/stable_math.h"
 #include "shaders_c/volume/raycast.h"
 
@@ -188,53 +189,11 @@ static GpSurface *make_table(const Transfer *transfer, double step, Frame *frame
 
 /* --- rays ---------------------------------------------------------------------------------------- */
 
-/* Distances along the view between which the volume lies; false: nowhere. */
-static bool find_reach(const Field *field, const Camera *camera, const CameraAxes *axes,
-                       double reach[2])
+static void find_box(const Field *field, double corners[8][3])
 {
-    double nearest = INFINITY, farthest = -INFINITY;
-    for (int corner = 0; corner < 8; corner++) {
-        double distance = 0;
+    for (int corner = 0; corner < 8; corner++)
         for (int i = 0; i < 3; i++)
-            distance +=
-                ((corner >> i & 1 ? (field->size[i] - 1) * field->scale[i] : 0) - camera->eye[i]) *
-                axes->forward[i];
-        nearest = fmin(nearest, distance);
-        farthest = fmax(farthest, distance);
-    }
-    reach[0] = fmax(nearest, camera->near);
-    reach[1] = fmin(farthest, camera->far);
-    return reach[0] < reach[1];
-}
-
-/* Pixels that the volume's box is on, and one around; all, where it is not wholly before the eye. */
-static GpRect find_rect(const Field *field, const VolumeView *view, const CameraAxes *axes)
-{
-    const Camera *camera = &view->camera;
-    const double half[2] = { axes->half_width, axes->half_height };
-    const double size[2] = { view->width, view->height };
-    double low[2] = { 1, 1 }, high[2] = { -1, -1 };
-    for (int corner = 0; corner < 8; corner++) {
-        double at[3] = { 0 };
-        for (int i = 0; i < 3; i++) {
-            const double end = corner >> i & 1 ? (field->size[i] - 1) * field->scale[i] : 0;
-            at[0] += (end - camera->eye[i]) * axes->right[i];
-            at[1] -= (end - camera->eye[i]) * axes->up[i];
-            at[2] += (end - camera->eye[i]) * axes->forward[i];
-        }
-        for (int i = 0; i < 2; i++) {
-            const double place = at[i] / (half[i] * (camera->fovy > 0 ? at[2] : 1));
-            low[i] = fmin(low[i], at[2] < camera->near ? -1 : fmax(place, -1));
-            high[i] = fmax(high[i], at[2] < camera->near ? 1 : fmin(place, 1));
-        }
-    }
-    int32_t pixels[2][2];
-    for (int i = 0; i < 2; i++) {
-        pixels[0][i] = (int32_t)floor((low[i] + 1) / 2 * size[i]) - 1;
-        pixels[1][i] = (int32_t)ceil((high[i] + 1) / 2 * size[i]) + 1;
-    }
-    return gp_rect_common((GpRect){ pixels[0][0], pixels[0][1], pixels[1][0], pixels[1][1] },
-                          (GpRect){ 0, 0, (int32_t)view->width, (int32_t)view->height });
+            corners[corner][i] = corner >> i & 1 ? (field->size[i] - 1) * field->scale[i] : 0;
 }
 
 typedef struct RayCorner {
@@ -344,14 +303,15 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
     const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
     const double step = setting->step > 0 ? setting->step : 1;
     RayCorner *corners = frame_alloc(frame, 3, sizeof *corners);
-    double reach[2];
+    double box[8][3], reach[2];
 
     frame_pass(frame, setting->name ? setting->name : "raycast", target->color, NULL, none)
         ->color[0]
         .clear = false;
-    const GpRect rect = find_rect(volume->field, view, &axes);
+    find_box(volume->field, box);
+    const GpRect rect = reach_rect(box, &view->camera, &axes, view->width, view->height);
     if (!corners || !volume->runs || gp_rect_is_empty(rect) ||
-        !find_reach(volume->field, &view->camera, &axes, reach))
+        !reach_find(box, &view->camera, &axes, reach))
         return frame_result(frame, error);
     find_corners(volume->field, view, &axes, reach, corners);
     const GpResult result = find_runs(volume, ways_of(&view->camera, &axes), error);
