@@ -212,23 +212,30 @@ static bool make_room(void **array, uint32_t *room, uint32_t count, uint32_t mor
     return true;
 }
 
-static const float *vertex_position(const Merging *merging, uint32_t vertex)
+/* What a patch is made of, as merged_patch_bound has it. */
+typedef struct Bounded {
+    const float (*position)[3];
+    const uint32_t *points, *indices;
+} Bounded;
+
+static const float *vertex_position(const Bounded *bounded, uint32_t vertex)
 {
-    return merging->grid->position[merging->mesh.points[vertex]];
+    return bounded->position[bounded->points ? bounded->points[vertex] : vertex];
 }
 
-static void find_ball(const Merging *merging, MergedPatch *patch)
+static void find_ball(const Bounded *bounded, MergedPatch *patch)
 {
+    const uint32_t *indices = bounded->indices + patch->first_index;
     Bounds box = bounds_of_nothing;
     double square = 0;
-    for (uint32_t i = 0; i < patch->vertex_count; i++) {
-        const float *p = vertex_position(merging, patch->first_vertex + i);
+    for (uint32_t i = 0; i < patch->index_count; i++) {
+        const float *p = vertex_position(bounded, indices[i]);
         bounds_add(&box, (double[3]){ (double)p[0], (double)p[1], (double)p[2] });
     }
     for (int k = 0; k < 3; k++)
         patch->center[k] = (box.low[k] + box.high[k]) / 2;
-    for (uint32_t i = 0; i < patch->vertex_count; i++) {
-        const float *p = vertex_position(merging, patch->first_vertex + i);
+    for (uint32_t i = 0; i < patch->index_count; i++) {
+        const float *p = vertex_position(bounded, indices[i]);
         double away[3] = { (double)p[0], (double)p[1], (double)p[2] };
         vector_subtract(away, patch->center, away);
         square = fmax(square, vector_dot(away, away));
@@ -236,11 +243,11 @@ static void find_ball(const Merging *merging, MergedPatch *patch)
     patch->radius = sqrt(square);
 }
 
-static void normal_of(const Merging *merging, const uint32_t *corners, double normal[3])
+static void normal_of(const Bounded *bounded, const uint32_t *corners, double normal[3])
 {
-    const float *a = vertex_position(merging, corners[0]),
-                *b = vertex_position(merging, corners[1]),
-                *c = vertex_position(merging, corners[2]);
+    const float *a = vertex_position(bounded, corners[0]),
+                *b = vertex_position(bounded, corners[1]),
+                *c = vertex_position(bounded, corners[2]);
     double side[2][3];
     for (int k = 0; k < 3; k++) {
         side[0][k] = (double)b[k] - (double)a[k];
@@ -250,21 +257,29 @@ static void normal_of(const Merging *merging, const uint32_t *corners, double no
     vector_normalize(normal);
 }
 
-static void find_cone(const Merging *merging, MergedPatch *patch)
+static void find_cone(const Bounded *bounded, MergedPatch *patch)
 {
-    const uint32_t *indices = merging->mesh.indices + patch->first_index;
+    const uint32_t *indices = bounded->indices + patch->first_index;
     double normal[3], least = 1;
     for (uint32_t i = 0; i < patch->index_count; i += 3) {
-        normal_of(merging, indices + i, normal);
+        normal_of(bounded, indices + i, normal);
         vector_add_scaled(patch->axis, 1, normal, patch->axis);
     }
     vector_normalize(patch->axis);
     for (uint32_t i = 0; i < patch->index_count; i += 3) {
-        normal_of(merging, indices + i, normal);
+        normal_of(bounded, indices + i, normal);
         if (vector_dot(normal, normal) > 0)
             least = fmin(least, vector_dot(normal, patch->axis));
     }
     patch->sine = least > 0 ? sqrt(fmax(0, 1 - least * least)) : 1;
+}
+
+void merged_patch_bound(const float (*position)[3], const uint32_t *points, const uint32_t *indices,
+                        MergedPatch *patch)
+{
+    const Bounded bounded = { position, points, indices };
+    find_ball(&bounded, patch);
+    find_cone(&bounded, patch);
 }
 
 static GpResult add_patch(Merging *merging, uint32_t column, uint32_t row)
@@ -288,8 +303,7 @@ static GpResult add_patch(Merging *merging, uint32_t column, uint32_t row)
     patch.index_count = mesh->index_count - patch.first_index;
     if (!patch.index_count)
         return GP_OK;
-    find_ball(merging, &patch);
-    find_cone(merging, &patch);
+    merged_patch_bound(merging->grid->position, mesh->points, mesh->indices, &patch);
     mesh->patches[mesh->patch_count++] = patch;
     return GP_OK;
 }

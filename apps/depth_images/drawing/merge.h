@@ -17,9 +17,8 @@ typedef struct MergeGrid {
     uint32_t columns, rows;     /* of points */
     bool wraps;                 /* the last column is the first one again */
     const float (*position)[3]; /* [rows][columns]; x infinite: there is none */
-    const uint8_t
-        *cut; /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side;
-                           NULL: none is cut */
+    /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side; NULL: none is cut */
+    const uint8_t *cut;
 } MergeGrid;
 
 enum { MERGE_CUT_RIGHT = 1, MERGE_CUT_DOWN = 2 };
@@ -28,8 +27,8 @@ enum { MERGE_CUT_RIGHT = 1, MERGE_CUT_DOWN = 2 };
 typedef struct MergedPatch {
     uint32_t first_vertex, vertex_count, first_index, index_count;
     double center[3], radius; /* of a ball about them */
-    double axis[3],
-        sine; /* their normals are within an angle of this about the axis; 1: anywhere */
+    double axis[3];           /* their normals are within an angle about it, whose sine is */
+    double sine;              /* this; 1: anywhere */
 } MergedPatch;
 
 /* Owned by whoever made it, until merged_free; a zeroed one is empty. */
@@ -46,6 +45,11 @@ typedef struct MergedMesh {
  * errors GP_ERROR_MEMORY */
 GpResult merge_grid(const MergeGrid *grid, double tolerance, MergedMesh *mesh, GpError *error);
 void merged_free(MergedMesh *mesh);
+
+/* Finds the ball and the cone of a patch whose other members are there.
+ * in   points: which position each vertex has; NULL: its own */
+void merged_patch_bound(const float (*position)[3], const uint32_t *points, const uint32_t *indices,
+                        MergedPatch *patch);
 
 /* Whether some triangle of a patch may show its outside to an eye; parallel: eye is the direction
  * towards it. */

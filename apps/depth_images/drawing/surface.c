@@ -1,6 +1,7 @@
 #include "apps/depth_images/drawing/surface.h"
 
 #include "apps/base/bounds.h"
+#include "apps/depth_images/drawing/footprint.h"
 #include "apps/depth_images/drawing/light.h"
 #include "apps/depth_images/drawing/surface_grid.h"
 #include "shaders_c/common/depth_only.h"
@@ -115,16 +116,7 @@ void surface_close(DepthSurface *surface)
 
 uint32_t surface_step(const DepthSurface *surface, const WarpView *view)
 {
-    const Camera *camera = &view->camera;
-    const CameraAxes axes = camera_axes(camera, (double)view->width / view->height);
-    double way[3], away = 1, step = 1;
-    vector_subtract(surface->center, camera->eye, way);
-    if (camera->fovy > 0)
-        away = fmax(vector_dot(way, axes.forward) - surface->radius, camera->near);
-    const double wanted = 2 * axes.half_height * away / view->height / surface->pixel;
-    while (2 * step <= wanted && step < (double)(1u << (SURFACE_MAX_LEVELS - 1)))
-        step *= 2;
-    return (uint32_t)step;
+    return footprint_step(surface->center, surface->radius, surface->pixel, view);
 }
 
 /* Planes of the view, unit normals that point into it: sides, near, far. */

@@ -15,11 +15,11 @@ enum { SURFACE_MAX_LEVELS = 8 };
 
 /* How an image is made a surface. All zero: as it is meant. */
 typedef struct SurfaceDetail {
-    double
-        tolerance; /* how far the surface may be from the image's points, in its pixels; 0: 1/4 */
-    double
-        cut; /* neighbours whose depths differ by more than so many times their distance are not one
-                   surface, where that is a jump and no slope; 0: 4; below 0: all are */
+    /* How far the surface may be from the image's points, in its pixels; 0: 1/4 */
+    double tolerance;
+    /* Neighbours whose depths differ by more than so many times their distance are not one surface,
+     * where that is a jump and no slope; 0: 4; below 0: all are */
+    double cut;
 } SurfaceDetail;
 
 typedef struct SurfaceVertex {
@@ -64,8 +64,7 @@ GpResult surface_open(const DepthImage *image, const SurfaceDetail *detail, Dept
                       GpError *error);
 void surface_close(DepthSurface *surface);
 
-/* The step of columns and rows for a view: the root of how many pixels of the image fall on one of the
- * picture where it is nearest, rounded down to a power of two; 1 when near. */
+/* The step of columns and rows for a view, as footprint_step has it. */
 uint32_t surface_step(const DepthSurface *surface, const WarpView *view);
 
 /* Appends a pass. errors GP_ERROR_MEMORY */

@@ -1,54 +1,19 @@
 /* Depth images drawn straight: near to the truth from everywhere, whole at the seam, the same bits on
  * every device; and their failures, each beside its remedy. */
-#include "apps/depth_images/drawing/light.h"
 #include "apps/depth_images/drawing/surface.h"
-#include "tests/support/depth/depth_shapes.h"
-#include "tests/support/devices.h"
-#include "tests/support/unit.h"
+#include "tests/support/depth/around.h"
 
-#include <math.h>
+enum { IMAGE = 128 };
 
-enum { SIDE = 128, IMAGE = 128 };
-
-typedef struct Drawn {
-    Frame frame;
-    WarpView view;
-    uint32_t triangles;
-} Drawn;
-
-static Camera camera_at(const DepthShape *shape, double azimuth, double elevation, double distance)
-{
-    Camera camera = { .up = { 0, 1, 0 }, .fovy = 40, .near = 0.01, .far = 50 };
-    double sa, ca, se, ce;
-    angle_sincos(azimuth, &sa, &ca);
-    angle_sincos(elevation, &se, &ce);
-    const double way[3] = { ca * ce, se, -sa * ce };
-    memcpy(camera.at, shape->center, sizeof camera.at);
-    vector_add_scaled(camera.at, distance, way, camera.eye);
-    if (fabs(se) > 0.99)
-        vector_set(camera.up, 1, 0, 0);
-    camera.near = distance > 1 ? distance / 20 : 0.01;
-    return camera;
-}
-
-static Drawn draw(const DepthSurface *surfaces, uint32_t count, const SurfaceSetting *setting,
+static Frame draw(const DepthSurface *surfaces, uint32_t count, const SurfaceSetting *setting,
                   const Camera *camera, GpFormat format)
 {
-    static const float nothing[4] = { 0 };
-    static const WarpLight light = { .position = { 0.6, 0.8, 0 },
-                                     .directional = true,
-                                     .color = { 1, 1, 1 },
-                                     .ambient = { 0.2f, 0.2f, 0.2f } };
-    Drawn drawn = { .view = { .camera = *camera, .width = SIDE, .height = SIDE } };
-    Frame *frame = &drawn.frame;
-    if (format != GP_A8R8G8B8)
-        drawn.view.light = &light;
-    frame->color = frame_surface(frame, format, SIDE, SIDE, 1);
-    frame->depth = frame_surface(frame, GP_D32F, SIDE, SIDE, 1);
-    frame_pass(frame, "surface", frame->color, frame->depth, nothing);
+    Frame frame = { .color = NULL };
+    const WarpView view = around_view(camera, format != GP_A8R8G8B8);
+    around_target(&frame, format);
     for (uint32_t i = 0; i < count; i++)
-        drawn.triangles += surface_draw(&surfaces[i], setting, &drawn.view, true, frame);
-    return drawn;
+        surface_draw(&surfaces[i], setting, &view, true, &frame);
+    return frame;
 }
 
 static void open_all(const DepthModel *model, const SurfaceDetail *detail, DepthSurface *surfaces)
@@ -69,13 +34,9 @@ static void close_all(DepthModel *model, DepthSurface *surfaces)
 static DepthCompared compare(const DepthShape *shape, const DepthSurface *surfaces, uint32_t count,
                              const SurfaceSetting *setting, const Camera *camera)
 {
-    Drawn drawn = draw(surfaces, count, setting, camera, GP_A8R8G8B8);
-    RayPicture truth = depth_shape_truth(shape, camera, SIDE, SIDE);
-    run_list(&drawn.frame.list);
-    const DepthCompared compared =
-        depth_compare(&truth, camera, drawn.frame.color, drawn.frame.depth);
-    ray_picture_free(&truth);
-    frame_free(&drawn.frame);
+    Frame frame = draw(surfaces, count, setting, camera, GP_A8R8G8B8);
+    const DepthCompared compared = around_compare(shape, camera, &frame);
+    frame_free(&frame);
     return compared;
 }
 
@@ -91,7 +52,7 @@ static void every_side_is_near_the_truth(void **state)
     DepthSurface surface;
     open_all(&model, NULL, &surface);
     for (size_t i = 0; i < GP_COUNT(eyes); i++) {
-        const Camera camera = camera_at(&shape, eyes[i].azimuth, eyes[i].elevation, 4);
+        const Camera camera = around_camera(&shape, eyes[i].azimuth, eyes[i].elevation, 4);
         const DepthCompared c =
             compare(&shape, &surface, 1, &(SurfaceSetting){ .both_sides = true }, &camera);
         print_message("# %g, %g: %.1f dB, %u of %u missing, %u more, %.4f off\n", eyes[i].azimuth,
@@ -110,7 +71,7 @@ static void the_seam_is_closed(void **state)
     (void)state;
     uint32_t missing[2];
     DepthShape shape = depth_shape_vase();
-    const Camera camera = camera_at(&shape, 0, 0, 3);
+    const Camera camera = around_camera(&shape, 0, 0, 3);
     for (int gap = 0; gap < 2; gap++) {
         DepthModel model = depth_shape_capture(&shape, IMAGE, IMAGE, 0, false);
         DepthSurface surface;
@@ -133,7 +94,7 @@ static void caps_close_what_is_seen_from_above(void **state)
     DepthShape shape = depth_shape_open("builtin:cube", 20, 0);
     DepthModel model = depth_shape_capture(&shape, 2 * IMAGE, IMAGE, IMAGE, false);
     DepthSurface surfaces[3];
-    const Camera camera = camera_at(&shape, 20, 70, 3.5 * shape.radius);
+    const Camera camera = around_camera(&shape, 20, 70, 3.5 * shape.radius);
     open_all(&model, NULL, surfaces);
     const SurfaceSetting usual = { .step = 0 };
     const DepthCompared without = compare(&shape, surfaces, 1, &usual, &camera);
@@ -154,7 +115,7 @@ static void a_hole_is_kept_by_pieces(void **state)
     DepthShape ring = depth_shape_open("builtin:torus", 20, 80);
     DepthModel model = depth_shape_capture(&ring, 2 * IMAGE, IMAGE, IMAGE, false);
     DepthSurface surfaces[12];
-    const Camera camera = camera_at(&ring, 60, 20, 3.5 * ring.radius);
+    const Camera camera = around_camera(&ring, 60, 20, 3.5 * ring.radius);
     const SurfaceSetting usual = { .step = 0 };
     open_all(&model, NULL, surfaces);
     const DepthCompared one = compare(&ring, surfaces, 3, &usual, &camera);
@@ -186,24 +147,24 @@ static void levels_change_gently(void **state)
     open_all(&model, NULL, &surface);
     double distance = 2, last = 0;
     for (uint32_t step = 2; step <= 8; step *= 2) {
-        Camera camera = camera_at(&shape, 30, 15, distance);
-        WarpView view = { .camera = camera, .width = SIDE, .height = SIDE };
+        Camera camera = around_camera(&shape, 30, 15, distance);
+        WarpView view = around_view(&camera, false);
         while (surface_step(&surface, &view) < step) {
             distance *= 1.01;
-            view.camera = camera = camera_at(&shape, 30, 15, distance);
+            view.camera = camera = around_camera(&shape, 30, 15, distance);
         }
         double sum = 0;
         uint32_t covered = 0;
-        static float rgba[2][SIDE * SIDE][4];
+        static float rgba[2][AROUND_SIDE * AROUND_SIDE][4];
         for (int i = 0; i < 2; i++) {
             const SurfaceSetting fixed = { .step = i ? step : step / 2 };
-            Drawn drawn = draw(&surface, 1, &fixed, &camera, GP_A8R8G8B8);
-            run_list(&drawn.frame.list);
-            assert_int_equal(
-                gp_surface_read_floats(drawn.frame.color, 0, NULL, &rgba[i][0][0], NULL), GP_OK);
-            frame_free(&drawn.frame);
+            Frame frame = draw(&surface, 1, &fixed, &camera, GP_A8R8G8B8);
+            run_list(&frame.list);
+            assert_int_equal(gp_surface_read_floats(frame.color, 0, NULL, &rgba[i][0][0], NULL),
+                             GP_OK);
+            frame_free(&frame);
         }
-        for (int i = 0; i < SIDE * SIDE; i++) {
+        for (int i = 0; i < AROUND_SIDE * AROUND_SIDE; i++) {
             covered += rgba[0][i][3] > 0 || rgba[1][i][3] > 0;
             for (int k = 0; k < 3; k++)
                 sum += fabs((double)rgba[0][i][k] - (double)rgba[1][i][k]) / 3;
@@ -220,26 +181,21 @@ static void levels_change_gently(void **state)
 static void no_eye_makes_a_nan(void **state)
 {
     (void)state;
-    static float rgba[SIDE * SIDE][4];
     DepthShape shape = depth_shape_vase();
     DepthModel model = depth_shape_capture(&shape, IMAGE, IMAGE, 32, true);
     DepthSurface surfaces[3];
     open_all(&model, NULL, surfaces);
     for (int i = 0; i < 40; i++) {
         const double distance = (double[]){ 0.01, 0.5, 1, 1.02, 2, 30 }[i % 6];
-        Camera camera = camera_at(&shape, 47 * i, -90 + 12 * (i % 16), distance);
+        Camera camera = around_camera(&shape, 47 * i, -90 + 12 * (i % 16), distance);
         if (i % 5 == 0) { /* parallel rays */
             camera.fovy = 0;
             camera.height = 3;
         }
-        Drawn drawn =
+        Frame frame =
             draw(surfaces, 3, &(SurfaceSetting){ .both_sides = i % 2 }, &camera, GP_A32B32G32R32F);
-        run_list(&drawn.frame.list);
-        assert_int_equal(gp_surface_read_floats(drawn.frame.color, 0, NULL, &rgba[0][0], NULL),
-                         GP_OK);
-        for (int k = 0; k < SIDE * SIDE; k++)
-            assert_true(isfinite(rgba[k][0] + rgba[k][1] + rgba[k][2]) && rgba[k][3] <= 1);
-        frame_free(&drawn.frame);
+        around_finite(&frame);
+        frame_free(&frame);
     }
     close_all(&model, surfaces);
     depth_shape_close(&shape);
@@ -252,13 +208,12 @@ static void every_device_draws_the_same_bits(void **state)
     DepthModel model = depth_shape_capture(&shape, 64, 64, 32, true);
     DepthSurface surfaces[3];
     open_all(&model, NULL, surfaces);
-    const Camera camera = camera_at(&shape, 100, 40, 3.5 * shape.radius);
+    const Camera camera = around_camera(&shape, 100, 40, 3.5 * shape.radius);
     for (int lit = 0; lit < 2; lit++) {
-        Drawn drawn = draw(surfaces, 3, &(SurfaceSetting){ .step = lit ? 2 : 1 }, &camera,
+        Frame frame = draw(surfaces, 3, &(SurfaceSetting){ .step = lit ? 2 : 1 }, &camera,
                            lit ? GP_A32B32G32R32F : GP_A8R8G8B8);
-        assert_true(drawn.triangles > 100);
-        run_everywhere(&drawn.frame);
-        frame_free(&drawn.frame);
+        run_everywhere(&frame);
+        frame_free(&frame);
     }
     close_all(&model, surfaces);
     depth_shape_close(&shape);
@@ -269,7 +224,7 @@ static void the_smallest_images_are_drawn(void **state)
 {
     (void)state;
     DepthShape shape = depth_shape_vase();
-    const Camera camera = camera_at(&shape, 30, 20, 3);
+    const Camera camera = around_camera(&shape, 30, 20, 3);
     for (uint32_t side = 1; side <= 2; side++)
         for (int empty = 0; empty < 2; empty++) {
             DepthModel model = depth_shape_capture(&shape, side, side, side, true);
@@ -277,10 +232,10 @@ static void the_smallest_images_are_drawn(void **state)
             for (uint32_t i = 0; i < side * side && empty; i++)
                 model.images[0].front.depth[i] = DEPTH_NOTHING;
             open_all(&model, NULL, surfaces);
-            Drawn drawn = draw(surfaces, 3, &(SurfaceSetting){ .both_sides = true }, &camera,
+            Frame frame = draw(surfaces, 3, &(SurfaceSetting){ .both_sides = true }, &camera,
                                GP_A32B32G32R32F);
-            run_list(&drawn.frame.list);
-            frame_free(&drawn.frame);
+            around_finite(&frame);
+            frame_free(&frame);
             close_all(&model, surfaces);
         }
     depth_shape_close(&shape);
