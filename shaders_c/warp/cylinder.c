@@ -27,7 +27,7 @@ typedef struct WarpedTargets {
 } WarpedTargets;
 
 /* Before the turn: x towards azimuth 0. */
-GP_INLINE float3 place_of(const CylinderUniforms *c, const CylinderVertex *in)
+GP_INLINE float3 cylinder_place(const CylinderUniforms *c, const CylinderVertex *in)
 {
     flt out = c->radius - in->texel.z;
     return vec3(out * in->turn.x, in->turn.z, out * in->turn.y);
@@ -62,12 +62,12 @@ GP_INLINE float3 lit_at(GpInvocation *gp, const CylinderUniforms *c, float2 uv, 
 
 vertex_shader(cylinder_vs, CylinderUniforms, CylinderVertex, WarpedVarying)
 {
-    *position = warp(c, place_of(c, in), in, out);
+    *position = warp(c, cylinder_place(c, in), in, out);
 }
 
 vertex_shader(cylinder_lit_vs, CylinderUniforms, CylinderVertex, LitWarpedVarying)
 {
-    float3 place = place_of(c, in);
+    float3 place = cylinder_place(c, in);
     *position = warp(c, place, in, &out->warped);
     out->world = m4x3(place, c->to_world);
 }
@@ -89,7 +89,7 @@ pixel_shader_targets(cylinder_lit_ps, CylinderUniforms, LitWarpedVarying, Warped
 
 vertex_shader(cylinder_straight_vs, CylinderUniforms, CylinderVertex, StraightVarying)
 {
-    float3 place = place_of(c, in);
+    float3 place = cylinder_place(c, in);
     *position = m4x4(place, c->to_clip);
     out->uv = vec2(in->texel.x, in->texel.y);
     out->world = m4x3(place, c->to_world);
