@@ -1,8 +1,8 @@
 #include "apps/scene/casters.h"
 
+#include "apps/base/mesh_places.h"
 #include "apps/base/vector.h"
 #include "apps/scene/bounds.h"
-#include "apps/scene/mesh_report.h"
 
 #include <stdlib.h>
 #include <string.h>

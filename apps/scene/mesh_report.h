@@ -33,11 +33,6 @@ typedef struct MeshReport {
 GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32_t *indices,
                      uint32_t triangle_count, MeshReport *report);
 
-/* Numbers the places of vertices from 0 on; vertices at the same place have one number.
- * out    place_of: [vertex_count]
- * errors GP_ERROR_MEMORY */
-GpResult mesh_places(const float *positions, uint32_t vertex_count, uint32_t *place_of);
-
 /* What a mesh that is not closed lacks, as words: "223 boundary edges, 1 non-manifold edge". */
 void mesh_report_faults(const MeshReport *report, char *text, size_t size);
 
