@@ -75,6 +75,7 @@ const BenchCase bench_cases[] = {
       bench_tell_volume },
     { "splat_bonsai_qd", bench_build_volume, VOLUME_SPLAT_BONSAI_QD, 0, 0, 0, NULL,
       bench_tell_volume },
+    { "warp_relief", bench_build_warp, WARP_CASE_RELIEF, 0, 0, 0, NULL, bench_tell_warp },
     { "warp_polygons", bench_build_warp, WARP_CASE_POLYGONS, 0, 0, 0, NULL, bench_tell_warp },
 };
 /* clang-format on */

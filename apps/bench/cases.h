@@ -100,7 +100,7 @@ enum {
     VOLUME_SPLAT_BONSAI_IM,
     VOLUME_SPLAT_BONSAI_QD,
 };
-enum { WARP_CASE_POLYGONS };
+enum { WARP_CASE_RELIEF, WARP_CASE_POLYGONS };
 
 /* Amounts that the table of cases and the builders share. */
 enum {

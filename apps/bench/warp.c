@@ -8,6 +8,7 @@
 enum { SIDE = 512 };
 
 static const char *const cases[] = {
+    [WARP_CASE_RELIEF] = "--method relief",
     [WARP_CASE_POLYGONS] = "--method polygons",
 };
 

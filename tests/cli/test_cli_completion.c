@@ -87,7 +87,7 @@ static void names_are_those_that_the_option_takes(void **state)
         { "voxelize --blend \"\"", " add or \n" },
         { "bench --table \"\"", " 2.1 2.2 4.1 4.2 3.1 3.2 003.3 003.1 003.2 003.4 \n" },
         { "volume --method \"\"", " raycast slices splat \n" },
-        { "warp --kind \"\"", " planar cylinder \n" },
+        { "warp --kind \"\"", " planar cylinder box \n" },
         { "volume --transfer sc", " scene.json \n" },
         { "render --isa \"\"", " auto sse2 avx2 avx512 neon \n" },
         { "render --executor \"\"", " fast reference \n" },

@@ -5,11 +5,15 @@
 #include "apps/techniques/warp/words.h"
 
 static const TechniqueSweep sweep[] = {
+    { "as a surface", "--method surface --step 1|2|4" },
+    { "cylinder, as a surface", "--kind cylinder --method surface" },
+    { "cylinder, as printed", "--kind cylinder --method cylinder" },
+    { "relief", "--method relief --search 16|32|64 --halvings 8" },
     { "polygons", "--method polygons" },
     { .method = NULL },
 };
 
-static const char *const usual[] = { "polygons", NULL };
+static const char *const usual[] = { "as a surface", NULL };
 
 static GpResult find_truth(void *model, int threads, GpError *error)
 {

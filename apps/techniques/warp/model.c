@@ -2,11 +2,15 @@
 
 #include "apps/base/machine.h"
 #include "apps/base/model_color.h"
-#include "apps/base/stable_math.h"
 #include "apps/depth_images/capture.h"
+#include "apps/depth_images/depth_file.h"
 #include "apps/depth_images/drawing/light.h"
+#include "apps/depth_images/making/capture_box.h"
+#include "apps/depth_images/making/capture_cylinder.h"
 #include "apps/scene/camera_file.h"
 #include "apps/scene/model.h"
+#include "apps/techniques/warp/cameras.h"
+#include "pipeline/io/file.h"
 
 #include <string.h>
 
@@ -63,74 +67,6 @@ static GpResult open_mesh(const char *name, const char *color, GpMesh *mesh, Pol
     return result;
 }
 
-/* --- cameras ---------------------------------------------------------------------------------- */
-
-/* Near and far around the box, as seen along the view; parallel eyes move back until near is before them. */
-static void fit_range(const Bounds *bounds, Camera *camera)
-{
-    double middle[3], forward[3], radius = 0;
-    vector_subtract(camera->at, camera->eye, forward);
-    vector_normalize(forward);
-    for (int k = 0; k < 3; k++) {
-        const double half = (bounds->high[k] - bounds->low[k]) / 2;
-        middle[k] = bounds->low[k] + half - camera->eye[k];
-        radius += half * half;
-    }
-    radius = fmax(sqrt(radius), 1e-6);
-    const double distance = vector_dot(middle, forward);
-    if (!(camera->fovy > 0))
-        vector_add_scaled(camera->eye, distance - 2 * radius, forward, camera->eye);
-    const double ahead = camera->fovy > 0 ? distance : 2 * radius;
-    camera->near = fmax(ahead - radius, radius * 1e-3);
-    camera->far = fmax(ahead + radius, 2 * camera->near);
-}
-
-/* About the upwards line through what the camera looks at. */
-static Camera turn(const Camera *camera, const Bounds *bounds, double degrees)
-{
-    double turned[4][4], from[3];
-    Camera made = *camera;
-    matrix_rotation(camera->up, degrees, turned);
-    vector_subtract(camera->eye, camera->at, from);
-    for (int k = 0; k < 3; k++)
-        made.eye[k] = camera->at[k] + vector_dot(turned[k], from);
-    fit_range(bounds, &made);
-    return made;
-}
-
-/* The default source: all of the mesh, from 30 degrees to the right and 20 above. */
-static Camera default_source(const Bounds *bounds, const WarpOptions *options)
-{
-    const Orbit orbit = { .azimuth = 30, .elevation = 20, .up = options->orbit.up, .zoom = 1 };
-    return orbit_camera(&orbit, bounds, (double)options->source_size[0] / options->source_size[1],
-                        bounds_longest(bounds) * 1e-3);
-}
-
-static GpResult find_view(const TechniqueInput *input, WarpModel *model, GpError *error)
-{
-    const WarpOptions *options = input->setting;
-    const bool sized = input->width > 0 && input->height > 0,
-               is_from = options->orbit.azimuth == options->orbit.azimuth;
-    model->width = sized ? input->width : DEFAULT_SIDE;
-    model->height = sized ? input->height : DEFAULT_SIDE;
-    model->is_fixed = is_from || options->camera;
-    model->fixed = is_from ? orbit_camera(&options->orbit, &model->bounds,
-                                          (double)model->width / model->height,
-                                          bounds_longest(&model->bounds) * 1e-3)
-                           : turn(&model->about, &model->bounds, options->turn);
-    return options->camera ? camera_read_file(options->camera, &model->fixed, error) : GP_OK;
-}
-
-WarpView warp_model_view(const WarpModel *model, const WarpOptions *options, WarpLight *light)
-{
-    WarpView view = { .width = model->width, .height = model->height };
-    view.camera =
-        model->is_fixed ? model->fixed : turn(&model->about, &model->bounds, options->turn);
-    *light = warp_light_beside(&view.camera);
-    view.light = model->lit ? light : NULL;
-    return view;
-}
-
 /* --- opening ---------------------------------------------------------------------------------- */
 
 static GpResult open_source(const TechniqueInput *input, WarpModel *model, GpError *error)
@@ -140,8 +76,9 @@ static GpResult open_source(const TechniqueInput *input, WarpModel *model, GpErr
     if (result)
         return result;
     const CaptureSource source = { &model->mesh, model->polygons.waves };
+    const uint32_t *size = options->source_size;
     model->bounds = capture_bounds(&source);
-    model->source = default_source(&model->bounds, options);
+    model->source = camera_beside(&model->bounds, options->orbit.up, (double)size[0] / size[1]);
     if (options->source)
         result = camera_read_file(options->source, &model->source, error);
     model->about = model->source;
@@ -149,15 +86,108 @@ static GpResult open_source(const TechniqueInput *input, WarpModel *model, GpErr
     return result;
 }
 
-GpResult warp_model_open(const TechniqueInput *input, void **made, GpError *error)
+/* What is said of a capture does not go with an image that is there. */
+static GpResult check_image(const char *path, const WarpOptions *options, GpError *error)
+{
+    const char *wrong = options->source  ? "source"
+                        : options->color ? "color"
+                        : options->kind  ? "kind"
+                                         : NULL;
+    return wrong ? gp_fail(error, GP_ERROR_INVALID,
+                           "%.200s: --%s is of what is captured of a mesh, and this is a depth "
+                           "image",
+                           path, wrong)
+                 : GP_OK;
+}
+
+static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpError *error)
 {
     const WarpOptions *options = input->setting;
+    char path[4096];
+    WarpImages *images = gp_alloc(1, sizeof *images);
+    if (!images)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result = check_image(input->path, options, error);
+    if (!result)
+        result = gp_data_find(input->path, path, sizeof path, error);
+    if (!result)
+        result = depth_file_read(path, &images->model, error);
+    if (result) {
+        gp_free(images);
+        return result;
+    }
+    const DepthImage *first = &images->model.images[0];
+    const bool is_plane = images->model.count == 1 && !first->is_cylinder;
+    images->kind = first->is_cylinder ? WARP_CYLINDER : is_plane ? WARP_PLANAR : WARP_BOX;
+    model->images = images;
+    model->is_image = true;
+    model->bounds = bounds_of_images(&images->model);
+    model->about = is_plane ? camera_of_plane(&first->plane, &model->bounds)
+                            : camera_beside(&model->bounds, options->orbit.up, 1);
+    model->lit = !options->unlit && first->front.normal;
+    return GP_OK;
+}
+
+/* The truth's picture is the view's, where none is described. */
+static GpResult open_truth(const WarpOptions *options, WarpModel *model, GpError *error)
+{
+    char path[4096];
+    model->truth_path = options->truth;
+    if (!options->truth || !depth_file_is_readable(options->truth))
+        return GP_OK;
+    GpResult result = gp_data_find(options->truth, path, sizeof path, error);
+    if (!result)
+        result = depth_file_read(path, &model->truth_images, error);
+    if (result)
+        return result;
+    const DepthImage *image = &model->truth_images.images[0];
+    if (image->is_cylinder || options->camera || !isnan(options->orbit.azimuth))
+        return GP_OK;
+    model->fixed = camera_of_plane(&image->plane, &model->bounds);
+    model->is_fixed = true;
+    model->width = image->front.width;
+    model->height = image->front.height;
+    return GP_OK;
+}
+
+static GpResult find_view(const TechniqueInput *input, WarpModel *model, GpError *error)
+{
+    const WarpOptions *options = input->setting;
+    const bool is_from = !isnan(options->orbit.azimuth);
+    if (input->width > 0 && input->height > 0) {
+        model->width = input->width;
+        model->height = input->height;
+    }
+    const double aspect = (double)model->width / model->height;
+    if (is_from)
+        model->fixed = orbit_camera(&options->orbit, &model->bounds, aspect,
+                                    bounds_longest(&model->bounds) * 1e-3);
+    else if (options->camera)
+        model->fixed = camera_turned(&model->about, &model->bounds, options->turn);
+    model->is_fixed |= is_from || options->camera;
+    return options->camera ? camera_read_file(options->camera, &model->fixed, error) : GP_OK;
+}
+
+WarpView warp_model_view(const WarpModel *model, const WarpOptions *options, WarpLight *light)
+{
+    WarpView view = { .width = model->width, .height = model->height };
+    view.camera = model->is_fixed ? model->fixed
+                                  : camera_turned(&model->about, &model->bounds, options->turn);
+    *light = warp_light_beside(&view.camera);
+    view.light = model->lit ? light : NULL;
+    return view;
+}
+
+GpResult warp_model_open(const TechniqueInput *input, void **made, GpError *error)
+{
     WarpModel *model = gp_alloc(1, sizeof *model);
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    model->name = input->path;
-    model->truth_path = options->truth;
-    GpResult result = open_source(input, model, error);
+    model->width = model->height = DEFAULT_SIDE;
+    GpResult result = depth_file_is_readable(input->path) ? open_images(input, model, error)
+                                                          : open_source(input, model, error);
+    if (!result)
+        result = open_truth(input->setting, model, error);
     if (!result)
         result = find_view(input, model, error);
     if (result) {
@@ -183,42 +213,57 @@ void warp_model_close(void *made)
         ray_picture_free(&truth->picture);
         gp_free(truth);
     }
+    depth_model_free(&model->truth_images);
     gp_mesh_free(&model->mesh);
     gp_free(model);
 }
 
 /* --- images ----------------------------------------------------------------------------------- */
 
+static GpResult capture_plane(const WarpModel *model, const uint32_t size[2],
+                              const CaptureSource *source, GpDevice *device, DepthModel *captured,
+                              GpError *error)
+{
+    const Camera *camera = &model->source;
+    const CaptureShot shot = { .plane = depth_plane_of_camera(camera, (double)size[0] / size[1]),
+                               .width = size[0],
+                               .height = size[1],
+                               .near = camera->near,
+                               .far = camera->far,
+                               .behind = true };
+    const GpResult result = capture_planar(device, source, &shot, &captured->images[0], error);
+    captured->count = result ? 0 : 1;
+    return result;
+}
+
 static GpResult capture(const WarpModel *model, WarpImages *images, GpDevice *device,
                         GpError *error)
 {
     const CaptureSource source = { &model->mesh, model->polygons.waves };
-    const Camera *camera = &model->source;
-    const CaptureShot shot = { .plane = depth_plane_of_camera(camera, (double)images->size[0] /
-                                                                          images->size[1]),
-                               .width = images->size[0],
-                               .height = images->size[1],
-                               .near = camera->near,
-                               .far = camera->far,
-                               .behind = true };
-    const GpResult result = capture_planar(device, &source, &shot, &images->model.images[0], error);
-    images->model.count = result ? 0 : 1;
-    return result;
+    const uint32_t *size = images->size;
+    if (images->kind == WARP_PLANAR)
+        return capture_plane(model, size, &source, device, &images->model, error);
+    const CaptureTurn turn = { .width = size[0], .height = size[1] };
+    return images->kind == WARP_CYLINDER
+               ? capture_cylinder(device, &source, &turn, &images->model, error)
+               : capture_box(device, &source, size[0] > size[1] ? size[0] : size[1], false,
+                             &images->model, error);
 }
 
-GpResult warp_model_images(WarpModel *model, const WarpOptions *options, WarpKind kind,
-                           GpDevice *device, WarpImages **found, GpError *error)
+GpResult warp_model_images(WarpModel *model, const WarpOptions *options, GpDevice *device,
+                           WarpImages **found, GpError *error)
 {
     for (WarpImages *images = model->images; images; images = images->next)
-        if (images->kind == kind &&
-            memcmp(images->size, options->source_size, sizeof images->size) == 0) {
+        if (model->is_image ||
+            (images->kind == options->kind &&
+             memcmp(images->size, options->source_size, sizeof images->size) == 0)) {
             *found = images;
             return GP_OK;
         }
     WarpImages *images = gp_alloc(1, sizeof *images);
     if (!images)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    images->kind = kind;
+    images->kind = options->kind;
     memcpy(images->size, options->source_size, sizeof images->size);
     const GpResult result = capture(model, images, device, error);
     if (result) {
@@ -239,13 +284,17 @@ static GpResult find_truth(WarpModel *model, const WarpOptions *options, int thr
     const WarpView view = warp_model_view(model, options, &light);
     GpMesh mesh = { .positions = NULL };
     Polygons polygons = model->polygons;
-    if (model->truth_path) {
-        const GpResult result =
-            open_mesh(model->truth_path, options->color, &mesh, &polygons, error);
-        if (result)
-            return result;
-    }
-    const GpResult result = warp_truth_of_mesh(&polygons, &view, threads, truth, error);
+    if (model->truth_images.count > 0)
+        return warp_truth_of_image(&model->truth_images.images[0], &view, truth, error);
+    if (model->is_image && !model->truth_path)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "the truth is the mesh that was captured, and a depth image has none: name "
+                       "it by --truth");
+    GpResult result = GP_OK;
+    if (model->truth_path)
+        result = open_mesh(model->truth_path, options->color, &mesh, &polygons, error);
+    if (!result)
+        result = warp_truth_of_mesh(&polygons, &view, threads, truth, error);
     gp_mesh_free(&mesh);
     return result;
 }

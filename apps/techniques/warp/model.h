@@ -27,16 +27,17 @@ typedef struct WarpTruth {
 } WarpTruth;
 
 typedef struct WarpModel {
-    const char *name;
-    GpMesh mesh;       /* with colours; empty: there is none, but an image */
+    bool is_image;     /* from a file; else a mesh */
+    GpMesh mesh;       /* with colours */
     Polygons polygons; /* that mesh */
     Bounds bounds;     /* of what is seen */
     Camera source;     /* by which a planar image of the mesh is captured */
     Camera about;      /* what the view is turned from */
     WarpImages *images;
-    const char *truth_path; /* a file; NULL: the mesh */
-    Camera fixed;           /* the view, */
-    bool is_fixed;          /* where it was given */
+    const char *truth_path;  /* a file; NULL: the mesh */
+    DepthModel truth_images; /* of that file, where it is one */
+    Camera fixed;            /* the view, */
+    bool is_fixed;           /* where it was given */
     uint32_t width, height;
     bool lit;
     WarpTruth *truths;
@@ -52,8 +53,8 @@ WarpView warp_model_view(const WarpModel *model, const WarpOptions *options, War
 /* The images that a setting draws, captured once.
  * in     device: to capture with
  * errors those of the captures; GP_ERROR_INVALID: the file's image is of another kind */
-GpResult warp_model_images(WarpModel *model, const WarpOptions *options, WarpKind kind,
-                           GpDevice *device, WarpImages **images, GpError *error);
+GpResult warp_model_images(WarpModel *model, const WarpOptions *options, GpDevice *device,
+                           WarpImages **images, GpError *error);
 
 /* The truth of a setting's view, found once.
  * errors GP_ERROR_INVALID: there is none, with the reason; GP_ERROR_MEMORY; those of the truth's file */

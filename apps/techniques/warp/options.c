@@ -13,16 +13,36 @@ const WarpOptions warp_option_defaults = {
 };
 
 static const char *const methods[] = {
-    [WARP_AUTO] = "auto", [WARP_POLYGONS] = "polygons", [WARP_METHODS] = NULL
+    [WARP_AUTO] = "auto",     [WARP_SURFACE] = "surface",   [WARP_CYLINDER_PRINTED] = "cylinder",
+    [WARP_RELIEF] = "relief", [WARP_POLYGONS] = "polygons", [WARP_METHODS] = NULL
 };
-static const char *const kinds[] = { [WARP_PLANAR] = "planar", [WARP_CYLINDER] = "cylinder", NULL };
+static const char *const kinds[] = {
+    [WARP_PLANAR] = "planar", [WARP_CYLINDER] = "cylinder", [WARP_BOX] = "box", NULL
+};
 static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 #define OF(member) offsetof(WarpOptions, member)
 
 const SettingField warp_settings[] = {
-    { "method", NULL, "auto: by what the image is (default); polygons: the mesh itself",
+    { "method", NULL,
+      "auto: by what the image is (default); surface: as a mesh of as few triangles as stand for "
+      "it; cylinder: one as printed, onto the plane that touches it; relief: a search along the "
+      "ray of each pixel; polygons: the mesh itself. An option of "
+      "one "
+      "method alone means that method",
       SETTING_NAME, OF(method), .names = methods },
+    { "kind", NULL,
+      "What is captured of a mesh: planar, a picture (default); cylinder, one that is looked "
+      "through from all sides; box, six pictures around it",
+      SETTING_NAME, OF(kind), .names = kinds },
+    { "step", "N",
+      "Pixels of the image from vertex to vertex (default: by how small they are in the picture)",
+      SETTING_INTEGER, OF(step), .low = 1, .high = 128 },
+    { "search", "N", "Of relief: steps along a ray before it is halved (default: 64)",
+      SETTING_INTEGER, OF(relief.steps), .low = 1, .high = 255 },
+    { "halvings", "N",
+      "Of relief: how often the step is halved that meets the surface (default: 8)",
+      SETTING_INTEGER, OF(relief.halvings), .low = 1, .high = 255 },
     { "source-size", "WxH", "Size of the image that is captured (default: 512x512)", SETTING_SIZE,
       OF(source_size), .low = 1, .high = 4096 },
     { "turn", "DEGREES",
@@ -30,10 +50,6 @@ const SettingField warp_settings[] = {
       "(default: 12)",
       SETTING_NUMBER, OF(turn), .low = -180, .high = 180 },
 
-    { "kind", NULL,
-      "What is captured of a mesh: planar, a picture (default); cylinder, one that is looked "
-      "through from all sides",
-      SETTING_NAME, OF(kind), .names = kinds, .aside = true },
     { "source", "CAMERA.json",
       "The camera by which a mesh is captured, as scenes have it: eye, at, up, fovy, near, far "
       "(default: one that sees all of it, from 30 degrees to the right and 20 above)",
@@ -63,16 +79,49 @@ const SettingField warp_settings[] = {
 
 _Static_assert(OF(orbit.elevation) == OF(orbit.azimuth) + sizeof(double), "two angles");
 
+#define BIT(number) (1u << (number))
+
 const char *warp_method_name(WarpMethod method)
 {
     return methods[method];
 }
 
+bool warp_method_draws(WarpMethod method, WarpKind kind)
+{
+    static const uint32_t draws[WARP_METHODS] = {
+        [WARP_AUTO] = BIT(WARP_PLANAR) | BIT(WARP_CYLINDER) | BIT(WARP_BOX),
+        [WARP_SURFACE] = BIT(WARP_PLANAR) | BIT(WARP_CYLINDER) | BIT(WARP_BOX),
+        [WARP_CYLINDER_PRINTED] = BIT(WARP_CYLINDER),
+        [WARP_RELIEF] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_POLYGONS] = BIT(WARP_PLANAR) | BIT(WARP_CYLINDER) | BIT(WARP_BOX),
+    };
+    return draws[method] >> kind & 1;
+}
+
 /* --- what goes together ------------------------------------------------------------------------- */
+
+/* Options of some methods alone. Where no method is named they mean the last of them, unless auto is one;
+ * beside others they are refused. */
+static const struct {
+    const char *option;
+    uint32_t methods;
+} belongs[] = {
+    { "step", BIT(WARP_AUTO) | BIT(WARP_SURFACE) | BIT(WARP_CYLINDER_PRINTED) },
+    { "search", BIT(WARP_RELIEF) },
+    { "halvings", BIT(WARP_RELIEF) },
+};
 
 void warp_options_imply(void *setting, uint32_t given)
 {
-    (void)setting, (void)given;
+    WarpOptions *options = setting;
+    for (size_t i = 0; i < GP_COUNT(belongs); i++)
+        if (!setting_is_given(warp_settings, given, "method") &&
+            setting_is_given(warp_settings, given, belongs[i].option) &&
+            !(belongs[i].methods >> options->method & 1))
+            options->method = (WarpMethod)(31 - __builtin_clz(belongs[i].methods));
+    if (!setting_is_given(warp_settings, given, "kind") &&
+        !warp_method_draws(options->method, WARP_PLANAR))
+        options->kind = WARP_CYLINDER;
 }
 
 GpResult warp_options_check(const void *setting, uint32_t given, const char *extension,
@@ -100,5 +149,13 @@ GpResult warp_options_check(const void *setting, uint32_t given, const char *ext
     for (size_t i = 0; i < GP_COUNT(rules); i++)
         if (rules[i].is_wrong)
             return gp_fail(error, GP_ERROR_INVALID, "%s", rules[i].reason);
+    for (size_t i = 0; i < GP_COUNT(belongs); i++)
+        if (!(belongs[i].methods >> options->method & 1) &&
+            setting_is_given(fields, given, belongs[i].option))
+            return gp_fail(error, GP_ERROR_INVALID, "--%s does not go with --method %s",
+                           belongs[i].option, methods[options->method]);
+    if (!warp_method_draws(options->method, options->kind))
+        return gp_fail(error, GP_ERROR_INVALID, "--method %s does not draw images of --kind %s",
+                       methods[options->method], kinds[options->kind]);
     return model_waves(options->color, &waves, error);
 }

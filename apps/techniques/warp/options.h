@@ -3,24 +3,30 @@
 #define APPS_TECHNIQUES_WARP_OPTIONS_H
 
 #include "apps/base/orbit.h"
+#include "apps/depth_images/drawing/relief.h"
 #include "apps/techniques/settings.h"
 
 typedef enum WarpMethod {
     WARP_AUTO, /* by what the image is */
+    WARP_SURFACE,
+    WARP_CYLINDER_PRINTED,
+    WARP_RELIEF,
     WARP_POLYGONS,
     WARP_METHODS
 } WarpMethod;
 
-typedef enum WarpKind { WARP_PLANAR, WARP_CYLINDER } WarpKind;
+typedef enum WarpKind { WARP_PLANAR, WARP_CYLINDER, WARP_BOX, WARP_KINDS } WarpKind;
 
 /* The setting of the technique. */
 typedef struct WarpOptions {
     WarpMethod method;
-    uint32_t source_size[2]; /* of what is captured */
-    double turn;             /* of the view about the source, in degrees */
+    WarpKind kind;           /* of what is captured of a mesh */
+    uint32_t source_size[2]; /* of that */
+    uint32_t step;           /* pixels from vertex to vertex; 0: by the footprint */
+    ReliefSetting relief;
+    double turn; /* of the view about the source, in degrees */
 
     /* aside of the key */
-    WarpKind kind;      /* of what is captured */
     const char *source; /* a camera's file; NULL: in front of the model */
     const char *color;  /* "file", "waves:K", or a name; NULL: the file's, where it has any */
     bool unlit;
@@ -38,7 +44,8 @@ void warp_options_imply(void *options, uint32_t given);
 GpResult warp_options_check(const void *options, uint32_t given, const char *extension,
                             GpError *error);
 
-/* What a method is called. */
+/* What a method is called, and whether it draws images of a kind. */
 const char *warp_method_name(WarpMethod method);
+bool warp_method_draws(WarpMethod method, WarpKind kind);
 
 #endif

@@ -40,7 +40,8 @@ void warp_tell_size(const WarpModel *model, const Frame *frame, json_t *members)
 
 void warp_tell_error(const WarpError *off, json_t *members)
 {
-    json_object_set_new(members, "interior_psnr", json_real(off->interior_psnr));
+    json_object_set_new(members, "interior_psnr",
+                        off->both > 0 ? json_real(off->interior_psnr) : json_null());
     json_object_set_new(members, "missing", json_integer((json_int_t)off->missing));
     json_object_set_new(members, "extra", json_integer((json_int_t)off->extra));
     json_object_set_new(members, "depth_error", json_real(off->depth_error));
@@ -54,11 +55,12 @@ static GpResult measure(WarpModel *model, const Frame *frame, int threads, Techn
     const GpResult result = warp_model_error(model, frame, threads, &off, error);
     if (result)
         return result;
+    if (off.both > 0)
+        text_add(&report->lines, "interior %.2f dB, ", off.interior_psnr);
     text_add(&report->lines,
-             "interior %.2f dB, %.0f missing and %.0f extra of %.0f pixels, depth off by %.3g "
+             "%.0f missing and %.0f extra of %.0f pixels, depth off by %.3g "
              "(median; mean %.3g)\n",
-             off.interior_psnr, off.missing, off.extra, off.covered, off.depth_error,
-             off.depth_mean);
+             off.missing, off.extra, off.covered, off.depth_error, off.depth_mean);
     if (report->members)
         warp_tell_error(&off, report->members);
     return GP_OK;

@@ -3,6 +3,7 @@
 #include "apps/techniques/warp/experiments.h"
 #include "apps/techniques/warp/methods.h"
 #include "apps/techniques/warp/report.h"
+#include "apps/techniques/warp/scaling.h"
 
 static GpResult build(void *made, const void *setting, GpDevice *device, Frame *frame,
                       GpError *error)
@@ -57,6 +58,7 @@ const Technique warp_technique = {
     .defaults = &warp_option_defaults,
     .setting_bytes = sizeof(WarpOptions),
     .experiments = warp_experiments,
+    .scaling = &warp_scaling,
     .imply = warp_options_imply,
     .check = warp_options_check,
     .open = warp_model_open,

@@ -164,7 +164,7 @@ GpResult warp_error(const RayPicture *truth, const Camera *camera, const GpSurfa
     error.both = (double)both;
     error.depth_mean /= fmax(error.both, 1);
     error.depth_error = both ? depths[both / 2] : 0;
-    error.interior_psnr = -10 * log10(fmax(inside / fmax(3 * error.both, 1), 1e-18));
+    error.interior_psnr = both ? -10 * log10(fmax(inside / (3 * error.both), 1e-18)) : (double)NAN;
     error.rmse = sqrt(square / (3 * (double)pixels));
     gp_free(depths);
     *off = error;

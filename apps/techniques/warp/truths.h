@@ -6,7 +6,7 @@
 #include "apps/truth/ray_picture.h"
 
 typedef struct WarpError {
-    double interior_psnr; /* dB, over pixels that both cover */
+    double interior_psnr; /* dB, over pixels that both cover; NaN: there are none */
     double missing;       /* pixels that the truth covers and the picture does not */
     double extra;         /* the other way */
     double depth_error;   /* median of how far depth along the view is off where both cover */

@@ -19,6 +19,18 @@ const TechniqueWord warp_words[] = {
     { "missing", "Pixels that the truth covers, and the picture does not." },
     { "extra", "Pixels that the picture covers, and the truth does not." },
     { "depth", "How far depth along the view is off, the median, in the model's unit." },
+    { "as a surface",
+      "The depth image as a mesh of as few triangles as stand for it within a quarter of a pixel, "
+      "under the depth test." },
+    { "cylinder, as a surface",
+      "The same of a depth image on a cylinder around the model, with two caps." },
+    { "cylinder, as printed",
+      "A depth image on a cylinder, moved within the plane that touches the cylinder before the "
+      "eye, "
+      "without a depth test, in an order in which what is nearer comes later." },
+    { "relief",
+      "Relief mapping: each pixel's ray goes through the depth image in even steps until it is "
+      "below it, and the last of these is then halved." },
     { "polygons", "The mesh itself, drawn as triangles." },
     { .word = NULL },
 };

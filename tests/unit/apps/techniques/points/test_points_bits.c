@@ -1,72 +1,38 @@
 /* The bits of splatted pictures: one picture for every executor, number of threads and lane width. */
 #include "apps/techniques/points/options.h"
 #include "apps/techniques/points/technique.h"
-#include "tests/support/devices.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/sweep_bits.h"
 #include "tests/support/unit.h"
 
-#include <stdio.h>
+enum { SIDE = 64 };
 
-enum { SIDE = 64, MAX_TEXTS = 64 };
-
-/* One text of each row of the sweep. */
-static int list_texts(char (*texts)[SETTING_MAX_TEXT])
+/* lit: two sums, and a picture's depth */
+static void check(const char *model, bool unlit, uint64_t hashes[SWEEP_ROWS])
 {
-    int count = 0;
-    for (const TechniqueSweep *row = points_technique.experiments->sweep; row->method; row++) {
-        assert_true(count < MAX_TEXTS);
-        assert_true(technique_expand(row->options, &texts[count++], 1) > 0);
-    }
-    return count;
-}
-
-/* Every method gives one hash, wherever it is drawn; lit: two sums, and a picture's depth. */
-static void check_devices(const char *model, bool unlit, uint64_t first[MAX_TEXTS])
-{
-    char texts[MAX_TEXTS][SETTING_MAX_TEXT];
-    const int count = list_texts(texts);
-    int failed = 0;
-    GpError error = { "" };
-    TechniqueStage stage = { .technique = &points_technique };
     PointsOptions options = points_option_defaults;
     options.sharp = 40; /* of use to a cube's edges */
     options.color = unlit ? "waves:20" : "gold";
     const TechniqueInput input = {
         .path = model, .width = SIDE, .height = SIDE, .setting = &options
     };
-    if (points_technique.open(&input, &stage.scene, &error))
-        fail_msg("%s", error.text);
-    for (size_t d = 0; device_here(d); d++) {
-        stage.device = device_open(device_here(d));
-        for (int i = 0; i < count; i++) {
-            const uint64_t hash = technique_stage_hash(&stage, texts[i]);
-            first[i] = d == 0 ? hash : first[i];
-            if (hash == first[i])
-                continue;
-            print_error("%s: %s draws other bits\n", texts[i], device_name(device_here(d)));
-            failed++;
-        }
-        gp_device_destroy(&stage.device);
-    }
-    points_technique.close(stage.scene);
-    assert_int_equal(failed, 0);
+    sweep_is_one_picture(&points_technique, &input, hashes);
 }
 
 static void every_method_of_the_sweep_is_one_picture(void **state)
 {
     (void)state;
-    uint64_t unlit[MAX_TEXTS], lit[MAX_TEXTS];
-    check_devices("builtin:torus", true, unlit);
-    check_devices("builtin:torus", false, lit);
+    uint64_t unlit[SWEEP_ROWS], lit[SWEEP_ROWS];
+    check("builtin:torus", true, unlit);
+    check("builtin:torus", false, lit);
     assert_true(lit[0] != unlit[0]); /* or nothing was compared */
 }
 
 static void clip_lines_are_one_picture(void **state)
 {
     (void)state;
-    uint64_t unlit[MAX_TEXTS], lit[MAX_TEXTS];
-    check_devices("builtin:cube", true, unlit);
-    check_devices("builtin:cube", false, lit);
+    uint64_t unlit[SWEEP_ROWS], lit[SWEEP_ROWS];
+    check("builtin:cube", true, unlit);
+    check("builtin:cube", false, lit);
     assert_true(lit[0] != unlit[0]);
 }
 
