@@ -6,7 +6,7 @@
 #include "apps/techniques/registry.h"
 #include "tests/support/folder.h"
 #include "tests/support/random_scene.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 
 #include <math.h>
 

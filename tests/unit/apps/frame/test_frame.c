@@ -2,7 +2,7 @@
 #include "apps/bench/cases.h"
 #include "apps/techniques/registry.h"
 #include "apps/techniques/voxel/options.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 static const GpSurfaceDesc small = { .format = GP_R8, .width = 4, .height = 4 };

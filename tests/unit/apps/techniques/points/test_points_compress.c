@@ -2,7 +2,7 @@
 #include "apps/techniques/points/model.h"
 #include "apps/techniques/points/technique.h"
 #include "tests/support/devices.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #include <unistd.h>

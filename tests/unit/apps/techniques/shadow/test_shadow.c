@@ -2,7 +2,7 @@
  * in pixels of 256 x 256, of which some 42000 show something. Acne is what is dark and should be lit,
  * a leak is what is lit and should be dark. */
 #include "apps/techniques/shadow/technique.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 /* --- scenes ----------------------------------------------------------------------------------- */

@@ -4,7 +4,7 @@
 #include "apps/techniques/shadow/shadow.h"
 #include "pipeline/units/texture.h"
 #include "tests/support/devices.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

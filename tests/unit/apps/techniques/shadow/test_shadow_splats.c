@@ -3,7 +3,7 @@
 #include "apps/techniques/shadow/technique.h"
 #include "tests/support/devices.h"
 #include "tests/support/scene_text.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* Shadows of a world that is turned: what only receives is found whichever way it lies, so that maps
  * fit and errors stay what they were. */
 #include "apps/techniques/shadow/technique.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #include "apps/base/camera.h"

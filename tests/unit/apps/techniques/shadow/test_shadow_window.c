@@ -3,7 +3,7 @@
  *
  * $GP_TEST_BUNNY_WINDOW asks for the bunny's table too, which takes its time. */
 #include "apps/techniques/shadow/technique.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

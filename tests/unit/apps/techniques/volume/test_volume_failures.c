@@ -2,7 +2,7 @@
  * wide views have tests where splats are drawn. */
 #include "apps/techniques/volume/report.h"
 #include "apps/techniques/volume/technique.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 static void check(const TechniqueCase *rows, size_t count)

@@ -3,7 +3,7 @@
  * in voxels of volumes of 64 a side. What is extra no triangle touches, or lies outside; what is
  * missing some triangle touches, or lies inside. */
 #include "apps/techniques/voxel/technique.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #define N64     "--size 64 "

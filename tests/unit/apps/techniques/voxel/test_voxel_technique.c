@@ -5,7 +5,7 @@
 #include "apps/techniques/voxel/facts.h"
 #include "apps/techniques/voxel/truths.h"
 #include "pipeline/io/file.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 #include "apps/truth/voxel_truth.h"
 

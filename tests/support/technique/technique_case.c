@@ -1,4 +1,4 @@
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 
 #include "tests/support/devices.h"
 #include "tests/support/scene_text.h"

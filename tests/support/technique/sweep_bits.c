@@ -1,7 +1,7 @@
-#include "tests/support/sweep_bits.h"
+#include "tests/support/technique/sweep_bits.h"
 
 #include "tests/support/devices.h"
-#include "tests/support/technique_case.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #include <stdio.h>
