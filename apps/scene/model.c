@@ -67,6 +67,15 @@ GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error)
     return result ? gp_fail(error, result, "%.200s: no memory", name) : GP_OK;
 }
 
+/* --- as depth images -------------------------------------------------------------------------- */
+
+GpResult model_depth_images(const char *name, DepthModel *images, GpError *error)
+{
+    char path[4096];
+    const GpResult result = gp_data_find(name, path, sizeof path, error);
+    return result ? result : depth_file_read(path, images, error);
+}
+
 /* --- as points -------------------------------------------------------------------------------- */
 
 GpResult model_points(const char *builtin, GpPoints *points, GpError *error)

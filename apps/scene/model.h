@@ -4,6 +4,7 @@
 #ifndef APPS_SCENE_MODEL_H
 #define APPS_SCENE_MODEL_H
 
+#include "apps/depth_images/depth_file.h"
 #include "apps/points/surfels.h"
 #include "apps/scene/shapes.h"
 #include "pipeline/base/pool.h"
@@ -16,6 +17,11 @@ const char *model_after(const char *name, const char *prefix);
 /* A mesh, or points where a file has no faces.
  * owns   the caller, until gp_mesh_free */
 GpResult model_mesh(const char *name, GpMesh *mesh, GpError *error);
+
+/* A depth image of a file.
+ * errors also those of depth_file_read
+ * owns   the caller, until depth_model_free */
+GpResult model_depth_images(const char *name, DepthModel *images, GpError *error);
 
 /* A point set of shapes.h, by what follows "builtin:points/" in a name.
  * errors GP_ERROR_INVALID: no such points; GP_ERROR_MEMORY

@@ -3,14 +3,12 @@
 #include "apps/base/machine.h"
 #include "apps/base/model_color.h"
 #include "apps/depth_images/capture.h"
-#include "apps/depth_images/depth_file.h"
 #include "apps/depth_images/drawing/light.h"
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/capture_cylinder.h"
 #include "apps/scene/camera_file.h"
 #include "apps/scene/model.h"
 #include "apps/techniques/warp/cameras.h"
-#include "pipeline/io/file.h"
 
 #include <string.h>
 
@@ -103,15 +101,12 @@ static GpResult check_image(const char *path, const WarpOptions *options, GpErro
 static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpError *error)
 {
     const WarpOptions *options = input->setting;
-    char path[4096];
     WarpImages *images = gp_alloc(1, sizeof *images);
     if (!images)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     GpResult result = check_image(input->path, options, error);
     if (!result)
-        result = gp_data_find(input->path, path, sizeof path, error);
-    if (!result)
-        result = depth_file_read(path, &images->model, error);
+        result = model_depth_images(input->path, &images->model, error);
     if (result) {
         gp_free(images);
         return result;
@@ -131,13 +126,10 @@ static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpErr
 /* The truth's picture is the view's, where none is described. */
 static GpResult open_truth(const WarpOptions *options, WarpModel *model, GpError *error)
 {
-    char path[4096];
     model->truth_path = options->truth;
     if (!options->truth || !depth_file_is_readable(options->truth))
         return GP_OK;
-    GpResult result = gp_data_find(options->truth, path, sizeof path, error);
-    if (!result)
-        result = depth_file_read(path, &model->truth_images, error);
+    const GpResult result = model_depth_images(options->truth, &model->truth_images, error);
     if (result)
         return result;
     const DepthImage *image = &model->truth_images.images[0];
