@@ -37,3 +37,12 @@ GpSurface *scene_target(const Loader *loader, const Node *node, const char *name
         node_fail(node, GP_ERROR_FORMAT, "no earlier pass has a target '%.60s'", name);
     return surface;
 }
+
+void scene_refuse(Node *object, const char *const *keys, size_t count, const char *reason)
+{
+    for (size_t i = 0; i < count && !object->schema; i++) {
+        Node node = node_member(object, keys[i]);
+        if (node_exists(&node))
+            node_fail(&node, GP_ERROR_FORMAT, "%s", reason);
+    }
+}

@@ -41,6 +41,11 @@ typedef struct Loader {
     struct SceneVolume *volumes; /* likewise */
 } Loader;
 
+#define SCENE_SHAPES "a mesh, points, a volume or a depth image" /* that an object has one of */
+
+/* Keys that an object of its kind has not, with the reason why. */
+void scene_refuse(Node *object, const char *const *keys, size_t count, const char *reason);
+
 /* A copy of a text that lives as long as the scene. */
 const char *scene_copy(Loader *loader, const char *text);
 

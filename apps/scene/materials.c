@@ -10,6 +10,7 @@
 #include "shaders_c/common/depth_only.h"
 #include "shaders_c/materials/gbuffer.h"
 #include "shaders_c/materials/gouraud.h"
+#include "shaders_c/materials/mapped_phong.h"
 #include "shaders_c/materials/normals.h"
 #include "shaders_c/materials/phong.h"
 #include "shaders_c/materials/sprite.h"
@@ -77,6 +78,9 @@ static const Entry programs[] = {
     { "textured", &textured_program, { CAMERA(TexturedUniforms), LIGHT(TexturedUniforms),
         SURFACE(TexturedUniforms, 1, 1, 1) } },
     { "textured_phong", &textured_phong_program, {
+        CAMERA(PhongUniforms), LIGHT(PhongUniforms),
+        SURFACE(PhongUniforms, 1, 1, 1), SHINE(PhongUniforms) } },
+    { "mapped_phong", &mapped_phong_program, {
         CAMERA(PhongUniforms), LIGHT(PhongUniforms),
         SURFACE(PhongUniforms, 1, 1, 1), SHINE(PhongUniforms) } },
     { "toon", &toon_program, { CAMERA(ToonUniforms), GIVEN(ToonUniforms, eye, FROM(eye)),
@@ -189,16 +193,17 @@ static unsigned texture_count(const GpProgram *program)
     return (unsigned)__builtin_popcount(read);
 }
 
-/* "textures": as many as the program reads. */
+/* "textures": as many as the program reads, unless the draw has some already. */
 static void read_textures(Loader *loader, Node *material, const Entry *entry, GpDraw *draw)
 {
-    const unsigned needed = texture_count(entry->program);
+    const unsigned needed = draw->textures[0].surface ? 0 : texture_count(entry->program);
     Node textures = node_member(material, "textures");
     const size_t count = node_length(textures, GP_MAX_SAMPLERS);
     if (count > needed)
         node_fail(&textures, GP_ERROR_FORMAT, "program %s reads %s", entry->name,
                   needed == 0   ? "no texture"
                   : needed == 1 ? "one texture"
+                  : needed == 2 ? "two textures"
                                 : "three textures");
     for (size_t i = 0; i < count; i++)
         scene_read_texture(loader, node_element(&textures, i), &draw->textures[i]);

@@ -11,7 +11,7 @@ const char *scene_program_name(const GpProgram *program);
 void scene_light_direction(const SceneView *view, float direction[3]);
 
 /* "material": program, uniforms, textures.
- * in   program: the one where none is named */
+ * in   program: the one where none is named; draw: textures that it has are what programs read */
 void scene_read_material(Loader *loader, Node node, const SceneView *view, const char *program,
                          GpDraw *draw);
 

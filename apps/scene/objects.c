@@ -1,5 +1,6 @@
 #include "apps/scene/objects.h"
 
+#include "apps/scene/depth_images.h"
 #include "apps/scene/materials.h"
 #include "apps/scene/model.h"
 #include "apps/scene/placing.h"
@@ -150,10 +151,10 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
 {
     Node mesh = node_member(node, "mesh"), points = node_member(node, "points");
     Node fit = node_member(node, "fit"), transform = node_member(node, "transform");
-    Node volume = node_member(node, "volume");
-    const Node *const shapes[] = { &mesh, &points, &volume };
+    Node volume = node_member(node, "volume"), image = node_member(node, "depth_image");
+    const Node *const shapes[] = { &mesh, &points, &volume, &image };
     Shape shape = { 0 };
-    node_one_of(shapes, GP_COUNT(shapes), "a mesh, points or a volume");
+    node_one_of(shapes, GP_COUNT(shapes), SCENE_SHAPES);
     if (node_exists(&mesh))
         read_shape(&mesh, false, &shape);
     if (node_exists(&points)) {
@@ -185,18 +186,11 @@ static void refuse_unread(Node *object, const char *key, GpSemantic input, const
                   scene_program_name(draw->program));
 }
 
-static void refuse_without_method(Node *object)
-{
-    static const char *const keys[] = { "subdivide", "sample" };
-    for (size_t i = 0; i < GP_COUNT(keys) && !object->schema; i++) {
-        Node node = node_member(object, keys[i]);
-        if (node_exists(&node))
-            node_fail(&node, GP_ERROR_FORMAT, "of splats: expected a method");
-    }
-}
-
 static void read_drawn(Loader *loader, Node *node, const SceneView *view, GpDraw *draw)
 {
+    static const char *const of_splats[] = { "subdivide", "sample" }, *const of_images[] = {
+        "pixels"
+    };
     draw->name = scene_copy(loader, node_string(node_member(node, "name"), ""));
     SceneView own = *view; /* an object's viewport does not change the pass's matrix */
     scene_read_viewport(node_member(node, "viewport"), &own.viewport);
@@ -208,7 +202,8 @@ static void read_drawn(Loader *loader, Node *node, const SceneView *view, GpDraw
     if (!loader->reader.result)
         scene_read_material(loader, node_member(node, "material"), &own,
                             draw->geometry.primitive == GP_POINTS ? "sprite" : "phong", draw);
-    refuse_without_method(node);
+    scene_refuse(node, of_splats, GP_COUNT(of_splats), "of splats: expected a method");
+    scene_refuse(node, of_images, GP_COUNT(of_images), "of depth images: expected one");
     scene_refuse_without_volume(node);
     refuse_unread(node, "color", GP_COLOR, draw);
     refuse_unread(node, "tile", GP_TEXCOORD0, draw);
@@ -220,11 +215,14 @@ void scene_read_object(Loader *loader, Node node, const SceneView *view)
     const GpGeometry none = { .vertex_count = 0 };
     node_define(&node, "object");
     Node volume = node_member(&node, "volume"), method = node_member(&node, "method");
+    Node image = node_member(&node, "depth_image");
     if (node_exists(&volume))
         scene_read_volume(loader, &node, view);
-    if (node_lacks(&volume) && node_exists(&method))
+    if (node_lacks(&volume) && node_exists(&image))
+        scene_read_depth_image(loader, &node, view);
+    if (node_lacks(&volume) && node_lacks(&image) && node_exists(&method))
         scene_read_splats(loader, &node, view);
-    if (node_lacks(&volume) && node_lacks(&method))
+    if (node_lacks(&volume) && node_lacks(&image) && node_lacks(&method))
         read_drawn(loader, &node, view, frame_draw(loader->frame, NULL, NULL, &none));
     node_close(&node);
 }

@@ -6,8 +6,8 @@
 #include "apps/scene/shape.h"
 
 /* One element of "objects": mesh or points, transformed to the world, with material and state, as a draw
- * of the frame's last pass; or splats (splats.h), or a
- * volume (volumes.h). */
+ * of the frame's last pass; or splats (splats.h), a volume (volumes.h), or a depth image
+ * (depth_images.h). */
 void scene_read_object(Loader *loader, Node node, const SceneView *view);
 
 /* "quad" of a pass: a rectangle over the whole viewport, in clip space, without depth test. */

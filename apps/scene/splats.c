@@ -54,16 +54,6 @@ static const char *why_not(const SceneView *view)
     return NULL;
 }
 
-static void refuse_keys(Node *object)
-{
-    static const char *const keys[] = { "material", "state", "viewport", "tile", "size" };
-    for (size_t i = 0; i < GP_COUNT(keys) && !object->schema; i++) {
-        Node node = node_member(object, keys[i]);
-        if (node_exists(&node))
-            node_fail(&node, GP_ERROR_FORMAT, "splats have none of their own");
-    }
-}
-
 /* --- surfels ---------------------------------------------------------------------------------- */
 
 static GpResult open_model(const Node *node, bool points, const ModelSampling *sampling,
@@ -80,9 +70,9 @@ static Surfels read_surfels(Node *object, GpPool *pool)
     Surfels surfels = { .count = 0 };
     GpError reason = { "" };
     Node mesh = node_member(object, "mesh"), points = node_member(object, "points");
-    Node volume = node_member(object, "volume");
-    const Node *const shapes[] = { &mesh, &points, &volume };
-    node_one_of(shapes, GP_COUNT(shapes), "a mesh, points or a volume");
+    Node volume = node_member(object, "volume"), image = node_member(object, "depth_image");
+    const Node *const shapes[] = { &mesh, &points, &volume, &image };
+    node_one_of(shapes, GP_COUNT(shapes), SCENE_SHAPES);
     const ModelSampling sampling = {
         .subdivide = (uint32_t)node_integer(node_member(object, "subdivide"), 0, 0, 8),
         .sample = (uint32_t)node_integer(node_member(object, "sample"), 0, 0, MOST_SAMPLES),
@@ -203,13 +193,16 @@ static void keep(Loader *loader, const Node *object, const SceneView *view, Spla
 
 void scene_read_splats(Loader *loader, Node *object, const SceneView *view)
 {
+    static const char *const others[] = {
+        "material", "state", "viewport", "tile", "size", "pixels"
+    };
     GpPool *pool = NULL;
     GpError reason = { "" };
     Node method = node_member(object, "method");
     node_string(node_member(object, "name"), "");
     const int number = node_name(method, 0, methods, GP_COUNT(methods));
     node_without_default(&method);
-    refuse_keys(object);
+    scene_refuse(object, others, GP_COUNT(others), "splats have none of their own");
     scene_refuse_without_volume(object);
     if (!object->schema && why_not(view))
         node_fail(object, GP_ERROR_FORMAT, "%s", why_not(view));

@@ -39,19 +39,10 @@ static const char *why_not(const SceneView *view)
     return NULL;
 }
 
-static void refuse(Node *object, const char *const *keys, size_t count, const char *reason)
-{
-    for (size_t i = 0; i < count && !object->schema; i++) {
-        Node node = node_member(object, keys[i]);
-        if (node_exists(&node))
-            node_fail(&node, GP_ERROR_FORMAT, "%s", reason);
-    }
-}
-
 void scene_refuse_without_volume(Node *object)
 {
     static const char *const keys[] = { "transfer", "step", "lit" };
-    refuse(object, keys, GP_COUNT(keys), "of volumes: expected a volume");
+    scene_refuse(object, keys, GP_COUNT(keys), "of volumes: expected a volume");
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */
@@ -116,10 +107,11 @@ static void read_field(Node *object, struct SceneVolume *volume)
 {
     Node name_node = node_member(object, "volume"), transfer_node = node_member(object, "transfer");
     Node mesh = node_member(object, "mesh"), points = node_member(object, "points");
-    const Node *const shapes[] = { &mesh, &points, &name_node };
+    Node image = node_member(object, "depth_image");
+    const Node *const shapes[] = { &mesh, &points, &name_node, &image };
     GpError reason = { "" };
     Transfer transfer;
-    node_one_of(shapes, GP_COUNT(shapes), "a mesh, points or a volume");
+    node_one_of(shapes, GP_COUNT(shapes), SCENE_SHAPES);
     const char *name = node_string(name_node, NULL);
     const char *transfer_name = node_string(transfer_node, NULL);
     node_without_default(&transfer_node);
@@ -148,14 +140,14 @@ static void read_field(Node *object, struct SceneVolume *volume)
 
 void scene_read_volume(Loader *loader, Node *object, const SceneView *view)
 {
-    static const char *const others[] = { "material", "state",  "viewport",  "tile",  "size",
-                                          "color",    "method", "subdivide", "sample" };
+    static const char *const others[] = { "material", "state",  "viewport",  "tile",   "size",
+                                          "color",    "method", "subdivide", "sample", "pixels" };
     Frame *frame = loader->frame;
     struct SceneVolume none = { .next = NULL }, *volume = frame_alloc(frame, 1, sizeof *volume);
     if (!volume)
         volume = &none;
     node_string(node_member(object, "name"), "");
-    refuse(object, others, GP_COUNT(others), "volumes have none of their own");
+    scene_refuse(object, others, GP_COUNT(others), "volumes have none of their own");
     if (!object->schema && why_not(view))
         node_fail(object, GP_ERROR_FORMAT, "%s", why_not(view));
     volume->setting.step = node_double(node_member(object, "step"), 1, 0.05, 16);

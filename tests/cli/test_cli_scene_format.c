@@ -346,8 +346,10 @@ static void what_the_schema_refuses_is_refused_with_a_sentence(void **state)
     expect_both(OBJECT("\"material\": { \"program\": \"unlit\", \"shininess\": 3 }"),
                 "shininess: unknown key");
     expect_both(OBJECT("\"transform\": { \"scale\": \"2\" }"), "scale: expected 3 numbers");
-    expect_both(OBJECT("\"points\": \"builtin:grid\""), "expected a mesh, points or a volume");
-    expect_both(OBJECT("\"volume\": \"builtin:ball:8\""), "expected a mesh, points or a volume");
+    expect_both(OBJECT("\"points\": \"builtin:grid\""),
+                "expected a mesh, points, a volume or a depth image");
+    expect_both(OBJECT("\"volume\": \"builtin:ball:8\""),
+                "expected a mesh, points, a volume or a depth image");
     expect_both(OBJECT("\"method\": \"ewa\", \"subdivide\": 2"), NULL);
     expect_both(OBJECT("\"method\": \"ewa\", \"subdivide\": 9"),
                 "objects[0].subdivide: expected a whole number in [0, 8]");
@@ -365,6 +367,7 @@ static void what_a_program_does_not_use_is_refused(void **state)
         { "\"tile\": [2, 2]", "objects[0].tile: program phong does not use it" },
         { "\"size\": 2", "objects[0].size: program phong does not use it" },
         { "\"sample\": 9", "objects[0].sample: of splats: expected a method" },
+        { "\"pixels\": [64, 64]", "objects[0].pixels: of depth images: expected one" },
         { "\"step\": 2", "objects[0].step: of volumes: expected a volume" },
         { "\"method\": \"ewa\", \"lit\": true", "objects[0].lit: of volumes: expected a volume" },
         { "\"method\": \"ewa\", \"tile\": [2, 2]",

@@ -7,7 +7,8 @@
 #include <string.h>
 
 static const double two_pi = 0x1.921fb54442d18p+2;
-static const double jump = 3; /* as large beside its neighbours' is none of a slope */
+static const double jump = 3;    /* as large beside its neighbours' is none of a slope */
+static const double along = 0.5; /* cosine to a normal, of ways within the surface */
 
 /* --- where columns and rows are ---------------------------------------------------------------- */
 
@@ -60,6 +61,21 @@ static double step_between(const DepthPixels *pixels, size_t from, size_t to)
     return isfinite(step) ? fabs(step) : 0;
 }
 
+/* Whether the way between two points may lie in one surface: it goes along it at both ends. */
+static bool lies_along(const SurfaceGrid *grid, size_t from, size_t to)
+{
+    double way[3], off[2];
+    for (int k = 0; k < 3; k++)
+        way[k] = (double)grid->position[to][k] - (double)grid->position[from][k];
+    vector_normalize(way);
+    for (int i = 0; i < 2; i++) {
+        const float *normal = grid->normal[i ? to : from];
+        off[i] = fabs((double)normal[0] * way[0] + (double)normal[1] * way[1] +
+                      (double)normal[2] * way[2]);
+    }
+    return off[0] < along && off[1] < along;
+}
+
 /* Whether the side from a point to the next, across or down, is cut. */
 static bool is_cut(const SurfaceGrid *grid, uint32_t x, uint32_t y, bool across, double cut)
 {
@@ -81,7 +97,11 @@ static bool is_cut(const SurfaceGrid *grid, uint32_t x, uint32_t y, bool across,
     const double beside =
         fmax(step_between(pixels, pixel[0], pixel[1]), step_between(pixels, pixel[2], pixel[3]));
     spacing_at(grid->image, (double)pixels->depth[pixel[1]], spacing);
-    return step > cut * grid->step * spacing[!across] && step > jump * beside;
+    if (!(step > cut * grid->step * spacing[!across]))
+        return false;
+    const size_t point = (size_t)y * grid->columns + x;
+    return step > jump * beside ||
+           (grid->has_normals && !lies_along(grid, point, point + (across ? 1 : grid->columns)));
 }
 
 static void find_cuts(SurfaceGrid *grid, double cut)
@@ -116,7 +136,7 @@ GpResult surface_grid_open(const DepthImage *image, const float *normals, uint32
                            SurfaceGrid *grid, GpError *error)
 {
     const DepthPixels *pixels = &image->front;
-    SurfaceGrid made = { .image = image, .step = step };
+    SurfaceGrid made = { .image = image, .step = step, .has_normals = normals != NULL };
     made.columns = (pixels->width + step - 1) / step + image->is_cylinder;
     if (!image->is_cylinder && (pixels->width - 1) % step)
         made.columns++; /* the last one */

@@ -9,14 +9,17 @@
 typedef struct SurfaceGrid {
     const DepthImage *image; /* borrowed */
     uint32_t step, columns, rows;
+    bool has_normals;
     float (*position)[3]; /* [rows][columns]; x infinite: nothing is shown */
     float (*normal)[3];   /* likewise */
     uint8_t *cut;         /* [rows][columns]: as of merge.h */
 } SurfaceGrid;
 
 /* in     normals: [height][width][3] of the image; NULL: there are none, and they are 0
- *        cut: neighbours whose depths differ by more than so many times their distance, and by three
- *        times as much as either has to its next neighbour, are not one surface; below 0: all are
+ *        cut: neighbours whose depths differ by more than so many times their distance are one
+ *        surface only where that is no jump, three times as steep as on either side, and where the way
+ *        from one to the other goes along the surface at both ends, as far as normals tell. Below 0: all
+ *        are
  * errors GP_ERROR_MEMORY */
 GpResult surface_grid_open(const DepthImage *image, const float *normals, uint32_t step, double cut,
                            SurfaceGrid *grid, GpError *error);

@@ -2,6 +2,7 @@
 #include "apps/techniques/shadow/setting.h"
 
 #include "apps/techniques/shadow/discs.h"
+#include "shaders_c/materials/mapped_phong.h"
 #include "shaders_c/materials/phong.h"
 #include "shaders_c/materials/textured_phong.h"
 
@@ -144,9 +145,10 @@ GpResult shadow_check(const Scene *scene, const ShadowSetting *setting, GpError 
     for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
         const GpDraw *draw = &scene->list.passes[0].draws[i];
         if (draw->program != &phong_program && draw->program != &textured_phong_program &&
-            !shadow_is_disc(draw))
+            draw->program != &mapped_phong_program && !shadow_is_disc(draw))
             return gp_fail(error, GP_ERROR_INVALID,
-                           "objects[%u]: program %s has no shadows; phong and textured_phong have",
+                           "objects[%u]: program %s has no shadows; phong, textured_phong and "
+                           "mapped_phong have",
                            i, draw->program->name);
     }
     const GpResult result = check_splats(scene, setting, error);

@@ -2,7 +2,7 @@
 
 #include "apps/techniques/shadow/adaptive.h"
 #include "apps/techniques/shadow/discs.h"
-#include "shaders_c/materials/textured_phong.h"
+#include "shaders_c/materials/phong.h"
 #include "shaders_c/shadow/shadow_splats.h"
 
 #include <string.h>
@@ -51,7 +51,7 @@ static void draw_lit(const ShadowBuild *build, const ShadowLight *light, bool fi
         const GpDraw *object = &scene->draws[i];
         if (shadow_is_disc(object))
             continue;
-        bool textured = object->program == &textured_phong_program;
+        bool textured = object->program != &phong_program;
         GpDraw *draw =
             shadow_draw_object(build, light, object, choose_program(build, light, textured), first);
         if (!first) {

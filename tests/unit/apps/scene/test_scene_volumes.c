@@ -114,7 +114,7 @@ static void what_is_wrong_is_refused_with_its_place(void **state)
         { "\"volume\": \"nowhere.nrrd\"", ": objects[0].volume: " },
         { "\"volume\": 3", ": objects[0].volume: expected a string" },
         { BALL ", \"mesh\": \"builtin:cube\"",
-          ": objects[0]: expected a mesh, points or a volume" },
+          ": objects[0]: expected a mesh, points, a volume or a depth image" },
         { "\"volume\": \"builtin:ball:8\", \"transfer\": \"none.txt\"", ": objects[0].transfer: " },
         { BALL ", \"step\": 0", ": objects[0].step: expected a number in [0.05, 16]" },
         { BALL ", \"material\": { \"program\": \"phong\" }",
