@@ -172,6 +172,8 @@ static bool is_whole(const MergeGrid *grid, const int64_t a[2], const int64_t b[
         if (!is_there(grid, corners[i][0], corners[i][1]))
             return false;
     const int64_t x = a[0] < b[0] ? a[0] : b[0], y = a[1] < b[1] ? a[1] : b[1];
+    if (grid->whole_cells && is_broken(grid, x, y))
+        return false;
     return !is_cut(grid, x, c[1], MERGE_CUT_RIGHT) && !is_cut(grid, c[0], y, MERGE_CUT_DOWN);
 }
 

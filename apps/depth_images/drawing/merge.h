@@ -19,6 +19,7 @@ typedef struct MergeGrid {
     const float (*position)[3]; /* [rows][columns]; x infinite: there is none */
     /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side; NULL: none is cut */
     const uint8_t *cut;
+    bool whole_cells; /* only cells of which all points and sides are there */
 } MergeGrid;
 
 enum { MERGE_CUT_RIGHT = 1, MERGE_CUT_DOWN = 2 };
@@ -41,7 +42,8 @@ typedef struct MergedMesh {
 
 /* Merges cells so far that no point of the grid is farther than `tolerance` from the triangle that
  * stands for it, at its own place along the grid; next to points that are missing, and at cuts, nothing
- * is merged. A half of a cell is there where its three points are and no side is cut.
+ * is merged. A half of a cell is there where its three points are and no side is cut, unless
+ * only whole cells are asked for.
  * errors GP_ERROR_MEMORY */
 GpResult merge_grid(const MergeGrid *grid, double tolerance, MergedMesh *mesh, GpError *error);
 void merged_free(MergedMesh *mesh);

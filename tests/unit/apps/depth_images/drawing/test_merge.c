@@ -55,7 +55,7 @@ static MergeGrid make_grid(const Grid *grid, Random *random)
                 cuts[y * grid->columns + x] = MERGE_CUT_RIGHT;
         }
     return (MergeGrid){ grid->columns, grid->rows, grid->wraps, (const float(*)[3])positions,
-                        cuts };
+                        cuts,          false };
 }
 
 static MergedMesh merge(const MergeGrid *grid, double tolerance)
@@ -210,7 +210,7 @@ static void what_is_flat_is_merged(void **state)
         for (uint32_t x = 0; x < 65; x++)
             memcpy(positions[y * 65 + x], ((float[3]){ (float)x, -(float)y, 0 }),
                    sizeof positions[0]);
-    MergeGrid grid = { 65, 65, false, (const float(*)[3])positions, NULL };
+    MergeGrid grid = { 65, 65, false, (const float(*)[3])positions, NULL, false };
     MergedMesh mesh = merge(&grid, 1e-3);
     assert_int_equal(mesh.index_count, 4 * 2 * 3);
     merged_free(&mesh);

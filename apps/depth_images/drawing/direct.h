@@ -1,0 +1,51 @@
+/* Planar depth images in one pass, straight to the view and with the depth test: merged grids of the
+ * front layer and, where holes are to be filled, of what lies behind it (shaders_c/warp/direct.h).
+ *
+ * Any eye will do: what it cannot see of the images stays empty, and what is behind it is clipped.
+ * source ours, after paper 001, section 2; layers: Shade, Gortler, He, Szeliski, "Layered depth images",
+ *        SIGGRAPH 1998 */
+#ifndef APPS_DEPTH_IMAGES_DRAWING_DIRECT_H
+#define APPS_DEPTH_IMAGES_DRAWING_DIRECT_H
+
+#include "apps/depth_images/drawing/detail.h"
+#include "apps/depth_images/drawing/grid.h"
+#include "apps/depth_images/drawing/textures.h"
+#include "apps/depth_images/drawing/view.h"
+
+/* All zero: as it is meant. */
+typedef struct DirectSetting {
+    bool layers;      /* holes are filled from the second layer */
+    uint32_t step;    /* pixels from vertex to vertex; 0: by the footprint */
+    double tolerance; /* of merging, as GridSetting has it */
+    EdgeSetting
+        edges;    /* all zero, with layers: spread 2.5, texels 2: what is steep stays whole, since
+                          to cut it opens more holes than the second layer fills */
+    double reach; /* as GridSetting has it; 0: 0.4, with layers 0.5: farther out is more of the
+                          silhouette, in colours that are a guess */
+    WarpDetail detail;
+    const char *name; /* of the pass, borrowed; NULL: "direct" */
+} DirectSetting;
+
+enum { DIRECT_STEPS = 5 }; /* grids that are kept: of steps 1, 2, 4, 8, 16 */
+
+/* Owned by whoever made it, until direct_close. A zeroed one is empty. */
+typedef struct Direct {
+    const DepthImage *image;          /* borrowed */
+    WarpGrid front[DIRECT_STEPS];     /* alone, */
+    WarpGrid layers[2][DIRECT_STEPS]; /* and before what is behind it, and that */
+    DepthTextures textures[2];        /* of the front, of what is behind */
+    double center[3], radius;         /* of a ball about the image */
+    double pixel;                     /* side of its pixels in the world, about */
+} Direct;
+
+/* errors GP_ERROR_INVALID: a cylinder; those of depth_textures_open */
+GpResult direct_open(const DepthImage *image, Direct *made, GpError *error);
+
+/* Appends a pass. Triangles of the second layer that turn their insides to the eye are left out, where it has
+ * normals; grids of settings that are not the usual ones are made for the frame.
+ * errors GP_ERROR_MEMORY */
+GpResult direct_add(const Direct *made, const DirectSetting *setting, const WarpView *view,
+                    const WarpTarget *target, Frame *frame, GpError *error);
+void direct_close(Direct *made);
+
+#endif
