@@ -15,14 +15,16 @@ GP_INLINE Walk walk_along(const ReliefUniforms *c, const SlabPath *path)
                    vec3(path->way.x * c->cells[0], path->way.y * c->cells[1], path->way.z) };
 }
 
-/* How far the path is behind the surface at t: linear between four pixels. */
-GP_INLINE flt behind(GpInvocation *gp, const ReliefUniforms *c, const Walk *walk, flt t)
+/* How far the path is behind the surface at t: linear between four pixels.
+ * out  deep: and behind the nearest of the four */
+GP_INLINE flt behind(GpInvocation *gp, const ReliefUniforms *c, const Walk *walk, flt t, flt *deep)
 {
     float3 at = mad(walk->way, t, walk->first);
     flt right = frc(at.x), down = frc(at.y);
     float4 z = texldl(
         0, vec4((at.x - right + 0.5f) * c->texel[0], (at.y - down + 0.5f) * c->texel[1], 0, 0));
     flt upper = mad(z.y - z.x, right, z.x), lower = mad(z.w - z.z, right, z.z);
+    *deep = at.z - min(min(z.x, z.y), min(z.z, z.w));
     return at.z - mad(lower - upper, down, upper);
 }
 
@@ -33,21 +35,23 @@ GP_INLINE flt search(GpInvocation *gp, const ReliefUniforms *c, const SlabPath *
     const Walk walk = walk_along(c, path);
     const flt step = bcast(1.0f / c->steps);
     const flt thick = max(abs_(walk.way.z) * (step * 2.0f), c->thickness);
-    flt low = bcast(0), before = behind(gp, c, &walk, low); /* the last place */
-    flt high = bcast(0), after = before;                    /* the one behind it */
+    flt deep, low = bcast(0), before = behind(gp, c, &walk, low, &deep); /* the last place */
+    flt high = bcast(0), after = before, deeper = deep;                  /* the one behind it */
     flt k = sel(path->enters < path->leaves, bcast(1), bcast(c->steps + 1.0f));
     flt found = bcast(0);
 
     loop_while(255, (msk)(k <= c->steps) & (msk)(found < 0.5f))
     {
         flt t = k * step;
-        flt off = behind(gp, c, &walk, t);
+        flt here, off = behind(gp, c, &walk, t, &here);
         msk walks = (msk)(k <= c->steps) & (msk)(found < 0.5f);
         low = sel(walks, high, low);
         before = sel(walks, after, before);
         high = sel(walks, t, high);
         after = sel(walks, off, after);
-        msk meets = (msk)(before * after <= 0.0f) & (msk)(max(before, after) <= thick);
+        deep = sel(walks, deeper, deep);
+        deeper = sel(walks, here, deeper);
+        msk meets = (msk)(before * after <= 0.0f) & (msk)(sel(after > 0.0f, deeper, deep) <= thick);
         found = sel(meets, bcast(1), found);
         k = k + 1.0f;
     }
@@ -55,7 +59,7 @@ GP_INLINE flt search(GpInvocation *gp, const ReliefUniforms *c, const SlabPath *
     loop_while(255, (msk)(turn < c->halvings) & (msk)(found > 0.5f))
     {
         flt t = (low + high) * 0.5f;
-        flt off = behind(gp, c, &walk, t);
+        flt off = behind(gp, c, &walk, t, &deep);
         msk beyond = before * off <= 0.0f;
         high = sel(beyond, t, high);
         after = sel(beyond, off, after);

@@ -5,7 +5,7 @@
 enum { STEPS = 64, HALVINGS = 8, MOST = 255 };
 
 /* More leaves fewer holes behind edges, and wronger colours there. */
-static const double usual_thickness = 0.08;
+static const double usual_thickness = 0.1;
 
 /* z of a pixel; those at the picture's rim go on outside. */
 static float z_at(const DepthSlab *slab, const DepthPixels *pixels, int64_t x, int64_t y)

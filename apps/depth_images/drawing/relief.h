@@ -11,7 +11,7 @@ typedef struct ReliefSetting {
     uint32_t halvings; /* of the binary one, to 255; 0: 8 */
     double
         thickness; /* of the surface, as a share of the depths of the image: how far behind its edges
-                          rays still meet it; 0: 0.08; below 0: all the way, as printed */
+                          rays still meet it; 0: 0.1; below 0: all the way, as printed */
     const char *name; /* of the pass, borrowed; NULL: "relief" */
 } ReliefSetting;
 

@@ -7,8 +7,8 @@ static const struct {
     const GpProgram *program;
     int vertex, pixel; /* slots at most: what they take today */
 } rows[] = {
-    { &relief_program, 3, 188 },
-    { &relief_lit_program, 5, 223 },
+    { &relief_program, 3, 198 },
+    { &relief_lit_program, 5, 233 },
 };
 
 static void shaders_stay_within_profiles_and_slots(void **state)

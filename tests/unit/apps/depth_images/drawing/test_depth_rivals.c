@@ -39,9 +39,9 @@ static const struct {
     bool follows;            /* depth; else a polygon is all that there is */
     double flat, ball_depth; /* from aside; flat: largest on planes */
     double color;            /* largest on planes */
-    uint32_t around;         /* pixels of the ball's outline that may be wrong */
+    uint32_t around;         /* pixels of the ball that may be wrong: a crescent of it was hidden */
 } rivals[] = {
-    { "relief", draw_relief, true, 1e-5, 1e-3, 0.01, 10 },
+    { "relief", draw_relief, true, 1e-5, 1e-3, 0.01, 250 },
 };
 
 static const WarpLight light = { .position = { 0.6, 0.8, 0 },
