@@ -65,8 +65,9 @@ IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-s
 COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
 LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
 WITH_OIIO ?= 1
+WITH_OPENMESH ?= 1
 IO_LIBS  ?= -ljansson -lpng -lz
-# Programs find the library of OpenImageIO beside them. By RPATH where sanitizers stand between dlopen
+# Programs find the libraries that they load beside them. By RPATH where sanitizers stand between dlopen
 # and its caller, whose RUNPATH then does not count.
 BESIDE   := $(if $(SANITIZE),-Wl$(comma)--disable-new-dtags) '-Wl,-rpath,$$ORIGIN/../lib'
 LIBS     := $(if $(CXX),$(IO_LIBS) $(BESIDE)) -lm
@@ -91,8 +92,9 @@ LANES   := $(call below,pipeline/fast/lanes,*.c)
 CORE    := $(call object,$(filter-out $(LANES) pipeline/io/%,$(call below,pipeline,*.c))) \
            $(foreach isa,$(ISAS),$(patsubst %.c,$(BUILD)/obj/%.lanes$(firstword $(subst :, ,$(isa))).o, \
                                             $(LANES)))
-# OpenImageIO is loaded when a picture needs it: a library of its own.
+# OpenImageIO is loaded when a picture needs it, OpenMesh when a mesh is simplified: libraries of their own.
 OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
+OPENMESH := pipeline/io/mesh/simplify_openmesh.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
 APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)))
@@ -110,6 +112,8 @@ CORE_A  := $(BUILD)/lib/libglasspipe.a
 CORE_SO := $(BUILD)/lib/libglasspipe.so
 IO_A    := $(BUILD)/lib/libglasspipe_io.a
 OIIO_SO := $(if $(WITH_OIIO),$(BUILD)/lib/libglasspipe_oiio.so)
+OPENMESH_SO := $(if $(WITH_OPENMESH),$(BUILD)/lib/libglasspipe_openmesh.so)
+LOADED  := $(OIIO_SO) $(OPENMESH_SO)
 APPS_A  := $(BUILD)/obj/apps.a
 SHADERS_A := $(BUILD)/obj/shaders.a
 SUPPORT_A := $(BUILD)/obj/support.a
@@ -197,7 +201,11 @@ $(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/io/image/la
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
 
-$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(OIIO_SO) $(STAGED)
+$(OPENMESH_SO): $(call object,$(OPENMESH) pipeline/base/base.c)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenMeshCore -o $@
+
+$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(LOADED) $(STAGED)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -228,7 +236,7 @@ run: all
 
 # All that tests look at, in one shared library: a change relinks in a moment.
 TESTED_SO := $(BUILD)/test/libtested.so
-$(TESTED_SO): $(SUPPORT) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE) | $(OIIO_SO)
+$(TESTED_SO): $(SUPPORT) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE) | $(LOADED)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ $(LIBS) -o $@
 
@@ -384,9 +392,9 @@ install: all
 	install -d $(INSTALLED)/bin $(INSTALLED)/lib
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
 	install -m 644 $(CORE_A) $(INSTALLED)/lib/
-	install -m 755 $(CORE_SO).$(VERSION) $(OIIO_SO) $(INSTALLED)/lib/
+	install -m 755 $(CORE_SO).$(VERSION) $(LOADED) $(INSTALLED)/lib/
 	$(STRIP) $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.so.$(VERSION) \
-	    $(patsubst $(BUILD)/%,$(INSTALLED)/%,$(OIIO_SO))
+	    $(patsubst $(BUILD)/%,$(INSTALLED)/%,$(LOADED))
 	$(STRIP) --strip-debug $(INSTALLED)/lib/libglasspipe.a
 	ln -sf libglasspipe.so.$(VERSION) $(INSTALLED)/lib/$(SONAME)
 	ln -sf $(SONAME) $(INSTALLED)/lib/libglasspipe.so
@@ -406,7 +414,7 @@ uninstall:
 	rm -rf $(addprefix $(INSTALLED)/,include/glasspipe share/glasspipe share/doc/glasspipe \
 	    lib/cmake/glasspipe)
 	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
-	    $(INSTALLED)/lib/libglasspipe_oiio.so \
+	    $(INSTALLED)/lib/libglasspipe_oiio.so $(INSTALLED)/lib/libglasspipe_openmesh.so \
 	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \
 	    $(foreach page,$(MAN_PAGES),$(INSTALLED)/share/man/$(call man_place,$(page))) \
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe
@@ -436,7 +444,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(call object,$(OIIO)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+OBJECTS := $(call object,$(OIIO) $(OPENMESH)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d)

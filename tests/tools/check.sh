@@ -51,14 +51,14 @@ same_hashes() {
     [ -s "$1" ]
 }
 
-# The whole program on another processor, without OpenImageIO, which brings too much with it.
+# The whole program on another processor, without OpenImageIO, which brings too much with it, and OpenMesh.
 aarch64_scenes() {
     libraries=$(pwd)/$out/arm64
     sh tests/tools/arm64_libraries.sh "$libraries" || return 1
     mkdir -p "$out/include" && ln -sf /usr/include/xxhash.h "$out/include/" || return 1
     shared=$libraries/usr/lib/aarch64-linux-gnu
     configuration aarch64-program CC=aarch64-linux-gnu-gcc CXX=aarch64-linux-gnu-g++ ARCH=aarch64 \
-        WITH_OIIO= CPPFLAGS="-isystem $(pwd)/$out/include -idirafter $libraries/usr/include" \
+        WITH_OIIO= WITH_OPENMESH= CPPFLAGS="-isystem $(pwd)/$out/include -idirafter $libraries/usr/include" \
         LDFLAGS="-L$shared -Wl,-rpath,$shared -Wl,-rpath-link,$shared" \
         EMULATOR="qemu-aarch64 -L /usr/aarch64-linux-gnu" scene-hashes
 }

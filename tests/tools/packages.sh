@@ -24,6 +24,7 @@ build libxxhash-dev header xxhash.h
 build libpng-dev header png.h
 build zlib1g-dev header zlib.h
 build libopenimageio-dev header OpenImageIO/imageio.h
+build libopenmesh-dev header OpenMesh/Core/Mesh/Traits.hh
 test libcmocka-dev header cmocka.h
 test qemu-user command qemu-x86_64
 lint clang-format command clang-format

@@ -1,5 +1,6 @@
 /* What is drawn instead of warping, held to the same facts: planes come out exactly, a step and a ball as
  * near as each method can; nothing breaks from any eye; and every device draws the same bits. */
+#include "apps/depth_images/drawing/dmesh.h"
 #include "apps/depth_images/drawing/relief.h"
 #include "tests/support/depth/formula.h"
 
@@ -30,6 +31,7 @@ static void run(bool everywhere, const Frame *frame)
     }
 
 DRAW_RIVAL(relief, Relief, ReliefSetting, .steps = 0)
+DRAW_RIVAL(dmesh, Dmesh, DmeshSetting, .name = NULL)
 
 /* How far off a method may be: depth as a share of itself, of which the view's buffer has steps of 3e-6;
  * on the mean where surfaces bend. */
@@ -42,6 +44,7 @@ static const struct {
     uint32_t around;         /* pixels of the ball that may be wrong: a crescent of it was hidden */
 } rivals[] = {
     { "relief", draw_relief, true, 1e-5, 1e-3, 0.01, 250 },
+    { "dmesh", draw_dmesh, true, 2e-5, 1e-3, 0.01, 400 },
 };
 
 static const WarpLight light = { .position = { 0.6, 0.8, 0 },
