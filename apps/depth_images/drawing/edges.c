@@ -185,6 +185,16 @@ GpResult depth_lattice_thin(const DepthLattice *pixels, uint32_t step, DepthLatt
     return result;
 }
 
+bool depth_lattice_is_whole(const DepthLattice *lattice, int64_t x, int64_t y)
+{
+    const int64_t width = lattice->width;
+    if (x < 0 || y < 0 || x + 1 >= width || y + 1 >= lattice->height)
+        return false;
+    const uint8_t *here = lattice->neighbour + y * width + x;
+    return here[0] == (EDGE_RIGHT | EDGE_DOWN) && (here[1] & EDGE_DOWN) &&
+           (here[width] & EDGE_RIGHT);
+}
+
 double depth_lattice_place(const DepthLattice *lattice, int axis, double at)
 {
     const double last = (axis ? lattice->height : lattice->width) - 1;

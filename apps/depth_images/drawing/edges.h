@@ -61,6 +61,9 @@ GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,
 GpResult depth_lattice_thin(const DepthLattice *pixels, uint32_t step, DepthLattice *lattice);
 void depth_lattice_free(DepthLattice *lattice); /* a zeroed one is fine */
 
+/* Whether a cell, by its upper left vertex, is there and one surface along all four sides. */
+bool depth_lattice_is_whole(const DepthLattice *lattice, int64_t x, int64_t y);
+
 /* Where a place between vertices is across (axis 0) or down the picture, in pixels from its upper left
  * corner: vertices stand in the middles of their pixels, and beyond the first and the last is the
  * picture's side. */

@@ -262,15 +262,10 @@ static void add_end(Builder *b, const Cell *cell, int first, int count)
     }
 }
 
-static bool is_whole(const Cell *cell)
-{
-    return cell->joined[0] && cell->joined[1] && cell->joined[2] && cell->joined[3];
-}
-
 static void add_ends(Builder *b, int32_t x, int32_t y)
 {
     const Cell cell = cell_at(b, x, y);
-    for (int i = 0; i < SIDES && !is_whole(&cell); i++) {
+    for (int i = 0; i < SIDES && !depth_lattice_is_whole(&b->lattice, x, y); i++) {
         int count = 1;
         if (!cell.is_there[i] || cell.joined[(i + SIDES - 1) % SIDES])
             continue; /* no surface begins here */
