@@ -96,6 +96,14 @@ static json_t *pixel_event(const GpTraceEvent *event)
                      "killed", pixel->killed);
 }
 
+static json_t *sort_event(const GpTraceEvent *event)
+{
+    const GpTraceSort *sort = &event->sort;
+    return json_pack("{s:s, s:i, s:i, s:o}", "order", gp_order_names[sort->order], "place",
+                     (int)sort->place, "count", (int)sort->count, "depth",
+                     json_number((double)sort->depth));
+}
+
 static json_t *test_event(const GpTraceEvent *event)
 {
     const GpTraceTest *test = &event->test;
@@ -140,7 +148,8 @@ json_t *pixel_json_event(const GpTraceEvent *event)
         [GP_TRACE_CLIP] = clip_event,       [GP_TRACE_SETUP] = setup_event,
         [GP_TRACE_RASTER] = raster_event,   [GP_TRACE_INTERPOLATE] = interpolate_event,
         [GP_TRACE_TEXTURE] = texture_event, [GP_TRACE_PIXEL] = pixel_event,
-        [GP_TRACE_TEST] = test_event,       [GP_TRACE_OUTPUT] = output_event,
+        [GP_TRACE_SORT] = sort_event,       [GP_TRACE_TEST] = test_event,
+        [GP_TRACE_OUTPUT] = output_event,
     };
     json_t *object = json_pack("{s:s, s:I, s:o}", "kind", gp_trace_kind_names[event->kind], "pass",
                                (json_int_t)event->pass, "pass_name", json_text(event->pass_name));

@@ -104,6 +104,8 @@ static void close_fragment(PixelText *history)
     if (!history->in_fragment)
         return;
     history->in_fragment = false;
+    if (history->alive && history->waits)
+        return;
     if (history->alive)
         history->stored++;
     else
@@ -126,6 +128,7 @@ static void open_fragment(PixelText *history, const GpTraceEvent *event)
 {
     close_fragment(history);
     history->in_fragment = history->alive = true;
+    history->waits = history->list->passes[event->pass].order != GP_ORDER_SUBMITTED;
     bool points = draw_of(history, event)->geometry.primitive == GP_POINTS;
     fprintf(history->file, "\n  Fragment %u: draw %u", ++history->fragments, event->draw);
     print_name(history->file, event->draw_name);
@@ -265,6 +268,19 @@ static void print_pixel(PixelText *history, const GpTraceEvent *event)
     }
 }
 
+/* A fragment's second block: what it waited for. */
+static void print_sort(PixelText *history, const GpTraceEvent *event)
+{
+    const GpTraceSort *sort = &event->sort;
+    close_fragment(history);
+    history->in_fragment = history->alive = true;
+    history->waits = false;
+    fprintf(history->file, "\n  Sorted %u of %u, %s: draw %u", sort->place + 1, sort->count,
+            gp_order_names[sort->order], event->draw);
+    print_name(history->file, event->draw_name);
+    fprintf(history->file, ", primitive %u, depth %.9g\n", event->primitive, (double)sort->depth);
+}
+
 static void print_test(PixelText *history, const GpTraceEvent *event)
 {
     const GpTraceTest *test = &event->test;
@@ -316,7 +332,8 @@ void pixel_text_event(PixelText *history, const GpTraceEvent *event)
         [GP_TRACE_CLIP] = print_clip,       [GP_TRACE_SETUP] = print_setup,
         [GP_TRACE_RASTER] = print_raster,   [GP_TRACE_INTERPOLATE] = print_interpolate,
         [GP_TRACE_TEXTURE] = print_texture, [GP_TRACE_PIXEL] = print_pixel,
-        [GP_TRACE_TEST] = print_test,       [GP_TRACE_OUTPUT] = print_output,
+        [GP_TRACE_SORT] = print_sort,       [GP_TRACE_TEST] = print_test,
+        [GP_TRACE_OUTPUT] = print_output,
     };
     open_pass(history, event);
     /* A fragment's events begin with the vertices of its primitive. */

@@ -16,6 +16,7 @@ typedef struct PixelText {
     uint32_t pass;              /* of the previous event */
     uint32_t fragments, stored, rejected;
     bool alive; /* the open fragment has failed no test */
+    bool waits; /* and it has its turn later */
 } PixelText;
 
 /* Prints one event of the list's run. Events come in the trace's order. */

@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 /* What is counted; the last three by the reference executor alone. */
-enum { COUNTED_BY_ALL = 6 };
+enum { COUNTED_BY_ALL = 8 };
 static const struct {
     const char *name;
     size_t offset;
@@ -18,6 +18,8 @@ static const struct {
     { "primitives", offsetof(GpCounters, primitives) },
     { "primitives_clipped", offsetof(GpCounters, primitives_clipped) },
     { "fragments_shaded", offsetof(GpCounters, fragments_shaded) },
+    { "fragments_sorted", offsetof(GpCounters, fragments_sorted) },
+    { "sorted_slices", offsetof(GpCounters, sorted_slices) },
     { "primitives_drawn", offsetof(GpCounters, primitives_drawn) },
     { "fragments", offsetof(GpCounters, fragments) },
     { "pixels_written", offsetof(GpCounters, pixels_written) },

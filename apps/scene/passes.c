@@ -135,6 +135,7 @@ void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, con
     camera_matrix(&own.camera, aspect, own.world_to_clip);
     GpPass *pass = frame_pass(loader->frame, name, NULL, NULL, NULL);
     read_targets(loader, node, &own, pass);
+    node_enum(node, "order", gp_order_names, GP_ORDERS, &pass->order);
     own.has_depth = pass->depth.surface != NULL;
     own.color = pass->color[0].surface;
     own.color_count = pass->color[1].surface ? 2 : 1;

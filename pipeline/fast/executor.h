@@ -14,7 +14,9 @@ struct GpFast {
     int lanes;              /* that they were made for */
     GpCheckedPrograms programs;
     GpIndexRanges indices; /* of the list, from its check to the end of its run */
-    size_t vertex_limit, vertex_bytes;
+    void **fragments;      /* that wait to be sorted: one a worker, made when first needed */
+    size_t fragment_bytes;
+    size_t limit, vertex_bytes;
     FastArena arena;   /* draws and shaded vertices of the group */
     FastRange *ranges; /* kept for the memory they hold */
     uint32_t range_room;

@@ -17,7 +17,8 @@
  *      pass in order, and stores what was written.
  *
  * Memory is bounded: where shaded vertices or bins reach their limit, what is there is drawn into
- * the targets, and the group goes on from there.
+ * the targets, and the group goes on from there. Only a pass that sorts its fragments needs all of
+ * its vertices and bins at once; of the fragments themselves a tile draws a slice after the other.
  *
  * Inside a tile triangles are set up GP_LANES at a time (raster/batch.c): tiny ones are filled
  * pixel by pixel (raster/fill_tiny.c), small ones some rows at a time (raster/fill_small.c), large
@@ -34,6 +35,9 @@
  * tiny triangles side by side (raster/fill_compacted.c), boxes that lie one on the other as layers
  * (shade/layers.c). Where it only discards, and nearer fragments hide others, large triangles are
  * sorted (raster/sorted_triangles.c).
+ *
+ * Where the pass sorts, shaded fragments wait in the tile's lists (shade/fragments.c) until all have
+ * come, and are sorted and blended then, the pixels of a packet side by side (shade/blend_sorted.c).
  *
  * output/depth.c and output/blend.c are the output end, texture/sample.c is the texture unit.
  *
@@ -79,8 +83,8 @@ GpResult gp_fast_create(int threads, GpFast **fast, GpError *error);
 void gp_fast_destroy(GpFast **fast); /* NULL-safe, sets NULL */
 int gp_fast_threads(const GpFast *fast);
 
-/* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made.
- * Any number gives the same bits; for tests. */
+/* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made, but
+ * for passes that sort; and of a tile's sorted fragments. Any number gives the same bits; for tests. */
 void gp_fast_set_limit(GpFast *fast, size_t bytes);
 
 /* As gp_list_check, by all threads. */

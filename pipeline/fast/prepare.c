@@ -27,6 +27,8 @@ static FastFragmentPath choose_path(const FastDraw *d)
 {
     if (!d->needs.color && !d->wants_depth)
         return FAST_NOTHING;
+    if (d->sorted)
+        return FAST_ORDERED;
     if (!d->needs.pixel_shader)
         return FAST_DEPTH_ONLY;
     if (!d->needs.color || d->needs.discard || d->needs.alpha_test || d->needs.shader_depth ||
@@ -40,7 +42,7 @@ static bool nearest_wins(const FastDraw *d)
 {
     const GpState *state = &d->draw->state;
     const bool nearer = state->depth.test == GP_LESS || state->depth.test == GP_LESS_EQUAL;
-    return d->path == FAST_ORDERED && d->late_depth && nearer && state->depth.write &&
+    return d->path == FAST_ORDERED && !d->sorted && d->late_depth && nearer && state->depth.write &&
            !d->needs.ternary && !d->needs.stencil && !d->needs.shader_depth &&
            replaces_everything(d->pass, d->draw) && d->draw->geometry.primitive != GP_POINTS;
 }
@@ -71,7 +73,8 @@ static bool only_combines_bits(const FastDraw *d)
  * where they are; and what adds, or leaves depth alone. */
 static bool packs_points(const FastDraw *d)
 {
-    if (d->draw->geometry.primitive != GP_POINTS || d->path != FAST_ORDERED || d->needs.quads)
+    if (d->draw->geometry.primitive != GP_POINTS || d->path != FAST_ORDERED || d->sorted ||
+        d->needs.quads)
         return false;
     if (only_combines_bits(d))
         return !d->wants_depth && d->modes.sprite < 0;
@@ -167,6 +170,15 @@ static bool copies_words(const FastDraw *d, const GpPixelFacts *facts)
     return from->format == GP_A8R8G8B8 && fast_is_bitwise(blend, target->format);
 }
 
+/* Whether a draw of the pass changes what depth and stencil tests look at. */
+static bool writes_depth(const GpPass *pass)
+{
+    for (uint32_t i = 0; pass->depth.surface && i < pass->draw_count; i++)
+        if (pass->draws[i].state.depth.write || pass->draws[i].state.stencil.enable)
+            return true;
+    return false;
+}
+
 /* Appends a draw's work to that of its pass; false when memory is short.
  * in   facts: of the draw's program
  * out  d: of the pass's draws, the next */
@@ -187,9 +199,13 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->rect = cut_to_scissor(gp_viewport_rect(&draw->viewport, pass->width, pass->height),
                              &draw->state.raster);
     d->band = gp_guard_band(&d->viewport);
-    d->wants_depth = d->needs.depth_test || d->needs.depth_write || d->needs.stencil;
+    d->wants_depth =
+        d->needs.depth_test || d->needs.depth_write || d->needs.stencil || d->needs.sorted;
+    d->sorted = d->needs.sorted;
+    d->tests_last = d->sorted && (pass->writes_depth || !d->needs.depth_test);
     d->late_depth =
-        d->needs.late_depth && (d->needs.depth_write || d->needs.stencil || d->needs.shader_depth);
+        d->tests_last || (d->needs.late_depth &&
+                          (d->needs.depth_write || d->needs.stencil || d->needs.shader_depth));
     d->path = choose_path(d);
     d->nearest_wins = nearest_wins(d);
     if (d->needs.ternary)
@@ -249,23 +265,26 @@ static uint32_t least(uint32_t a, uint32_t b)
 
 static bool has_room(const GpFast *fast)
 {
-    return fast->vertex_bytes < fast->vertex_limit;
+    return fast->vertex_bytes < fast->limit;
 }
 
-/* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least; moves the
- * cursor behind it. */
+/* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least, and all of a
+ * pass whose fragments are sorted; moves the cursor behind it. */
 static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
 {
     const GpPass *pass = &at->list->passes[at->pass];
-    *p = (FastPass){ .pass = pass, .starts = at->draw == 0 };
+    const bool sorts = pass->order != GP_ORDER_SUBMITTED;
+    *p = (FastPass){ .pass = pass,
+                     .starts = at->draw == 0,
+                     .writes_depth = sorts && writes_depth(pass) };
     gp_pass_size(pass, &p->width, &p->height);
     p->tiles_x = (p->width + FAST_TILE - 1) / FAST_TILE;
     p->tiles_y = (p->height + FAST_TILE - 1) / FAST_TILE;
-    const uint32_t most = least(pass->draw_count - at->draw, MOST_DRAWS);
+    const uint32_t most = sorts ? pass->draw_count : least(pass->draw_count - at->draw, MOST_DRAWS);
     p->draws = fast_arena_take(&fast->arena, most * sizeof *p->draws);
     if (!p->draws)
         return false;
-    while (p->draw_count < most && (p->draw_count == 0 || has_room(fast))) {
+    while (p->draw_count < most && (p->draw_count == 0 || sorts || has_room(fast))) {
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
         if (!prepare_draw(&fast->arena, &fast->indices, p, draw,
@@ -295,6 +314,7 @@ static bool prepare_ranges(GpFast *fast, FastGroup *group)
         fast->ranges = ranges;
         fast->range_room = group->range_count;
     }
+    fast->budget.limit = group->sorts ? SIZE_MAX : fast->limit;
     if (!fast_budget_left(&fast->budget)) /* what earlier frames left where this one has no use */
         for (uint32_t i = 0; i < fast->range_room; i++)
             fast_range_free(&fast->ranges[i]);
@@ -330,6 +350,7 @@ bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *grou
         FastPass *p = &group->passes[group->pass_count++];
         if (!prepare_pass(fast, at, lanes, p))
             return false;
+        group->sorts = group->sorts || p->pass->order != GP_ORDER_SUBMITTED;
         p->first_block = group->block_count;
         p->first_range = group->range_count;
         group->block_count += p->block_count;

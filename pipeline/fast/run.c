@@ -8,6 +8,10 @@
 /* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made. */
 enum { LIMIT = 24 << 20 };
 
+/* Bytes that fragments of one tile may take while they wait to be sorted. No page of it is touched before
+ * it is needed. */
+enum { FRAGMENT_BYTES = 14 << 20 };
+
 GpResult gp_fast_create(int threads, GpFast **fast, GpError *error)
 {
     GpFast *f = gp_alloc(1, sizeof *f);
@@ -16,11 +20,13 @@ GpResult gp_fast_create(int threads, GpFast **fast, GpError *error)
     GpResult result = gp_pool_create(threads, &f->pool, error);
     if (result == GP_OK) {
         f->tiles = gp_alloc((size_t)threads, sizeof(FastTileMemory *));
-        if (!f->tiles)
+        f->fragments = gp_alloc((size_t)threads, sizeof(void *));
+        if (!f->tiles || !f->fragments)
             result = gp_fail(error, GP_ERROR_MEMORY, "no memory for the fast executor");
     }
     if (result) {
         gp_pool_destroy(&f->pool);
+        gp_free(f->tiles);
         gp_free(f);
         return result;
     }
@@ -29,10 +35,20 @@ GpResult gp_fast_create(int threads, GpFast **fast, GpError *error)
     return GP_OK;
 }
 
+static void free_fragments(GpFast *fast)
+{
+    for (int i = 0; i < gp_pool_threads(fast->pool); i++) {
+        gp_free(fast->fragments[i]);
+        fast->fragments[i] = NULL;
+    }
+}
+
 void gp_fast_destroy(GpFast **fast)
 {
     if (!*fast)
         return;
+    free_fragments(*fast);
+    gp_free((*fast)->fragments);
     for (int i = 0; i < gp_pool_threads((*fast)->pool); i++)
         gp_free((*fast)->tiles[i]);
     gp_free((*fast)->tiles);
@@ -52,7 +68,7 @@ int gp_fast_threads(const GpFast *fast)
 
 void gp_fast_set_limit(GpFast *fast, size_t bytes)
 {
-    fast->vertex_limit = fast->budget.limit = bytes;
+    fast->limit = bytes;
 }
 
 static const FastStages *const all_stages[] = {
@@ -103,6 +119,24 @@ GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error)
     return gp_list_check_again(list, &fast->programs, &fast->indices, error);
 }
 
+/* Room for the fragments of one tile a worker; false when memory is short. */
+static bool make_fragment_memory(GpFast *fast, const FastStages *stages)
+{
+    const size_t least = stages->least_fragment_bytes(), most = FRAGMENT_BYTES;
+    const size_t bytes = fast->limit < least ? least : fast->limit > most ? most : fast->limit;
+    if (bytes != fast->fragment_bytes)
+        free_fragments(fast);
+    fast->fragment_bytes = bytes;
+    for (int i = 0; i < gp_pool_threads(fast->pool); i++) {
+        if (!fast->fragments[i])
+            fast->fragments[i] = gp_alloc_unset(bytes);
+        if (!fast->fragments[i])
+            return false;
+        stages->give_fragments(fast->tiles[i], fast->fragments[i], bytes);
+    }
+    return true;
+}
+
 static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stages,
                            GpCounters *counters, GpPhases *phases, GpError *error)
 {
@@ -110,6 +144,8 @@ static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stage
         FastGroup group;
         if (!fast_prepare_group(fast, at, stages->lanes, &group))
             return gp_fail(error, GP_ERROR_MEMORY, "no memory for the vertices of a pass");
+        if (group.sorts && !make_fragment_memory(fast, stages))
+            return gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments to be sorted");
         phases->prepare += fast_clock_lap(&fast->mark);
         if (!fast_run_group(fast, &group, stages, counters, phases))
             return gp_fail(error, GP_ERROR_MEMORY, "no memory for the bins of a pass");

@@ -50,7 +50,8 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
 void gp_device_destroy(GpDevice **device); /* NULL-safe, sets NULL */
 
 /* Checks the list (gp_list_check), then runs it to the end. On an error no texel has changed, but for
- * GP_ERROR_MEMORY of the fast executor, which may come after earlier passes were drawn.
+ * GP_ERROR_MEMORY of the fast executor, or of passes that sort, which may come after earlier passes
+ * were drawn.
  * The floating-point control word is set for the duration and restored (R29). */
 GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error);
 

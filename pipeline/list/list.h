@@ -49,6 +49,7 @@ typedef struct GpPass {
     GpDepthTarget depth;
     const GpDraw *draws;
     uint32_t draw_count;
+    GpOrder order; /* of a pixel's fragments */
 
     /* What targets clear, they clear inside these, each cut to the targets, and whatever scissor and
      * viewport say; none: everywhere. (Direct3D's Clear. In the middle of a frame it is a pass.) */

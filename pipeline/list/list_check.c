@@ -120,6 +120,8 @@ static GpResult check_targets(const Place *place)
                       pass->clear_rect_count);
     if (pass->clear_rect_count && !clears_anything(pass))
         return refuse(place, "clear_rects", "the pass clears nothing");
+    if ((unsigned)pass->order >= GP_ORDERS)
+        return refuse(place, "order", "unknown");
     if (pass->draw_count && !pass->draws)
         return refuse(place, "draws", "NULL, but draw_count is %u", pass->draw_count);
     return GP_OK;

@@ -30,15 +30,15 @@ GpNeeds gp_draw_needs(const GpPass *pass, const GpDraw *draw, uint64_t varyings_
         needs.blend = needs.blend || gp_blend_reads_target(&state->blend[i]);
     }
     needs.discard = program->may_discard;
-    needs.shader_depth = program->writes_depth && pass->depth.surface;
+    needs.shader_depth = program->writes_depth && (pass->depth.surface || pass->order);
     needs.alpha_test = state->alpha_test.test != GP_ALWAYS && gp_program_targets(program) > 0;
     needs.depth_test = pass->depth.surface && state->depth.test != GP_ALWAYS;
     needs.ternary = needs.depth_test && state->depth.ternary;
     needs.depth_write = pass->depth.surface && state->depth.write;
     needs.stencil = pass->depth.surface && state->stencil.enable;
-    needs.depth = (needs.depth_test || needs.depth_write) && !needs.shader_depth;
-
     bool anything = needs.color || needs.depth_write || needs.stencil;
+    needs.sorted = pass->order != GP_ORDER_SUBMITTED && anything;
+    needs.depth = (needs.depth_test || needs.depth_write || needs.sorted) && !needs.shader_depth;
     needs.pixel_shader = anything && program->code[0]->pixel &&
                          (needs.color || needs.discard || needs.shader_depth || needs.alpha_test);
     if (needs.pixel_shader) {
@@ -72,8 +72,8 @@ void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS])
         { "culling", needs->cull, "one facing is culled", "both facings are drawn" },
         { "clip planes", needs->clip_planes != 0, "user planes are on", "no user plane" },
         { "depth bias", needs->depth_bias, "a bias is set", "no bias, or no depth" },
-        { "interpolate depth", needs->depth, "depth is tested or written",
-          "no depth test or write, or the shader's own depth" },
+        { "interpolate depth", needs->depth, "depth is tested, written or sorted by",
+          "no depth test, write or order, or the shader's own depth" },
         { "interpolate varyings", needs->interpolate, "the pixel shader reads them",
           "nothing reads them" },
         { "pixel shader", needs->pixel_shader, "colour, discard or depth depends on it",
@@ -84,6 +84,7 @@ void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS])
           "no earlier target is read in place" },
         { "scissor", needs->scissor, "a rectangle is set", "off" },
         { "alpha test", needs->alpha_test, "a function is set", "off" },
+        { "sorting", needs->sorted, "the pass has an order by depth", "as submitted" },
         { "stencil", needs->stencil, "enabled", "off, or no stencil target" },
         { "depth test", needs->depth_test, "a function is set", "off, or no depth target" },
         { "ternary test", needs->ternary, "an epsilon tells replaced, added and dropped", "off" },

@@ -23,6 +23,7 @@ typedef struct GpNeeds {
     uint8_t clip_planes; /* user planes in use */
     bool vertex_textures, textures, local_reads;
     bool late_depth; /* depth and stencil must wait for the pixel shader */
+    bool sorted;     /* fragments wait for all others of their pixel (GpPass.order) */
 } GpNeeds;
 
 /* The needs of a draw in its pass; both already checked.
@@ -36,7 +37,7 @@ typedef struct GpUnitNeed {
     const char *why; /* it runs, or not: "no target is read" */
 } GpUnitNeed;
 
-enum { GP_UNIT_NEEDS = 18 };
+enum { GP_UNIT_NEEDS = 19 };
 
 /* The needs in words, a row for each unit, in the order of the pipeline. */
 void gp_needs_explain(const GpNeeds *needs, GpUnitNeed rows[GP_UNIT_NEEDS]);

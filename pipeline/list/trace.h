@@ -23,8 +23,10 @@ typedef enum GpTraceKind {
     GP_TRACE_INTERPOLATE, /* its depth and interpolants */
     GP_TRACE_TEXTURE,     /* one texture read of its shader */
     GP_TRACE_PIXEL,       /* what its shader returned */
-    GP_TRACE_TEST,        /* scissor, alpha test, stencil, depth: one event each, in that order */
-    GP_TRACE_OUTPUT,      /* blending and the stored value, one event per target */
+    GP_TRACE_SORT,   /* its turn among the pixel's, in a pass with an order; of a pass's fragments
+                             these come last, each with what follows of its own */
+    GP_TRACE_TEST,   /* scissor, alpha test, stencil, depth: one event each, in that order */
+    GP_TRACE_OUTPUT, /* blending and the stored value, one event per target */
     GP_TRACE_KINDS
 } GpTraceKind;
 
@@ -93,6 +95,13 @@ typedef struct GpTracePixel {
     bool killed;
 } GpTracePixel;
 
+/* A fragment's turn in a pass with an order. */
+typedef struct GpTraceSort {
+    GpOrder order;
+    uint32_t place, count; /* of the pixel's fragments, from 0 */
+    float depth;           /* by which it was sorted: clamped to the viewport's */
+} GpTraceSort;
+
 /* One test of a fragment. */
 typedef struct GpTraceTest {
     const char *unit; /* "scissor", "clip plane", "alpha test", "stencil", "depth" */
@@ -132,6 +141,7 @@ typedef struct GpTraceEvent {
         GpTraceInterpolate interpolate;
         GpTraceTexture texture;
         GpTracePixel pixel;
+        GpTraceSort sort;
         GpTraceTest test;
         GpTraceOutput output;
     };

@@ -81,7 +81,20 @@ static void count_pixels(uint64_t *counter, unsigned mask)
     *counter += (uint64_t)__builtin_popcount(mask);
 }
 
-/* Direct3D 9's order: shader and texkill, scissor, alpha test, stencil, depth, blending. */
+/* Stencil, depth, blending. */
+static void output_quad(GpReferenceDraw *d, GpQuad *quad)
+{
+    const unsigned before = quad->mask;
+    if (d->needs.depth_test || d->needs.depth_write || d->needs.stencil) {
+        gp_depth_stencil(&d->depth_stencil, quad);
+        gp_trace_depth_stencil(d, quad, before);
+    }
+    count_pixels(&d->reference->counters->pixels_written, quad->mask);
+    if (d->needs.color && quad->mask)
+        write_targets(d, quad);
+}
+
+/* Direct3D 9's order: shader and texkill, scissor, alpha test, and what comes out of them. */
 static void finish_quad(GpReferenceDraw *d, GpQuad *quad)
 {
     GpCounters *counters = d->reference->counters;
@@ -104,14 +117,11 @@ static void finish_quad(GpReferenceDraw *d, GpQuad *quad)
         gp_alpha_test(&d->draw->state.alpha_test, quad);
         gp_trace_test(d, quad, "alpha test", before);
     }
-    before = quad->mask;
-    if (d->needs.depth_test || d->needs.depth_write || d->needs.stencil) {
-        gp_depth_stencil(&d->depth_stencil, quad);
-        gp_trace_depth_stencil(d, quad, before);
-    }
-    count_pixels(&counters->pixels_written, quad->mask);
-    if (d->needs.color && quad->mask)
-        write_targets(d, quad);
+    if (d->needs.sorted)
+        gp_waiting_add(d->waiting, d->pass->order, quad, d->viewport.min_depth,
+                       d->viewport.max_depth, d->draw_number, d->primitive);
+    else
+        output_quad(d, quad);
 }
 
 /* --- primitives ------------------------------------------------------------------------------- */
@@ -264,6 +274,31 @@ static void run_draw(GpReferenceDraw *d, GpIndexRange range)
     d->reference->counters->draws++;
 }
 
+/* What has waited for the end of its pass: the fragments of each pixel in the pass's order. */
+static void output_waiting(const GpReference *reference, const GpPass *pass, uint32_t pass_number,
+                           GpWaiting *waiting)
+{
+    GpReferenceDraw d = { .draw = NULL };
+    gp_waiting_sort(waiting);
+    for (size_t first = 0; first < waiting->count;) {
+        const uint32_t count = gp_waiting_of_pixel(waiting, first);
+        for (uint32_t place = 0; place < count; place++, first++) {
+            const GpWaitingFragment *fragment = &waiting->fragment[first];
+            if (d.draw != &pass->draws[fragment->draw])
+                d = begin_draw(reference, pass, &pass->draws[fragment->draw], 0, NULL);
+            d.pass_number = pass_number;
+            d.draw_number = fragment->draw;
+            d.primitive = fragment->primitive;
+            GpQuad quad;
+            gp_waiting_quad(fragment, &quad);
+            gp_trace_sort(&d, &quad, fragment->key, place, count);
+            output_quad(&d, &quad);
+        }
+    }
+    reference->counters->fragments_sorted += waiting->count;
+    waiting->count = 0;
+}
+
 static void clear_part(const GpPass *pass, GpRect part)
 {
     for (int i = 0; i < GP_MAX_TARGETS; i++)
@@ -302,6 +337,7 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u shaded vertices", most);
     const GpProgram *program = NULL;
     uint64_t varyings_read = 0;
+    GpWaiting waiting = { .fragment = NULL };
     for (uint32_t p = 0; p < list->pass_count; p++) {
         const GpPass *pass = &list->passes[p];
         clear_targets(pass);
@@ -315,10 +351,14 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
             GpReferenceDraw d = begin_draw(reference, pass, draw, varyings_read, vertices);
             d.pass_number = p;
             d.draw_number = i;
+            d.waiting = &waiting;
             run_draw(&d, gp_index_range(&ranges, &draw->geometry));
         }
+        output_waiting(reference, pass, p, &waiting);
         reference->counters->passes++;
     }
+    gp_waiting_free(&waiting);
     gp_free(vertices);
-    return GP_OK;
+    return waiting.failed ? gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments to be sorted")
+                          : GP_OK;
 }

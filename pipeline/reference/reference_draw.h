@@ -4,6 +4,7 @@
 
 #include "pipeline/list/needs.h"
 #include "pipeline/reference/reference.h"
+#include "pipeline/reference/waiting.h"
 #include "pipeline/units/clip.h"
 #include "pipeline/units/depth_stencil.h"
 #include "pipeline/units/interpolate.h"
@@ -36,6 +37,7 @@ typedef struct GpReferenceDraw {
     const GpClipPolygon *polygon;
     const GpScreenVertex *corner;
     GpSetupResult setup_result;
+    GpWaiting *waiting; /* fragments of the pass, where they are sorted */
     const GpQuad *quad; /* in the pixel shader; NULL in the vertex shader */
 } GpReferenceDraw;
 
@@ -54,6 +56,8 @@ void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask)
  * "alpha test". */
 void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *unit,
                    unsigned mask_before);
+void gp_trace_sort(const GpReferenceDraw *d, const GpQuad *quad, uint32_t key, uint32_t place,
+                   uint32_t count);
 void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before);
 
 /* After the store: reads back what is there now. source: [channel][pixel], before blending */

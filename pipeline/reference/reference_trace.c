@@ -1,6 +1,7 @@
 /* How the reference executor reports to a trace. */
 #include "pipeline/reference/reference_draw.h"
 
+#include "pipeline/units/fragment_order.h"
 #include "pipeline/units/input_assembly.h"
 
 #include <string.h>
@@ -259,6 +260,17 @@ void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *uni
         }
         send(d, &event);
     }
+}
+
+void gp_trace_sort(const GpReferenceDraw *d, const GpQuad *quad, uint32_t key, uint32_t place,
+                   uint32_t count)
+{
+    const int pixel = next_pixel(d, quad, quad->mask, 0);
+    if (pixel == 4)
+        return;
+    GpTraceEvent event = pixel_event(d, GP_TRACE_SORT, quad, pixel);
+    event.sort = (GpTraceSort){ d->pass->order, place, count, gp_order_depth(d->pass->order, key) };
+    send(d, &event);
 }
 
 void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before)

@@ -21,6 +21,8 @@ const char *const gp_blend_factor_names[GP_BLEND_FACTORS] = {
     "src-alpha-sat", "constant",   "inv-constant",
 };
 
+const char *const gp_order_names[GP_ORDERS] = { "submitted", "depth", "depth-near-first" };
+
 const char *const gp_filter_names[GP_FILTERS] = { "point", "linear" };
 
 const char *const gp_mip_filter_names[GP_MIP_FILTERS] = { "none", "point", "linear" };

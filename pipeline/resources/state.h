@@ -156,6 +156,15 @@ typedef struct GpBlend {
     uint8_t keep; /* bit c: channel c (0 red .. 3 alpha) keeps its bits (R37) */
 } GpBlend;
 
+/* In which order the fragments of a pixel, of all draws of a pass, come to stencil, depth and blending
+ * (an extension: CONVENTIONS.md, Sorted fragments). Equal depths keep the order of submission. */
+typedef enum GpOrder {
+    GP_ORDER_SUBMITTED = 0, /* draws, and their primitives, one after the other (R35) */
+    GP_ORDER_DEPTH,         /* the farthest first: what "over" asks for */
+    GP_ORDER_DEPTH_NEAR_FIRST,
+    GP_ORDERS
+} GpOrder;
+
 /* The fixed functions of a draw. All zero: fragments go straight to the targets. */
 typedef struct GpState {
     GpRasterState raster;
@@ -222,6 +231,7 @@ extern const char *const gp_cull_names[GP_CULLS];
 extern const char *const gp_stencil_op_names[GP_STENCIL_OPS];
 extern const char *const gp_blend_op_names[GP_BLEND_OPS];
 extern const char *const gp_blend_factor_names[GP_BLEND_FACTORS];
+extern const char *const gp_order_names[GP_ORDERS];
 extern const char *const gp_filter_names[GP_FILTERS];
 extern const char *const gp_mip_filter_names[GP_MIP_FILTERS];
 extern const char *const gp_address_names[GP_ADDRESSES];

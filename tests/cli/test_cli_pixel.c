@@ -165,6 +165,52 @@ static void a_ternary_test_tells_replaced_added_and_dropped(void **state)
     expect_matches(out, "\n    ternary test          runs     an epsilon tells");
 }
 
+/* Three spheres, each seen through the others: six fragments, the farthest first. */
+static void a_pass_that_sorts_tells_its_fragments_in_their_order(void **state)
+{
+    (void)state;
+    static const double places[] = { 1, -1, 0 };
+    char text[2000] =
+        "{ \"size\": [16, 16], \"order\": \"depth\", \"camera\": { \"eye\": [0, 0, 4], "
+        "\"at\": [0, 0, 0], \"near\": 1, \"far\": 10 }, \"objects\": [";
+    for (size_t i = 0; i < GP_COUNT(places); i++)
+        snprintf(strchr(text, '\0'), 400,
+                 "%s{ \"mesh\": \"builtin:sphere\", \"transform\": { \"translate\": [0, 0, %g], "
+                 "\"scale\": 0.4 }, \"state\": { \"depth\": { \"write\": false }, \"blend\": { "
+                 "\"op\": \"add\", \"src\": \"one\", \"dst\": \"one\" } } }",
+                 i ? ", " : "", places[i]);
+    strcat(text, "] }");
+    write_file("sorted.json", text);
+    assert_int_equal(shell("glasspipe pixel sorted.json 8 8"), 0);
+    const char *at = out;
+    for (int i = 0; i < 6; i++) {
+        static const int draws[] = { 1, 2, 0 };
+        char expected[64];
+        snprintf(expected, sizeof expected, "Sorted %d of 6, depth: draw %d,", i + 1, draws[i / 2]);
+        at = strstr(at, expected);
+        if (!at)
+            fail_msg("no '%s' after the one before it in %s", expected, out);
+    }
+    expect_contains(out, "\n6 fragments: 6 stored, 0 rejected.");
+    assert_int_equal(shell("glasspipe pixel sorted.json 8 8 --json"), 0);
+    json_t *object = parse_output(), *event;
+    size_t i, met = 0;
+    double before = 1;
+    json_array_foreach(json_object_get(object, "events"), i, event)
+    {
+        if (strcmp(json_string_value(json_object_get(event, "kind")), "sort") != 0)
+            continue;
+        const double depth = json_number_value(json_object_get(event, "depth"));
+        assert_int_equal(json_integer_value(json_object_get(event, "place")), met++);
+        assert_true(depth < before);
+        before = depth;
+    }
+    assert_int_equal(met, 6);
+    json_decref(object);
+    assert_int_equal(shell("glasspipe explain sorted.json"), 0);
+    expect_matches(out, "\n    sorting               runs     the pass has an order by depth");
+}
+
 static void a_pixel_can_be_followed_through_one_pass(void **state)
 {
     (void)state;
@@ -188,6 +234,7 @@ int main(void)
         PROGRAM_TEST(the_history_of_a_covered_pixel_names_every_stage),
         PROGRAM_TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
         PROGRAM_TEST(a_ternary_test_tells_replaced_added_and_dropped),
+        PROGRAM_TEST(a_pass_that_sorts_tells_its_fragments_in_their_order),
         PROGRAM_TEST(a_pixel_can_be_followed_through_one_pass),
     };
     return cmocka_run_group_tests_name("explain and pixel", tests, find_program, NULL);

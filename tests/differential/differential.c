@@ -3,11 +3,13 @@
  *
  *   differential A..B     the seeds from A up to and with B (default 0..1999)
  *
- * Odd seeds add variety (random_variety.h), every other pair ternary depth tests (random_ternary.h).
+ * Odd seeds add variety (random_variety.h), every other pair ternary depth tests (random_ternary.h),
+ * every other four passes that sort (random_order.h).
  * $GP_ISA forces a lane width. Threads change from seed to seed. Speaks TAP, and ends with
  * "N passed, M failed"; a seed that fails says how to run it alone.
  */
 #include <glasspipe/glasspipe.h>
+#include "tests/support/random_order.h"
 #include "tests/support/random_ternary.h"
 #include "tests/support/random_variety.h"
 
@@ -27,7 +29,8 @@ static bool draw(uint64_t seed, const GpDeviceDesc *desc, RandomList *random, Gp
     GpDevice *device = NULL;
     if (!random_list_create(seed, largest_side(seed), random) ||
         (seed % 2 && !random_variety_add(seed, random)) ||
-        (seed % 4 > 1 && !random_ternary_add(seed, random))) {
+        (seed % 4 > 1 && !random_ternary_add(seed, random)) ||
+        (seed % 8 > 3 && !random_order_add(seed, random))) {
         gp_fail(error, GP_ERROR_MEMORY, "no memory for the scene");
         return false;
     }

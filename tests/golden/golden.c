@@ -6,10 +6,11 @@
  *
  * A line is "case attachment WxH format hash". Both executors draw every case; $GP_ISA chooses the
  * shader code, and where the processor has no such code all is skipped; nothing may change with
- * either. Frames come from seeds (tests/support/random_list.h, and random_variety.h or
- * random_ternary.h on top), so that between them they use every state, format, primitive and program.
+ * either. Frames come from seeds (tests/support/random_list.h, and random_variety.h,
+ * random_ternary.h or random_order.h on top), so that between them they use every state, format, primitive and program.
  */
 #include <glasspipe/glasspipe.h>
+#include "tests/support/random_order.h"
 #include "tests/support/random_ternary.h"
 #include "tests/support/random_variety.h"
 
@@ -22,7 +23,7 @@ static const char *const golden_file = "tests/golden/golden.txt";
 
 enum {
     LARGEST = 64, /* pixels a side */
-    MOST_CASES = 16 + 1 + 8 + 1 + 4 + 1,
+    MOST_CASES = 16 + 1 + 8 + 1 + 4 + 1 + 4 + 1,
 };
 
 /* Seeds whose attachments are listed one by one, and those after them in one case of a single hash; of
@@ -37,6 +38,7 @@ static const Kind kinds[] = {
     { "random", 16, 600, NULL },
     { "varied", 8, 300, random_variety_add },
     { "ternary", 4, 200, random_ternary_add },
+    { "sorted", 4, 150, random_order_add },
 };
 
 typedef struct Text {

@@ -16,6 +16,8 @@ typedef struct FastSlots {
 typedef struct FastGroup {
     FastPass *passes;
     uint32_t pass_count;
+    bool
+        sorts; /* some pass's fragments are sorted: of these all vertices and bins are made at once */
     FastSlots slots;
     uint32_t block_count, range_count;
 } FastGroup;

@@ -36,7 +36,7 @@ typedef struct FastGathered {
 typedef struct FastPacketBlock {
     const FastPacket *packets;    /* NULL: all are gathered */
     const FastGathered *gathered; /* of the same numbers */
-    const float *depths;          /* [packet][lane], where tests come late */
+    const float *depths; /* [packet][lane], where tests come late or fragments are sorted */
     int count;
     int layers; /* packets are [layer][pixels], all layers on the same pixels; 0: no layers */
     bool whole; /* every packet is known to be a row that lives in all lanes, to the end */

@@ -67,6 +67,7 @@ typedef struct Tile {
     struct FastVisibility *visibility;                /* shade/visibility.h */
     struct FastHierarchicalDepth *hierarchical_depth; /* raster/hierarchical_depth.h */
     struct FastSortedTriangles *sorted;               /* raster/sorted_triangles.h */
+    struct FastFragments *fragments;                  /* shade/fragments.h */
 } Tile;
 
 GP_INLINE itg lane_numbers(void)

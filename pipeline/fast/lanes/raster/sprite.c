@@ -134,9 +134,9 @@ GP_INLINE void queue_packet(const Queuer *q, int32_t x, int32_t y, int32_t wide,
     Tile *tile = q->tile;
     FastPacket *packet = &tile->queue->packets[tile->queue->count];
     set_packet(packet, q->record, x, y, live, wide);
-    if (q->d->late_depth)
+    if (q->d->late_depth || q->d->sorted)
         flt_store(tile->queue->depths + tile->queue->count * GP_LANES, flt_set(q->z));
-    else if (q->d->wants_depth)
+    if (q->d->wants_depth && !q->d->late_depth)
         packet->live =
             fast_test_packet(tile, q->d, packet, true, live, flt_set(q->z), &packet->replaced);
     tile->queue->count += packet->live != 0;

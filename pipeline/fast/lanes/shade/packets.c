@@ -4,6 +4,7 @@
 #include "pipeline/fast/lanes/output/blend.h"
 #include "pipeline/fast/lanes/output/depth.h"
 #include "pipeline/fast/lanes/output/replace.h"
+#include "pipeline/fast/lanes/shade/fragments.h"
 #include "pipeline/fast/lanes/shade/interpolate_packets.h"
 #include "pipeline/fast/lanes/shade/pixel_shader.h"
 #include "pipeline/fast/lanes/shade/records.h"
@@ -98,7 +99,7 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock 
         live &= msk_bits(compare_lanes(
             alpha->test, flt_load(tile->block->color + (p * targets * 4 + 3) * GP_LANES),
             gp_float_from_unorm(alpha->reference, 8)));
-    if (d->late_depth && live) {
+    if (d->late_depth && !d->tests_last && live) {
         const bool by_shader = d->draw->program->writes_depth;
         flt z = flt_load((by_shader ? tile->block->shader_depth : block->depths) + p * GP_LANES);
         if (d->packs_points)
@@ -141,7 +142,8 @@ static void all_live(Tile *tile, const FastPacketBlock *block, unsigned live[FAS
 void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *block)
 {
     unsigned live[FAST_BLOCK], replaced[FAST_BLOCK];
-    fast_run_pixel_shader(tile, d, block);
+    if (d->needs.pixel_shader)
+        fast_run_pixel_shader(tile, d, block);
     if (block->whole)
         all_live(tile, block, live, replaced);
     else
@@ -151,7 +153,9 @@ void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *blo
                                 .replaced = replaced,
                                 .color = fast_colors(tile),
                                 .stride = 4 * gp_program_targets(d->draw->program) };
-    if (d->needs.color && d->needs.ternary && !d->packs_points)
+    if (d->sorted)
+        fast_keep_packets(tile, d, &shaded);
+    else if (d->needs.color && d->needs.ternary && !d->packs_points)
         fast_replace_packets(tile, d, &shaded);
     else if (d->needs.color)
         fast_blend_packets(tile, d, &shaded);

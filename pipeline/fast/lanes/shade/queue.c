@@ -15,7 +15,7 @@ static FastPacket *queue(Tile *tile, uint32_t record, int32_t x, int32_t y, unsi
 {
     FastPacket *packet = fast_new_packet(tile);
     set_packet(packet, record, x, y, live, wide);
-    if (tile->draw->late_depth)
+    if (tile->draw->late_depth || tile->draw->sorted)
         flt_store(tile->queue->depths + (packet - tile->queue->packets) * GP_LANES, depth);
     return packet;
 }

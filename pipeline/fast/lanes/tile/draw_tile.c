@@ -10,6 +10,7 @@
 #include "pipeline/fast/lanes/raster/hierarchical_depth.h"
 #include "pipeline/fast/lanes/raster/sorted_triangles.h"
 #include "pipeline/fast/lanes/raster/sprite.h"
+#include "pipeline/fast/lanes/shade/fragments.h"
 #include "pipeline/fast/lanes/shade/interpolate_gathered.h"
 #include "pipeline/fast/lanes/shade/queue.h"
 #include "pipeline/fast/lanes/shade/shader_block.h"
@@ -217,12 +218,9 @@ static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
     draw_waiting(tile, &waiting);
 }
 
-static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
+/* All draws of a pass; of one that sorts those fragments which have their turn in the present slice. */
+static void draw_slice(Tile *tile, const FastPass *pass, uint32_t number)
 {
-    const bool touched = is_touched(pass, number);
-    fast_begin_pass(tile, pass, touched);
-    if (!touched)
-        return;
     tile->draw = NULL;
     fast_keep_hierarchical_depth(tile, NULL);
     tile->queue->count = tile->queue->layers.count = 0;
@@ -233,6 +231,20 @@ static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
     draw_bins(tile, pass, number);
     end_draw(tile);
     fast_flush_visibility(tile);
+}
+
+static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
+{
+    const bool touched = is_touched(pass, number);
+    const bool sorts = pass->pass->order != GP_ORDER_SUBMITTED;
+    fast_begin_pass(tile, pass, touched);
+    if (!touched)
+        return;
+    if (sorts)
+        fast_begin_fragments(tile);
+    do
+        draw_slice(tile, pass, number);
+    while (sorts && fast_end_slice(tile));
     fast_turn_to(tile, FAST_TRANSFER);
 }
 
@@ -258,6 +270,7 @@ struct FastTileMemory {
     FastVisibility visibility;
     FastHierarchicalDepth hierarchical_depth;
     FastSortedTriangles sorted;
+    FastFragments fragments;
 };
 
 static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t number)
@@ -277,6 +290,7 @@ static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t nu
     tile->visibility = &memory->visibility;
     tile->hierarchical_depth = &memory->hierarchical_depth;
     tile->sorted = &memory->sorted;
+    tile->fragments = &memory->fragments;
     if (tile->timed)
         tile->mark = fast_clock_ms();
     tile->phase = FAST_TRANSFER;
@@ -307,8 +321,15 @@ static size_t tile_bytes(void)
     return sizeof(FastTileMemory);
 }
 
+static void give_fragments(FastTileMemory *memory, void *room, size_t bytes)
+{
+    memory->fragments.memory = room;
+    memory->fragments.bytes = bytes;
+}
+
 static void start_counting(FastTileMemory *memory, bool timed)
 {
+    memory->fragments.sorted = memory->fragments.slices = 0;
     memory->tile.fragments_shaded = 0;
     memory->tile.timed = timed;
     memset(memory->tile.times, 0, sizeof memory->tile.times);
@@ -317,6 +338,8 @@ static void start_counting(FastTileMemory *memory, bool timed)
 static void add_counts(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases)
 {
     counters->fragments_shaded += memory->tile.fragments_shaded;
+    counters->fragments_sorted += memory->fragments.sorted;
+    counters->sorted_slices += memory->fragments.slices;
     phases->raster += memory->tile.times[FAST_RASTER];
     phases->shading += memory->tile.times[FAST_SHADING];
     phases->transfer += memory->tile.times[FAST_TRANSFER];
@@ -331,6 +354,8 @@ const FastStages STAGES_PASTE(GP_LANES) = {
     .bin_range = fast_bin_range,
     .draw_tile = draw_tile,
     .tile_bytes = tile_bytes,
+    .least_fragment_bytes = fast_least_fragment_bytes,
+    .give_fragments = give_fragments,
     .start_counting = start_counting,
     .add_counts = add_counts,
 };

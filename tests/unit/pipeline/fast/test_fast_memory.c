@@ -1,19 +1,21 @@
 /* The fast executor with next to no memory for vertices and bins: what is there is drawn before more
- * is made, and the bits stay the same. */
+ * is made, and the bits stay the same; so with next to none for fragments to be sorted, where tiles
+ * come in slices. */
 #include "pipeline/fast/fast.h"
-#include "tests/support/random_list.h"
+#include "tests/support/random_order.h"
 #include "tests/support/unit.h"
 
 #include "pipeline/base/fpcontrol.h"
 
 enum { SEEDS = 150, SIZE = 150, LANES = 4 /* always compiled */ };
 
-static uint64_t draw(uint64_t seed, int threads, size_t limit, RandomList *random)
+static uint64_t draw(uint64_t seed, bool sorted, int threads, size_t limit, RandomList *random)
 {
     GpFast *fast = NULL;
     GpCounters counters = { 0 };
     GpPhases phases = { 0 };
     assert_true(random_list_create(seed, SIZE, random));
+    assert_true(!sorted || random_order_add(seed, random));
     assert_int_equal(gp_fast_create(threads, &fast, NULL), GP_OK);
     if (limit)
         gp_fast_set_limit(fast, limit);
@@ -33,9 +35,10 @@ static void memory_limit_changes_no_bit(void **state)
     static const size_t limits[] = { 1, 3000, 100000 };
     RandomList *random = gp_alloc(1, sizeof *random);
     for (uint64_t seed = 0; seed < SEEDS; seed++) {
-        uint64_t whole = draw(seed, 1, 0, random);
+        const bool sorted = seed % 2;
+        uint64_t whole = draw(seed, sorted, 1, 0, random);
         for (size_t i = 0; i < GP_COUNT(limits); i++)
-            assert_true(draw(seed, 1 + (int)(seed % 3), limits[i], random) == whole);
+            assert_true(draw(seed, sorted, 1 + (int)(seed % 3), limits[i], random) == whole);
     }
     gp_free(random);
 }

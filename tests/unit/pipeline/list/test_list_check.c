@@ -161,6 +161,7 @@ CASE(epsilon_negative, w.draw.state.depth.epsilon = -0.5f,
      "state.depth.epsilon: expected a finite number from 0 on")
 CASE(epsilon_infinite, ternary(&w, GP_LESS_EQUAL, true, INFINITY), "state.depth.epsilon: expected")
 CASE(epsilon_nan, ternary(&w, GP_LESS_EQUAL, true, NAN), "state.depth.epsilon: expected")
+CASE(order_unknown, w.pass.order = (GpOrder)7, "order: unknown")
 CASE(epsilon_alone, w.draw.state.depth.epsilon = 0.5f, "is of the ternary test, which is off")
 CASE(ternary_less, ternary(&w, GP_LESS, true, 0.5f),
      "state.depth.ternary: needs the test less-equal, and write")
@@ -237,6 +238,7 @@ int main(void)
         cmocka_unit_test(epsilon_infinite),
         cmocka_unit_test(epsilon_nan),
         cmocka_unit_test(epsilon_alone),
+        cmocka_unit_test(order_unknown),
         cmocka_unit_test(ternary_less),
         cmocka_unit_test(ternary_without_write),
         cmocka_unit_test(ternary_without_depth),
