@@ -23,6 +23,5 @@ CommandFn cmd_pixel;
 CommandFn cmd_bench;
 CommandFn cmd_shader;
 CommandFn cmd_chart;
-CommandFn cmd_warp_capture;
 
 #endif

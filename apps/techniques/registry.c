@@ -1,5 +1,6 @@
 #include "apps/techniques/registry.h"
 
+#include "apps/techniques/fragments/technique.h"
 #include "apps/techniques/points/technique.h"
 #include "apps/techniques/shadow/technique.h"
 #include "apps/techniques/volume/technique.h"
@@ -9,8 +10,13 @@
 #include <string.h>
 
 TechniqueList technique_registry = {
-    &voxel_technique,  &shadow_technique, &points_technique,
-    &volume_technique, &warp_technique,   NULL,
+    &voxel_technique,
+    &shadow_technique,
+    &points_technique,
+    &volume_technique,
+    &warp_technique,
+    &fragment_technique,
+    NULL,
 };
 
 const Technique *technique_find(const Technique *const *list, const char *name)

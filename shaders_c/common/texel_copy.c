@@ -17,9 +17,17 @@ pixel_shader(texel_complement_ps, NoUniforms, NoVarying)
     return sub(sp4(bcast(1)), gp_load_local(0));
 }
 
+pixel_shader(texel_depth_ps, NoUniforms, NoVarying)
+{
+    odepth(gp_load_local(0).x);
+    return sp4(bcast(1));
+}
+
 /* clang-format off */
 #define TEXEL_DECLARATIONS MODEL_2_0, .inputs = { { GP_POSITION, 3 } }, .local_reads = 1 << 0
 /* clang-format on */
 
 program(texel_copy_program, texel_copy_vs, texel_copy_ps, TEXEL_DECLARATIONS)
 program(texel_complement_program, texel_copy_vs, texel_complement_ps, TEXEL_DECLARATIONS)
+program(texel_depth_program, texel_copy_vs, texel_depth_ps, TEXEL_DECLARATIONS,
+        .writes_depth = true)

@@ -9,5 +9,6 @@
  * target's size, read in place. */
 extern const GpProgram texel_copy_program;       /* its texels */
 extern const GpProgram texel_complement_program; /* their bytes' complements: all bits inverted */
+extern const GpProgram texel_depth_program;      /* white, at the depth that they are */
 
 #endif

@@ -43,12 +43,6 @@ pixel_shader(sheets_opaque_ps, NoUniforms, NoVarying)
     return sp4(bcast(1));
 }
 
-pixel_shader(sheets_depth_ps, NoUniforms, NoVarying)
-{
-    odepth(gp_load_local(0).x);
-    return sp4(bcast(1));
-}
-
 /* clang-format off */
 #define SHEET_DECLARATIONS MODEL_2_0, .inputs = { { GP_POSITION, 3 } }
 /* clang-format on */
@@ -59,5 +53,3 @@ program(sheets_of_alphas_program, sheet_vs, sheets_of_alphas_ps, SHEET_DECLARATI
 program(sheets_over_program, sheet_vs, sheets_over_ps, SHEET_DECLARATIONS, .local_reads = 1)
 program(sheets_opaque_program, sheet_vs, sheets_opaque_ps, SHEET_DECLARATIONS, .local_reads = 1,
         .may_discard = true)
-program(sheets_depth_program, sheet_vs, sheets_depth_ps, SHEET_DECLARATIONS, .local_reads = 1,
-        .writes_depth = true)

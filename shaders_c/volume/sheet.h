@@ -21,7 +21,4 @@ extern const GpProgram sheets_over_program;
 /* Texture 0: that sum. Depth becomes 0 where hardly anything would be seen behind it, and stays elsewhere. */
 extern const GpProgram sheets_opaque_program;
 
-/* Texture 0: a depth buffer, which becomes the target's. */
-extern const GpProgram sheets_depth_program;
-
 #endif

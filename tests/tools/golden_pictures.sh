@@ -25,7 +25,7 @@ draw() {
             sed 's/.*"width":\([0-9]*\),"height":\([0-9]*\).*"hash":"\([0-9a-f]*\)".*/hash \1x\2 \3/'
         return
         ;;
-    *--picture* | render* | shadow* | points* | volume* | warp*) output=$scratch/picture.ppm ;;
+    *--picture* | render* | shadow* | points* | volume* | warp* | fragments*) output=$scratch/picture.ppm ;;
     *) output=$scratch/volume.nrrd ;;
     esac
     # shellcheck disable=SC2086 # arguments of several words, none with blanks

@@ -1,6 +1,7 @@
 #include "apps/volumes/drawing/slices.h"
 
 #include "apps/base/stable_math.h"
+#include "shaders_c/common/texel_copy.h"
 #include "shaders_c/volume/sheet.h"
 #include "shaders_c/volume/slices.h"
 
@@ -244,7 +245,7 @@ static void begin(Planes *planes)
     Frame *frame = planes->frame;
     frame_pass(frame, "slices-depth", NULL, planes->depth, nothing);
     if (planes->target->depth)
-        draw_whole(&sheets_depth_program, planes->target->depth, frame)->state.depth =
+        draw_whole(&texel_depth_program, planes->target->depth, frame)->state.depth =
             (GpDepthState){ .test = GP_ALWAYS, .write = true };
 }
 

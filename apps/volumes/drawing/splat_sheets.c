@@ -2,6 +2,7 @@
 
 #include "apps/base/stable_math.h"
 #include "apps/volumes/drawing/splat_filter.h"
+#include "shaders_c/common/texel_copy.h"
 
 #include <math.h>
 #include <string.h>
@@ -45,7 +46,7 @@ static void copy_depth(Sheets *sheets)
     frame_pass(sheets->frame, "depth", NULL, sheets->depth, nothing);
     if (!given)
         return;
-    GpDraw *draw = frame_draw(sheets->frame, &sheets_depth_program, NULL, &whole);
+    GpDraw *draw = frame_draw(sheets->frame, &texel_depth_program, NULL, &whole);
     draw->textures[0].surface = given;
     draw->state.depth = (GpDepthState){ .test = GP_ALWAYS, .write = true };
 }

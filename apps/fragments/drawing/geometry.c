@@ -1,0 +1,92 @@
+#include "apps/fragments/drawing/geometry.h"
+
+#include "apps/base/vector.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Of unit length, or 0. */
+static void find_normal(const FragmentMesh *mesh, const uint32_t corner[3], float normal[3])
+{
+    double at[3][3], edge[2][3], across[3];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            at[i][k] = (double)mesh->positions[corner[i]][k];
+    vector_subtract(at[1], at[0], edge[0]);
+    vector_subtract(at[2], at[0], edge[1]);
+    vector_cross(edge[0], edge[1], across);
+    const double length = sqrt(vector_dot(across, across));
+    for (int k = 0; k < 3; k++)
+        normal[k] = length > 0 ? (float)(across[k] / length) : 0;
+}
+
+/* The corner that is the first: one whose vertex is no other triangle's first; 3 where there is none. */
+static int find_free(const bool *is_first, const uint32_t corner[3])
+{
+    int free = 0;
+    while (free < 3 && is_first[corner[free]])
+        free++;
+    return free;
+}
+
+/* Vertices that are the first of several triangles are there several times. */
+static void fill(const FragmentMesh *mesh, bool *is_first, FragmentGeometry *geometry)
+{
+    uint32_t count = mesh->vertex_count;
+    memcpy(geometry->positions, mesh->positions, count * sizeof *geometry->positions);
+    for (uint32_t i = 0; i < mesh->triangle_count; i++) {
+        const uint32_t *corner = mesh->indices + 3 * (size_t)i;
+        uint32_t *drawn = geometry->indices + 3 * (size_t)i;
+        const int free = find_free(is_first, corner);
+        for (int k = 0; k < 3; k++)
+            drawn[k] = corner[(free + k) % 3];
+        if (free < 3)
+            is_first[drawn[0]] = true;
+        else {
+            memcpy(geometry->positions[count], mesh->positions[drawn[0]], sizeof *mesh->positions);
+            drawn[0] = count++;
+        }
+        memcpy(geometry->colors[drawn[0]], mesh->colors[i], sizeof *mesh->colors);
+        find_normal(mesh, corner, geometry->normals[drawn[0]]);
+    }
+    geometry->drawn.vertex_count = count;
+}
+
+static GpStream stream_of(const void *data, uint8_t components)
+{
+    return (GpStream){ .data = data, .components = components };
+}
+
+GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geometry,
+                                GpError *error)
+{
+    const size_t room = (size_t)mesh->vertex_count + mesh->triangle_count;
+    FragmentGeometry made = { .positions = gp_alloc(room, sizeof *made.positions),
+                              .colors = gp_alloc(room, sizeof *made.colors),
+                              .normals = gp_alloc(room, sizeof *made.normals),
+                              .indices = gp_alloc(mesh->triangle_count, 3 * sizeof(uint32_t)) };
+    bool *is_first = gp_alloc(mesh->vertex_count, sizeof *is_first);
+    if (!made.positions || !made.colors || !made.normals || !made.indices || !is_first) {
+        fragment_geometry_free(&made);
+        gp_free(is_first);
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u triangles", mesh->triangle_count);
+    }
+    fill(mesh, is_first, &made);
+    gp_free(is_first);
+    made.drawn.indices = made.indices;
+    made.drawn.index_count = 3 * mesh->triangle_count;
+    made.drawn.streams[GP_POSITION] = stream_of(made.positions, 3);
+    made.drawn.streams[GP_COLOR] = stream_of(made.colors, 4);
+    made.drawn.streams[GP_NORMAL] = stream_of(made.normals, 3);
+    *geometry = made;
+    return GP_OK;
+}
+
+void fragment_geometry_free(FragmentGeometry *geometry)
+{
+    gp_free(geometry->positions);
+    gp_free(geometry->colors);
+    gp_free(geometry->normals);
+    gp_free(geometry->indices);
+    *geometry = (FragmentGeometry){ .indices = NULL };
+}

@@ -1,0 +1,35 @@
+/* A mesh that has been opened, how it is seen, and what is known of its fragments. */
+#ifndef APPS_TECHNIQUES_FRAGMENTS_MODEL_H
+#define APPS_TECHNIQUES_FRAGMENTS_MODEL_H
+
+#include "apps/fragments/drawing/count.h"
+#include "apps/fragments/drawing/geometry.h"
+#include "apps/techniques/fragments/options.h"
+#include "apps/techniques/technique.h"
+#include "apps/truth/fragments.h"
+#include "pipeline/io/mesh/mesh_file.h"
+
+typedef struct FragmentModel {
+    GpMesh file;
+    float (*colors)[4];
+    FragmentGeometry geometry;
+    FragmentMesh mesh; /* of these three */
+    FragmentView view;
+    FragmentCount count; /* of the view; without layers: not counted yet */
+    FragmentTruth truth; /* likewise, without a picture */
+} FragmentModel;
+
+/* As a technique's open and close. */
+GpResult fragment_model_open(const TechniqueInput *input, void **model, GpError *error);
+void fragment_model_close(void *model);
+
+/* Looks from elsewhere: what is known of the view is forgotten. */
+void fragment_model_look(FragmentModel *model, const Camera *camera);
+
+/* Counts once. errors those of fragment_count */
+GpResult fragment_model_count(FragmentModel *model, GpDevice *device, GpError *error);
+
+/* Finds the truth once. errors GP_ERROR_MEMORY */
+GpResult fragment_model_truth(FragmentModel *model, int threads, GpError *error);
+
+#endif

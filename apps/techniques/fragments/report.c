@@ -1,0 +1,121 @@
+#include "apps/techniques/fragments/report.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+/* --- against the truth -------------------------------------------------------------------------- */
+
+/* How far above the truth a pixel is: red, green, blue. Returns whether that is wrong. */
+static bool pixel_off(const FragmentTruth *truth, const GpSurface *picture, size_t at,
+                      double off[3])
+{
+    const size_t bytes = gp_format_info(picture->format)->bytes;
+    const uint32_t x = (uint32_t)(at % truth->width), y = (uint32_t)(at / truth->width);
+    float rgba[4];
+    bool is_wrong = false;
+    gp_texel_load(picture->format, gp_surface_texel(&picture->level[0], bytes, x, y), rgba);
+    for (int k = 0; k < 3; k++) {
+        off[k] = (double)rgba[k] - truth->rgba[4 * at + (size_t)k];
+        is_wrong = is_wrong || !(fabs(off[k]) <= 1 / 255.0);
+    }
+    return is_wrong;
+}
+
+FragmentError fragment_error(const FragmentModel *model, const GpSurface *picture)
+{
+    const FragmentTruth *truth = &model->truth;
+    FragmentError error = { .wrong = 0 };
+    double off[3];
+    for (size_t at = 0; at < (size_t)truth->width * truth->height; at++) {
+        const bool is_wrong = pixel_off(truth, picture, at, off);
+        error.wrong += is_wrong;
+        error.wrong_beyond_edges += is_wrong && !truth->is_edge[at];
+    }
+    return error;
+}
+
+void fragment_difference(const FragmentModel *model, const GpSurface *picture, float *off)
+{
+    const FragmentTruth *truth = &model->truth;
+    for (size_t at = 0; at < (size_t)truth->width * truth->height; at++) {
+        double each[3];
+        const bool is_wrong = pixel_off(truth, picture, at, each);
+        off[at] = is_wrong ? (float)((each[0] + each[1] + each[2]) / 3) : 0;
+    }
+}
+
+/* --- work --------------------------------------------------------------------------------------- */
+
+enum { MOST_SURFACES = 1024 };
+
+typedef struct Surfaces {
+    const GpSurface *seen[MOST_SURFACES];
+    uint32_t count;
+    uint64_t bytes;
+} Surfaces;
+
+static void add_surface(Surfaces *surfaces, const GpSurface *surface)
+{
+    if (!surface)
+        return;
+    for (uint32_t i = 0; i < surfaces->count; i++)
+        if (surfaces->seen[i] == surface)
+            return;
+    if (surfaces->count < MOST_SURFACES)
+        surfaces->seen[surfaces->count++] = surface;
+    surfaces->bytes += (uint64_t)surface->level[0].pitch * surface->height;
+}
+
+FragmentWork fragment_work(const FragmentModel *model, const Frame *frame)
+{
+    const GpList *list = &frame->list;
+    FragmentWork work = { .passes = list->pass_count };
+    Surfaces surfaces = { .seen = { frame->color }, .count = 1 };
+    for (uint32_t p = 0; p < list->pass_count; p++) {
+        const GpPass *pass = &list->passes[p];
+        for (int t = 0; t < GP_MAX_TARGETS; t++)
+            add_surface(&surfaces, pass->color[t].surface);
+        add_surface(&surfaces, pass->depth.surface);
+        for (uint32_t i = 0; i < pass->draw_count; i++) {
+            for (int t = 0; t < GP_MAX_SAMPLERS; t++)
+                add_surface(&surfaces, pass->draws[i].textures[t].surface);
+            work.readings += pass->draws[i].geometry.indices == model->mesh.drawn->indices;
+        }
+    }
+    work.bytes = surfaces.bytes;
+    return work;
+}
+
+/* --- words -------------------------------------------------------------------------------------- */
+
+static void tell(json_t *members, const char *name, uint64_t value)
+{
+    if (members)
+        json_object_set_new(members, name, json_integer((json_int_t)value));
+}
+
+GpResult fragment_report(void *made, const void *setting, const Frame *frame, GpDevice *device,
+                         TechniqueReport *report, GpError *error)
+{
+    FragmentModel *model = made;
+    const FragmentOptions *options = setting;
+    const FragmentWork work = fragment_work(model, frame);
+    tell(report->members, "triangles", model->mesh.triangle_count);
+    tell(report->members, "fragments", model->count.fragments);
+    tell(report->members, "passes", work.passes);
+    tell(report->members, "readings", work.readings);
+    tell(report->members, "bytes", work.bytes);
+    if (!options->measures)
+        return GP_OK;
+    const GpResult result = fragment_model_truth(model, gp_device_threads(device), error);
+    if (result)
+        return result;
+    const FragmentError off = fragment_error(model, frame->color);
+    text_add(&report->lines,
+             "%" PRIu64 " pixels wrong, %" PRIu64 " of them beyond edges; %u layers\n", off.wrong,
+             off.wrong_beyond_edges, model->truth.layers);
+    tell(report->members, "wrong", off.wrong);
+    tell(report->members, "wrong_beyond_edges", off.wrong_beyond_edges);
+    tell(report->members, "layers", model->truth.layers);
+    return GP_OK;
+}

@@ -1,0 +1,32 @@
+/* What there is to say of a picture of fragments. */
+#ifndef APPS_TECHNIQUES_FRAGMENTS_REPORT_H
+#define APPS_TECHNIQUES_FRAGMENTS_REPORT_H
+
+#include "apps/techniques/fragments/model.h"
+
+/* As a technique's report. */
+GpResult fragment_report(void *model, const void *options, const Frame *frame, GpDevice *device,
+                         TechniqueReport *report, GpError *error);
+
+/* Pixels of which a channel is more than 1/255 off the truth, which has been found. */
+typedef struct FragmentError {
+    uint64_t wrong;
+    uint64_t wrong_beyond_edges; /* those with no edge within 1/256 pixel of their centre */
+} FragmentError;
+
+FragmentError fragment_error(const FragmentModel *model, const GpSurface *picture);
+
+/* How much brighter than the truth each pixel is, as the mean of its channels; 0 where none is wrong.
+ * out  off: [height][width] */
+void fragment_difference(const FragmentModel *model, const GpSurface *picture, float *off);
+
+/* What a frame needs: passes; those over the mesh, each of which reads all of it; and the bytes of all surfaces
+ * but the picture. */
+typedef struct FragmentWork {
+    uint32_t passes, readings;
+    uint64_t bytes;
+} FragmentWork;
+
+FragmentWork fragment_work(const FragmentModel *model, const Frame *frame);
+
+#endif

@@ -1,0 +1,132 @@
+/* glasspipe fragments as its user meets it. */
+#include "pipeline/base/base.h"
+#include "tests/support/program.h"
+
+/* --- what is refused -------------------------------------------------------------------------- */
+
+static void wrong_arguments_are_usage_errors(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "", "expected a mesh" },
+        { "a.ply b.ply", "b.ply" },
+        { "a.ply --method best", "--method: expected" },
+        { "a.ply --alpha 1.5", "--alpha: expected a number from 0 to 1" },
+        { "a.ply --sigma -1", "--sigma: expected a number" },
+        { "a.ply --color pink", "--color: expected normals or material" },
+        { "a.ply --method dp --hazard 16", "--hazard: expected --method kbuffer" },
+        { "a.ply --method dp --kept 16", "--kept: expected --method kbuffer or stencil" },
+        { "a.ply --hazard x", "--hazard: expected a whole number" },
+        { "a.ply --as-printed", "--as-printed: expected --sigma" },
+        { "a.ply --camera a.json --from 1 2", "--camera and --from" },
+        { "a.ply --from 0 90", "-89 to 89 degrees" },
+        { "a.ply --size 0x5", "--size" },
+        { "a.ply --error 1 --method dp", "--error chooses the setting" },
+        { "a.ply -o a.nrrd", ".png" },
+    };
+    unlink("scene.json");
+    expect_all_refused(2, "fragments", wrong, GP_COUNT(wrong));
+    expect_files("");
+}
+
+static void wrong_files_are_input_errors_of_one_line(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        { "missing.ply", "missing.ply: no such file" },
+        { "builtin:nothing", "no builtin mesh 'nothing'" },
+        { "builtin:spheres:3", "expected an even number of layers, 2 to 96" },
+        { "builtin:spheres:98", "expected an even number of layers, 2 to 96" },
+        { "builtin:spheres:x", "expected an even number of layers, 2 to 96" },
+        { "builtin:spheresx", "no builtin mesh 'spheresx'" },
+        { "points.off", "points.off: has no triangles" },
+        { "builtin:ball --camera one_place.json", "one_place.json:1: eye, at and up give" },
+        { "builtin:ball --sigma 1 --method weighted", "--sigma: this method knows no bodies" },
+    };
+    unlink("scene.json");
+    write_file("one_place.json", "{ \"eye\": [1, 2, 3], \"at\": [1, 2, 3] }");
+    write_file("points.off", "OFF\n1 0 0\n0 0 0\n");
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "fragments %s -o a.png", rows[i][0]);
+        expect_refused(3, arguments, rows[i][1]);
+        const char *end = strchr(err, '\n');
+        if (!end || end[1])
+            fail_msg("more than a line: %s", err);
+    }
+    expect_files("one_place.json points.off");
+}
+
+/* --- what is drawn ------------------------------------------------------------------------------ */
+
+static void figures_are_told_as_lines_and_as_json(void **state)
+{
+    (void)state;
+    unlink("scene.json");
+    assert_int_equal(shell("glasspipe fragments builtin:ball -q -o a.png --size 64x48 --measure"),
+                     0);
+    expect_contains(out, "hash A16B16G16R16F 64x48 ");
+    expect_contains(out, " pixels wrong, 0 of them beyond edges; 2 layers\n");
+    static const char *const members[] = { "\"wrong\": ",
+                                           "\"wrong_beyond_edges\": 0",
+                                           "\"layers\": 2",
+                                           "\"fragments\": ",
+                                           "\"passes\": ",
+                                           "\"readings\": 2",
+                                           "\"bytes\": ",
+                                           "\"triangles\": ",
+                                           "\"setting\": \"--method dp" };
+    assert_int_equal(
+        shell("glasspipe fragments builtin:ball -q -o a.png --size 64x48 --measure --json"), 0);
+    for (size_t i = 0; i < GP_COUNT(members); i++)
+        expect_contains(out, members[i]);
+    expect_files("a.png");
+}
+
+/* An option of one method means that method; alpha is in EXR, and of its own in a picture. */
+static void options_mean_their_method_and_alpha_is_written(void **state)
+{
+    (void)state;
+    unlink("scene.json");
+    assert_int_equal(
+        shell("glasspipe fragments builtin:ball -q -o a.exr --size 32x32 --hazard 4 --json"), 0);
+    expect_contains(out, "--method kbuffer");
+    assert_int_equal(shell("glasspipe fragments builtin:ball -q -o a.exr --size 32x32 --alpha 0.5 "
+                           "--output-opacity b.pfm"),
+                     0);
+    expect_files("a.exr b.pfm");
+}
+
+/* From inside, from behind, by parallel rays, with nothing in view, and pictures of one pixel. */
+static void odd_places_and_sizes_are_drawn(void **state)
+{
+    (void)state;
+    static const char *const methods[] = { "dp",      "ddp",     "kbuffer",  "stencil",
+                                           "bucket1", "bucket2", "adaptive", "mdt",
+                                           "abuffer", "cpu",     "weighted" };
+    unlink("scene.json");
+    write_file("inside.json", "{ \"eye\": [0.1, 0.2, 0], \"at\": [0, 0, 1], \"near\": 0.01 }");
+    write_file("behind.json", "{ \"eye\": [0, 0, -9], \"at\": [0, 0, -10] }");
+    write_file("parallel.json", "{ \"eye\": [0, 2, 9], \"at\": [0, 1, 0], \"height\": 5 }");
+    for (size_t i = 0; i < GP_COUNT(methods); i++) {
+        static const char *const views[] = { "--camera inside.json", "--camera behind.json",
+                                             "--camera parallel.json", "--size 1x1" };
+        for (size_t k = 0; k < GP_COUNT(views); k++)
+            if (shell("glasspipe fragments builtin:ball -q -o a.exr --size 40x30 %s --method %s",
+                      views[k], methods[i]))
+                fail_msg("%s %s: %s", methods[i], views[k], err);
+    }
+    expect_files("a.exr behind.json inside.json parallel.json");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(wrong_arguments_are_usage_errors),
+        PROGRAM_TEST(wrong_files_are_input_errors_of_one_line),
+        PROGRAM_TEST(figures_are_told_as_lines_and_as_json),
+        PROGRAM_TEST(options_mean_their_method_and_alpha_is_written),
+        PROGRAM_TEST(odd_places_and_sizes_are_drawn),
+    };
+    return cmocka_run_group_tests_name("fragments", tests, find_program, NULL);
+}
