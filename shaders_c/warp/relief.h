@@ -8,19 +8,17 @@
 #ifndef SHADERS_WARP_RELIEF_H
 #define SHADERS_WARP_RELIEF_H
 
+#include "shaders_c/warp/cells.h"
 #include "shaders_c/warp/slab.h"
 
 typedef struct ReliefUniforms {
     SlabUniforms slab;
-    float first[2], cells[2]; /* of the box on slot 0, in texels */
-    float texel[2];           /* 1 / width, 1 / height of slot 0 */
-    float steps;              /* at most 255 */
+    CellUniforms cells;
+    float steps; /* at most 255 */
     float halvings;
-    float thickness; /* of the surface, in z */
 } ReliefUniforms;
 
-/* Slot 0, points: the z of the four pixels round a corner between pixels: upper left and right, lower left
- * and right. Pixels where nothing is met are discarded; depth is written. */
+/* Pixels where nothing is met are discarded; depth is written. */
 extern const GpProgram relief_program;
 extern const GpProgram relief_lit_program;
 

@@ -116,17 +116,44 @@ GP_INLINE float4 slab_lit(GpInvocation *gp, const SlabUniforms *c, float4 place,
 #define SLAB_INPUTS   { GP_POSITION, 2 }, { GP_TEXCOORD0, 4 }, { GP_TEXCOORD1, 4 }
 #define SLAB_VARYINGS { "start", 4, GP_LINEAR_SCREEN }, { "way", 4, GP_LINEAR_SCREEN }
 
+/* A method's two pixel shaders: search(gp, uniforms, path) finds where a path in the box meets the surface,
+ * as its t; below 0: nowhere. */
+#define SLAB_PIXEL_SHADERS(name, Uniforms, search)                                                 \
+    GP_INLINE float4 name##_meet(GpInvocation *gp, const Uniforms *c, const SlabVarying *in,       \
+                                 flt *share)                                                       \
+    {                                                                                              \
+        const SlabPath path = slab_path(in->start, in->way);                                       \
+        flt t = search(gp, c, &path);                                                              \
+        discard(t < 0.0f);                                                                         \
+        flt inside = sat(t);                                                                       \
+        *share = slab_share(&path, inside);                                                        \
+        odepth(slab_depth(&c->slab, *share));                                                      \
+        return slab_place(&c->slab, mad(path.way, inside, path.first));                            \
+    }                                                                                              \
+    pixel_shader(name##_ps, Uniforms, SlabVarying)                                                 \
+    {                                                                                              \
+        flt share;                                                                                 \
+        return slab_color(gp, name##_meet(gp, c, in, &share));                                     \
+    }                                                                                              \
+    pixel_shader(name##_lit_ps, Uniforms, SlabLitVarying)                                          \
+    {                                                                                              \
+        flt share;                                                                                 \
+        float4 place = name##_meet(gp, c, &in->ray, &share);                                       \
+        return slab_lit(gp, &c->slab, place, mad(in->along, share, in->from));                     \
+    }                                                                                              \
+    struct name##_shaded
+
 /* A method's two programs: colours as they are, and lit. */
-#define SLAB_PROGRAMS(name, vertex, pixel)                                                         \
+#define SLAB_PROGRAMS(name, vertex, pixel, slots)                                                  \
     program(name##_program, name##_vs, name##_ps, .vertex_profile = vertex,                        \
             .pixel_profile = pixel, .inputs = { SLAB_INPUTS }, .varyings = { SLAB_VARYINGS },      \
-            .samplers = 1 << 0 | 1 << 1, .may_discard = true, .writes_depth = true)                \
+            .samplers = slots, .may_discard = true, .writes_depth = true)                          \
     program(name##_lit_program, name##_lit_vs, name##_lit_ps, .vertex_profile = vertex,            \
             .pixel_profile = pixel,                                                                \
             .inputs = { SLAB_INPUTS, { GP_TEXCOORD2, 3 }, { GP_TEXCOORD3, 3 } },                   \
             .varyings = { SLAB_VARYINGS, { "from", 3, GP_LINEAR_SCREEN },                          \
                           { "along", 3, GP_LINEAR_SCREEN } },                                      \
-            .samplers = 1 << 0 | 1 << 1 | 1 << 2, .may_discard = true, .writes_depth = true)
+            .samplers = slots | 1 << 2, .may_discard = true, .writes_depth = true)
 /* clang-format on */
 
 #endif

@@ -30,7 +30,7 @@ static double surface_bytes(const GpSurface *surface)
 static double bytes_of_rays(const VolumeModel *model, const VolumeOptions *options)
 {
     (void)options;
-    return (surface_bytes(model->rays.atlas) + surface_bytes(model->rays.runs)) /
+    return (surface_bytes(model->rays.atlas.surface) + surface_bytes(model->rays.runs)) /
            (double)field_samples(&model->field);
 }
 

@@ -3,7 +3,7 @@
 #define APPS_TECHNIQUES_WARP_OPTIONS_H
 
 #include "apps/base/orbit.h"
-#include "apps/depth_images/drawing/relief.h"
+#include "apps/depth_images/rivals/relief.h"
 #include "apps/techniques/settings.h"
 
 typedef enum WarpMethod {

@@ -11,84 +11,6 @@ _Static_assert((int)VOLUME_BRICK == (int)BRICK_SIDE, "bricks are those of the sh
 
 /* --- flat textures ------------------------------------------------------------------------------ */
 
-/* Patches in a row, so many that the texture is about square and fits; 0: it does not. */
-static uint32_t columns_of(uint32_t width, uint32_t height, uint32_t patches)
-{
-    uint32_t columns = 1;
-    while (columns < patches && (columns + 1) * width <= GP_MAX_SIZE)
-        columns++;
-    return (patches + columns - 1) / columns * height <= GP_MAX_SIZE && width <= GP_MAX_SIZE
-               ? columns
-               : 0;
-}
-
-static VolumePatches patches_of(const GpSurface *surface, uint32_t columns, uint32_t width,
-                                uint32_t height)
-{
-    return (VolumePatches){
-        .columns = (float)columns,
-        .patch = { (float)width / (float)surface->width, (float)height / (float)surface->height },
-        .texel = { 1 / (float)surface->width, 1 / (float)surface->height },
-    };
-}
-
-static uint8_t *place_of(const GpSurface *surface, uint32_t columns, const uint32_t size[3],
-                         uint32_t x, uint32_t y, uint32_t patch)
-{
-    return gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
-                            patch % columns * size[0] + x, patch / columns * size[1] + y);
-}
-
-static uint32_t slabs_of(const Field *field)
-{
-    return (field->size[2] - 1) / VOLUME_SLAB + 1;
-}
-
-/* The slices of a slab, side by side; past the last slice it goes on. */
-static void fill_slab(const RaycastVolume *volume, uint32_t slab)
-{
-    const Field *field = volume->field;
-    const uint32_t nx = field->size[0], ny = field->size[1], nz = field->size[2];
-    for (uint32_t y = 0; y < ny; y++) {
-        uint8_t *to = place_of(volume->atlas, volume->columns[0], field->size, 0, y, slab);
-        const uint8_t *from[VOLUME_SLAB + 1];
-        for (uint32_t k = 0; k <= VOLUME_SLAB; k++) {
-            const uint32_t z = slab * VOLUME_SLAB + k;
-            from[k] = field->value + ((size_t)(z < nz ? z : nz - 1) * ny + y) * nx;
-        }
-        for (uint32_t x = 0; x < nx; x++, to += VOLUME_SLAB + 1)
-            for (uint32_t k = 0; k <= VOLUME_SLAB; k++)
-                to[k] = from[k][x];
-    }
-}
-
-/* Rows are an odd number of cache lines, so that those above each other do not share their sets. */
-static GpResult make_atlas(RaycastVolume *volume, GpError *error)
-{
-    const Field *field = volume->field;
-    const uint32_t slabs = slabs_of(field);
-    const uint32_t columns = columns_of(field->size[0], field->size[1], slabs);
-    if (columns == 0)
-        return gp_fail(
-            error, GP_ERROR_UNSUPPORTED,
-            "a volume of %u x %u x %u samples: expected what %u x %u texels have room for",
-            field->size[0], field->size[1], field->size[2], GP_MAX_SIZE, GP_MAX_SIZE);
-    const uint32_t width = columns * field->size[0],
-                   height = (slabs + columns - 1) / columns * field->size[1];
-    const size_t line = 64, pitch = (((size_t)width * 4 + line - 1) / line | 1) * line;
-    volume->texels = gp_alloc(height, pitch);
-    if (!volume->texels)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    volume->columns[0] = columns;
-    return gp_surface_create(&(GpSurfaceDesc){ .format = GP_A8R8G8B8,
-                                               .width = width,
-                                               .height = height,
-                                               .name = "volume",
-                                               .memory = volume->texels,
-                                               .pitch = pitch },
-                             &volume->atlas, error);
-}
-
 /* Patches of all ways, one way below the other. */
 static GpResult make_runs(RaycastVolume *volume, GpError *error)
 {
@@ -98,9 +20,9 @@ static GpResult make_runs(RaycastVolume *volume, GpError *error)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     if (bricks_total(&volume->bricks) == 0)
         return GP_OK;
-    const uint32_t columns = columns_of(count[0], count[1] * BRICK_WAYS, count[2]);
+    const uint32_t columns = atlas_columns(count[0], count[1] * BRICK_WAYS, count[2]);
     GP_ASSERT(columns > 0);
-    volume->columns[1] = columns;
+    volume->columns = columns;
     return gp_surface_create(
         &(GpSurfaceDesc){ .format = GP_R8,
                           .width = columns * count[0],
@@ -121,10 +43,10 @@ static GpResult find_runs(RaycastVolume *volume, unsigned ways, GpError *error)
             continue;
         result = bricks_runs(bricks, volume->shown, way, runs, error);
         const uint8_t *from = runs;
-        const uint32_t first = way * rows * volume->columns[1];
+        const uint32_t first = way * rows * volume->columns;
         for (uint32_t z = 0; z < count[2] && !result; z++)
             for (uint32_t y = 0; y < count[1]; y++, from += count[0])
-                memcpy(place_of(volume->runs, volume->columns[1], count, 0, y, first + z), from,
+                memcpy(atlas_texel(volume->runs, volume->columns, count, 0, y, first + z), from,
                        count[0]);
         volume->known |= result ? 0 : 1u << way;
     }
@@ -135,7 +57,7 @@ static GpResult find_runs(RaycastVolume *volume, unsigned ways, GpError *error)
 GpResult raycast_open(const Field *field, RaycastVolume *volume, GpError *error)
 {
     RaycastVolume made = { .field = field };
-    GpResult result = make_atlas(&made, error);
+    GpResult result = volume_atlas_make(field->value, field->size, &made.atlas, error);
     if (!result)
         result = bricks_make(field, &made.bricks, error);
     if (!result)
@@ -144,18 +66,15 @@ GpResult raycast_open(const Field *field, RaycastVolume *volume, GpError *error)
         raycast_close(&made);
         return result;
     }
-    for (uint32_t slab = 0; slab < slabs_of(field); slab++)
-        fill_slab(&made, slab);
     *volume = made;
     return GP_OK;
 }
 
 void raycast_close(RaycastVolume *volume)
 {
-    gp_surface_destroy(&volume->atlas);
+    volume_atlas_free(&volume->atlas);
     gp_surface_destroy(&volume->runs);
     gp_free(volume->shown);
-    gp_free(volume->texels);
     bricks_free(&volume->bricks);
     *volume = (RaycastVolume){ .field = NULL };
 }
@@ -273,9 +192,9 @@ static RaycastUniforms uniforms_of(const RaycastVolume *volume, const VolumeView
 {
     const Field *field = volume->field;
     RaycastUniforms uniforms = {
-        .atlas = patches_of(volume->atlas, volume->columns[0], field->size[0], field->size[1]),
-        .bricks = patches_of(volume->runs, volume->columns[1], volume->bricks.count[0],
-                             volume->bricks.count[1]),
+        .atlas = volume_atlas_patches(&volume->atlas, field->size),
+        .bricks = atlas_patches(volume->runs, volume->columns, volume->bricks.count[0],
+                                volume->bricks.count[1]),
         .table = { (float)(ENTRIES - 1) / ENTRIES, 0.5f / ENTRIES },
         .per_step = (float)(1 / step),
         .least = (float)(setting->least > 0 ? setting->least : 1.0 / 256),
@@ -333,7 +252,7 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
     }
     GpDraw *draw = frame_draw_copied(frame, view->lit ? &raycast_lit_program : &raycast_program,
                                      &uniforms, &geometry);
-    draw->textures[0] = (GpTexture){ volume->atlas, linear };
+    draw->textures[0] = (GpTexture){ volume->atlas.surface, linear };
     draw->textures[1] = (GpTexture){ volume->runs, points };
     draw->textures[2] = (GpTexture){ make_table(&volume->transfer, step, frame), points };
     draw->textures[3] = (GpTexture){ depth, points };

@@ -2,6 +2,7 @@
 #ifndef APPS_VOLUMES_DRAWING_RAYCAST_H
 #define APPS_VOLUMES_DRAWING_RAYCAST_H
 
+#include "apps/frame/atlas.h"
 #include "apps/volumes/bricks.h"
 #include "apps/volumes/drawing/view.h"
 
@@ -18,11 +19,11 @@ typedef struct RaycastVolume {
     const Field *field; /* borrowed */
     Transfer transfer;
     Bricks bricks;
-    uint8_t *shown;      /* of the bricks */
-    uint32_t columns[2]; /* of patches in the rows of atlas and runs */
-    GpSurface *atlas, *runs;
-    void *texels;   /* of the atlas */
-    unsigned known; /* bit i: runs of way i are there */
+    uint8_t *shown; /* of the bricks */
+    VolumeAtlas atlas;
+    GpSurface *runs;
+    uint32_t columns; /* of patches in its rows */
+    unsigned known;   /* bit i: runs of way i are there */
 } RaycastVolume;
 
 /* Makes what stays the same from frame to frame. The transfer function is yet to come.

@@ -178,7 +178,7 @@ FormulaOff formula_compare(Formula formula, const Camera *camera, const Frame *f
         double point[3];
         const double distance = see(formula, camera, x + 0.5, y + 0.5, point);
         const bool is_there = isfinite(distance), is_drawn = rgba[i][3] > 0;
-        const double reach = 1.5;
+        const double reach = 1.4;
         if (is_there && (fabs(point[0]) > reach || fabs(point[1]) > reach))
             continue;
         off.covered += is_there;

@@ -28,7 +28,7 @@ void formula_free(DepthImage *image);
 /* A camera that looks at 0 from a direction; parallel: its picture is as high as it is far / 2. */
 Camera formula_camera(double x, double y, double z, bool is_parallel);
 
-/* How a picture is off from what a camera sees, over what is nearer to the z axis than 1.5 along x and y;
+/* How a picture is off from what a camera sees, over what is nearer to the z axis than 1.4 along x and y;
  * next to edges of what is covered it may be either way. */
 typedef struct FormulaOff {
     uint32_t covered, missing, extra;

@@ -1,7 +1,7 @@
-#include "apps/depth_images/drawing/dmesh.h"
+#include "apps/depth_images/rivals/dmesh.h"
 
 #include "apps/depth_images/drawing/light.h"
-#include "apps/depth_images/drawing/slab.h"
+#include "apps/depth_images/rivals/slab.h"
 #include "pipeline/io/mesh/simplify.h"
 #include "shaders_c/warp/surface.h"
 

@@ -5,8 +5,8 @@
  *        Image and Graphics 4(4), 2004. DEVIATES: its adaptive mesh is restricted quadtrees; here OpenMesh
  *        collapses edges
  */
-#ifndef APPS_DEPTH_IMAGES_DRAWING_DMESH_H
-#define APPS_DEPTH_IMAGES_DRAWING_DMESH_H
+#ifndef APPS_DEPTH_IMAGES_RIVALS_DMESH_H
+#define APPS_DEPTH_IMAGES_RIVALS_DMESH_H
 
 #include "apps/depth_images/drawing/textures.h"
 #include "apps/depth_images/drawing/view.h"

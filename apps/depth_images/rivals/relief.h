@@ -1,25 +1,22 @@
 /* Relief mapping of planar depth images: shaders_c/warp/relief.h over all pixels that the box of their
  * depths is on. */
-#ifndef APPS_DEPTH_IMAGES_DRAWING_RELIEF_H
-#define APPS_DEPTH_IMAGES_DRAWING_RELIEF_H
+#ifndef APPS_DEPTH_IMAGES_RIVALS_RELIEF_H
+#define APPS_DEPTH_IMAGES_RIVALS_RELIEF_H
 
-#include "apps/depth_images/drawing/slab.h"
+#include "apps/depth_images/rivals/cells.h"
 
 /* All zero: as it is meant. */
 typedef struct ReliefSetting {
     uint32_t steps;    /* of the linear search, to 255; 0: 64 */
     uint32_t halvings; /* of the binary one, to 255; 0: 8 */
-    double
-        thickness; /* of the surface, as a share of the depths of the image: how far behind its edges
-                          rays still meet it; 0: 0.1; below 0: all the way, as printed */
-    const char *name; /* of the pass, borrowed; NULL: "relief" */
+    double thickness;  /* as of depth_cells_uniforms; below 0: as printed */
+    const char *name;  /* of the pass, borrowed; NULL: "relief" */
 } ReliefSetting;
 
 /* A zeroed one is empty, and draws nothing. Owned by whoever made it, until relief_close. */
 typedef struct Relief {
     DepthSlab slab;
-    float first[2], cells[2]; /* of the box on the cells, in texels */
-    GpSurface *cells_z;       /* as slot 0 of the program has them */
+    DepthCells cells;
     DepthTextures textures;
 } Relief;
 

@@ -7,8 +7,8 @@
  * source Policarpo, Oliveira, Comba, "Real-time relief mapping on arbitrary polygonal surfaces", I3D
  *        2005, for images as boxes; perspective ones: ours
  */
-#ifndef APPS_DEPTH_IMAGES_DRAWING_SLAB_H
-#define APPS_DEPTH_IMAGES_DRAWING_SLAB_H
+#ifndef APPS_DEPTH_IMAGES_RIVALS_SLAB_H
+#define APPS_DEPTH_IMAGES_RIVALS_SLAB_H
 
 #include "apps/depth_images/drawing/textures.h"
 #include "apps/depth_images/drawing/view.h"
@@ -48,9 +48,17 @@ GpResult slab_check(const DepthImage *image, const char *method, GpError *error)
  * returns false: nothing is to be seen of the box, or there is no memory, of which the frame knows */
 bool slab_rays(const DepthSlab *slab, const WarpView *view, Frame *frame, SlabRays *rays);
 
-/* Appends a pass that draws over what the target holds, with its depth. A draw is to follow.
- * returns the state of draws whose programs write depth, and discard where nothing is */
-GpState slab_pass(const char *name, const WarpTarget *target, Frame *frame);
+/* The part of a method's uniforms that all have; `depth` is for rays alone, which slab_rays has. */
+SlabUniforms slab_uniforms(const DepthSlab *slab, const WarpView *view);
+
+/* Appends a pass that draws over what the target holds, with its depth. */
+void slab_pass(const char *name, const WarpTarget *target, Frame *frame);
+
+/* What is nearer than what the target holds replaces it. */
+GpDepthState slab_depth_state(const WarpTarget *target);
+
+/* The same on pixels that the box is on. */
+GpState slab_state(const SlabRays *rays, const WarpTarget *target);
 
 /* Colours, and normals, which are found from its points where an image lacks them.
  * errors GP_ERROR_MEMORY; owns: the caller, until depth_textures_close */

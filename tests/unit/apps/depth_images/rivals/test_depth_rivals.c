@@ -1,7 +1,10 @@
 /* What is drawn instead of warping, held to the same facts: planes come out exactly, a step and a ball as
  * near as each method can; nothing breaks from any eye; and every device draws the same bits. */
-#include "apps/depth_images/drawing/dmesh.h"
-#include "apps/depth_images/drawing/relief.h"
+#include "apps/depth_images/rivals/displacement.h"
+#include "apps/depth_images/rivals/dmesh.h"
+#include "apps/depth_images/rivals/parallax.h"
+#include "apps/depth_images/rivals/relief.h"
+#include "apps/depth_images/rivals/relief_texture.h"
 #include "tests/support/depth/formula.h"
 
 /* Draws a picture of an image, then frees what the method kept of it. */
@@ -17,9 +20,9 @@ static void run(bool everywhere, const Frame *frame)
 }
 
 /* A method's drawing function, by its names. */
-#define DRAW_RIVAL(name, Kept, Setting, ...)                                                       \
-    static void draw_##name(const DepthImage *image, const WarpView *view,                         \
-                            const WarpTarget *target, bool everywhere, Frame *frame)               \
+#define DRAW_RIVAL(rival, name, Kept, Setting, ...)                                                \
+    static void draw_##rival(const DepthImage *image, const WarpView *view,                        \
+                             const WarpTarget *target, bool everywhere, Frame *frame)              \
     {                                                                                              \
         Kept kept;                                                                                 \
         GpError error = { "" };                                                                    \
@@ -30,8 +33,13 @@ static void run(bool everywhere, const Frame *frame)
         name##_close(&kept);                                                                       \
     }
 
-DRAW_RIVAL(relief, Relief, ReliefSetting, .steps = 0)
-DRAW_RIVAL(dmesh, Dmesh, DmeshSetting, .name = NULL)
+DRAW_RIVAL(relief, relief, Relief, ReliefSetting, .steps = 0)
+DRAW_RIVAL(dmesh, dmesh, Dmesh, DmeshSetting, .name = NULL)
+DRAW_RIVAL(displacement, displacement, Displacement, DisplacementSetting, .steps = 0)
+DRAW_RIVAL(relief_texture, relief_texture, ReliefTexture, ReliefTextureSetting, .cut = 0)
+DRAW_RIVAL(parallax, parallax, Parallax, ParallaxSetting, .kind = PARALLAX_OFFSET)
+DRAW_RIVAL(limited, parallax, Parallax, ParallaxSetting, .kind = PARALLAX_LIMITED)
+DRAW_RIVAL(bump, parallax, Parallax, ParallaxSetting, .kind = PARALLAX_BUMP)
 
 /* How far off a method may be: depth as a share of itself, of which the view's buffer has steps of 3e-6;
  * on the mean where surfaces bend. */
@@ -45,6 +53,11 @@ static const struct {
 } rivals[] = {
     { "relief", draw_relief, true, 1e-5, 1e-3, 0.01, 250 },
     { "dmesh", draw_dmesh, true, 2e-5, 1e-3, 0.01, 400 },
+    { "displacement", draw_displacement, true, 1e-5, 1e-3, 0.01, 250 },
+    { "relief texture", draw_relief_texture, true, 1e-4, 3e-3, 0.01, 400 },
+    { "parallax", draw_parallax, false, 1e-4, 0.2, 0.01, 1000 },
+    { "limited parallax", draw_limited, false, 1e-4, 0.2, 0.01, 1000 },
+    { "bump", draw_bump, false, 1e-4, 0.2, 0.01, 1000 },
 };
 
 static const WarpLight light = { .position = { 0.6, 0.8, 0 },
@@ -168,14 +181,25 @@ static void every_device_draws_the_same_bits(void **state)
         }
 }
 
-static void cylinders_are_refused(void **state)
+static void cylinders_and_too_large_images_are_refused(void **state)
 {
     (void)state;
-    const DepthImage image = { .is_cylinder = true };
+    const DepthImage cylinder = { .is_cylinder = true };
+    const DepthImage large = { .front = { .width = GP_MAX_SIZE, .height = 1 } };
     Relief relief;
+    Dmesh dmesh;
+    Displacement displacement;
+    ReliefTexture relief_texture;
+    Parallax parallax;
     GpError error = { "" };
-    assert_int_equal(relief_open(&image, &relief, &error), GP_ERROR_UNSUPPORTED);
+    assert_int_equal(relief_open(&cylinder, &relief, &error), GP_ERROR_UNSUPPORTED);
     assert_string_equal(error.text, "relief mapping of a cylinder: expected a planar depth image");
+    assert_int_equal(dmesh_open(&cylinder, &dmesh, &error), GP_ERROR_UNSUPPORTED);
+    assert_int_equal(displacement_open(&cylinder, &displacement, &error), GP_ERROR_UNSUPPORTED);
+    assert_int_equal(parallax_open(&cylinder, &parallax, &error), GP_ERROR_UNSUPPORTED);
+    assert_int_equal(relief_texture_open(&large, &relief_texture, &error), GP_ERROR_UNSUPPORTED);
+    assert_string_equal(error.text, "relief texture mapping of a depth image of 8192 x 1: expected "
+                                    "at most 8191 pixels a side");
 }
 
 int main(void)
@@ -186,7 +210,7 @@ int main(void)
         cmocka_unit_test(no_eye_breaks_anything),
         cmocka_unit_test(small_images_are_drawn),
         cmocka_unit_test(every_device_draws_the_same_bits),
-        cmocka_unit_test(cylinders_are_refused),
+        cmocka_unit_test(cylinders_and_too_large_images_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

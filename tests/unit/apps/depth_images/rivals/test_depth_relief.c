@@ -1,5 +1,5 @@
 /* Relief mapping: what it fails at, each beside its remedy. */
-#include "apps/depth_images/drawing/relief.h"
+#include "apps/depth_images/rivals/relief.h"
 #include "tests/support/depth/formula.h"
 
 /* A picture of an image as a camera sees it. owns: the caller, frame_free */

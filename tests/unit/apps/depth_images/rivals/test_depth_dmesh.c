@@ -1,5 +1,5 @@
 /* Depth meshes: rubber sheets, and the cut that is their remedy; simplified ones, with as good a picture. */
-#include "apps/depth_images/drawing/dmesh.h"
+#include "apps/depth_images/rivals/dmesh.h"
 #include "tests/support/depth/formula.h"
 
 /* A picture as a camera sees it. in/out triangles: NULL: not asked for */

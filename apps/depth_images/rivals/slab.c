@@ -1,4 +1,4 @@
-#include "apps/depth_images/drawing/slab.h"
+#include "apps/depth_images/rivals/slab.h"
 
 #include "apps/base/reach.h"
 #include "apps/depth_images/drawing/light.h"
@@ -177,6 +177,7 @@ bool slab_rays(const DepthSlab *slab, const WarpView *view, Frame *frame, SlabRa
     find_corners(slab, &view->camera, &axes, reach, corners);
     const uint32_t stride = sizeof *corners;
     *rays = (SlabRays){
+        .uniforms = slab_uniforms(slab, view),
         .geometry = { .vertex_count = 3,
                       .streams = { [GP_POSITION] = { corners->corner, stride, 2, GP_FLOAT32 },
                                    [GP_TEXCOORD0] = { corners->start, stride, 4, GP_FLOAT32 },
@@ -189,24 +190,37 @@ bool slab_rays(const DepthSlab *slab, const WarpView *view, Frame *frame, SlabRa
                     .scissor_x1 = rect.x1,
                     .scissor_y1 = rect.y1 },
     };
-    for (int k = 0; k < 2; k++) {
-        rays->uniforms.first[k] = (float)slab->first[k];
-        rays->uniforms.side[k] = (float)slab->side[k];
-    }
     reach_depth(&view->camera, reach, rays->uniforms.depth);
-    if (view->light)
-        rays->uniforms.light = warp_light_uniforms(view);
     return true;
 }
 
-GpState slab_pass(const char *name, const WarpTarget *target, Frame *frame)
+/* --- what methods share ------------------------------------------------------------------------- */
+
+SlabUniforms slab_uniforms(const DepthSlab *slab, const WarpView *view)
+{
+    SlabUniforms uniforms = { .first = { (float)slab->first[0], (float)slab->first[1] },
+                              .side = { (float)slab->side[0], (float)slab->side[1] } };
+    if (view->light)
+        uniforms.light = warp_light_uniforms(view);
+    return uniforms;
+}
+
+void slab_pass(const char *name, const WarpTarget *target, Frame *frame)
 {
     static const float nothing[4] = { 0 };
     GpPass *pass = frame_pass(frame, name, target->color, target->depth, nothing);
     pass->color[0].clear = false;
     pass->depth.clear_depth = false;
-    return (GpState){ .depth = { .test = target->depth ? GP_LESS : GP_ALWAYS,
-                                 .write = target->depth != NULL } };
+}
+
+GpDepthState slab_depth_state(const WarpTarget *target)
+{
+    return target->depth ? (GpDepthState){ .test = GP_LESS, .write = true } : (GpDepthState){ 0 };
+}
+
+GpState slab_state(const SlabRays *rays, const WarpTarget *target)
+{
+    return (GpState){ .raster = rays->raster, .depth = slab_depth_state(target) };
 }
 
 GpResult slab_textures_open(const DepthImage *image, DepthTextures *textures, GpError *error)
