@@ -280,7 +280,7 @@ static bool cross_row(const Work *work, uint32_t y, uint32_t triangle, Row *row)
 {
     const Seen *seen = &work->seen[triangle];
     const uint32_t first = (uint32_t)fmax(floor(seen->low[0] - 0.5), 0);
-    const uint32_t end = (uint32_t)fmin(ceil(seen->high[0] + 0.5), work->scene->width);
+    const uint32_t end = (uint32_t)fmax(fmin(ceil(seen->high[0] + 0.5), work->scene->width), 0);
     for (uint32_t x = first; x < end; x++) {
         const double centre[2] = { x + 0.5, y + 0.5 };
         double at[3];
@@ -323,7 +323,7 @@ static void rows_of(const Work *work, uint32_t triangle, uint32_t rows[2])
 {
     const Seen *seen = &work->seen[triangle];
     rows[0] = (uint32_t)fmax(floor(seen->low[1] - 0.5), 0);
-    rows[1] = (uint32_t)fmin(ceil(seen->high[1] + 0.5), work->scene->height);
+    rows[1] = (uint32_t)fmax(fmin(ceil(seen->high[1] + 0.5), work->scene->height), 0);
 }
 
 /* Sorts triangles into rows. */

@@ -193,8 +193,9 @@ GpResult direct_add(const Direct *made, const DirectSetting *setting, const Warp
 {
     static const float nothing[4] = { 0 };
     const DepthImage *image = made->image;
-    const uint32_t footprint = footprint_step(made->center, made->radius, made->pixel, view);
-    const uint32_t step = setting->step ? setting->step : footprint;
+    const uint32_t step = setting->step
+                              ? setting->step
+                              : footprint_step(made->center, made->radius, made->pixel, view);
     const bool has_layers = setting->layers && image->behind.width;
     const DirectUniforms uniforms = find_uniforms(image, setting, view);
     GpSurface *depth =
@@ -212,18 +213,9 @@ GpResult direct_add(const Direct *made, const DirectSetting *setting, const Warp
         if (!grid.index_count)
             continue;
         GpDraw *draw = draw_layer(&grid, textures, &uniforms, &setting->detail,
-                                  view->light && textures->normal, footprint > 1, frame);
+                                  view->light && textures->normal, step > 1, frame);
         if (layer == 1 && image->behind.normal) /* insides are no surface that an eye meets */
             draw->state.raster.cull = GP_CULL_CW;
     }
     return frame_result(frame, error);
-}
-
-const char *direct_warning(const DepthImage *image, const WarpView *view)
-{
-    DepthExtent extent;
-    if (image->is_cylinder || !depth_extent(&image->front, &extent))
-        return NULL;
-    const char *warning = plane_warning(&image->plane, &extent, view);
-    return warning ? warning : depth_level_warning(&image->plane, &image->front);
 }

@@ -48,7 +48,4 @@ GpResult direct_add(const Direct *made, const DirectSetting *setting, const Warp
                     const WarpTarget *target, Frame *frame, GpError *error);
 void direct_close(Direct *made);
 
-/* What of a view, or of the image, the method cannot do, a sentence; NULL: nothing. */
-const char *direct_warning(const DepthImage *image, const WarpView *view);
-
 #endif

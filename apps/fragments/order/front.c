@@ -42,9 +42,6 @@ static int corner_side(const FrontView *view, uint32_t face, const float point[3
                             plane[2] * (double)point[2] - plane[3];
     if (distance > view->doubt || distance < -view->doubt)
         return distance > 0 ? 1 : -1;
-    for (uint32_t c = 0; c < 3; c++)
-        if (memcmp(corner_of(view, face, c), point, 3 * sizeof(float)) == 0)
-            return 0;
     return side_of_plane(corner_of(view, face, 0), corner_of(view, face, 1),
                          corner_of(view, face, 2), point);
 }

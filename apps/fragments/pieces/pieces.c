@@ -176,22 +176,26 @@ static GpResult merge(Work *work, GpError *error)
 
 /* --- the whole -------------------------------------------------------------------------------- */
 
+static bool alloc_pieces(Pieces *pieces)
+{
+    const size_t faces = pieces->face_count;
+    pieces->piece_of = gp_alloc(faces, sizeof *pieces->piece_of);
+    pieces->first = gp_alloc(faces + 1, sizeof *pieces->first);
+    pieces->faces = gp_alloc(faces, sizeof *pieces->faces);
+    pieces->inward = gp_alloc(faces, sizeof *pieces->inward);
+    return pieces->piece_of && pieces->first && pieces->faces && pieces->inward;
+}
+
 static bool alloc_work(Work *work, uint32_t faces)
 {
-    Pieces *pieces = &work->pieces;
     work->set = convex_set_create(&work->mesh);
     work->tried = gp_alloc(faces, sizeof *work->tried);
     work->kept = gp_alloc(faces, sizeof *work->kept);
-    pieces->piece_of = gp_alloc(faces, sizeof *pieces->piece_of);
-    pieces->first = gp_alloc((size_t)faces + 1, sizeof *pieces->first);
-    pieces->faces = gp_alloc(faces, sizeof *pieces->faces);
-    pieces->inward = gp_alloc(faces, sizeof *pieces->inward);
-    pieces->face_count = faces;
-    pieces->boundary_edges = work->links.boundary_edges;
-    pieces->non_manifold_edges = work->links.non_manifold_edges;
-    pieces->turned_edges = work->links.turned_edges;
-    return work->set && work->tried && work->kept && pieces->piece_of && pieces->first &&
-           pieces->faces && pieces->inward;
+    work->pieces.face_count = faces;
+    work->pieces.boundary_edges = work->links.boundary_edges;
+    work->pieces.non_manifold_edges = work->links.non_manifold_edges;
+    work->pieces.turned_edges = work->links.turned_edges;
+    return alloc_pieces(&work->pieces) && work->set && work->tried && work->kept;
 }
 
 static GpResult split(Work *work, const PiecesSetting *setting, GpError *error)
@@ -240,6 +244,37 @@ GpResult pieces_make(const float (*positions)[3], uint32_t vertex_count, const u
         pieces_free(&work.pieces);
     else
         *pieces = work.pieces;
+    return result;
+}
+
+static bool is_filled(const Pieces *pieces)
+{
+    for (uint32_t p = 0; p < pieces->count; p++)
+        if (pieces->first[p] == pieces->first[p + 1] || pieces->inward[p] > 1)
+            return false;
+    return true;
+}
+
+GpResult pieces_fill(Pieces *pieces, const uint32_t *piece_of, const uint8_t *inward)
+{
+    Pieces made = *pieces;
+    bool fits = made.count <= made.face_count;
+    for (uint32_t f = 0; f < made.face_count && fits; f++)
+        fits = piece_of[f] < made.count;
+    if (!fits)
+        return GP_ERROR_FORMAT;
+    GpResult result = alloc_pieces(&made) ? GP_OK : GP_ERROR_MEMORY;
+    if (!result) {
+        memcpy(made.piece_of, piece_of, made.face_count * sizeof *piece_of);
+        memcpy(made.inward, inward, made.count);
+        result = list_faces(&made);
+    }
+    if (!result && !is_filled(&made))
+        result = GP_ERROR_FORMAT;
+    if (result)
+        pieces_free(&made);
+    else
+        *pieces = made;
     return result;
 }
 

@@ -42,6 +42,11 @@ GpResult pieces_make(const float (*positions)[3], uint32_t vertex_count, const u
                      void *context, Pieces *pieces, GpError *error);
 void pieces_free(Pieces *pieces);
 
+/* Makes pieces of what is known of each face and piece, copied; counts are set already.
+ * in     piece_of: [face_count]; inward: [count]
+ * errors GP_ERROR_MEMORY; GP_ERROR_FORMAT: a face of no piece, a piece of no face. Untouched then */
+GpResult pieces_fill(Pieces *pieces, const uint32_t *piece_of, const uint8_t *inward);
+
 /* The fewest words that say what a mesh kept pieces from: "12 boundary edges, 3 faces without area";
  * "" of a clean one. */
 void pieces_faults(const Pieces *pieces, char *text, size_t size);

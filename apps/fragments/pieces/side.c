@@ -1,7 +1,7 @@
 #include "apps/fragments/pieces/side.h"
 
 #include <math.h>
-#include <string.h>
+#include <stdbool.h>
 
 /* A sum of doubles that do not overlap, the least first. Differences of two floats have 2 terms, the
  * products of three such 2 * 4 * 4, and six of these make the determinant. */
@@ -84,8 +84,15 @@ static int exact_side(const float a[3], const float b[3], const float c[3], cons
     return (last > 0) - (last < 0);
 }
 
+static bool is_same(const float a[3], const float b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 int side_of_plane(const float a[3], const float b[3], const float c[3], const float p[3])
 {
+    if (is_same(p, a) || is_same(p, b) || is_same(p, c))
+        return 0;
     const double error = 16 * 0x1p-53; /* more than the roundings below, of the terms' sum */
     double u[3], v[3], w[3], sum = 0, terms = 0;
     for (int k = 0; k < 3; k++) {

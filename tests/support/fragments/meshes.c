@@ -39,20 +39,74 @@ static void add_shape(FragmentCase *made, const char *name, const double scale[3
 
 static const double one[3] = { 1, 1, 1 }, nowhere[3] = { 0, 0, 0 };
 
+/* A closed curve: round an axis so many times, and round a ring so many times. */
+typedef struct Curve {
+    double turns, twists, amplitude;
+} Curve;
+
+static void curve_at(const Curve *curve, double share, double at[3])
+{
+    double turn[2], twist[2];
+    angle_sincos(360 * curve->turns * share, &turn[1], &turn[0]);
+    angle_sincos(360 * curve->twists * share, &twist[1], &twist[0]);
+    const double radius = 1 + curve->amplitude * twist[0];
+    vector_set(at, radius * turn[0], radius * turn[1], curve->amplitude * twist[1]);
+}
+
+static void add_quad(FragmentCase *made, uint32_t first, const uint32_t corner[4])
+{
+    const uint32_t index[6] = { 0, 1, 2, 0, 2, 3 };
+    for (int i = 0; i < 6; i++)
+        made->indices[3 * made->triangle_count + (uint32_t)i] = first + corner[index[i]];
+    made->triangle_count += 2;
+}
+
 static void add_sheet(FragmentCase *made, const double corner[4][3])
 {
-    const uint32_t first = made->vertex_count, index[6] = { 0, 1, 2, 0, 2, 3 };
+    const uint32_t first = made->vertex_count, all[4] = { 0, 1, 2, 3 };
     for (int i = 0; i < 4; i++, made->vertex_count++)
         for (int k = 0; k < 3; k++)
             made->positions[first + (uint32_t)i][k] = (float)corner[i][k];
-    for (int i = 0; i < 6; i++)
-        made->indices[3 * made->triangle_count + (uint32_t)i] = first + index[i];
-    made->triangle_count += 2;
+    add_quad(made, first, all);
+}
+
+/* A tube about a curve, turned about x and moved. */
+static void add_tube(FragmentCase *made, const Curve *curve, double radius, uint32_t parts,
+                     double degrees, const double move[3])
+{
+    enum { AROUND = 10 };
+    const uint32_t first = made->vertex_count;
+    double turn[4][4];
+    matrix_rotation((const double[]){ 1, 0, 0 }, degrees, turn);
+    for (uint32_t i = 0; i < parts * AROUND; i++, made->vertex_count++) {
+        const double share = (double)(i / AROUND) / parts;
+        double at[3], next[3], way[3], out[2][3], sine, cosine;
+        curve_at(curve, share, at);
+        curve_at(curve, share + 1e-4, next);
+        vector_subtract(next, at, way);
+        vector_cross(way, at, out[0]);
+        vector_cross(way, out[0], out[1]);
+        vector_normalize(out[0]);
+        vector_normalize(out[1]);
+        angle_sincos(360.0 * (i % AROUND) / AROUND, &sine, &cosine);
+        for (int k = 0; k < 3; k++)
+            at[k] += radius * (cosine * out[0][k] + sine * out[1][k]);
+        for (int row = 0; row < 3; row++)
+            made->positions[made->vertex_count][row] =
+                (float)(vector_dot(turn[row], at) + move[row]);
+    }
+    for (uint32_t i = 0; i < parts; i++)
+        for (uint32_t k = 0; k < AROUND; k++) {
+            const uint32_t here = i * AROUND, there = (i + 1) % parts * AROUND;
+            const uint32_t corner[4] = { here + k, here + (k + 1) % AROUND,
+                                         there + (k + 1) % AROUND, there + k };
+            add_quad(made, first, corner);
+        }
 }
 
 static void make_knot(FragmentCase *made)
 {
-    add_shape(made, "knot", one, 0, nowhere);
+    add_tube(made, &(Curve){ 2, 3, 0.4 }, 0.17, 96, 0, nowhere);
 }
 
 static void make_teapot(FragmentCase *made)
@@ -62,8 +116,9 @@ static void make_teapot(FragmentCase *made)
 
 static void make_rings(FragmentCase *made)
 {
-    add_shape(made, "torus", one, 0, nowhere);
-    add_shape(made, "torus", one, 80, (const double[]){ 0.7, 0.1, 0 });
+    const Curve ring = { 1, 0, 0 };
+    add_tube(made, &ring, 0.2, 48, 0, nowhere);
+    add_tube(made, &ring, 0.2, 48, 80, (const double[]){ 0.9, 0.1, 0 });
 }
 
 /* A ball by halving the sides of an octahedron's faces: convex to the last bit. */
@@ -132,10 +187,8 @@ static void make_beams(FragmentCase *made)
         }
         for (uint32_t v = 0; v < 4 * parts; v++) {
             const uint32_t next = v / 4 * 4 + (v + 1) % 4;
-            const uint32_t quad[6] = { v, next, next + 4, v, next + 4, v + 4 };
-            for (uint32_t k = 0; k < 6; k++)
-                made->indices[3 * made->triangle_count + k] = first + quad[k];
-            made->triangle_count += 2;
+            const uint32_t corner[4] = { v, next, next + 4, v + 4 };
+            add_quad(made, first, corner);
         }
     }
 }
@@ -177,7 +230,7 @@ static const struct {
     bool is_clean;
     void (*make)(FragmentCase *made);
 } cases[FRAGMENT_CASES] = {
-    { "knot", true, make_knot },      { "rings", false, make_rings },
+    { "knot", true, make_knot },      { "rings", true, make_rings },
     { "nested", true, make_nested },  { "dent", true, make_dent },
     { "beams", true, make_beams },    { "fan", false, make_fan },
     { "teapot", false, make_teapot }, { "crossed", false, make_crossed },

@@ -18,7 +18,7 @@ typedef struct FragmentCase {
 enum { FRAGMENT_CASES = 9 };
 
 /* One after the other; fails the running test where memory is short:
- * knot, teapot (open, its parts cut each other), rings (two that cut each other), nested (balls in each
+ * knot, teapot (open, its parts cut each other), rings (two that hang in each other), nested (balls in each
  * other), dent (a ball with a hollow side), beams (three in a circle, so that each is in front of the
  * next), fan (of sheets that stand about an axis), crossed (two sheets that cut each other), twins (a sheet
  * twice, once turned over). */
