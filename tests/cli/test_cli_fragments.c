@@ -72,10 +72,10 @@ static void figures_are_told_as_lines_and_as_json(void **state)
                                            "\"layers\": 2",
                                            "\"fragments\": ",
                                            "\"passes\": ",
-                                           "\"readings\": 2",
+                                           "\"readings\": 1",
                                            "\"bytes\": ",
                                            "\"triangles\": ",
-                                           "\"setting\": \"--method dp" };
+                                           "\"setting\": \"--method sorted" };
     assert_int_equal(
         shell("glasspipe fragments builtin:ball -q -o a.png --size 64x48 --measure --json"), 0);
     for (size_t i = 0; i < GP_COUNT(members); i++)
@@ -101,9 +101,9 @@ static void options_mean_their_method_and_alpha_is_written(void **state)
 static void odd_places_and_sizes_are_drawn(void **state)
 {
     (void)state;
-    static const char *const methods[] = { "dp",      "ddp",     "kbuffer",  "stencil",
-                                           "bucket1", "bucket2", "adaptive", "mdt",
-                                           "abuffer", "cpu",     "weighted" };
+    static const char *const methods[] = { "sorted",  "dp",      "ddp",     "kbuffer",
+                                           "stencil", "bucket1", "bucket2", "adaptive",
+                                           "mdt",     "abuffer", "cpu",     "weighted" };
     unlink("scene.json");
     write_file("inside.json", "{ \"eye\": [0.1, 0.2, 0], \"at\": [0, 0, 1], \"near\": 0.01 }");
     write_file("behind.json", "{ \"eye\": [0, 0, -9], \"at\": [0, 0, -10] }");

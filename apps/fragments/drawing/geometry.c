@@ -48,6 +48,8 @@ static void fill(const FragmentMesh *mesh, bool *is_first, FragmentGeometry *geo
         }
         memcpy(geometry->colors[drawn[0]], mesh->colors[i], sizeof *mesh->colors);
         find_normal(mesh, corner, geometry->normals[drawn[0]]);
+        memcpy(geometry->reversed + 3 * (size_t)(mesh->triangle_count - 1 - i), drawn,
+               3 * sizeof *drawn);
     }
     geometry->drawn.vertex_count = count;
 }
@@ -64,9 +66,11 @@ GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geom
     FragmentGeometry made = { .positions = gp_alloc(room, sizeof *made.positions),
                               .colors = gp_alloc(room, sizeof *made.colors),
                               .normals = gp_alloc(room, sizeof *made.normals),
-                              .indices = gp_alloc(mesh->triangle_count, 3 * sizeof(uint32_t)) };
+                              .indices = gp_alloc(mesh->triangle_count, 3 * sizeof(uint32_t)),
+                              .reversed = gp_alloc(mesh->triangle_count, 3 * sizeof(uint32_t)) };
     bool *is_first = gp_alloc(mesh->vertex_count, sizeof *is_first);
-    if (!made.positions || !made.colors || !made.normals || !made.indices || !is_first) {
+    if (!made.positions || !made.colors || !made.normals || !made.indices || !made.reversed ||
+        !is_first) {
         fragment_geometry_free(&made);
         gp_free(is_first);
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u triangles", mesh->triangle_count);
@@ -78,6 +82,8 @@ GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geom
     made.drawn.streams[GP_POSITION] = stream_of(made.positions, 3);
     made.drawn.streams[GP_COLOR] = stream_of(made.colors, 4);
     made.drawn.streams[GP_NORMAL] = stream_of(made.normals, 3);
+    made.backwards = made.drawn;
+    made.backwards.indices = made.reversed;
     *geometry = made;
     return GP_OK;
 }
@@ -88,5 +94,6 @@ void fragment_geometry_free(FragmentGeometry *geometry)
     gp_free(geometry->colors);
     gp_free(geometry->normals);
     gp_free(geometry->indices);
+    gp_free(geometry->reversed);
     *geometry = (FragmentGeometry){ .indices = NULL };
 }

@@ -9,9 +9,9 @@
  * corner a vertex is, and no other's: they are for flat varyings. Triangle i stands at indices 3 i, with
  * its corners in their turn; which is the first may differ. */
 typedef struct FragmentGeometry {
-    GpGeometry drawn;
+    GpGeometry drawn, backwards; /* backwards: the last triangle first */
     float (*positions)[3], (*colors)[4], (*normals)[3];
-    uint32_t *indices;
+    uint32_t *indices, *reversed;
 } FragmentGeometry;
 
 /* errors GP_ERROR_MEMORY; owns: the caller, until fragment_geometry_free */

@@ -14,7 +14,8 @@ typedef struct FragmentMesh {
     const float (
         *colors)[4]; /* red, green, blue of each triangle, 0..1, not multiplied by alpha, and its
                                  alpha in the order of triangles */
-    const GpGeometry *drawn; /* the same for draws: drawing/geometry.h */
+    const GpGeometry *drawn;     /* the same for draws: drawing/geometry.h */
+    const GpGeometry *backwards; /* the same, the last triangle first */
 } FragmentMesh;
 
 /* Light on its way through what is between two surfaces, so that a mesh is a body.

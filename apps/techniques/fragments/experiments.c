@@ -5,6 +5,7 @@
 
 /* The processor's own lists are not here: they are made before the frame, which the clock does not see. */
 static const TechniqueSweep sweep[] = {
+    { "sorted by the machine", "--method sorted" },
     { "peeling", "--method dp" },
     { "dual peeling", "--method ddp" },
     { "k-buffer", "--method kbuffer --kept 2|4|8|16" },
@@ -20,7 +21,8 @@ static const TechniqueSweep sweep[] = {
     { .method = NULL },
 };
 
-static const char *const usual[] = { "peeling", "dual peeling", "weighted", NULL };
+static const char *const usual[] = { "sorted by the machine", "peeling", "dual peeling", "weighted",
+                                     NULL };
 static const char *const metrics[] = { "beyond edges", "passes", "bytes", NULL };
 
 static GpResult find_truth(void *model, int threads, GpError *error)

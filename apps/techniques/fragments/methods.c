@@ -5,7 +5,15 @@
 #include "apps/fragments/drawing/dual.h"
 #include "apps/fragments/drawing/lists.h"
 #include "apps/fragments/drawing/peel.h"
+#include "apps/fragments/drawing/sorted.h"
 #include "apps/fragments/drawing/weighted.h"
+
+static GpResult add_sorted(const FragmentModel *model, const FragmentOptions *options, Frame *frame,
+                           GpError *error)
+{
+    (void)options;
+    return sorted_add(&model->mesh, &model->view, frame->color, NULL, frame, error);
+}
 
 static GpResult add_peeled(const FragmentModel *model, const FragmentOptions *options, Frame *frame,
                            GpError *error)
@@ -62,10 +70,10 @@ static GpResult add_weighted(const FragmentModel *model, const FragmentOptions *
 }
 
 const FragmentMethodRow fragment_methods[FRAGMENT_METHODS] = {
-    [FRAGMENTS_DP] = { add_peeled, true },          [FRAGMENTS_DDP] = { add_dual, true },
-    [FRAGMENTS_KBUFFER] = { add_lists, false },     [FRAGMENTS_STENCIL] = { add_lists, false },
-    [FRAGMENTS_BUCKET1] = { add_buckets, false },   [FRAGMENTS_BUCKET2] = { add_buckets, false },
-    [FRAGMENTS_ADAPTIVE] = { add_buckets, false },  [FRAGMENTS_MDT] = { add_lists, false },
-    [FRAGMENTS_ABUFFER] = { add_lists, false },     [FRAGMENTS_CPU] = { add_cpu, false },
-    [FRAGMENTS_WEIGHTED] = { add_weighted, false },
+    [FRAGMENTS_SORTED] = { add_sorted, true },    [FRAGMENTS_DP] = { add_peeled, true },
+    [FRAGMENTS_DDP] = { add_dual, true },         [FRAGMENTS_KBUFFER] = { add_lists, false },
+    [FRAGMENTS_STENCIL] = { add_lists, false },   [FRAGMENTS_BUCKET1] = { add_buckets, false },
+    [FRAGMENTS_BUCKET2] = { add_buckets, false }, [FRAGMENTS_ADAPTIVE] = { add_buckets, false },
+    [FRAGMENTS_MDT] = { add_lists, false },       [FRAGMENTS_ABUFFER] = { add_lists, false },
+    [FRAGMENTS_CPU] = { add_cpu, false },         [FRAGMENTS_WEIGHTED] = { add_weighted, false },
 };

@@ -77,6 +77,7 @@ static GpResult make_mesh(const FragmentOptions *options, FragmentModel *model, 
                                   .colors = (const float(*)[4])model->colors };
     const GpResult result = fragment_geometry_make(&model->mesh, &model->geometry, error);
     model->mesh.drawn = &model->geometry.drawn;
+    model->mesh.backwards = &model->geometry.backwards;
     return result;
 }
 

@@ -8,18 +8,15 @@ const FragmentOptions fragment_option_defaults = {
     .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
 };
 
-static const char *const methods[] = { [FRAGMENTS_DP] = "dp",
-                                       [FRAGMENTS_DDP] = "ddp",
-                                       [FRAGMENTS_KBUFFER] = "kbuffer",
-                                       [FRAGMENTS_STENCIL] = "stencil",
-                                       [FRAGMENTS_BUCKET1] = "bucket1",
-                                       [FRAGMENTS_BUCKET2] = "bucket2",
-                                       [FRAGMENTS_ADAPTIVE] = "adaptive",
-                                       [FRAGMENTS_MDT] = "mdt",
-                                       [FRAGMENTS_ABUFFER] = "abuffer",
-                                       [FRAGMENTS_CPU] = "cpu",
-                                       [FRAGMENTS_WEIGHTED] = "weighted",
-                                       [FRAGMENT_METHODS] = NULL };
+static const char *const methods[] = {
+    [FRAGMENTS_SORTED] = "sorted",   [FRAGMENTS_DP] = "dp",
+    [FRAGMENTS_DDP] = "ddp",         [FRAGMENTS_KBUFFER] = "kbuffer",
+    [FRAGMENTS_STENCIL] = "stencil", [FRAGMENTS_BUCKET1] = "bucket1",
+    [FRAGMENTS_BUCKET2] = "bucket2", [FRAGMENTS_ADAPTIVE] = "adaptive",
+    [FRAGMENTS_MDT] = "mdt",         [FRAGMENTS_ABUFFER] = "abuffer",
+    [FRAGMENTS_CPU] = "cpu",         [FRAGMENTS_WEIGHTED] = "weighted",
+    [FRAGMENT_METHODS] = NULL
+};
 static const char *const colors[] = {
     [FRAGMENT_NORMALS] = "normals", [FRAGMENT_MATERIAL] = "material", NULL
 };
@@ -29,7 +26,8 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 const SettingField fragment_settings[] = {
     { "method", NULL,
-      "dp, ddp: the nearest fragments, and the farthest too, peeled pass by pass (default: dp); "
+      "sorted: the machine sorts the fragments of a pixel (default); dp, ddp: the nearest "
+      "fragments, and the farthest too, peeled pass by pass; "
       "kbuffer: the nearest few of a pixel; stencil: the first few that are drawn; bucket1, "
       "bucket2, adaptive: sorted into buckets by depth, of equal depth in one pass or two, or "
       "where "

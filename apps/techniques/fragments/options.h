@@ -7,6 +7,7 @@
 #include "apps/techniques/settings.h"
 
 typedef enum FragmentMethod {
+    FRAGMENTS_SORTED,
     FRAGMENTS_DP,
     FRAGMENTS_DDP,
     FRAGMENTS_KBUFFER,

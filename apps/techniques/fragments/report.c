@@ -79,7 +79,9 @@ FragmentWork fragment_work(const FragmentModel *model, const Frame *frame)
         for (uint32_t i = 0; i < pass->draw_count; i++) {
             for (int t = 0; t < GP_MAX_SAMPLERS; t++)
                 add_surface(&surfaces, pass->draws[i].textures[t].surface);
-            work.readings += pass->draws[i].geometry.indices == model->mesh.drawn->indices;
+            const uint32_t *indices = pass->draws[i].geometry.indices;
+            work.readings += indices && (indices == model->mesh.drawn->indices ||
+                                         indices == model->mesh.backwards->indices);
         }
     }
     work.bytes = surfaces.bytes;

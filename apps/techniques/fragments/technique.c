@@ -13,7 +13,7 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
     const FragmentMethodRow *method = &fragment_methods[options->method];
     if (view->glass.is_on && !method->has_glass)
         return gp_fail(error, GP_ERROR_INVALID,
-                       "--sigma: this method knows no bodies; dp and ddp do");
+                       "--sigma: this method knows no bodies; sorted, dp and ddp do");
     GpResult result = fragment_model_count(model, device, error);
     if (result)
         return result;

@@ -12,6 +12,9 @@ const TechniqueWord fragment_words[] = {
                       "the step to which the machine rounds corners." },
     { "passes", "Passes of the frame, over the mesh or over all pixels." },
     { "bytes", "Memory of all surfaces that the frame needs beside its picture." },
+    { "sorted by the machine",
+      "The fragments of a pixel are kept where it is drawn, and sorted by depth before they are "
+      "blended: a state of a pass, as tile-based hardware has had." },
     { "peeling", "The nearest fragments, then the nearest behind those, a pass for each layer." },
     { "dual peeling",
       "The nearest and the farthest fragments, then those next to them, two layers a pass." },

@@ -8,6 +8,7 @@
 enum { SIDE = 48 };
 
 static const char *const plain[] = {
+    "--method sorted",
     "--method dp",
     "--method ddp",
     "--method kbuffer --kept 3",
@@ -21,7 +22,7 @@ static const char *const plain[] = {
     "--method cpu",
     "--method weighted",
 };
-static const char *const glass[] = { "--method dp", "--method ddp" };
+static const char *const glass[] = { "--method sorted", "--method dp", "--method ddp" };
 
 /* Every method gives one hash, wherever it is drawn. */
 static void check_devices(const char *mesh, const FragmentOptions *options,

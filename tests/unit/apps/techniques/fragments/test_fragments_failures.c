@@ -21,6 +21,7 @@ static void methods_that_keep_all_fragments_are_exact(void **state)
 {
     (void)state;
     static const TechniqueCase rows[] = {
+        { "the machine sorts", KNOT, "--method sorted", NONE },
         { "peeling", KNOT, "--method dp", NONE },
         { "dual peeling", KNOT, "--method ddp", NONE },
         { "lists", KNOT, "--method abuffer", NONE },
@@ -86,7 +87,8 @@ static double wrong_of(const float (*corners)[3], uint32_t triangles, const char
                                  .indices = model.file.indices,
                                  .triangle_count = triangles,
                                  .colors = (const float(*)[4])model.colors,
-                                 .drawn = &model.geometry.drawn };
+                                 .drawn = &model.geometry.drawn,
+                                 .backwards = &model.geometry.backwards };
     assert_int_equal(fragment_geometry_make(&model.mesh, &model.geometry, &error), GP_OK);
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 1 }, &device, &error), GP_OK);
     if (technique_setting(&fragment_technique, options, (void **)&setting, &error) ||
@@ -116,6 +118,7 @@ static void layers_in_one_plane_are_one_to_those_who_peel(void **state)
     assert_true(wrong_of(sheets, 3, "--method ddp") > 300);
     assert_true(wrong_of(sheets, 3, "--method abuffer") == 0);
     assert_true(wrong_of(sheets, 3, "--method cpu") == 0);
+    assert_true(wrong_of(sheets, 3, "--method sorted") == 0);
     assert_true(wrong_of(sheets, 3, "--method kbuffer --kept 3") == 0);
 }
 
@@ -149,8 +152,8 @@ static void open_meshes_from_inside_are_exact(void **state)
         { 0, -3, 4 },  { -1, -2, 9 }, { 1, -2, 9 }, { 0, -0.5f, 0 }, { 0, 0, 0 },
         { 1, 1, 0 },   { 2, 2, 0 },   { -2, 2, 2 }, { 2, 2, -2 },    { 0, -2, 1 },
     };
-    static const char *const exact[] = { "--method dp", "--method ddp", "--method abuffer",
-                                         "--method cpu" };
+    static const char *const exact[] = { "--method sorted", "--method dp", "--method ddp",
+                                         "--method abuffer", "--method cpu" };
     for (size_t i = 0; i < GP_COUNT(exact); i++)
         assert_true(wrong_of(walls, 5, exact[i]) == 0);
 }
@@ -161,6 +164,7 @@ static void light_is_taken_on_its_way_through_a_body(void **state)
 {
     (void)state;
     static const double sigmas[] = { 0.5, 1, 4 };
+    static const char *const methods[] = { "--method dp", "--method sorted", "--method ddp" };
     GpError error;
     GpDevice *device;
     void *model, *setting;
@@ -174,7 +178,8 @@ static void light_is_taken_on_its_way_through_a_body(void **state)
             .path = KNOT, .width = 128, .height = 128, .setting = &options
         };
         assert_int_equal(fragment_technique.open(&input, &model, &error), GP_OK);
-        if (technique_setting(&fragment_technique, "--method dp", &setting, &error) ||
+        if (technique_setting(&fragment_technique, methods[i % GP_COUNT(methods)], &setting,
+                              &error) ||
             fragment_technique.build(model, setting, device, &frame, &error) ||
             gp_device_run(device, &frame.list, &error) || fragment_model_truth(model, 2, &error))
             fail_msg("%s", error.text);
