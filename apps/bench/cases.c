@@ -77,6 +77,10 @@ const BenchCase bench_cases[] = {
       bench_tell_volume },
     { "warp_relief", bench_build_warp, WARP_CASE_RELIEF, 0, 0, 0, NULL, bench_tell_warp },
     { "warp_polygons", bench_build_warp, WARP_CASE_POLYGONS, 0, 0, 0, NULL, bench_tell_warp },
+    { "warp_cylinder", bench_build_warp, WARP_CASE_CYLINDER, 0, 0, 0, NULL, bench_tell_warp },
+    { "warp_cylinder_printed", bench_build_warp, WARP_CASE_CYLINDER_PRINTED, 0, 0, 0, NULL,
+      bench_tell_warp },
+    { "warp_walk", bench_build_walk, 0, 0, 0, 0, NULL, bench_tell_walk },
 };
 /* clang-format on */
 const size_t bench_case_count = GP_COUNT(bench_cases);

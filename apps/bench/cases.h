@@ -60,10 +60,11 @@ BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_sha
 BenchBuild bench_build_small, bench_build_slabs;
 BenchBuild bench_build_points, bench_build_sheets, bench_build_peel;
 BenchBuild bench_build_voxelize, bench_build_combine;
-BenchBuild bench_build_splats, bench_build_volume, bench_build_warp;
+BenchBuild bench_build_splats, bench_build_volume, bench_build_warp, bench_build_walk;
 
 void bench_tell_splats(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 void bench_tell_volume(const Frame *frame, double ms, int threads, bool measures, json_t *object);
+void bench_tell_walk(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 void bench_tell_warp(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 void bench_show_slabs(const Frame *frame, uint8_t *rgba);
 
@@ -100,7 +101,7 @@ enum {
     VOLUME_SPLAT_BONSAI_IM,
     VOLUME_SPLAT_BONSAI_QD,
 };
-enum { WARP_CASE_RELIEF, WARP_CASE_POLYGONS };
+enum { WARP_CASE_RELIEF, WARP_CASE_POLYGONS, WARP_CASE_CYLINDER, WARP_CASE_CYLINDER_PRINTED };
 
 /* Amounts that the table of cases and the builders share. */
 enum {

@@ -5,11 +5,17 @@
 #include "apps/techniques/warp/report.h"
 #include "apps/techniques/warp/technique.h"
 
-enum { SIDE = 512 };
+enum {
+    SIDE = 512,
+    ROUND_WIDTH = 1024,
+    ROUND_HEIGHT = 768
+}; /* of pictures; round ones as the paper's */
 
 static const char *const cases[] = {
     [WARP_CASE_RELIEF] = "--method relief",
     [WARP_CASE_POLYGONS] = "--method polygons",
+    [WARP_CASE_CYLINDER] = "--kind cylinder --method surface",
+    [WARP_CASE_CYLINDER_PRINTED] = "--kind cylinder --method cylinder",
 };
 
 #define WAVES 100 /* over the diagonal of the model's box */
@@ -40,7 +46,9 @@ GpResult bench_build_warp(const BenchCase *bench, Frame *frame, GpError *error)
     GpResult result = bench_made_create(&warp_technique, cases[bench->variant], &made, error);
     if (result)
         return result;
-    result = bench_made_open(made, "meshes/bunny.ply", SIDE, SIDE, error);
+    const bool is_round = bench->variant >= WARP_CASE_CYLINDER;
+    result = bench_made_open(made, "meshes/bunny.ply", is_round ? ROUND_WIDTH : SIDE,
+                             is_round ? ROUND_HEIGHT : SIDE, error);
     if (result) {
         bench_made_free(made);
         return result;

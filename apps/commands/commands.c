@@ -21,11 +21,13 @@ static const Command commands[] = {
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
     { "shader", cmd_shader, "FILE.c", "draw a model with a shader of your own" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
+    { "warp walk", cmd_warp_walk, "[MESH...]    ", "a way among depth images, frame by frame" },
 };
 
 static void print_line(FILE *file, const char *name, const char *arguments, const char *summary)
 {
-    fprintf(file, "  %-8s %-15s %s\n", name, arguments, summary);
+    const int room = strchr(name, ' ') ? 0 : 15; /* two words are longer than the first column */
+    fprintf(file, "  %-8s %-*s %s\n", name, room, arguments, summary);
 }
 
 void commands_help(FILE *file)

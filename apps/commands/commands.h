@@ -23,5 +23,6 @@ CommandFn cmd_pixel;
 CommandFn cmd_bench;
 CommandFn cmd_shader;
 CommandFn cmd_chart;
+CommandFn cmd_warp_walk;
 
 #endif

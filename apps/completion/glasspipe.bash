@@ -21,8 +21,8 @@ _glasspipe()
     local before=${COMP_WORDS[COMP_CWORD-1]} words=
     if [ "$command" = chart ] && [ "$COMP_CWORD" -gt 2 ] && [ "${COMP_WORDS[2]:0:1}" != - ]; then
         command="chart ${COMP_WORDS[2]}" # whose settings are options too
-    elif [ "$command ${COMP_WORDS[2]}" = "warp capture" ] && [ "$COMP_CWORD" -gt 2 ]; then
-        command="warp capture"
+    elif [[ "$command ${COMP_WORDS[2]}" =~ ^warp\ (capture|walk)$ ]] && [ "$COMP_CWORD" -gt 2 ]; then
+        command="warp ${COMP_WORDS[2]}"
     fi
     if [ "$COMP_CWORD" -eq 1 ] || [ "$before" = help ]; then
         words="--help --version $("$program" --help 2>/dev/null |

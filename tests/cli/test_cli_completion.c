@@ -61,9 +61,10 @@ static void commands_are_those_of_the_help(void **state)
 static void options_are_those_of_every_commands_help(void **state)
 {
     (void)state;
-    static const char *const commands[] = { "bench",    "chart",  "render", "compare",  "explain",
-                                            "pixel",    "points", "shader", "shadow",   "test",
-                                            "voxelize", "volume", "warp",   "fragments" };
+    static const char *const commands[] = {
+        "bench",  "chart", "render",   "compare", "explain", "pixel",     "points",   "shader",
+        "shadow", "test",  "voxelize", "volume",  "warp",    "fragments", "warp walk"
+    };
     static char names[80][48];
     for (size_t c = 0; c < GP_COUNT(commands); c++) {
         char words[64];

@@ -1,5 +1,7 @@
 #include "apps/depth_images/drawing/footprint.h"
 
+static const double between_steps = 1.4142135623730951; /* powers of two: the nearer by ratio */
+
 uint32_t footprint_step(const double center[3], double radius, double pixel, const WarpView *view)
 {
     const Camera *camera = &view->camera;
@@ -10,7 +12,7 @@ uint32_t footprint_step(const double center[3], double radius, double pixel, con
     if (camera->fovy > 0)
         away = fmax(vector_dot(way, axes.forward) - radius, camera->near);
     const double wanted = 2 * axes.half_height * away / view->height / pixel;
-    while (2 * step <= wanted && step < FOOTPRINT_MAX_STEP)
+    while (between_steps * step <= wanted && step < FOOTPRINT_MAX_STEP)
         step *= 2;
     return step;
 }

@@ -65,18 +65,21 @@ static float error_at(const Merging *merging, int64_t x, int64_t y)
     return is_inside(merging, x, y) ? merging->errors[y * merging->size[0] + x] : 0;
 }
 
-/* From a point to the middle between two others about it. */
+/* From a point to the middle between two others about it: along its normal, or aside as far as counts. */
 static float bend(const Merging *merging, int64_t x, int64_t y, int64_t dx, int64_t dy)
 {
-    const float *middle = point_at(merging->grid, x, y);
-    const float *a = point_at(merging->grid, x - dx, y - dy);
-    const float *b = point_at(merging->grid, x + dx, y + dy);
-    double square = 0;
-    for (int k = 0; k < 3; k++) {
-        const double off = (double)middle[k] - 0.5 * ((double)a[k] + (double)b[k]);
-        square += off * off;
-    }
-    return isfinite(square) ? (float)sqrt(square) : INFINITY;
+    const MergeGrid *grid = merging->grid;
+    const float *middle = point_at(grid, x, y);
+    const float *a = point_at(grid, x - dx, y - dy), *b = point_at(grid, x + dx, y + dy);
+    double off[3], out = 0;
+    for (int k = 0; k < 3; k++)
+        off[k] = (double)middle[k] - 0.5 * ((double)a[k] + (double)b[k]);
+    const double length = sqrt(vector_dot(off, off));
+    if (!isfinite(length))
+        return INFINITY;
+    for (int k = 0; k < 3 && grid->normal; k++)
+        out += off[k] * (double)grid->normal[y * grid->columns + x][k];
+    return (float)(grid->normal ? fmax(fabs(out), length / MERGE_ASIDE) : length);
 }
 
 /* A bound for all points of the triangles that a point halves: what it is off itself, and what those

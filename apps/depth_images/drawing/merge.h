@@ -11,12 +11,14 @@
 #include "pipeline/base/base.h"
 
 enum { MERGE_SIDE = 32 }; /* cells of a patch */
+enum { MERGE_ASIDE = 4 }; /* times as far as out of the surface points may be aside within it */
 
 /* Points in rows. Seen from outside, rows go down and columns to the right. */
 typedef struct MergeGrid {
     uint32_t columns, rows;     /* of points */
     bool wraps;                 /* the last column is the first one again */
     const float (*position)[3]; /* [rows][columns]; x infinite: there is none */
+    const float (*normal)[3];   /* [rows][columns], unit length; NULL: unknown */
     /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side; NULL: none is cut */
     const uint8_t *cut;
     bool whole_cells; /* only cells of which all points and sides are there */
@@ -40,10 +42,11 @@ typedef struct MergedMesh {
     MergedPatch *patches; /* only those that have triangles; square by square, in rows */
 } MergedMesh;
 
-/* Merges cells so far that no point of the grid is farther than `tolerance` from the triangle that
- * stands for it, at its own place along the grid; next to points that are missing, and at cuts, nothing
- * is merged. A half of a cell is there where its three points are and no side is cut, unless
- * only whole cells are asked for.
+/* Merges cells so far that no point of the grid is farther than `tolerance` from where the triangle that
+ * stands for it has it, by its place along the grid: with normals, so far along its own, and MERGE_ASIDE
+ * times as far aside, where only its colour is seen to move. Next to points that are missing, and at
+ * cuts, nothing is merged. A half of a cell is there where its three points are and no side is cut,
+ * unless only whole cells are asked for.
  * errors GP_ERROR_MEMORY */
 GpResult merge_grid(const MergeGrid *grid, double tolerance, MergedMesh *mesh, GpError *error);
 void merged_free(MergedMesh *mesh);

@@ -13,6 +13,7 @@
 enum { LEAST_CELLS = 8 }; /* of a level, across and down */
 
 static const double usual_tolerance = 0.25, usual_cut = 4;
+static const float depth_slope = 2; /* of shadow maps: their texels' neighbours are read too */
 
 /* --- levels ------------------------------------------------------------------------------------ */
 
@@ -43,6 +44,7 @@ static GpResult make_level(const DepthImage *image, const float *normals, uint32
                                .rows = grid.rows,
                                .wraps = image->is_cylinder,
                                .position = (const float(*)[3])grid.position,
+                               .normal = (const float(*)[3])grid.normal,
                                .cut = grid.cut };
     level->step = step;
     result = merge_grid(&points, detail->tolerance * pixel * step, &level->mesh, error);
@@ -236,7 +238,7 @@ static GpSampler sampler_of(const DepthSurface *surface, const SurfaceLevel *lev
 {
     return (GpSampler){ .min = GP_LINEAR,
                         .mag = GP_LINEAR,
-                        .mip = level->step > 1 ? GP_MIP_LINEAR : GP_MIP_NONE,
+                        .mip = level->step > 1 ? GP_MIP_POINT : GP_MIP_NONE,
                         .address_u = surface->is_cylinder ? GP_WRAP : GP_CLAMP,
                         .address_v = GP_CLAMP };
 }
@@ -284,6 +286,7 @@ uint32_t surface_draw_depth(const DepthSurface *surface, const SurfaceSetting *s
     draws.draw.geometry = geometry_of(draws.level);
     draws.draw.state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     draws.draw.state.raster.cull = setting->both_sides ? GP_CULL_NONE : GP_CULL_CW;
+    draws.draw.state.raster.slope_depth_bias = depth_slope;
     draw_seen(&draws, view, setting->both_sides);
     return draws.triangles;
 }

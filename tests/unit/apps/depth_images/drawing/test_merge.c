@@ -54,8 +54,11 @@ static MergeGrid make_grid(const Grid *grid, Random *random)
             if (grid->holes && random_int(random, 0, grid->holes) == 0 && x + 1 < grid->columns)
                 cuts[y * grid->columns + x] = MERGE_CUT_RIGHT;
         }
-    return (MergeGrid){ grid->columns, grid->rows, grid->wraps, (const float(*)[3])positions,
-                        cuts,          false };
+    return (MergeGrid){ .columns = grid->columns,
+                        .rows = grid->rows,
+                        .wraps = grid->wraps,
+                        .position = (const float(*)[3])positions,
+                        .cut = cuts };
 }
 
 static MergedMesh merge(const MergeGrid *grid, double tolerance)
@@ -210,7 +213,7 @@ static void what_is_flat_is_merged(void **state)
         for (uint32_t x = 0; x < 65; x++)
             memcpy(positions[y * 65 + x], ((float[3]){ (float)x, -(float)y, 0 }),
                    sizeof positions[0]);
-    MergeGrid grid = { 65, 65, false, (const float(*)[3])positions, NULL, false };
+    MergeGrid grid = { .columns = 65, .rows = 65, .position = (const float(*)[3])positions };
     MergedMesh mesh = merge(&grid, 1e-3);
     assert_int_equal(mesh.index_count, 4 * 2 * 3);
     merged_free(&mesh);
