@@ -2,6 +2,7 @@
  * slots of EWA, 32 of reconstruction alone and 28 of the low-pass filter alone, vertex and pixel shader
  * together. */
 #include "pipeline/shader/counts.h"
+#include "shaders_c/common/texel_copy.h"
 #include "shaders_c/volume/raycast.h"
 #include "shaders_c/volume/sheet.h"
 #include "shaders_c/volume/slices.h"
@@ -45,7 +46,7 @@ static const struct {
     ROW(sheets_of_alphas, 1, 14),
     ROW(sheets_over, 1, 2),
     ROW(sheets_opaque, 1, 4),
-    ROW(sheets_depth, 1, 3), /* rays and slices were not in the paper */
+    ROW(texel_depth, 1, 3), /* rays and slices were not in the paper */
     ROW(raycast, 3, 233),
     ROW(raycast_lit, 3, 475),
     ROW(volume_slice, 8, 19),
