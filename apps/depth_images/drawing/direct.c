@@ -1,6 +1,5 @@
 #include "apps/depth_images/drawing/direct.h"
 
-#include "apps/depth_images/drawing/footprint.h"
 #include "apps/depth_images/drawing/light.h"
 #include "apps/depth_images/drawing/plane.h"
 #include "apps/depth_images/drawing/surface_grid.h"
@@ -193,9 +192,8 @@ GpResult direct_add(const Direct *made, const DirectSetting *setting, const Warp
 {
     static const float nothing[4] = { 0 };
     const DepthImage *image = made->image;
-    const uint32_t step = setting->step
-                              ? setting->step
-                              : footprint_step(made->center, made->radius, made->pixel, view);
+    const uint32_t footprint = plane_step(made->center, made->radius, made->pixel, view);
+    const uint32_t step = setting->step ? setting->step : footprint;
     const bool has_layers = setting->layers && image->behind.width;
     const DirectUniforms uniforms = find_uniforms(image, setting, view);
     GpSurface *depth =
@@ -213,9 +211,18 @@ GpResult direct_add(const Direct *made, const DirectSetting *setting, const Warp
         if (!grid.index_count)
             continue;
         GpDraw *draw = draw_layer(&grid, textures, &uniforms, &setting->detail,
-                                  view->light && textures->normal, step > 1, frame);
-        if (layer == 1 && image->behind.normal) /* insides are no surface that an eye meets */
+                                  view->light && textures->normal, footprint > 1, frame);
+        if (setting->one_sided || (layer == 1 && image->behind.normal)) /* insides */
             draw->state.raster.cull = GP_CULL_CW;
     }
     return frame_result(frame, error);
+}
+
+const char *direct_warning(const DepthImage *image, const WarpView *view)
+{
+    DepthExtent extent;
+    if (image->is_cylinder || !depth_extent(&image->front, &extent))
+        return NULL;
+    const char *warning = plane_warning(&image->plane, &extent, view);
+    return warning ? warning : depth_level_warning(&image->plane, &image->front);
 }

@@ -14,8 +14,9 @@
 
 /* All zero: as it is meant. */
 typedef struct DirectSetting {
-    bool layers;      /* holes are filled from the second layer */
-    uint32_t step;    /* pixels from vertex to vertex; 0: by the footprint */
+    bool layers;    /* holes are filled from the second layer */
+    bool one_sided; /* insides are left out: of several images of a solid each shows its own side */
+    uint32_t step;  /* pixels from vertex to vertex; 0: by the footprint */
     double tolerance; /* of merging, as GridSetting has it */
     EdgeSetting
         edges;    /* all zero, with layers: spread 2.5, texels 2: what is steep stays whole, since
@@ -47,5 +48,8 @@ GpResult direct_open(const DepthImage *image, Direct *made, GpError *error);
 GpResult direct_add(const Direct *made, const DirectSetting *setting, const WarpView *view,
                     const WarpTarget *target, Frame *frame, GpError *error);
 void direct_close(Direct *made);
+
+/* What of a view, or of the image, the method cannot do, a sentence; NULL: nothing. */
+const char *direct_warning(const DepthImage *image, const WarpView *view);
 
 #endif

@@ -104,6 +104,18 @@ double depth_level(const DepthPixels *pixels)
     return least * fewest <= high - low ? least : 0;
 }
 
+const char *depth_level_warning(const DepthPlane *plane, const DepthPixels *pixels)
+{
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < (size_t)pixels->width * pixels->height; i++)
+        nearest = fmin(nearest, (double)pixels->depth[i]);
+    const double texel = plane->width / pixels->width * (plane->is_parallel ? 1 : nearest);
+    return depth_level(pixels) > texel
+               ? "depths are in few bits: slopes are stairs of steps that are "
+                 "wider than pixels"
+               : NULL;
+}
+
 GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,
                             const EdgeSetting *setting, DepthLattice *lattice)
 {

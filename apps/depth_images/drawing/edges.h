@@ -47,6 +47,9 @@ typedef enum EdgeNeighbour {
  * nearest to the farthest. */
 double depth_level(const DepthPixels *pixels);
 
+/* Says that an image's depths are in steps wider than its pixels, a sentence; NULL: they are not. */
+const char *depth_level_warning(const DepthPlane *plane, const DepthPixels *pixels);
+
 /* Finds where surfaces end: every pixel is a vertex. A pixel at the eye itself, of perspective images, is
  * nothing.
  * in     pixels: at least one

@@ -1,6 +1,5 @@
 #include "apps/depth_images/drawing/planar.h"
 
-#include "apps/depth_images/drawing/footprint.h"
 #include "apps/depth_images/drawing/grid.h"
 #include "apps/depth_images/drawing/light.h"
 #include "apps/depth_images/drawing/order.h"
@@ -21,7 +20,7 @@ GpResult planar_open(const DepthImage *image, Planar *made, GpError *error)
     Planar planar = { .image = image, .pixel = surface_grid_pixel(image) };
     if (image->is_cylinder)
         return gp_fail(error, GP_ERROR_INVALID, "a cylinder is no planar depth image");
-    depth_range(&image->front, planar.range);
+    depth_extent(&image->front, &planar.extent);
     plane_ball(image, planar.center, &planar.radius);
     GpResult result =
         depth_textures_open(&image->front, image->front.normal, &planar.textures, error);
@@ -47,12 +46,13 @@ void planar_close(Planar *made)
 
 /* The eye before the image, in the image's axes, and which depths it can be shown. */
 typedef struct PlanarEye {
-    double eye[4];       /* w 0: where parallel rays come from */
-    double looks;        /* along the image's forward */
-    double range[2];     /* of depths that are warped */
-    double plane;        /* depth of the plane */
-    double unit;         /* the eye's w, or so large that k / unit is within -1/2 .. 1/2 */
-    const char *warning; /* NULL: as printed */
+    double eye[4];   /* w 0: where parallel rays come from */
+    double looks;    /* along the image's forward */
+    double range[2]; /* of depths that are warped */
+    double plane;    /* depth of the plane */
+    double unit;     /* the eye's w, or so large that k / unit is within -1/2 .. 1/2 */
+    bool is_along;   /* parallel rays along the plane: nothing can be warped */
+    bool is_among;   /* on the plane, or beyond, and not yet behind it all */
 } PlanarEye;
 
 static const double nearest_share = 1e-3; /* of the range of depths: what is too near to the eye */
@@ -79,38 +79,21 @@ static void find_plane(const double depths[2], bool stays, PlanarEye *eye)
     eye->unit = 1;
     if (eye->eye[3] == 0) {
         eye->unit = fmax(2 * (depths[1] - depths[0]) / fabs(z), 1e-30);
-        if (fabs(z) < nearest_share)
-            eye->warning = "rays along the plane of a planar depth image warp nothing";
+        eye->is_along = fabs(z) < nearest_share;
         return;
     }
-    if (z < depths[0] - away)
-        return;
-    if (z > depths[1] + away)
-        eye->warning = "the eye sees a planar depth image from behind: what its own eye saw of "
-                       "it, the other way round";
-    else
-        eye->warning =
-            "the eye is on the plane of a planar depth image, or beyond: only what is in "
-            "front of the eye is warped";
-    if (!stays && z <= depths[1] + away)
+    eye->is_among = z >= depths[0] - away && z <= depths[1] + away;
+    if (!stays && eye->is_among)
         stand_among(eye);
 }
 
-static PlanarEye find_eye(const DepthPlane *plane, const double depths[2], const WarpView *view,
+static PlanarEye find_eye(const DepthPlane *plane, const DepthExtent *extent, const WarpView *view,
                           bool stays)
 {
-    const Camera *camera = &view->camera;
-    const CameraAxes axes = camera_axes(camera, 1);
-    const bool is_parallel = !(camera->fovy > 0);
-    const double *image_axes[3] = { plane->right, plane->up, plane->forward };
-    PlanarEye eye = { .eye = { [3] = is_parallel ? 0 : 1 } };
-    double off[3];
-    vector_subtract(camera->eye, plane->eye, off);
-    for (int k = 0; k < 3; k++)
-        eye.eye[k] =
-            is_parallel ? -vector_dot(axes.forward, image_axes[k]) : vector_dot(off, image_axes[k]);
-    eye.looks = vector_dot(axes.forward, plane->forward);
-    find_plane(depths, stays, &eye);
+    const CameraAxes axes = camera_axes(&view->camera, 1);
+    PlanarEye eye = { .looks = vector_dot(axes.forward, plane->forward) };
+    plane_eye(plane, view, eye.eye);
+    find_plane((const double[2]){ extent->low[2], extent->high[2] }, stays, &eye);
     return eye;
 }
 
@@ -123,10 +106,18 @@ static double k_of(const PlanarEye *eye, double depth)
 
 const char *planar_warning(const DepthImage *image, const WarpView *view)
 {
-    double depths[2];
-    if (image->is_cylinder || !depth_range(&image->front, depths))
+    DepthExtent extent;
+    if (image->is_cylinder || !depth_extent(&image->front, &extent))
         return NULL;
-    return find_eye(&image->plane, depths, view, false).warning;
+    const PlanarEye eye = find_eye(&image->plane, &extent, view, false);
+    if (eye.is_along)
+        return "rays along the plane of a planar depth image warp nothing";
+    if (eye.is_among)
+        return "the eye is on the plane of a planar depth image, or beyond: only what is in front "
+               "of "
+               "the eye is warped";
+    const char *warning = plane_warning(&image->plane, &extent, view);
+    return warning ? warning : depth_level_warning(&image->plane, &image->front);
 }
 
 /* --- the picture in the plane ------------------------------------------------------------------------- */
@@ -147,16 +138,21 @@ static void window_add(Window *window, double x, double y)
 
 static const Window empty_window = { { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL }, { 0, 0 } };
 
-/* All to which the picture's corners are warped at the least and the greatest depth: what is between them
- * goes between these, since k is monotonous. */
-static Window find_reach(const DepthPlane *plane, const PlanarEye *eye)
+/* All to which the corners of what the picture shows are warped at the least and the greatest depth: what
+ * is between them goes between these, since k is monotonous. */
+static Window find_reach(const Planar *made, const PlanarEye *eye)
 {
+    const DepthPlane *plane = &made->image->plane;
+    const DepthPixels *pixels = &made->image->front;
+    const DepthExtent *extent = &made->extent;
     Window window = empty_window;
     for (int i = 0; i < 8; i++) {
         const double depth = eye->range[i >> 2], k = k_of(eye, depth);
         const double s = (plane->is_parallel ? 1 : depth) * (1 - eye->eye[3] * k);
-        window_add(&window, s * (plane->left + (i & 1) * plane->width) + k * eye->eye[0],
-                   s * (plane->bottom + (i >> 1 & 1) * plane->height) + k * eye->eye[1]);
+        const double x = (i & 1 ? extent->high[0] : extent->low[0]) / pixels->width,
+                     y = (i & 2 ? extent->high[1] : extent->low[1]) / pixels->height;
+        window_add(&window, s * (plane->left + x * plane->width) + k * eye->eye[0],
+                   s * (plane->bottom + (1 - y) * plane->height) + k * eye->eye[1]);
     }
     return window;
 }
@@ -199,13 +195,14 @@ static void corner_of(const DepthPlane *plane, const PlanarEye *eye, const Windo
 }
 
 /* As many pixels as the view has where the window is nearest. returns false: nothing of it is seen */
-static bool find_window(const DepthPlane *plane, const PlanarEye *eye, const WarpView *view,
+static bool find_window(const Planar *made, const PlanarEye *eye, const WarpView *view,
                         Window *window)
 {
+    const DepthPlane *plane = &made->image->plane;
     const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
     double nearest = HUGE_VAL;
     Window seen;
-    *window = find_reach(plane, eye);
+    *window = find_reach(made, eye);
     if (find_seen(plane, eye, view, &seen))
         for (int i = 0; i < 2; i++) {
             window->low[i] = fmax(window->low[i], seen.low[i]);
@@ -275,32 +272,59 @@ static PlanarUniforms find_uniforms(const Planar *made, const PlanarSetting *set
     return uniforms;
 }
 
-/* Vertices of the lattice, and its cells in the order for the eye. */
+static GridVertex vertex_of(const DepthLattice *lattice, uint32_t i)
+{
+    const double x = depth_lattice_place(lattice, 0, i % lattice->width),
+                 y = depth_lattice_place(lattice, 1, i / lattice->width);
+    const double depth = depth_flat(lattice->is_parallel, (double)lattice->flat[i]);
+    return (GridVertex){ (float)x, (float)y, (float)depth, (float)(x / lattice->image[0]),
+                         (float)(y / lattice->image[1]) };
+}
+
+/* Keeps only vertices that are used, in the lattice's order.
+ * in/out indices: from numbers of the lattice to numbers of those
+ * returns NULL: no memory */
+static GridVertex *find_vertices(const DepthLattice *lattice, uint32_t *indices, uint32_t count,
+                                 uint32_t *used, Frame *frame)
+{
+    const uint32_t all = lattice->width * lattice->height;
+    uint32_t *number = frame_alloc(frame, all, sizeof *number);
+    uint32_t vertices = 0;
+    for (uint32_t i = 0; i < count && number; i++)
+        number[indices[i]] = 1;
+    for (uint32_t i = 0; i < all && number; i++)
+        vertices += number[i];
+    GridVertex *vertex = frame_alloc(frame, vertices, sizeof *vertex);
+    *used = 0;
+    for (uint32_t i = 0; i < all && vertex; i++) {
+        if (!number[i])
+            continue;
+        vertex[*used] = vertex_of(lattice, i);
+        number[i] = (*used)++;
+    }
+    for (uint32_t i = 0; i < count && vertex; i++)
+        indices[i] = number[indices[i]];
+    return vertex;
+}
+
+/* The lattice's cells in the order for the eye; none where memory is short. */
 static GpGeometry find_geometry(const Planar *made, const PlanarEye *eye,
                                 const DepthLattice *lattice, Frame *frame)
 {
-    const uint32_t count = lattice->width * lattice->height;
     const WarpOrder order = warp_order(&made->image->plane, &made->image->front, eye->eye);
-    GridVertex *vertices = frame_alloc(frame, count, sizeof *vertices);
-    uint32_t *indices = frame_alloc(frame, count, 6 * sizeof *indices);
-    for (uint32_t i = 0; i < count && vertices; i++) {
-        const double x = depth_lattice_place(lattice, 0, i % lattice->width),
-                     y = depth_lattice_place(lattice, 1, i / lattice->width);
-        const double flat = (double)lattice->flat[i];
-        vertices[i] =
-            (GridVertex){ (float)x, (float)y,
-                          isnan(flat) ? 0 : (float)depth_flat(lattice->is_parallel, flat),
-                          (float)(x / lattice->image[0]), (float)(y / lattice->image[1]) };
-    }
-    const uint32_t stride = sizeof *vertices;
-    return (GpGeometry){
-        .vertex_count = count,
-        .indices = indices,
-        .index_count =
-            indices && vertices ? warp_order_cells(&order, lattice, eye->range, indices) : 0,
-        .streams = { [GP_POSITION] = { vertices, stride, 3, GP_FLOAT32 },
-                     [GP_TEXCOORD0] = { vertices ? &vertices->u : NULL, stride, 2, GP_FLOAT32 } }
-    };
+    uint32_t *indices =
+        frame_alloc(frame, (size_t)lattice->width * lattice->height, 6 * sizeof *indices);
+    const uint32_t count = indices ? warp_order_cells(&order, lattice, eye->range, indices) : 0,
+                   stride = sizeof(GridVertex);
+    uint32_t used;
+    const GridVertex *vertices = find_vertices(lattice, indices, count, &used, frame);
+    if (!vertices)
+        return (GpGeometry){ .vertex_count = 0 };
+    return (GpGeometry){ .vertex_count = used,
+                         .indices = indices,
+                         .index_count = count,
+                         .streams = { [GP_POSITION] = { &vertices->x, stride, 3, GP_FLOAT32 },
+                                      [GP_TEXCOORD0] = { &vertices->u, stride, 2, GP_FLOAT32 } } };
 }
 
 static const float nothing[4] = { 0 };
@@ -381,18 +405,15 @@ GpResult planar_add(const Planar *made, const PlanarSetting *setting, const Warp
 {
     const DepthImage *image = made->image;
     const uint32_t entries = setting->entries ? setting->entries : USUAL_ENTRIES;
-    const uint32_t step = setting->step
-                              ? setting->step
-                              : footprint_step(made->center, made->radius, made->pixel, view);
-    const PlanarEye eye = find_eye(&image->plane, made->range, view, setting->stays);
-    const bool is_along = eye.eye[3] == 0 && fabs(eye.eye[2]) < nearest_share;
-    const double depths[2] = { made->range[0] - fmax(setting->detail.amplitude, 0),
-                               made->range[1] };
+    const uint32_t footprint = plane_step(made->center, made->radius, made->pixel, view);
+    const uint32_t step = setting->step ? setting->step : footprint;
+    const PlanarEye eye = find_eye(&image->plane, &made->extent, view, setting->stays);
+    const double depths[2] = { made->extent.low[2] - fmax(setting->detail.amplitude, 0),
+                               made->extent.high[2] };
     const DepthLattice *pixels = &made->lattices[setting->is_cut];
     DepthLattice thin = { .flat = NULL };
     Window window;
-    if (!(eye.range[0] <= eye.range[1]) || is_along ||
-        !find_window(&image->plane, &eye, view, &window))
+    if (!(eye.range[0] <= eye.range[1]) || eye.is_along || !find_window(made, &eye, view, &window))
         return frame_result(frame, error);
     if (step > 1 && depth_lattice_thin(pixels, step, &thin))
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
@@ -404,7 +425,7 @@ GpResult planar_add(const Planar *made, const PlanarSetting *setting, const Warp
                               frame_surface(frame, GP_R32F, window.size[0], window.size[1], 1) };
     const PlanarUniforms uniforms =
         find_uniforms(made, setting, &eye, &window, depths, entries, view);
-    add_warp(made, setting, view, &uniforms, &geometry, step > 1,
+    add_warp(made, setting, view, &uniforms, &geometry, footprint > 1,
              make_table(&eye, depths, entries, frame), picture, frame);
     add_shown(made, setting, view, &eye, &window, picture, target, frame);
     return frame_result(frame, error);

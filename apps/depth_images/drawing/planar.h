@@ -12,6 +12,7 @@
 
 #include "apps/depth_images/drawing/detail.h"
 #include "apps/depth_images/drawing/edges.h"
+#include "apps/depth_images/drawing/plane.h"
 #include "apps/depth_images/drawing/textures.h"
 #include "apps/depth_images/drawing/view.h"
 
@@ -30,7 +31,7 @@ typedef struct Planar {
     const DepthImage *image; /* borrowed */
     DepthTextures textures;
     DepthLattice lattices[2];        /* with sheets, and cut */
-    double range[2];                 /* of depths; the first above the second: it shows nothing */
+    DepthExtent extent;              /* low above high: it shows nothing */
     double center[3], radius, pixel; /* of a ball about it; side of its pixels there */
 } Planar;
 

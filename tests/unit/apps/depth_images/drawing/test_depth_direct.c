@@ -1,9 +1,8 @@
 /* Planar depth images drawn straight: themselves from where they were taken, near to the truth from aside,
  * the same bits on every device; and what they fail at, each beside its remedy. */
-#include "apps/depth_images/capture.h"
 #include "apps/depth_images/drawing/direct.h"
+#include "apps/depth_images/drawing/planar.h"
 #include "shaders_c/warp/direct.h"
-#include "tests/support/depth/around.h"
 #include "tests/support/depth/formula.h"
 
 #include <string.h>
@@ -147,59 +146,14 @@ static void steps_of_few_bits_are_no_edges(void **state)
         image.front.depth[i] = floorf(image.front.depth[i] * 1.6f) / 1.6f;
     assert_true(fabs(depth_level(&image.front) - 1 / 1.6) < 1e-5);
     covered[1] = covered_from_aside(&image);
+    assert_non_null(
+        direct_warning(&image, &(WarpView){ formula_camera(0, 0, 9, false), 8, 8, NULL }));
     image.front.depth[1] += 1e-4f; /* its neighbour is of its level */
     covered[2] = covered_from_aside(&image);
     print_message("# covered: %u, in 32 levels %u, cut at these %u\n", covered[0], covered[1],
                   covered[2]);
     assert_true(covered[1] > covered[0] - covered[0] / 50 && covered[2] < covered[0] * 4 / 5);
     formula_free(&image);
-}
-
-/* A shape before another: from aside, what was behind it is a hole, but for the second layer. */
-static void holes_are_filled_from_behind(void **state)
-{
-    (void)state;
-    DepthShape shape = depth_shape_open("builtin:knot", 20, 0);
-    const Camera source = around_camera(&shape, 270, 10, 4 * shape.radius);
-    const Camera camera = around_camera(&shape, 284, 16, 4 * shape.radius);
-    GpDevice *device = device_open(&(GpDeviceDesc){ .threads = 2 });
-    const GpMesh mesh = { .positions = shape.positions,
-                          .normals = shape.positions,
-                          .indices = shape.indices,
-                          .vertex_count = shape.vertex_count,
-                          .triangle_count = shape.triangle_count };
-    const CaptureShot shot = { .plane = depth_plane_of_camera(&source, 1),
-                               .width = 2 * AROUND_SIDE,
-                               .height = 2 * AROUND_SIDE,
-                               .behind = true };
-    DepthImage image;
-    assert_int_equal(
-        capture_planar(device, &(CaptureSource){ &mesh, shape.paint.waves }, &shot, &image, NULL),
-        GP_OK);
-    gp_device_destroy(&device);
-    gp_free(image.behind.normal); /* those of the mesh above are no normals */
-    image.behind.normal = NULL;
-    Direct direct = open_image(&image);
-    DepthCompared off[2];
-    for (int layers = 0; layers < 2; layers++) {
-        Frame frame = { .color = NULL };
-        const WarpView view = around_view(&camera, false);
-        const WarpTarget target = around_target(&frame, GP_A8R8G8B8);
-        assert_int_equal(
-            direct_add(&direct, &(DirectSetting){ .layers = layers }, &view, &target, &frame, NULL),
-            GP_OK);
-        off[layers] = around_compare(&shape, &camera, &frame);
-        print_message("# layers %d: %u of %u missing, %u too much, %.1f dB\n", layers,
-                      off[layers].missing, off[layers].covered, off[layers].extra,
-                      off[layers].psnr);
-        frame_free(&frame);
-    }
-    assert_true(off[0].missing > 80 && off[1].missing < off[0].missing / 2);
-    assert_true(off[0].psnr > 28);
-    direct_close(&direct);
-    depth_pixels_free(&image.front);
-    depth_pixels_free(&image.behind);
-    depth_shape_close(&shape);
 }
 
 /* Micro-structure: heights of a chess board stand out of a plane that faces the eye. */
@@ -285,6 +239,109 @@ static void images_of_a_pixel_or_of_nothing_are_drawn(void **state)
         }
 }
 
+static void an_eye_behind_the_image_is_named(void **state)
+{
+    (void)state;
+    DepthImage image = formula_image(FORMULA_BALL, false);
+    for (int way = 0; way < 2; way++) {
+        const WarpView front = { formula_camera(3, 1, 4, way), 8, 8, NULL },
+                       behind = { formula_camera(1, 1, -4, way), 8, 8, NULL };
+        assert_null(direct_warning(&image, &front));
+        assert_non_null(strstr(direct_warning(&image, &behind), "from behind"));
+    }
+    formula_free(&image);
+}
+
+/* How two pictures differ: on average in 255ths where both cover; and pixels that only one of them covers. */
+typedef struct Change {
+    double color, cover;
+} Change;
+
+static Change change_of(const Direct *direct, uint32_t first, uint32_t second, const Camera *camera)
+{
+    static float rgba[2][FORMULA_SIDE * FORMULA_SIDE][4];
+    double color = 0, both = 0, one = 0;
+    for (int i = 0; i < 2; i++) {
+        const DirectSetting setting = { .step = i ? second : first };
+        Frame frame = draw(direct, &setting, camera, false, false);
+        run_list(&frame.list);
+        assert_int_equal(gp_surface_read_floats(frame.color, 0, NULL, &rgba[i][0][0], NULL), GP_OK);
+        frame_free(&frame);
+    }
+    for (uint32_t i = 0; i < FORMULA_SIDE * FORMULA_SIDE; i++) {
+        const bool is_both = rgba[0][i][3] > 0 && rgba[1][i][3] > 0;
+        both += is_both;
+        one += !is_both && (rgba[0][i][3] > 0 || rgba[1][i][3] > 0);
+        for (int k = 0; k < 3 && is_both; k++)
+            color += 255 / 3.0 * fabs((double)rgba[0][i][k] - (double)rgba[1][i][k]);
+    }
+    assert_true(both > 50);
+    return (Change){ color / both, one };
+}
+
+/* Where the footprint asks for a step, the picture is nearly that of step 1; near by it would not be. */
+static void a_change_of_level_is_hardly_seen(void **state)
+{
+    (void)state;
+    static const double aways[] = { 9, 18 };
+    DepthImage image = formula_image(FORMULA_BALL, true);
+    Direct direct = open_image(&image);
+    for (uint32_t i = 0; i < GP_COUNT(aways); i++) {
+        const Camera far = formula_camera(0, aways[i] / 3, aways[i], false),
+                     near = formula_camera(0, 1, 3, false);
+        const Change wanted = change_of(&direct, 1, 2u << i, &far),
+                     early = change_of(&direct, 1, 2u << i, &near);
+        print_message("# step %u: colours %.2f, cover %.0f; too early %.2f, %.0f\n", 2u << i,
+                      wanted.color, wanted.cover, early.color, early.cover);
+        assert_true(wanted.color < 2 && wanted.cover < 40 && early.cover > 3 * wanted.cover);
+    }
+    direct_close(&direct);
+    formula_free(&image);
+}
+
+/* Two images that go through each other, whichever is drawn first, and by whichever method. */
+static void images_meet_in_one_depth_buffer(void **state)
+{
+    (void)state;
+    static float rgba[2][FORMULA_SIDE * FORMULA_SIDE][4];
+    const Camera camera = formula_camera(1, 2, 4, false);
+    const WarpView view = { camera, FORMULA_SIDE, FORMULA_SIDE, NULL };
+    DepthImage images[2] = { formula_image(FORMULA_PLANE, true),
+                             formula_image(FORMULA_BALL, false) };
+    Direct direct[2] = { open_image(&images[0]), open_image(&images[1]) };
+    Planar planar;
+    uint32_t first = 0, differ = 0;
+    for (uint32_t i = 0; i < FORMULA_IMAGE * FORMULA_IMAGE; i++) /* told apart by blue */
+        images[1].front.color[3 * i + 2] = 1;
+    assert_int_equal(planar_open(&images[1], &planar, NULL), GP_OK);
+    for (int turn = 0; turn < 2; turn++) {
+        Frame frame = { .color = NULL };
+        const WarpTarget target = formula_target(false, &frame);
+        if (turn)
+            assert_int_equal(direct_add(&direct[0], &usual, &view, &target, &frame, NULL), GP_OK);
+        assert_int_equal(
+            planar_add(&planar, &(PlanarSetting){ .is_cut = true }, &view, &target, &frame, NULL),
+            GP_OK);
+        if (!turn)
+            assert_int_equal(direct_add(&direct[0], &usual, &view, &target, &frame, NULL), GP_OK);
+        run_list(&frame.list);
+        assert_int_equal(gp_surface_read_floats(frame.color, 0, NULL, &rgba[turn][0][0], NULL),
+                         GP_OK);
+        frame_free(&frame);
+    }
+    for (uint32_t i = 0; i < FORMULA_SIDE * FORMULA_SIDE; i++) {
+        first += rgba[0][i][2] == 1;
+        differ += memcmp(rgba[0][i], rgba[1][i], sizeof rgba[0][i]) != 0;
+    }
+    print_message("# of the ball %u, of both %u differ\n", first, differ);
+    assert_true(first > 200 && differ < first / 50);
+    planar_close(&planar);
+    for (int i = 0; i < 2; i++) {
+        direct_close(&direct[i]);
+        formula_free(&images[i]);
+    }
+}
+
 static void cylinders_are_refused(void **state)
 {
     (void)state;
@@ -345,10 +402,12 @@ int main(void)
         cmocka_unit_test(planes_are_exact_from_aside),
         cmocka_unit_test(rubber_sheets_are_cut),
         cmocka_unit_test(steps_of_few_bits_are_no_edges),
-        cmocka_unit_test(holes_are_filled_from_behind),
         cmocka_unit_test(detail_stands_out),
         cmocka_unit_test(every_eye_gives_numbers),
         cmocka_unit_test(images_of_a_pixel_or_of_nothing_are_drawn),
+        cmocka_unit_test(an_eye_behind_the_image_is_named),
+        cmocka_unit_test(a_change_of_level_is_hardly_seen),
+        cmocka_unit_test(images_meet_in_one_depth_buffer),
         cmocka_unit_test(cylinders_are_refused),
         cmocka_unit_test(frames_have_the_same_bits_everywhere),
         cmocka_unit_test(programs_are_within_their_profiles),
