@@ -260,13 +260,13 @@ FragmentMesh fragment_case_mesh(const FragmentCase *made)
                            .triangle_count = made->triangle_count };
 }
 
-Camera fragment_case_camera(const FragmentCase *made, Random *random)
+Camera fragment_case_camera(const FragmentCase *made, bool inside_too, Random *random)
 {
     const Bounds bounds = bounds_of(&made->positions[0][0], 3 * sizeof(float), made->indices,
                                     3 * made->triangle_count);
     static const double distances[] = { 1.6, 3, 0.4 };
     const double side = bounds_longest(&bounds),
-                 distance = side * distances[random_int(random, 0, 2)];
+                 distance = side * distances[random_int(random, 0, inside_too ? 2 : 1)];
     Camera camera = { .up = { 0.1, 1, 0.2 }, .near = 0.05 * side, .far = 8 * side };
     double way[3];
     for (int k = 0; k < 3; k++)

@@ -27,8 +27,8 @@ void fragment_case_free(FragmentCase *made);
 
 FragmentMesh fragment_case_mesh(const FragmentCase *made);
 
-/* A camera that looks at about the middle from any side: perspective or parallel, near or far, or from
- * inside. */
-Camera fragment_case_camera(const FragmentCase *made, Random *random);
+/* A camera that looks at about the middle from any side, perspective or parallel, from near or far; where
+ * that is asked for from inside too, so that the near plane cuts the mesh. */
+Camera fragment_case_camera(const FragmentCase *made, bool inside_too, Random *random);
 
 #endif

@@ -156,7 +156,8 @@ static void order_is_right_from_any_view(void **state)
         Made made;
         make(number, &settings[number % 3], &made);
         for (int i = 0; i < views_asked_for(4); i++) {
-            const FragmentView view = { .camera = fragment_case_camera(&made.mesh_case, &random),
+            const FragmentView view = { .camera =
+                                            fragment_case_camera(&made.mesh_case, true, &random),
                                         .width = SIDE,
                                         .height = SIDE };
             Order order;
@@ -252,7 +253,7 @@ static void large_pieces_are_ordered_as_the_small(void **state)
     for (int i = 0; i < views_asked_for(6); i++) {
         FragmentView view = from_front;
         Order order;
-        view.camera = fragment_case_camera(&made.mesh_case, &random);
+        view.camera = fragment_case_camera(&made.mesh_case, true, &random);
         assert_int_equal(check_view(&made.order, &view, &order), 0);
         order_free(&order);
     }

@@ -121,10 +121,11 @@ static void pictures_are_the_truth_from_any_view(void **state)
         Drawn drawn;
         open_case(&drawn, fragment_case(number), &settings[number % 3]);
         for (int i = 0; i < views_asked_for(2); i++) {
-            const FragmentView view = view_of(fragment_case_camera(&drawn.made, &random));
+            const FragmentView view = view_of(fragment_case_camera(&drawn.made, false, &random));
             ConvexFacts facts;
             const uint32_t wrong = draw_and_count(&drawn, &view, &facts);
-            if (wrong > 0)
+            /* Where faces cut each other, floats cannot always tell which depth is the lesser. */
+            if (wrong > (drawn.made.is_clean ? 0u : 2u))
                 fail_msg("%s, view %d: %u pixels are wrong beyond edges; %u faces in knots",
                          drawn.made.name, i, wrong, facts.knot_faces);
         }
