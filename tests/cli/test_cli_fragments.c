@@ -17,6 +17,9 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ply --method dp --hazard 16", "--hazard: expected --method kbuffer" },
         { "a.ply --method dp --kept 16", "--kept: expected --method kbuffer or stencil" },
         { "a.ply --hazard x", "--hazard: expected a whole number" },
+        { "a.ply --method dp --tolerance 0.1", "--tolerance, --cache: expected --method convex" },
+        { "a.ply --cache a --method sorted", "--tolerance, --cache: expected --method convex" },
+        { "a.ply --pieces many", "--pieces: expected both, outward or merged" },
         { "a.ply --as-printed", "--as-printed: expected --sigma" },
         { "a.ply --camera a.json --from 1 2", "--camera and --from" },
         { "a.ply --from 0 90", "-89 to 89 degrees" },
@@ -97,13 +100,37 @@ static void options_mean_their_method_and_alpha_is_written(void **state)
     expect_files("a.exr b.pfm");
 }
 
+/* Made once, read again, told and made anew where they are of something else. */
+static void convex_pieces_are_kept(void **state)
+{
+    (void)state;
+    static const char *const of_other = "a.pieces: a cache of another mesh or of other settings";
+    unlink("scene.json");
+    assert_int_equal(shell("glasspipe fragments builtin:ball -q -o a.exr --size 32x32 --pieces "
+                           "outward --cache a.pieces --json"),
+                     0);
+    expect_contains(out, "--method convex");
+    expect_contains(out, "\"pieces\": ");
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(shell("glasspipe fragments builtin:ball -q -o a.exr --size 32x32 "
+                               "--pieces outward --cache a.pieces"),
+                         0);
+        expect_contains(out, " convex pieces in ");
+        assert_null(strstr(err, "cache"));
+    }
+    assert_int_equal(
+        shell("glasspipe fragments builtin:ball -o a.exr --size 32x32 --cache a.pieces"), 0);
+    expect_contains(err, of_other);
+    expect_files("a.exr a.pieces");
+}
+
 /* From inside, from behind, by parallel rays, with nothing in view, and pictures of one pixel. */
 static void odd_places_and_sizes_are_drawn(void **state)
 {
     (void)state;
-    static const char *const methods[] = { "sorted",  "dp",      "ddp",     "kbuffer",
-                                           "stencil", "bucket1", "bucket2", "adaptive",
-                                           "mdt",     "abuffer", "cpu",     "weighted" };
+    static const char *const methods[] = { "sorted",  "convex",  "dp",      "ddp",      "kbuffer",
+                                           "stencil", "bucket1", "bucket2", "adaptive", "mdt",
+                                           "abuffer", "cpu",     "weighted" };
     unlink("scene.json");
     write_file("inside.json", "{ \"eye\": [0.1, 0.2, 0], \"at\": [0, 0, 1], \"near\": 0.01 }");
     write_file("behind.json", "{ \"eye\": [0, 0, -9], \"at\": [0, 0, -10] }");
@@ -126,6 +153,7 @@ int main(void)
         PROGRAM_TEST(wrong_files_are_input_errors_of_one_line),
         PROGRAM_TEST(figures_are_told_as_lines_and_as_json),
         PROGRAM_TEST(options_mean_their_method_and_alpha_is_written),
+        PROGRAM_TEST(convex_pieces_are_kept),
         PROGRAM_TEST(odd_places_and_sizes_are_drawn),
     };
     return cmocka_run_group_tests_name("fragments", tests, find_program, NULL);

@@ -69,11 +69,19 @@ static GpResult add_weighted(const FragmentModel *model, const FragmentOptions *
     return weighted_add(&model->mesh, &model->view, frame->color, NULL, frame, error);
 }
 
+static GpResult add_convex(const FragmentModel *model, const FragmentOptions *options, Frame *frame,
+                           GpError *error)
+{
+    (void)options;
+    return convex_add(&model->convex, &model->view, frame->color, NULL, frame, model->facts, error);
+}
+
 const FragmentMethodRow fragment_methods[FRAGMENT_METHODS] = {
-    [FRAGMENTS_SORTED] = { add_sorted, true },    [FRAGMENTS_DP] = { add_peeled, true },
-    [FRAGMENTS_DDP] = { add_dual, true },         [FRAGMENTS_KBUFFER] = { add_lists, false },
-    [FRAGMENTS_STENCIL] = { add_lists, false },   [FRAGMENTS_BUCKET1] = { add_buckets, false },
-    [FRAGMENTS_BUCKET2] = { add_buckets, false }, [FRAGMENTS_ADAPTIVE] = { add_buckets, false },
-    [FRAGMENTS_MDT] = { add_lists, false },       [FRAGMENTS_ABUFFER] = { add_lists, false },
-    [FRAGMENTS_CPU] = { add_cpu, false },         [FRAGMENTS_WEIGHTED] = { add_weighted, false },
+    [FRAGMENTS_CONVEX] = { add_convex, true },      [FRAGMENTS_SORTED] = { add_sorted, true },
+    [FRAGMENTS_DP] = { add_peeled, true },          [FRAGMENTS_DDP] = { add_dual, true },
+    [FRAGMENTS_KBUFFER] = { add_lists, false },     [FRAGMENTS_STENCIL] = { add_lists, false },
+    [FRAGMENTS_BUCKET1] = { add_buckets, false },   [FRAGMENTS_BUCKET2] = { add_buckets, false },
+    [FRAGMENTS_ADAPTIVE] = { add_buckets, false },  [FRAGMENTS_MDT] = { add_lists, false },
+    [FRAGMENTS_ABUFFER] = { add_lists, false },     [FRAGMENTS_CPU] = { add_cpu, false },
+    [FRAGMENTS_WEIGHTED] = { add_weighted, false },
 };

@@ -160,6 +160,8 @@ void fragment_model_close(void *made)
 {
     FragmentModel *model = made;
     fragment_truth_free(&model->truth);
+    convex_close(&model->convex);
+    gp_free(model->facts);
     fragment_geometry_free(&model->geometry);
     gp_free(model->colors);
     gp_mesh_free(&model->file);
@@ -174,6 +176,23 @@ void fragment_model_look(FragmentModel *model, const Camera *camera)
     model->view.glass.begin = nearest_of(&model->file, camera);
     model->count = (FragmentCount){ .layers = 0 };
     fragment_truth_free(&model->truth);
+}
+
+GpResult fragment_model_convex(FragmentModel *model, const FragmentOptions *options, GpError *error)
+{
+    const PiecesSetting wanted = { .tolerance = options->tolerance,
+                                   .outward = options->pieces == FRAGMENT_PIECES_OUTWARD,
+                                   .merge = options->pieces == FRAGMENT_PIECES_MERGED };
+    if (model->convex.pieces && wanted.tolerance == model->made.tolerance &&
+        wanted.outward == model->made.outward && wanted.merge == model->made.merge)
+        return GP_OK;
+    convex_close(&model->convex);
+    model->made = wanted;
+    if (!model->facts)
+        model->facts = gp_alloc(1, sizeof *model->facts);
+    return model->facts ? convex_open(&model->mesh, &wanted, options->cache, &model->convex,
+                                      &model->cache_fault, error)
+                        : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
 }
 
 GpResult fragment_model_count(FragmentModel *model, GpDevice *device, GpError *error)

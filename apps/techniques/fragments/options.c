@@ -8,15 +8,24 @@ const FragmentOptions fragment_option_defaults = {
     .orbit = { .azimuth = 30, .elevation = 20, .zoom = 1 },
 };
 
-static const char *const methods[] = {
-    [FRAGMENTS_SORTED] = "sorted",   [FRAGMENTS_DP] = "dp",
-    [FRAGMENTS_DDP] = "ddp",         [FRAGMENTS_KBUFFER] = "kbuffer",
-    [FRAGMENTS_STENCIL] = "stencil", [FRAGMENTS_BUCKET1] = "bucket1",
-    [FRAGMENTS_BUCKET2] = "bucket2", [FRAGMENTS_ADAPTIVE] = "adaptive",
-    [FRAGMENTS_MDT] = "mdt",         [FRAGMENTS_ABUFFER] = "abuffer",
-    [FRAGMENTS_CPU] = "cpu",         [FRAGMENTS_WEIGHTED] = "weighted",
-    [FRAGMENT_METHODS] = NULL
-};
+static const char *const methods[] = { [FRAGMENTS_CONVEX] = "convex",
+                                       [FRAGMENTS_SORTED] = "sorted",
+                                       [FRAGMENTS_DP] = "dp",
+                                       [FRAGMENTS_DDP] = "ddp",
+                                       [FRAGMENTS_KBUFFER] = "kbuffer",
+                                       [FRAGMENTS_STENCIL] = "stencil",
+                                       [FRAGMENTS_BUCKET1] = "bucket1",
+                                       [FRAGMENTS_BUCKET2] = "bucket2",
+                                       [FRAGMENTS_ADAPTIVE] = "adaptive",
+                                       [FRAGMENTS_MDT] = "mdt",
+                                       [FRAGMENTS_ABUFFER] = "abuffer",
+                                       [FRAGMENTS_CPU] = "cpu",
+                                       [FRAGMENTS_WEIGHTED] = "weighted",
+                                       [FRAGMENT_METHODS] = NULL };
+static const char *const pieces[] = { [FRAGMENT_PIECES_BOTH] = "both",
+                                      [FRAGMENT_PIECES_OUTWARD] = "outward",
+                                      [FRAGMENT_PIECES_MERGED] = "merged",
+                                      NULL };
 static const char *const colors[] = {
     [FRAGMENT_NORMALS] = "normals", [FRAGMENT_MATERIAL] = "material", NULL
 };
@@ -26,7 +35,8 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 const SettingField fragment_settings[] = {
     { "method", NULL,
-      "sorted: the machine sorts the fragments of a pixel (default); dp, ddp: the nearest "
+      "sorted: the machine sorts the fragments of a pixel (default); convex: convex "
+      "pieces of the mesh, put in order as wholes; dp, ddp: the nearest "
       "fragments, and the farthest too, peeled pass by pass; "
       "kbuffer: the nearest few of a pixel; stencil: the first few that are drawn; bucket1, "
       "bucket2, adaptive: sorted into buckets by depth, of equal depth in one pass or two, or "
@@ -39,6 +49,16 @@ const SettingField fragment_settings[] = {
     { "hazard", "N",
       "Of kbuffer: fragments in flight, which do not see what the others write (default: 0)",
       SETTING_INTEGER, OF(hazard), .low = 0, .high = 65536 },
+
+    { "pieces", NULL,
+      "Of convex: both, pieces that are seen from outside or from inside (default); outward, as "
+      "the "
+      "paper has them; merged, joined where they touch",
+      SETTING_NAME, OF(pieces), .names = pieces },
+    { "tolerance", "T",
+      "Of convex: a piece may be concave by so much of the mesh's longest side (default: 0, none "
+      "is)",
+      SETTING_NUMBER, OF(tolerance), .low = 0, .high = 1 },
 
     { "alpha", "A", "How much of what is behind it a fragment hides (default: 0.3)", SETTING_NUMBER,
       OF(alpha), .low = 0, .high = 1, .aside = true },
@@ -53,6 +73,8 @@ const SettingField fragment_settings[] = {
       SETTING_NAME, OF(color), .names = colors, .aside = true },
     { "camera", "FILE", "A camera, as scenes have it: eye, at, up, fovy, near, far", SETTING_TEXT,
       OF(camera), .aside = true },
+    { "cache", "FILE", "Of convex: keep the pieces in this file, and read them from there",
+      SETTING_TEXT, OF(cache), .aside = true },
     { "from", "AZIMUTH ELEVATION",
       "Where the mesh is seen from, in degrees (default: 30 20; 0 0 is in front)", SETTING_VECTOR,
       OF(orbit.azimuth), .low = -360, .high = 360, .count = 2, .aside = true },
@@ -74,6 +96,13 @@ static bool keeps_some(FragmentMethod method)
     return method == FRAGMENTS_KBUFFER || method == FRAGMENTS_STENCIL;
 }
 
+static bool asks_for_pieces(uint32_t given)
+{
+    return setting_is_given(fragment_settings, given, "pieces") ||
+           setting_is_given(fragment_settings, given, "tolerance") ||
+           setting_is_given(fragment_settings, given, "cache");
+}
+
 void fragment_options_imply(void *setting, uint32_t given)
 {
     FragmentOptions *options = setting;
@@ -82,6 +111,8 @@ void fragment_options_imply(void *setting, uint32_t given)
     if (setting_is_given(fragment_settings, given, "kept") ||
         setting_is_given(fragment_settings, given, "hazard"))
         options->method = FRAGMENTS_KBUFFER;
+    else if (asks_for_pieces(given))
+        options->method = FRAGMENTS_CONVEX;
 }
 
 GpResult fragment_options_check(const void *setting, uint32_t given, const char *extension,
@@ -95,6 +126,9 @@ GpResult fragment_options_check(const void *setting, uint32_t given, const char 
     if (options->method != FRAGMENTS_KBUFFER &&
         setting_is_given(fragment_settings, given, "hazard"))
         return gp_fail(error, GP_ERROR_INVALID, "--hazard: expected --method kbuffer with it");
+    if (options->method != FRAGMENTS_CONVEX && asks_for_pieces(given))
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "--pieces, --tolerance, --cache: expected --method convex with them");
     if (options->is_as_printed && !(options->sigma > 0))
         return gp_fail(error, GP_ERROR_INVALID, "--as-printed: expected --sigma with it");
     if (options->camera && setting_is_given(fragment_settings, given, "from"))

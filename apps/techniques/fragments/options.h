@@ -8,6 +8,7 @@
 
 typedef enum FragmentMethod {
     FRAGMENTS_SORTED,
+    FRAGMENTS_CONVEX,
     FRAGMENTS_DP,
     FRAGMENTS_DDP,
     FRAGMENTS_KBUFFER,
@@ -22,6 +23,13 @@ typedef enum FragmentMethod {
     FRAGMENT_METHODS
 } FragmentMethod;
 
+/* Which convex pieces: turned over or not, as printed, joined. */
+typedef enum FragmentPieces {
+    FRAGMENT_PIECES_BOTH,
+    FRAGMENT_PIECES_OUTWARD,
+    FRAGMENT_PIECES_MERGED
+} FragmentPieces;
+
 typedef enum FragmentColor { FRAGMENT_NORMALS, FRAGMENT_MATERIAL } FragmentColor;
 
 /* The setting of the technique. */
@@ -29,6 +37,9 @@ typedef struct FragmentOptions {
     FragmentMethod method;
     uint32_t kept;   /* of kbuffer and stencil */
     uint32_t hazard; /* of kbuffer */
+    /* of convex: */
+    FragmentPieces pieces;
+    double tolerance;
 
     /* aside of the key */
     double alpha;
@@ -36,6 +47,7 @@ typedef struct FragmentOptions {
     bool is_as_printed; /* of glass */
     FragmentColor color;
     const char *camera; /* a file; NULL: the orbit */
+    const char *cache;  /* a file for convex pieces; NULL: none */
     Orbit orbit;
     bool measures;
 } FragmentOptions;

@@ -84,6 +84,8 @@ FragmentWork fragment_work(const FragmentModel *model, const Frame *frame)
                                          indices == model->mesh.backwards->indices);
         }
     }
+    if (((const FragmentOptions *)frame->made)->method == FRAGMENTS_CONVEX)
+        work.readings = 1; /* in parts */
     work.bytes = surfaces.bytes;
     return work;
 }
@@ -94,6 +96,28 @@ static void tell(json_t *members, const char *name, uint64_t value)
 {
     if (members)
         json_object_set_new(members, name, json_integer((json_int_t)value));
+}
+
+/* Of convex pieces: how they came to be drawn, and what kept them apart. */
+static void tell_pieces(const FragmentModel *model, TechniqueReport *report)
+{
+    const ConvexFacts *facts = model->facts;
+    char faults[200];
+    pieces_faults(model->convex.pieces, faults, sizeof faults);
+    text_add(&report->lines, "%u convex pieces in %u levels", facts->pieces, facts->levels);
+    if (facts->knots > 0)
+        text_add(&report->lines, "; %u faces in %u knots, sorted by the machine", facts->knot_faces,
+                 facts->knots);
+    text_add(&report->lines, "\n");
+    if (faults[0])
+        text_add(&report->lines, "no piece goes on over %s\n", faults);
+    if (model->cache_fault.text[0])
+        text_add(&report->warnings, "%s\n", model->cache_fault.text);
+    tell(report->members, "pieces", facts->pieces);
+    tell(report->members, "levels", facts->levels);
+    tell(report->members, "split_sides", facts->split_sides);
+    tell(report->members, "knots", facts->knots);
+    tell(report->members, "knot_faces", facts->knot_faces);
 }
 
 GpResult fragment_report(void *made, const void *setting, const Frame *frame, GpDevice *device,
@@ -107,6 +131,8 @@ GpResult fragment_report(void *made, const void *setting, const Frame *frame, Gp
     tell(report->members, "passes", work.passes);
     tell(report->members, "readings", work.readings);
     tell(report->members, "bytes", work.bytes);
+    if (options->method == FRAGMENTS_CONVEX)
+        tell_pieces(model, report);
     if (!options->measures)
         return GP_OK;
     const GpResult result = fragment_model_truth(model, gp_device_threads(device), error);

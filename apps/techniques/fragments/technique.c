@@ -13,8 +13,10 @@ static GpResult build(void *made, const void *setting, GpDevice *device, Frame *
     const FragmentMethodRow *method = &fragment_methods[options->method];
     if (view->glass.is_on && !method->has_glass)
         return gp_fail(error, GP_ERROR_INVALID,
-                       "--sigma: this method knows no bodies; sorted, dp and ddp do");
+                       "--sigma: this method knows no bodies; sorted, convex, dp and ddp do");
     GpResult result = fragment_model_count(model, device, error);
+    if (!result && options->method == FRAGMENTS_CONVEX)
+        result = fragment_model_convex(model, options, error);
     if (result)
         return result;
     frame->color = frame_surface(frame, GP_A16B16G16R16F, view->width, view->height, 1);

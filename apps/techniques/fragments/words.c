@@ -15,6 +15,12 @@ const TechniqueWord fragment_words[] = {
     { "sorted by the machine",
       "The fragments of a pixel are kept where it is drawn, and sorted by depth before they are "
       "blended: a state of a pass, as tile-based hardware has had." },
+    { "convex pieces", "Sets of faces that any line crosses at most twice, drawn whole, front to "
+                       "back; where faces are in front of each other in a circle the machine "
+                       "sorts." },
+    { "convex pieces, as printed", "The same of pieces that are never turned over, and that may be "
+                                   "concave by a part of the mesh's longest side; then layers are "
+                                   "lost." },
     { "peeling", "The nearest fragments, then the nearest behind those, a pass for each layer." },
     { "dual peeling",
       "The nearest and the farthest fragments, then those next to them, two layers a pass." },

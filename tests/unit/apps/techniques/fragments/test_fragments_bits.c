@@ -9,6 +9,8 @@ enum { SIDE = 48 };
 
 static const char *const plain[] = {
     "--method sorted",
+    "--method convex",
+    "--method convex --pieces outward --tolerance 0.01",
     "--method dp",
     "--method ddp",
     "--method kbuffer --kept 3",
@@ -22,7 +24,8 @@ static const char *const plain[] = {
     "--method cpu",
     "--method weighted",
 };
-static const char *const glass[] = { "--method sorted", "--method dp", "--method ddp" };
+static const char *const glass[] = { "--method sorted", "--method convex", "--method dp",
+                                     "--method ddp" };
 
 /* Every method gives one hash, wherever it is drawn. */
 static void check_devices(const char *mesh, const FragmentOptions *options,

@@ -22,6 +22,8 @@ static void methods_that_keep_all_fragments_are_exact(void **state)
     (void)state;
     static const TechniqueCase rows[] = {
         { "the machine sorts", KNOT, "--method sorted", NONE },
+        { "convex pieces", KNOT, "--method convex", NONE },
+        { "as printed, but exact", KNOT, "--method convex --pieces outward", NONE },
         { "peeling", KNOT, "--method dp", NONE },
         { "dual peeling", KNOT, "--method ddp", NONE },
         { "lists", KNOT, "--method abuffer", NONE },
@@ -49,6 +51,8 @@ static void what_is_lost_is_seen_and_found_again(void **state)
         { "of pairs fewer", KNOT, "--method bucket2", "beyond edges", 50, 500 },
         { "where fragments are", KNOT, "--method adaptive", "beyond edges", 50, 600 },
         { "depth in 16 bits, colour in 16", KNOT, "--method mdt", "beyond edges", 15000, 40000 },
+        { "convex pieces that may be concave", KNOT, "--method convex --tolerance 0.05",
+          "beyond edges", 10, 1000 },
         { "no order at all", KNOT, "--method weighted", "beyond edges", 30000, 60000 },
     };
     check(rows, GP_COUNT(rows));
