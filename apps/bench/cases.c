@@ -81,6 +81,22 @@ const BenchCase bench_cases[] = {
     { "warp_cylinder_printed", bench_build_warp, WARP_CASE_CYLINDER_PRINTED, 0, 0, 0, NULL,
       bench_tell_warp },
     { "warp_walk", bench_build_walk, 0, 0, 0, 0, NULL, bench_tell_walk },
+    { "fragments_sorted_bunny", bench_build_fragments, FRAGMENTS_CASE_SORTED_BUNNY, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_sorted_dragon", bench_build_fragments, FRAGMENTS_CASE_SORTED_DRAGON, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_sorted_blade", bench_build_fragments, FRAGMENTS_CASE_SORTED_BLADE, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_convex_bunny", bench_build_fragments, FRAGMENTS_CASE_CONVEX_BUNNY, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_peel_bunny", bench_build_fragments, FRAGMENTS_CASE_PEEL_BUNNY, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_dual_bunny", bench_build_fragments, FRAGMENTS_CASE_DUAL_BUNNY, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_abuffer_bunny", bench_build_fragments, FRAGMENTS_CASE_ABUFFER_BUNNY, 0, 0, 0, NULL,
+      bench_tell_fragments },
+    { "fragments_spheres_96", bench_build_fragments, FRAGMENTS_CASE_SPHERES_96, 0, 0, 0, NULL,
+      bench_tell_fragments },
 };
 /* clang-format on */
 const size_t bench_case_count = GP_COUNT(bench_cases);

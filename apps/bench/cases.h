@@ -55,6 +55,7 @@ uint32_t bench_picture_hash(const uint8_t *rgba, uint32_t width, uint32_t height
 
 typedef GpResult BenchBuild(const BenchCase *bench, Frame *frame, GpError *error);
 
+BenchBuild bench_build_fragments;
 BenchBuild bench_build_fill, bench_build_texture, bench_build_arithmetic, bench_build_lookup;
 BenchBuild bench_build_depth, bench_build_lit, bench_build_maps, bench_build_shadow;
 BenchBuild bench_build_small, bench_build_slabs;
@@ -66,6 +67,8 @@ void bench_tell_splats(const Frame *frame, double ms, int threads, bool measures
 void bench_tell_volume(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 void bench_tell_walk(const Frame *frame, double ms, int threads, bool measures, json_t *object);
 void bench_tell_warp(const Frame *frame, double ms, int threads, bool measures, json_t *object);
+void bench_tell_fragments(const Frame *frame, double ms, int threads, bool measures,
+                          json_t *object);
 void bench_show_slabs(const Frame *frame, uint8_t *rgba);
 
 /* What variants mean. */
@@ -102,6 +105,16 @@ enum {
     VOLUME_SPLAT_BONSAI_QD,
 };
 enum { WARP_CASE_RELIEF, WARP_CASE_POLYGONS, WARP_CASE_CYLINDER, WARP_CASE_CYLINDER_PRINTED };
+enum {
+    FRAGMENTS_CASE_SORTED_BUNNY,
+    FRAGMENTS_CASE_SORTED_DRAGON,
+    FRAGMENTS_CASE_SORTED_BLADE,
+    FRAGMENTS_CASE_CONVEX_BUNNY,
+    FRAGMENTS_CASE_PEEL_BUNNY,
+    FRAGMENTS_CASE_DUAL_BUNNY,
+    FRAGMENTS_CASE_ABUFFER_BUNNY,
+    FRAGMENTS_CASE_SPHERES_96,
+};
 
 /* Amounts that the table of cases and the builders share. */
 enum {

@@ -27,7 +27,9 @@ typedef struct Bench {
     const char *table; /* number; NULL: cases are drawn */
 } Bench;
 
-static char table_help[160]; /* with the numbers that there are */
+enum { TABLE_LIST = 160 }; /* bytes of all names */
+
+static char table_help[TABLE_LIST + 80]; /* with the numbers that there are */
 
 static const SettingField options[] = {
     { "list", NULL, "List the cases", SETTING_FLAG, .offset = offsetof(Bench, list),
@@ -56,7 +58,7 @@ static void add_case(struct argp_state *state, void *args, const char *name)
 static void check(struct argp_state *state, void *args)
 {
     Bench *bench = args;
-    char list[64];
+    char list[TABLE_LIST];
     const Technique *technique;
     paper_tables_list(technique_registry, list, sizeof list);
     if (bench->table && !paper_table_find(technique_registry, bench->table, &technique))
@@ -236,7 +238,7 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
 int cmd_bench(int argc, char **argv)
 {
     Bench bench = { .seconds = 3 };
-    char list[64];
+    char list[TABLE_LIST];
     paper_tables_list(technique_registry, list, sizeof list);
     snprintf(table_help, sizeof table_help,
              "Measure a table of the publications again, beside what was printed: %s", list);

@@ -146,6 +146,29 @@ static void odd_places_and_sizes_are_drawn(void **state)
     expect_files("a.exr behind.json inside.json parallel.json");
 }
 
+/* The README shows them. */
+static void stored_pictures_are_what_their_commands_draw(void **state)
+{
+    (void)state;
+    static const char *const pictures[][2] = {
+        { "sorted", "" },
+        { "glass", "--sigma 15" },
+        { "weighted", "--method weighted" },
+    };
+    for (size_t i = 0; i < GP_COUNT(pictures); i++) {
+        const int code =
+            shell("glasspipe fragments meshes/bunny.ply --from 10 15 --size 256x256 -q "
+                  "-o a.png %s",
+                  pictures[i][1]);
+        if (code == 3 && strstr(err, "no such file")) /* the scan is not here */
+            continue;
+        assert_int_equal(code, 0);
+        if (shell("glasspipe compare a.png '%s/../../scenes/pictures/fragments_%s.png'", man_pages,
+                  pictures[i][0]))
+            fail_msg("%s: %s%s", pictures[i][0], out, err);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +178,7 @@ int main(void)
         PROGRAM_TEST(options_mean_their_method_and_alpha_is_written),
         PROGRAM_TEST(convex_pieces_are_kept),
         PROGRAM_TEST(odd_places_and_sizes_are_drawn),
+        PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
     };
     return cmocka_run_group_tests_name("fragments", tests, find_program, NULL);
 }

@@ -80,7 +80,7 @@ while IFS= read -r line; do
     # shellcheck disable=SC2086 # its first two words
     set -- $arguments
     case "$arguments$GP_TEST_LARGE" in
-    bench*_8m | bench*_im)
+    bench*_8m | bench*_im | bench*_96)
         skip "$arguments" "takes long, and much memory; GP_TEST_LARGE=1 draws it"
         continue
         ;;

@@ -98,8 +98,35 @@ static void tell(json_t *members, const char *name, uint64_t value)
         json_object_set_new(members, name, json_integer((json_int_t)value));
 }
 
+void fragment_tell_work(const FragmentModel *model, const Frame *frame, json_t *members)
+{
+    const FragmentOptions *options = frame->made;
+    const FragmentWork work = fragment_work(model, frame);
+    const ConvexFacts *facts = model->facts;
+    tell(members, "triangles", model->mesh.triangle_count);
+    tell(members, "fragments", model->count.fragments);
+    tell(members, "passes", work.passes);
+    tell(members, "readings", work.readings);
+    tell(members, "bytes", work.bytes);
+    if (options->method != FRAGMENTS_CONVEX)
+        return;
+    tell(members, "pieces", facts->pieces);
+    tell(members, "levels", facts->levels);
+    tell(members, "split_sides", facts->split_sides);
+    tell(members, "knots", facts->knots);
+    tell(members, "knot_faces", facts->knot_faces);
+}
+
+void fragment_tell_error(const FragmentModel *model, const GpSurface *picture, json_t *members)
+{
+    const FragmentError off = fragment_error(model, picture);
+    tell(members, "wrong", off.wrong);
+    tell(members, "wrong_beyond_edges", off.wrong_beyond_edges);
+    tell(members, "layers", model->truth.layers);
+}
+
 /* Of convex pieces: how they came to be drawn, and what kept them apart. */
-static void tell_pieces(const FragmentModel *model, TechniqueReport *report)
+static void say_pieces(const FragmentModel *model, TechniqueReport *report)
 {
     const ConvexFacts *facts = model->facts;
     char faults[200];
@@ -113,11 +140,6 @@ static void tell_pieces(const FragmentModel *model, TechniqueReport *report)
         text_add(&report->lines, "no piece goes on over %s\n", faults);
     if (model->cache_fault.text[0])
         text_add(&report->warnings, "%s\n", model->cache_fault.text);
-    tell(report->members, "pieces", facts->pieces);
-    tell(report->members, "levels", facts->levels);
-    tell(report->members, "split_sides", facts->split_sides);
-    tell(report->members, "knots", facts->knots);
-    tell(report->members, "knot_faces", facts->knot_faces);
 }
 
 GpResult fragment_report(void *made, const void *setting, const Frame *frame, GpDevice *device,
@@ -125,14 +147,9 @@ GpResult fragment_report(void *made, const void *setting, const Frame *frame, Gp
 {
     FragmentModel *model = made;
     const FragmentOptions *options = setting;
-    const FragmentWork work = fragment_work(model, frame);
-    tell(report->members, "triangles", model->mesh.triangle_count);
-    tell(report->members, "fragments", model->count.fragments);
-    tell(report->members, "passes", work.passes);
-    tell(report->members, "readings", work.readings);
-    tell(report->members, "bytes", work.bytes);
+    fragment_tell_work(model, frame, report->members);
     if (options->method == FRAGMENTS_CONVEX)
-        tell_pieces(model, report);
+        say_pieces(model, report);
     if (!options->measures)
         return GP_OK;
     const GpResult result = fragment_model_truth(model, gp_device_threads(device), error);
@@ -142,8 +159,6 @@ GpResult fragment_report(void *made, const void *setting, const Frame *frame, Gp
     text_add(&report->lines,
              "%" PRIu64 " pixels wrong, %" PRIu64 " of them beyond edges; %u layers\n", off.wrong,
              off.wrong_beyond_edges, model->truth.layers);
-    tell(report->members, "wrong", off.wrong);
-    tell(report->members, "wrong_beyond_edges", off.wrong_beyond_edges);
-    tell(report->members, "layers", model->truth.layers);
+    fragment_tell_error(model, frame->color, report->members);
     return GP_OK;
 }

@@ -20,7 +20,7 @@ FragmentError fragment_error(const FragmentModel *model, const GpSurface *pictur
  * out  off: [height][width] */
 void fragment_difference(const FragmentModel *model, const GpSurface *picture, float *off);
 
-/* What a frame needs: passes; those over the mesh, each of which reads all of it; and the bytes of all surfaces
+/* What a frame needs: passes; how often all triangles are read; and the bytes of all surfaces
  * but the picture. */
 typedef struct FragmentWork {
     uint32_t passes, readings;
@@ -28,5 +28,9 @@ typedef struct FragmentWork {
 } FragmentWork;
 
 FragmentWork fragment_work(const FragmentModel *model, const Frame *frame);
+
+/* The work of a frame that was built last, and how far a picture is off, for JSON; NULL: nobody asks. */
+void fragment_tell_work(const FragmentModel *model, const Frame *frame, json_t *members);
+void fragment_tell_error(const FragmentModel *model, const GpSurface *picture, json_t *members);
 
 #endif

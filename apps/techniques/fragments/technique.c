@@ -2,7 +2,9 @@
 
 #include "apps/techniques/fragments/experiments.h"
 #include "apps/techniques/fragments/methods.h"
+#include "apps/techniques/fragments/paper_tables.h"
 #include "apps/techniques/fragments/report.h"
+#include "apps/techniques/fragments/scaling.h"
 
 static GpResult build(void *made, const void *setting, GpDevice *device, Frame *frame,
                       GpError *error)
@@ -54,6 +56,8 @@ const Technique fragment_technique = {
     .defaults = &fragment_option_defaults,
     .setting_bytes = sizeof(FragmentOptions),
     .experiments = fragment_experiments,
+    .scaling = &fragment_scaling,
+    .tables = fragment_tables,
     .imply = fragment_options_imply,
     .check = fragment_options_check,
     .open = fragment_model_open,
