@@ -187,14 +187,16 @@ static GpDraw *draw_layer(const WarpGrid *grid, const DepthTextures *textures,
     return draw;
 }
 
-GpResult direct_add(const Direct *made, const DirectSetting *setting, const WarpView *view,
+GpResult direct_add(const Direct *made, const DirectSetting *given, const WarpView *view,
                     const WarpTarget *target, Frame *frame, GpError *error)
 {
     static const float nothing[4] = { 0 };
     const DepthImage *image = made->image;
+    DirectSetting own = *given;
+    const DirectSetting *setting = &own;
+    own.layers = own.layers && image->behind.width;
     const uint32_t footprint = plane_step(made->center, made->radius, made->pixel, view);
     const uint32_t step = setting->step ? setting->step : footprint;
-    const bool has_layers = setting->layers && image->behind.width;
     const DirectUniforms uniforms = find_uniforms(image, setting, view);
     GpSurface *depth =
         target->depth ? target->depth : frame_surface(frame, GP_D32F, view->width, view->height, 1);
@@ -202,7 +204,7 @@ GpResult direct_add(const Direct *made, const DirectSetting *setting, const Warp
         frame_pass(frame, setting->name ? setting->name : "direct", target->color, depth, nothing);
     pass->color[0].clear = false;
     pass->depth.clear_depth = !target->depth;
-    for (int layer = 0; layer < 1 + has_layers; layer++) {
+    for (int layer = 0; layer < 1 + setting->layers; layer++) {
         WarpGrid grid;
         const DepthTextures *textures = &made->textures[layer];
         const GpResult result = find_grid(made, setting, layer, step, frame, &grid);

@@ -301,27 +301,27 @@ static void draw_ground(const Walk *walk, const WalkSetting *setting, const Warp
     const GpSampler repeated = { .min = GP_LINEAR, .mag = GP_LINEAR, .mip = GP_MIP_LINEAR };
     GroundUniforms uniforms;
     const double reach = 5 * walk->half;
-    float(*corners)[5] = frame_alloc(frame, 4, sizeof *corners);
+    float(*corners)[2] = frame_alloc(frame, 4, sizeof *corners);
     if (!corners)
         return;
     for (int i = 0; i < 4; i++) {
-        const double x = i & 1 ? reach : -reach, z = i & 2 ? reach : -reach;
-        const double corner[5] = { x, 0, z, x / grass_size, z / grass_size };
-        for (int k = 0; k < 5; k++)
-            corners[i][k] = (float)corner[k];
+        corners[i][0] = (float)(i & 1 ? reach : -reach);
+        corners[i][1] = (float)(i & 2 ? reach : -reach);
     }
+    uniforms.repeats = (float)(1 / grass_size);
     for (int k = 0; k < 3; k++) {
+        static const int columns[3] = { 0, 2, 3 };
+        for (int i = 0; i < 3; i++)
+            uniforms.map[k][i] = (float)map[k][columns[i]];
         uniforms.ambient[k] = sun.ambient[k];
         uniforms.direct[k] = sun.color[k] * (float)sun.position[1];
     }
     camera_matrix(&view->camera, (double)view->width / view->height, uniforms.mvp);
-    matrix_round(map, uniforms.map);
     const GpGeometry geometry = {
         .vertex_count = 4,
         .indices16 = indices,
         .index_count = 6,
-        .streams = { [GP_POSITION] = { corners[0], sizeof *corners, 3, GP_FLOAT32 },
-                     [GP_TEXCOORD0] = { corners[0] + 3, sizeof *corners, 2, GP_FLOAT32 } },
+        .streams = { [GP_POSITION] = { corners[0], sizeof *corners, 2, GP_FLOAT32 } },
     };
     GpDraw *draw =
         frame_draw_copied(frame, setting->no_shadows ? &ground_program : &ground_shadowed_program,

@@ -342,6 +342,25 @@ static void images_meet_in_one_depth_buffer(void **state)
     }
 }
 
+static void images_without_a_second_layer_are_drawn_as_they_are(void **state)
+{
+    (void)state;
+    const Camera camera = formula_camera(2, 1, 4, false);
+    DepthImage image = formula_image(FORMULA_BALL, false);
+    Direct direct = open_image(&image);
+    uint64_t hash[2];
+    for (int layers = 0; layers < 2; layers++) {
+        Frame frame = draw(&direct, &(DirectSetting){ .layers = layers }, &camera, false, false);
+        run_list(&frame.list);
+        assert_true(formula_check_numbers(&frame) > 500);
+        hash[layers] = gp_surface_hash(frame.color);
+        frame_free(&frame);
+    }
+    assert_true(hash[0] == hash[1]);
+    direct_close(&direct);
+    formula_free(&image);
+}
+
 static void cylinders_are_refused(void **state)
 {
     (void)state;
@@ -408,6 +427,7 @@ int main(void)
         cmocka_unit_test(an_eye_behind_the_image_is_named),
         cmocka_unit_test(a_change_of_level_is_hardly_seen),
         cmocka_unit_test(images_meet_in_one_depth_buffer),
+        cmocka_unit_test(images_without_a_second_layer_are_drawn_as_they_are),
         cmocka_unit_test(cylinders_are_refused),
         cmocka_unit_test(frames_have_the_same_bits_everywhere),
         cmocka_unit_test(programs_are_within_their_profiles),
