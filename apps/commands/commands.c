@@ -22,6 +22,7 @@ static const Command commands[] = {
     { "shader", cmd_shader, "FILE.c", "draw a model with a shader of your own" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
     { "warp walk", cmd_warp_walk, "[MESH...]    ", "a way among depth images, frame by frame" },
+    { "warp capture", cmd_warp_capture, "MESH      ", "a depth image, to be warped, as a file" },
 };
 
 static void print_line(FILE *file, const char *name, const char *arguments, const char *summary)

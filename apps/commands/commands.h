@@ -24,5 +24,6 @@ CommandFn cmd_bench;
 CommandFn cmd_shader;
 CommandFn cmd_chart;
 CommandFn cmd_warp_walk;
+CommandFn cmd_warp_capture;
 
 #endif

@@ -5,9 +5,10 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-static const char *const commands[] = { "bench",    "chart",  "render", "compare",   "explain",
-                                        "pixel",    "points", "shader", "shadow",    "test",
-                                        "voxelize", "volume", "warp",   "fragments", "warp walk" };
+static const char *const commands[] = { "bench",   "chart",     "render",    "compare",
+                                        "explain", "pixel",     "points",    "shader",
+                                        "shadow",  "test",      "voxelize",  "volume",
+                                        "warp",    "fragments", "warp walk", "warp capture" };
 
 /* --- help ------------------------------------------------------------------------------------- */
 

@@ -61,10 +61,10 @@ static void commands_are_those_of_the_help(void **state)
 static void options_are_those_of_every_commands_help(void **state)
 {
     (void)state;
-    static const char *const commands[] = {
-        "bench",  "chart", "render",   "compare", "explain", "pixel",     "points",   "shader",
-        "shadow", "test",  "voxelize", "volume",  "warp",    "fragments", "warp walk"
-    };
+    static const char *const commands[] = { "bench",   "chart",     "render",    "compare",
+                                            "explain", "pixel",     "points",    "shader",
+                                            "shadow",  "test",      "voxelize",  "volume",
+                                            "warp",    "fragments", "warp walk", "warp capture" };
     static char names[80][48];
     for (size_t c = 0; c < GP_COUNT(commands); c++) {
         char words[64];
@@ -91,6 +91,7 @@ static void names_are_those_that_the_option_takes(void **state)
         { "volume --method \"\"", " raycast slices splat \n" },
         { "warp --kind \"\"", " planar cylinder box \n" },
         { "fragments --color \"\"", " normals material \n" },
+        { "warp capture --rays \"\"", " columns faces \n" },
         { "volume --transfer sc", " scene.json \n" },
         { "render --isa \"\"", " auto sse2 avx2 avx512 neon \n" },
         { "render --executor \"\"", " fast reference \n" },
