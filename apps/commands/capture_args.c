@@ -1,6 +1,7 @@
 #include "apps/commands/capture_args.h"
 
 #include "apps/base/stable_math.h"
+#include "apps/commands/progress.h"
 #include "apps/depth_images/depth_file.h"
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/height_map.h"
@@ -35,9 +36,13 @@ static GpResult capture_opened(const CaptureArgs *args, WarpModel *opened, GpDev
 {
     const CaptureSource source = { &opened->mesh, opened->polygons.waves };
     const uint32_t *size = args->warp.source_size;
-    const CaptureTurn turn = {
-        .rays = args->rays, .width = size[0], .height = size[1], .behind = args->layers > 1
-    };
+    const Progress progress = progress_begin(&args->options);
+    const CaptureTurn turn = { .rays = args->rays,
+                               .width = size[0],
+                               .height = size[1],
+                               .behind = args->layers > 1,
+                               .tell = progress_tell,
+                               .listener = &progress };
     if (args->warp.kind == WARP_CYLINDER)
         return capture_cylinder(device, &source, &turn, model, error);
     if (args->warp.kind == WARP_BOX)

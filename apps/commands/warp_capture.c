@@ -108,9 +108,9 @@ static const CommandSyntax syntax = {
     .arguments = "MESH|SCENE.json|PICTURE",
     .help = "Examples:\n"
             "  glasspipe warp capture builtin:knot --color waves:9 -o knot.exr\n"
-            "  glasspipe warp capture builtin:teapot --kind cylinder --size 256x256 -o teapot.exr\n"
-            "  glasspipe warp capture scenes/default.json -o default.exr --write-camera here.json\n"
-            "  glasspipe warp default.exr --camera here.json -o default.png\n"
+            "  glasspipe warp capture builtin:teapot --kind cylinder -o teapot.exr\n"
+            "  glasspipe warp capture scenes/default.json -o d.exr --write-camera d.json\n"
+            "  glasspipe warp d.exr --camera d.json -o d.png\n"
             "\n"
             "Captures a depth image, a picture whose pixels know how far away is what they show, "
             "into a "

@@ -165,8 +165,9 @@ static GpResult draw_columns(GpDevice *device, const CaptureSource *source, cons
 enum { TRIANGLES_AT_ONCE = 1 << 19 };
 
 static GpResult draw_all_columns(GpDevice *device, const CaptureSource *source,
-                                 const DepthCylinder *cylinder, DepthImage *image, GpError *error)
+                                 const CaptureTurn *turn, DepthImage *image, GpError *error)
 {
+    const DepthCylinder *cylinder = &turn->cylinder;
     const uint32_t columns = image->front.width;
     float *white = NULL;
     ColumnRange *ranges = NULL;
@@ -180,9 +181,14 @@ static GpResult draw_all_columns(GpDevice *device, const CaptureSource *source,
         all += ranges[t].count;
     const uint64_t turns = all / TRIANGLES_AT_ONCE + 1;
     const uint32_t step = (uint32_t)(columns / turns ? columns / turns : 1);
-    for (uint32_t begin = 0; result == GP_OK && begin < columns; begin += step)
+    for (uint32_t begin = 0; result == GP_OK && begin < columns; begin += step) {
+        if (turn->tell)
+            turn->tell(turn->listener, begin, columns, "columns");
         result = draw_columns(device, source, colors, ranges, cylinder, begin,
                               begin + step < columns ? begin + step : columns, image, error);
+    }
+    if (turn->tell)
+        turn->tell(turn->listener, columns, columns, "columns");
     gp_free(white);
     gp_free(ranges);
     return result;
@@ -230,7 +236,7 @@ static GpResult capture_wall(GpDevice *device, const CaptureSource *source, cons
         seen = (CaptureSource){ &faces, 0 };
     }
     if (result == GP_OK)
-        result = draw_all_columns(device, &seen, &made.cylinder, &made, error);
+        result = draw_all_columns(device, &seen, turn, &made, error);
     gp_mesh_free(&faces);
     if (result == GP_OK) {
         *image = made;

@@ -26,6 +26,10 @@ typedef struct CaptureTurn {
     uint32_t width, height; /* of the cylinder's image, 1 to GP_MAX_SIZE */
     uint32_t cap;           /* pixels a side of the caps; 0: width / 2, at least 1 */
     bool behind;            /* second layers too */
+
+    /* Called with how many columns are drawn, of all; NULL: nobody asks */
+    void (*tell)(const void *listener, uint32_t done, uint32_t all, const char *what);
+    const void *listener;
 } CaptureTurn;
 
 /* The cylinder about a mesh, upright along y round the middle of its box, a hundredth larger than what it
