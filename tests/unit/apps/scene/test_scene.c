@@ -305,7 +305,8 @@ static void mistakes_are_named_with_path_and_line(void **state)
     refused("{ \"camera\": { \"near\": 2,\n\"far\": 1 } }",
             "2: camera.far: far is not beyond near");
     refused("{ \"camera\": { \"up\": [0, 0, 0] } }", "1: camera: eye, at and up give no direction");
-    refused("{ \"objects\": [ {} ] }", "1: objects[0]: expected a mesh, points or a volume");
+    refused("{ \"objects\": [ {} ] }",
+            "1: objects[0]: expected a mesh, points, a volume or a depth image");
     refused("{ \"objects\": [ 5 ] }", "1: objects[0]: expected an object");
     refused("{ \"objects\": [ { \"mesh\": \"builtin:cub\" } ] }",
             "1: objects[0].mesh: no builtin mesh 'cub'");
