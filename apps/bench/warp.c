@@ -12,6 +12,12 @@ enum {
 }; /* of pictures; round ones as the paper's */
 
 static const char *const cases[] = {
+    [WARP_CASE_PLANAR] = "--method direct",
+    [WARP_CASE_LAYERS] = "--method layers",
+    [WARP_CASE_PRINTED] = "--method planar",
+    [WARP_CASE_DMESH] = "--method dmesh",
+    [WARP_CASE_DISPLACEMENT] = "--method displacement",
+    [WARP_CASE_RELIEF_TEXTURE] = "--method relief-texture",
     [WARP_CASE_RELIEF] = "--method relief",
     [WARP_CASE_POLYGONS] = "--method polygons",
     [WARP_CASE_CYLINDER] = "--kind cylinder --method surface",

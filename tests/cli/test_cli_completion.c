@@ -87,7 +87,7 @@ static void names_are_those_that_the_option_takes(void **state)
         { "shadow --map \"\"", "  \n" },
         { "voxelize --blend \"\"", " add or \n" },
         { "bench --table \"\"",
-          " 2.1 2.2 4.1 4.2 3.1 3.2 003.3 003.1 003.2 003.4 002.1 002.2 002.3 \n" },
+          " 2.1 2.2 4.1 4.2 3.1 3.2 003.3 003.1 003.2 003.4 001.1 001.2 002.1 002.2 002.3 \n" },
         { "volume --method \"\"", " raycast slices splat \n" },
         { "warp --kind \"\"", " planar cylinder box \n" },
         { "fragments --color \"\"", " normals material \n" },

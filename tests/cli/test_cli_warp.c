@@ -34,6 +34,13 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ply --method cylinder --kind planar", "does not draw images of --kind planar" },
         { "a.ply --method relief --kind cylinder", "does not draw images of --kind cylinder" },
         { "a.ply --search 256", "--search" },
+        { "a.ply --cut deep", "--cut: expected auto, slopes, relative or none" },
+        { "a.ply --method surface --cut none", "--cut does not go with --method surface" },
+        { "a.ply --method planar --cut relative", "does not go with --method planar" },
+        { "a.ply --method layers --entries 9", "--entries does not go with" },
+        { "a.ply --method relief-texture --cut slopes",
+          "does not go with --method relief-texture" },
+        { "a.ply --tolerance 17", "--tolerance: expected a number from -1 to 16" },
         { "a.ply --halvings 0", "--halvings" },
         { "a.ply --kind ball", "--kind: expected planar, cylinder or box" },
         { "a.ply --source-size 0x5", "--source-size" },
@@ -164,8 +171,13 @@ static void options_of_one_method_mean_it(void **state)
     (void)state;
     static const char *const options[][2] = {
         { "--search 9", "--method relief --search 9" },
+        { "--entries 300", "--method planar --entries 300" },
+        { "--unlimited", "--method parallax --unlimited" },
         { "--halvings 3", "--method relief --halvings 3" },
         { "--method cylinder", "--method cylinder --kind cylinder" },
+        { "", "--method layers" },
+        { "--cut none", "--method layers --cut none" },
+        { "--kind cylinder", "--method surface --kind cylinder" },
     };
     unlink("scene.json");
     for (size_t i = 0; i < GP_COUNT(options); i++) {
@@ -192,6 +204,27 @@ static void what_a_method_cannot_do_is_named(void **state)
     json_decref(object);
 }
 
+/* The README shows them. */
+static void stored_pictures_are_what_their_commands_draw(void **state)
+{
+    (void)state;
+    static const char *const pictures[][2] = {
+        { "source", "--turn 0" },
+        { "sheets", "--turn -20 --method planar" },
+        { "holes", "--turn -20 --method direct" },
+        { "layers", "--turn -20" },
+    };
+    unlink("scene.json");
+    for (size_t i = 0; i < GP_COUNT(pictures); i++) {
+        assert_int_equal(
+            shell("glasspipe warp builtin:teapot -q --size 256x256 %s -o a.png", pictures[i][1]),
+            0);
+        if (shell("glasspipe compare a.png '%s/../../scenes/pictures/warp_%s.png'", man_pages,
+                  pictures[i][0]))
+            fail_msg("%s: %s%s", pictures[i][0], out, err);
+    }
+}
+
 static void without_a_view_it_is_beside_the_source_and_says_so(void **state)
 {
     (void)state;
@@ -215,6 +248,7 @@ int main(void)
         PROGRAM_TEST(json_has_what_checks_ask_for),
         PROGRAM_TEST(options_of_one_method_mean_it),
         PROGRAM_TEST(what_a_method_cannot_do_is_named),
+        PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
         PROGRAM_TEST(without_a_view_it_is_beside_the_source_and_says_so),
     };
     return cmocka_run_group_tests_name("warp", tests, find_program, NULL);

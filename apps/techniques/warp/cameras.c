@@ -81,8 +81,10 @@ Bounds bounds_of_images(const DepthModel *model)
         add_pixels(&model->images[i], &model->images[i].front, &bounds);
         add_pixels(&model->images[i], &model->images[i].behind, &bounds);
     }
+    if (bounds.low[0] <= bounds.high[0])
+        return bounds;
     const DepthImage *first = &model->images[0];
-    for (int k = 0; k < 3 && bounds.low[0] > bounds.high[0]; k++) {
+    for (int k = 0; k < 3; k++) {
         const double middle = first->is_cylinder ? first->cylinder.center[k]
                                                  : first->plane.eye[k] + first->plane.forward[k];
         bounds.low[k] = middle - 0.5;

@@ -5,15 +5,30 @@
 #include "apps/techniques/warp/words.h"
 
 static const TechniqueSweep sweep[] = {
-    { "as a surface", "--method surface --step 1|2|4" },
+    { "layers", "--method layers --tolerance 0.25|0.5|1|2" },
+    { "layers, coarser", "--method layers --step 2|4" },
+    { "front alone", "--method direct" },
+    { "front, cut at 2 %", "--method direct --cut relative" },
+    { "front, not cut", "--method direct --cut none" },
+    { "as printed", "--method planar" },
+    { "as printed, cut", "--method planar --cut slopes" },
+    { "as a surface", "--method surface" },
+    { "depth mesh", "--method dmesh" },
+    { "depth mesh, simplified", "--method simplified" },
     { "cylinder, as a surface", "--kind cylinder --method surface" },
     { "cylinder, as printed", "--kind cylinder --method cylinder" },
     { "relief", "--method relief --search 16|32|64 --halvings 8" },
+    { "displacement", "--method displacement --search 16|32|64" },
+    { "relief texture", "--method relief-texture" },
+    { "relief texture, not cut", "--method relief-texture --cut none" },
+    { "parallax", "--method parallax" },
+    { "parallax, not limited", "--method parallax --unlimited" },
+    { "bump", "--method bump" },
     { "polygons", "--method polygons" },
     { .method = NULL },
 };
 
-static const char *const usual[] = { "as a surface", NULL };
+static const char *const usual[] = { "layers", "layers, coarser", NULL };
 
 static GpResult find_truth(void *model, int threads, GpError *error)
 {
@@ -39,7 +54,8 @@ static GpResult find_difference(void *made, const void *setting, GpDevice *devic
 
 /* --- colours ------------------------------------------------------------------------------------ */
 
-static const char *const color_metrics[] = { "decibels", "missing", "extra", "depth", NULL };
+static const char *const color_metrics[] = { "decibels", "missing",    "extra",
+                                             "depth",    "mean depth", NULL };
 
 static GpResult measure_color(void *model, const Frame *frame, TechniqueError *measured,
                               GpError *error)
@@ -49,7 +65,7 @@ static GpResult measure_color(void *model, const Frame *frame, TechniqueError *m
     if (!result)
         *measured = (TechniqueError){ .error = 255 * off.rmse,
                                       .metrics = { off.interior_psnr, off.missing, off.extra,
-                                                   off.depth_error },
+                                                   off.depth_error, off.depth_mean },
                                       .whole = 255 };
     return result;
 }

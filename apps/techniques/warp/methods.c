@@ -1,86 +1,26 @@
 #include "apps/techniques/warp/methods.h"
 
-#include "apps/depth_images/drawing/cylinder.h"
+#include "apps/techniques/warp/row.h"
 
-typedef struct MethodRow {
-    size_t bytes; /* of what is kept of an image; 0: it is not images that are drawn */
-    GpResult (*open)(const DepthImage *image, void *made, GpError *error);
-    void (*close)(void *made); /* of a zeroed one too */
-    GpResult (*add)(const void *made, const WarpOptions *options, const WarpView *view,
-                    const WarpTarget *target, Frame *frame, GpError *error);
-    /* What of a view the method cannot do, a sentence; NULL: nothing. NULL: never */
-    const char *(*warning)(const DepthImage *image, const WarpView *view);
-} MethodRow;
-
-/* --- surfaces ----------------------------------------------------------------------------------- */
-
-static GpResult open_surface(const DepthImage *image, void *made, GpError *error)
-{
-    return surface_open(image, NULL, made, error);
-}
-
-static void close_surface(void *made)
-{
-    surface_close(made);
-}
-
-static GpResult add_surface(const void *made, const WarpOptions *options, const WarpView *view,
-                            const WarpTarget *target, Frame *frame, GpError *error)
-{
-    const SurfaceSetting setting = { .step = options->step };
-    return surface_add(made, &setting, view, target, frame, error);
-}
-
-/* --- cylinders ---------------------------------------------------------------------------------- */
-
-static GpResult open_cylinder(const DepthImage *image, void *made, GpError *error)
-{
-    return cylinder_open(image, made, error);
-}
-
-static void close_cylinder(void *made)
-{
-    cylinder_close(made);
-}
-
-static GpResult add_cylinder(const void *made, const WarpOptions *options, const WarpView *view,
-                             const WarpTarget *target, Frame *frame, GpError *error)
-{
-    const CylinderSetting setting = { .step = options->step };
-    return cylinder_add(made, &setting, view, target, frame, error);
-}
-
-/* --- rays --------------------------------------------------------------------------------------- */
-
-static GpResult open_relief(const DepthImage *image, void *made, GpError *error)
-{
-    return relief_open(image, made, error);
-}
-
-static void close_relief(void *made)
-{
-    relief_close(made);
-}
-
-static GpResult add_relief(const void *made, const WarpOptions *options, const WarpView *view,
-                           const WarpTarget *target, Frame *frame, GpError *error)
-{
-    return relief_add(made, &options->relief, view, target, frame, error);
-}
-
-/* --- all ---------------------------------------------------------------------------------------- */
-
-static const MethodRow rows[WARP_METHODS] = {
-    [WARP_SURFACE] = { sizeof(DepthSurface), open_surface, close_surface, add_surface, NULL },
-    [WARP_CYLINDER_PRINTED] = { sizeof(CylinderWarp), open_cylinder, close_cylinder, add_cylinder,
-                                cylinder_warning },
-    [WARP_RELIEF] = { sizeof(Relief), open_relief, close_relief, add_relief, NULL },
-    [WARP_POLYGONS] = { .bytes = 0 },
+/* NULL: it is not images that are drawn */
+static const WarpRow *const rows[WARP_METHODS] = {
+    [WARP_LAYERS] = &warp_layers,
+    [WARP_DIRECT] = &warp_direct,
+    [WARP_SURFACE] = &warp_surface,
+    [WARP_PLANAR_PRINTED] = &warp_planar,
+    [WARP_CYLINDER_PRINTED] = &warp_cylinder,
+    [WARP_RELIEF] = &warp_relief,
+    [WARP_DMESH] = &warp_dmesh,
+    [WARP_SIMPLIFIED] = &warp_simplified,
+    [WARP_DISPLACEMENT] = &warp_displacement,
+    [WARP_RELIEF_TEXTURE] = &warp_relief_texture,
+    [WARP_PARALLAX] = &warp_parallax,
+    [WARP_BUMP] = &warp_bump,
 };
 
 /* --- what is kept ------------------------------------------------------------------------------- */
 
-static void close_made(const MethodRow *row, WarpImages *images, void **made)
+static void close_made(const WarpRow *row, WarpImages *images, void **made)
 {
     for (uint32_t i = 0; *made && i < images->model.count; i++)
         row->close((char *)*made + i * row->bytes);
@@ -88,10 +28,10 @@ static void close_made(const MethodRow *row, WarpImages *images, void **made)
     *made = NULL;
 }
 
-static GpResult make(const MethodRow *row, WarpImages *images, void **made, GpError *error)
+static GpResult make(const WarpRow *row, WarpImages *images, void **made, GpError *error)
 {
     GpResult result = GP_OK;
-    if (*made || row->bytes == 0)
+    if (*made)
         return GP_OK;
     *made = gp_alloc(images->model.count, row->bytes);
     if (!*made)
@@ -107,7 +47,7 @@ void warp_methods_close(WarpModel *model)
 {
     for (WarpImages *images = model->images; images; images = images->next)
         for (int i = 0; i < WARP_METHODS; i++)
-            close_made(&rows[i], images, &images->made[i]);
+            close_made(rows[i], images, &images->made[i]);
 }
 
 /* --- drawing ------------------------------------------------------------------------------------ */
@@ -116,7 +56,7 @@ static GpResult add_images(WarpModel *model, const WarpOptions *options, const W
                            const WarpTarget *target, GpDevice *device, Frame *frame, GpError *error)
 {
     const WarpMethod method = warp_method_of(model, options);
-    const MethodRow *row = &rows[method];
+    const WarpRow *row = rows[method];
     WarpImages *images;
     GpResult result = warp_model_images(model, options, device, &images, error);
     if (!result && !warp_method_draws(method, images->kind))
@@ -146,15 +86,17 @@ GpResult warp_methods_add(WarpModel *model, const WarpOptions *options, const Wa
 
 WarpMethod warp_method_of(const WarpModel *model, const WarpOptions *options)
 {
-    (void)model;
-    return options->method != WARP_AUTO ? options->method : WARP_SURFACE;
+    const WarpKind kind = model->is_image ? model->images->kind : options->kind;
+    return options->method != WARP_AUTO ? options->method
+           : kind == WARP_PLANAR        ? WARP_LAYERS
+                                        : WARP_SURFACE;
 }
 
 void warp_methods_warn(const WarpModel *model, const WarpOptions *options, const WarpView *view,
                        Text *warnings)
 {
     const WarpMethod method = warp_method_of(model, options);
-    const MethodRow *row = &rows[method];
+    const WarpRow *row = rows[method];
     const char *last = NULL;
     for (const WarpImages *images = model->images; images; images = images->next)
         for (uint32_t i = 0; row->warning && images->made[method] && i < images->model.count; i++) {

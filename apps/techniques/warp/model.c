@@ -120,6 +120,8 @@ static GpResult open_images(const TechniqueInput *input, WarpModel *model, GpErr
     model->about = is_plane ? camera_of_plane(&first->plane, &model->bounds)
                             : camera_beside(&model->bounds, options->orbit.up, 1);
     model->lit = !options->unlit && first->front.normal;
+    model->width = is_plane ? first->front.width : DEFAULT_SIDE;
+    model->height = is_plane ? first->front.height : DEFAULT_SIDE;
     return GP_OK;
 }
 

@@ -12,10 +12,30 @@ const WarpOptions warp_option_defaults = {
     .orbit = { .azimuth = (double)NAN, .elevation = (double)NAN, .zoom = 1 },
 };
 
+/* clang-format off */
 static const char *const methods[] = {
-    [WARP_AUTO] = "auto",     [WARP_SURFACE] = "surface",   [WARP_CYLINDER_PRINTED] = "cylinder",
-    [WARP_RELIEF] = "relief", [WARP_POLYGONS] = "polygons", [WARP_METHODS] = NULL
+    [WARP_AUTO] = "auto",
+    [WARP_LAYERS] = "layers",
+    [WARP_DIRECT] = "direct",
+    [WARP_SURFACE] = "surface",
+    [WARP_PLANAR_PRINTED] = "planar",
+    [WARP_CYLINDER_PRINTED] = "cylinder",
+    [WARP_RELIEF] = "relief",
+    [WARP_DMESH] = "dmesh",
+    [WARP_SIMPLIFIED] = "simplified",
+    [WARP_DISPLACEMENT] = "displacement",
+    [WARP_RELIEF_TEXTURE] = "relief-texture",
+    [WARP_PARALLAX] = "parallax",
+    [WARP_BUMP] = "bump",
+    [WARP_POLYGONS] = "polygons",
+    [WARP_METHODS] = NULL
 };
+/* clang-format on */
+static const char *const cuts[] = { [WARP_CUT_AUTO] = "auto",
+                                    [WARP_CUT_SLOPES] = "slopes",
+                                    [WARP_CUT_RELATIVE] = "relative",
+                                    [WARP_CUT_NONE] = "none",
+                                    NULL };
 static const char *const kinds[] = {
     [WARP_PLANAR] = "planar", [WARP_CYLINDER] = "cylinder", [WARP_BOX] = "box", NULL
 };
@@ -25,11 +45,17 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 const SettingField warp_settings[] = {
     { "method", NULL,
-      "auto: by what the image is (default); surface: as a mesh of as few triangles as stand for "
-      "it; cylinder: one as printed, onto the plane that touches it; relief: a search along the "
-      "ray of each pixel; polygons: the mesh itself. An option of "
-      "one "
-      "method alone means that method",
+      "auto: by what the image is (default); layers: merged grids of what is in front and of what "
+      "lies behind it; direct: the front alone; surface: the same of cylinders too; planar, "
+      "cylinder: "
+      "as printed, within a plane; relief: a search along the ray of each pixel; dmesh, "
+      "simplified: a "
+      "mesh of all pixels, or of a tenth of its triangles; displacement: rays through a field of "
+      "distances; relief-texture: a picture on a rectangle, warped by the processor; parallax, "
+      "bump: "
+      "one whose places are shifted, or not; polygons: the mesh itself. An option of one method "
+      "alone "
+      "means that method",
       SETTING_NAME, OF(method), .names = methods },
     { "kind", NULL,
       "What is captured of a mesh: planar, a picture (default); cylinder, one that is looked "
@@ -38,11 +64,25 @@ const SettingField warp_settings[] = {
     { "step", "N",
       "Pixels of the image from vertex to vertex (default: by how small they are in the picture)",
       SETTING_INTEGER, OF(step), .low = 1, .high = 128 },
-    { "search", "N", "Of relief: steps along a ray before it is halved (default: 64)",
-      SETTING_INTEGER, OF(relief.steps), .low = 1, .high = 255 },
+    { "cut", NULL,
+      "Of layers, direct and planar, where surfaces end: auto, by slopes, or as printed (default); "
+      "slopes, at steps steeper than both sides of them; relative, at steps of 2 % of the depth; "
+      "none: rubber sheets hang between near and far",
+      SETTING_NAME, OF(cut), .names = cuts },
+    { "tolerance", "T",
+      "Of layers and direct: pixels of the image by which merged triangles may be off (default: "
+      "1); -1: none are merged",
+      SETTING_NUMBER, OF(tolerance), .low = -1, .high = 16 },
+    { "entries", "N", "Of planar: entries of the table by which cells move (default: 4096)",
+      SETTING_INTEGER, OF(entries), .low = 2, .high = 8192 },
+    { "search", "N", "Of relief and displacement: steps along a ray (default: 64)", SETTING_INTEGER,
+      OF(search), .low = 1, .high = 255 },
     { "halvings", "N",
       "Of relief: how often the step is halved that meets the surface (default: 8)",
-      SETTING_INTEGER, OF(relief.halvings), .low = 1, .high = 255 },
+      SETTING_INTEGER, OF(halvings), .low = 1, .high = 255 },
+    { "unlimited", NULL,
+      "Of parallax: places move as far as the view's slope has it, also where it is flat",
+      SETTING_FLAG, OF(unlimited), .low = 0 },
     { "source-size", "WxH", "Size of the image that is captured (default: 512x512)", SETTING_SIZE,
       OF(source_size), .low = 1, .high = 4096 },
     { "turn", "DEGREES",
@@ -90,9 +130,18 @@ bool warp_method_draws(WarpMethod method, WarpKind kind)
 {
     static const uint32_t draws[WARP_METHODS] = {
         [WARP_AUTO] = BIT(WARP_PLANAR) | BIT(WARP_CYLINDER) | BIT(WARP_BOX),
+        [WARP_LAYERS] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_DIRECT] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
         [WARP_SURFACE] = BIT(WARP_PLANAR) | BIT(WARP_CYLINDER) | BIT(WARP_BOX),
+        [WARP_PLANAR_PRINTED] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
         [WARP_CYLINDER_PRINTED] = BIT(WARP_CYLINDER),
         [WARP_RELIEF] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_DMESH] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_SIMPLIFIED] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_DISPLACEMENT] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_RELIEF_TEXTURE] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_PARALLAX] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
+        [WARP_BUMP] = BIT(WARP_PLANAR) | BIT(WARP_BOX),
         [WARP_POLYGONS] = BIT(WARP_PLANAR) | BIT(WARP_CYLINDER) | BIT(WARP_BOX),
     };
     return draws[method] >> kind & 1;
@@ -100,15 +149,21 @@ bool warp_method_draws(WarpMethod method, WarpKind kind)
 
 /* --- what goes together ------------------------------------------------------------------------- */
 
-/* Options of some methods alone. Where no method is named they mean the last of them, unless auto is one;
+/* Options of some methods alone. Where no method is named they mean the first of them, unless auto is one;
  * beside others they are refused. */
 static const struct {
     const char *option;
     uint32_t methods;
 } belongs[] = {
-    { "step", BIT(WARP_AUTO) | BIT(WARP_SURFACE) | BIT(WARP_CYLINDER_PRINTED) },
-    { "search", BIT(WARP_RELIEF) },
+    { "step", BIT(WARP_AUTO) | BIT(WARP_LAYERS) | BIT(WARP_DIRECT) | BIT(WARP_SURFACE) |
+                  BIT(WARP_PLANAR_PRINTED) | BIT(WARP_CYLINDER_PRINTED) },
+    { "cut", BIT(WARP_AUTO) | BIT(WARP_LAYERS) | BIT(WARP_DIRECT) | BIT(WARP_PLANAR_PRINTED) |
+                 BIT(WARP_RELIEF_TEXTURE) },
+    { "tolerance", BIT(WARP_AUTO) | BIT(WARP_LAYERS) | BIT(WARP_DIRECT) },
+    { "entries", BIT(WARP_PLANAR_PRINTED) },
+    { "search", BIT(WARP_RELIEF) | BIT(WARP_DISPLACEMENT) },
     { "halvings", BIT(WARP_RELIEF) },
+    { "unlimited", BIT(WARP_PARALLAX) },
 };
 
 void warp_options_imply(void *setting, uint32_t given)
@@ -118,7 +173,7 @@ void warp_options_imply(void *setting, uint32_t given)
         if (!setting_is_given(warp_settings, given, "method") &&
             setting_is_given(warp_settings, given, belongs[i].option) &&
             !(belongs[i].methods >> options->method & 1))
-            options->method = (WarpMethod)(31 - __builtin_clz(belongs[i].methods));
+            options->method = (WarpMethod)__builtin_ctz(belongs[i].methods);
     if (!setting_is_given(warp_settings, given, "kind") &&
         !warp_method_draws(options->method, WARP_PLANAR))
         options->kind = WARP_CYLINDER;
@@ -145,6 +200,10 @@ GpResult warp_options_check(const void *setting, uint32_t given, const char *ext
           "--from: expected -89 to 89 degrees of elevation" },
         { !is_from && setting_is_given(fields, given, "zoom"), "--zoom is for --from" },
         { options->truth && !options->measures, "--truth is for --measure" },
+        { options->method == WARP_PLANAR_PRINTED && options->cut == WARP_CUT_RELATIVE,
+          "--cut relative does not go with --method planar" },
+        { options->method == WARP_RELIEF_TEXTURE && options->cut == WARP_CUT_SLOPES,
+          "--cut slopes does not go with --method relief-texture" },
     };
     for (size_t i = 0; i < GP_COUNT(rules); i++)
         if (rules[i].is_wrong)

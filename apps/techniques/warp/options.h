@@ -3,17 +3,33 @@
 #define APPS_TECHNIQUES_WARP_OPTIONS_H
 
 #include "apps/base/orbit.h"
-#include "apps/depth_images/rivals/relief.h"
 #include "apps/techniques/settings.h"
 
 typedef enum WarpMethod {
     WARP_AUTO, /* by what the image is */
+    WARP_LAYERS,
+    WARP_DIRECT,
     WARP_SURFACE,
+    WARP_PLANAR_PRINTED,
     WARP_CYLINDER_PRINTED,
     WARP_RELIEF,
+    WARP_DMESH,
+    WARP_SIMPLIFIED,
+    WARP_DISPLACEMENT,
+    WARP_RELIEF_TEXTURE,
+    WARP_PARALLAX,
+    WARP_BUMP,
     WARP_POLYGONS,
     WARP_METHODS
 } WarpMethod;
+
+/* Where surfaces end. */
+typedef enum WarpCut {
+    WARP_CUT_AUTO, /* by slopes; as printed: nowhere */
+    WARP_CUT_SLOPES,
+    WARP_CUT_RELATIVE,
+    WARP_CUT_NONE
+} WarpCut;
 
 typedef enum WarpKind { WARP_PLANAR, WARP_CYLINDER, WARP_BOX, WARP_KINDS } WarpKind;
 
@@ -23,8 +39,12 @@ typedef struct WarpOptions {
     WarpKind kind;           /* of what is captured of a mesh */
     uint32_t source_size[2]; /* of that */
     uint32_t step;           /* pixels from vertex to vertex; 0: by the footprint */
-    ReliefSetting relief;
-    double turn; /* of the view about the source, in degrees */
+    WarpCut cut;
+    double tolerance;          /* as DirectSetting has it */
+    uint32_t entries;          /* as PlanarSetting has it */
+    uint32_t search, halvings; /* of rays, as ReliefSetting has them */
+    bool unlimited;            /* parallax */
+    double turn;               /* of the view about the source, in degrees */
 
     /* aside of the key */
     const char *source; /* a camera's file; NULL: in front of the model */

@@ -19,13 +19,23 @@ static double angle(const void *scene, const Frame *frame)
 #define MODEL "builtin:teapot"
 
 static const TechniqueLine with_pixels[] = {
-    { "as a surface", MODEL, "--method surface --step 1 " SIDES },
+    { "layers", MODEL, "--method layers --step 1 " SIDES },
+    { "as printed", MODEL, "--method planar --step 1 " SIDES },
+    { "depth mesh", MODEL, "--method dmesh " SIDES },
+    { "relief", MODEL, "--method relief " SIDES },
+    { "displacement", MODEL, "--method displacement " SIDES },
+    { "cylinder, as printed", MODEL, "--kind cylinder --method cylinder --step 1 " SIDES },
     { "polygons", MODEL, "--method polygons " SIDES },
     { .name = NULL },
 };
 
 static const TechniqueLine with_turns[] = {
-    { "as a surface", MODEL, "--method surface " TURNS },
+    { "layers", MODEL, "--method layers " TURNS },
+    { "as printed", MODEL, "--method planar " TURNS },
+    { "depth mesh", MODEL, "--method dmesh " TURNS },
+    { "relief", MODEL, "--method relief " TURNS },
+    { "displacement", MODEL, "--method displacement " TURNS },
+    { "cylinder, as printed", MODEL, "--kind cylinder --method cylinder " TURNS },
     { "polygons", MODEL, "--method polygons " TURNS },
     { .name = NULL },
 };
@@ -50,7 +60,14 @@ static const char *const scaling_text[] = {
 static const TechniqueWord scaling_words[] = {
     { "pixels a side", "Pixels of the depth image along each side." },
     { "degrees aside", "How far the view is turned from the source." },
-    { "as a surface", "The depth image as a mesh of few triangles." },
+    { "layers", "A grid over the image, and one of what lies behind, with flat places merged." },
+    { "as printed",
+      "A cell for every four pixels, moved within a plane, in an order that needs no depth test." },
+    { "depth mesh", "A triangle for every three pixels side by side." },
+    { "relief", "A search along the ray of each pixel of the picture." },
+    { "displacement", "Steps along that ray as long as a field of distances allows." },
+    { "cylinder, as printed",
+      "A grid over an image on a cylinder, in an order that needs no depth test." },
     { "polygons", "The mesh that the image was taken of." },
     { .word = NULL },
 };

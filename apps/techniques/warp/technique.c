@@ -2,6 +2,7 @@
 
 #include "apps/techniques/warp/experiments.h"
 #include "apps/techniques/warp/methods.h"
+#include "apps/techniques/warp/paper_tables.h"
 #include "apps/techniques/warp/report.h"
 #include "apps/techniques/warp/scaling.h"
 
@@ -59,6 +60,7 @@ const Technique warp_technique = {
     .setting_bytes = sizeof(WarpOptions),
     .experiments = warp_experiments,
     .scaling = &warp_scaling,
+    .tables = warp_tables,
     .imply = warp_options_imply,
     .check = warp_options_check,
     .open = warp_model_open,

@@ -111,7 +111,7 @@ static void tables_are_whole(void **state)
                         fail_msg("table %s, %s: %s", (*table)->id, row->name,
                                  (*table)->columns[i].name);
         }
-    assert_int_equal(count, 13);
+    assert_int_equal(count, 15);
 }
 
 int main(void)

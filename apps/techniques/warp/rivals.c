@@ -1,0 +1,83 @@
+#include "apps/depth_images/rivals/displacement.h"
+#include "apps/depth_images/rivals/dmesh.h"
+#include "apps/depth_images/rivals/parallax.h"
+#include "apps/depth_images/rivals/relief.h"
+#include "apps/depth_images/rivals/relief_texture.h"
+#include "apps/techniques/warp/row.h"
+
+WARP_ROW_KEEPS(relief);
+WARP_ROW_KEEPS(dmesh);
+WARP_ROW_KEEPS(displacement);
+WARP_ROW_KEEPS(relief_texture);
+WARP_ROW_KEEPS(parallax);
+
+/* --- meshes -------------------------------------------------------------------------------------- */
+
+static GpResult open_simplified(const DepthImage *image, void *made, GpError *error)
+{
+    static const DmeshDetail detail = { .share = 0.1 };
+    return dmesh_open_detailed(image, &detail, made, error);
+}
+
+static GpResult add_dmesh(const void *made, const WarpOptions *options, const WarpView *view,
+                          const WarpTarget *target, Frame *frame, GpError *error)
+{
+    static const DmeshSetting setting = { .name = NULL };
+    (void)options;
+    return dmesh_add(made, &setting, view, target, frame, error);
+}
+
+/* --- rays ---------------------------------------------------------------------------------------- */
+
+static GpResult add_relief(const void *made, const WarpOptions *options, const WarpView *view,
+                           const WarpTarget *target, Frame *frame, GpError *error)
+{
+    const ReliefSetting setting = { .steps = options->search, .halvings = options->halvings };
+    return relief_add(made, &setting, view, target, frame, error);
+}
+
+static GpResult add_displacement(const void *made, const WarpOptions *options, const WarpView *view,
+                                 const WarpTarget *target, Frame *frame, GpError *error)
+{
+    const DisplacementSetting setting = { .steps = options->search };
+    return displacement_add(made, &setting, view, target, frame, error);
+}
+
+/* --- pictures on rectangles ---------------------------------------------------------------------- */
+
+static GpResult add_relief_texture(const void *made, const WarpOptions *options,
+                                   const WarpView *view, const WarpTarget *target, Frame *frame,
+                                   GpError *error)
+{
+    const ReliefTextureSetting setting = { .cut = options->cut == WARP_CUT_NONE ? -1 : 0 };
+    return relief_texture_add(made, &setting, view, target, frame, error);
+}
+
+static GpResult add_parallax(const void *made, const WarpOptions *options, const WarpView *view,
+                             const WarpTarget *target, Frame *frame, GpError *error)
+{
+    const ParallaxSetting setting = { .kind =
+                                          options->unlimited ? PARALLAX_OFFSET : PARALLAX_LIMITED };
+    return parallax_add(made, &setting, view, target, frame, error);
+}
+
+static GpResult add_bump(const void *made, const WarpOptions *options, const WarpView *view,
+                         const WarpTarget *target, Frame *frame, GpError *error)
+{
+    static const ParallaxSetting setting = { .kind = PARALLAX_BUMP, .name = "bump" };
+    (void)options;
+    return parallax_add(made, &setting, view, target, frame, error);
+}
+
+/* --- rows ---------------------------------------------------------------------------------------- */
+
+const WarpRow warp_relief = { sizeof(Relief), open_relief, close_relief, add_relief, NULL };
+const WarpRow warp_dmesh = { sizeof(Dmesh), open_dmesh, close_dmesh, add_dmesh, NULL };
+const WarpRow warp_simplified = { sizeof(Dmesh), open_simplified, close_dmesh, add_dmesh, NULL };
+const WarpRow warp_displacement = { sizeof(Displacement), open_displacement, close_displacement,
+                                    add_displacement, NULL };
+const WarpRow warp_relief_texture = { sizeof(ReliefTexture), open_relief_texture,
+                                      close_relief_texture, add_relief_texture, NULL };
+const WarpRow warp_parallax = { sizeof(Parallax), open_parallax, close_parallax, add_parallax,
+                                NULL };
+const WarpRow warp_bump = { sizeof(Parallax), open_parallax, close_parallax, add_bump, NULL };

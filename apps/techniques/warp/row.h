@@ -1,0 +1,35 @@
+/* A way of drawing depth images, as a row of the table of methods. */
+#ifndef APPS_TECHNIQUES_WARP_ROW_H
+#define APPS_TECHNIQUES_WARP_ROW_H
+
+#include "apps/depth_images/drawing/view.h"
+#include "apps/techniques/warp/options.h"
+
+typedef struct WarpRow {
+    size_t bytes; /* of what is kept of an image */
+    GpResult (*open)(const DepthImage *image, void *made, GpError *error);
+    void (*close)(void *made); /* of a zeroed one too */
+    GpResult (*add)(const void *made, const WarpOptions *options, const WarpView *view,
+                    const WarpTarget *target, Frame *frame, GpError *error);
+    /* What of a view the method cannot do, a sentence; NULL: nothing. NULL: never */
+    const char *(*warning)(const DepthImage *image, const WarpView *view);
+} WarpRow;
+
+/* Those of a method whose functions are name_open and name_close. */
+#define WARP_ROW_KEEPS(name)                                                                       \
+    static GpResult open_##name(const DepthImage *image, void *made, GpError *error)               \
+    {                                                                                              \
+        return name##_open(image, made, error);                                                    \
+    }                                                                                              \
+    static void close_##name(void *made)                                                           \
+    {                                                                                              \
+        name##_close(made);                                                                        \
+    }                                                                                              \
+    struct name##_follows
+
+/* rows.c: this project's, and what was printed; rivals.c: the others */
+extern const WarpRow warp_layers, warp_direct, warp_surface, warp_planar, warp_cylinder;
+extern const WarpRow warp_relief, warp_dmesh, warp_simplified, warp_displacement,
+    warp_relief_texture, warp_parallax, warp_bump;
+
+#endif
