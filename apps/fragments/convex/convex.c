@@ -2,7 +2,7 @@
 
 #include "apps/fragments/convex/cells.h"
 #include "apps/fragments/drawing/passes.h"
-#include "apps/fragments/order/order.h"
+#include "apps/fragments/order/grid.h"
 #include "apps/fragments/pieces/pieces_cache.h"
 #include "shaders_c/fragments/convex.h"
 
@@ -199,14 +199,17 @@ static GpResult add_levels(const ConvexModel *model, FragmentPasses passes, cons
     return GP_OK;
 }
 
-GpResult convex_add(const ConvexModel *model, const FragmentView *view, GpSurface *color,
-                    GpSurface *depth, Frame *frame, ConvexFacts *facts, GpError *error)
+GpResult convex_add(const ConvexModel *model, ConvexOrder by, const FragmentView *view,
+                    GpSurface *color, GpSurface *depth, Frame *frame, ConvexFacts *facts,
+                    GpError *error)
 {
     Screen screen = { .faces = NULL };
     Order order = { .level_count = 0 };
     GpResult result = screen_make(model->mesh, view, &screen, error);
     if (!result)
-        result = order_find(&model->order, view, &screen, &order, error);
+        result = by == CONVEX_ORDER_GRID
+                     ? order_by_grid(&model->order, view, &screen, &order, error)
+                     : order_find(&model->order, view, &screen, &order, error);
     if (!result) {
         result = add_levels(model, fragment_passes(model->mesh, view, color, depth, frame), &screen,
                             &order);

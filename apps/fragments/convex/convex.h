@@ -29,18 +29,25 @@ GpResult convex_open(const FragmentMesh *mesh, const PiecesSetting *setting, con
                      ConvexModel *model, GpError *fault, GpError *error);
 void convex_close(ConvexModel *model); /* a zeroed one is fine */
 
+typedef enum ConvexOrder {
+    CONVEX_ORDER_EXACT, /* order/order.h */
+    CONVEX_ORDER_GRID   /* order/grid.h: as printed, and sometimes wrong */
+} ConvexOrder;
+
 /* What is to be said of a view. */
 typedef struct ConvexFacts {
     uint32_t pieces, levels;
-    uint32_t sides,
-        split_sides; /* of pieces that are seen; those that were taken apart into faces */
+    uint32_t sides; /* of pieces that are seen */
+    uint32_t
+        split_sides; /* those that were taken apart into faces; of a grid, circles that were cut */
     uint32_t knots, knot_faces;
 } ConvexFacts;
 
 /* As view.h has it.
  * out    facts: may be NULL
  * errors GP_ERROR_MEMORY */
-GpResult convex_add(const ConvexModel *model, const FragmentView *view, GpSurface *color,
-                    GpSurface *depth, Frame *frame, ConvexFacts *facts, GpError *error);
+GpResult convex_add(const ConvexModel *model, ConvexOrder order, const FragmentView *view,
+                    GpSurface *color, GpSurface *depth, Frame *frame, ConvexFacts *facts,
+                    GpError *error);
 
 #endif

@@ -11,10 +11,10 @@
  *
  * source paper 002, sections 3.2 and 4.2; Williams, "Visibility-ordering meshed polyhedra", ACM
  *        Transactions on Graphics 11(2), 1992, of sorting by what is in front of what
- * DEVIATES: the paper goes over a grid's cells, front to back, lets pieces wait for cells, and puts a slab
- *        between neighbours that no plane parts. Which cell is nearer tells nothing of two pieces in one
- *        cell, and the slab has a normal that fits no view. Here every two that share a pixel are asked, so
- *        that the order is right from everywhere. */
+ * DEVIATES: the paper goes over a grid's cells, front to back (grid.h), and puts a slab between neighbours
+ *        that no plane parts. Which cell is nearer tells nothing of two pieces in one cell, and the slab
+ *        has a normal that fits no view. Here every two that share a pixel are asked, so that the order is
+ *        right from everywhere. */
 #ifndef APPS_FRAGMENTS_ORDER_ORDER_H
 #define APPS_FRAGMENTS_ORDER_ORDER_H
 

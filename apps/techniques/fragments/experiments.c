@@ -8,7 +8,7 @@ static const TechniqueSweep sweep[] = {
     { "sorted by the machine", "--method sorted" },
     { "convex pieces", "--method convex" },
     { "convex pieces, as printed",
-      "--method convex --pieces outward --tolerance 0|0.001|0.005|0.02" },
+      "--method convex --pieces outward --order grid --tolerance 0|0.001|0.005|0.02" },
     { "peeling", "--method dp" },
     { "dual peeling", "--method ddp" },
     { "k-buffer", "--method kbuffer --kept 2|4|8|16" },

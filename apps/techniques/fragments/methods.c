@@ -72,8 +72,8 @@ static GpResult add_weighted(const FragmentModel *model, const FragmentOptions *
 static GpResult add_convex(const FragmentModel *model, const FragmentOptions *options, Frame *frame,
                            GpError *error)
 {
-    (void)options;
-    return convex_add(&model->convex, &model->view, frame->color, NULL, frame, model->facts, error);
+    return convex_add(&model->convex, options->order, &model->view, frame->color, NULL, frame,
+                      model->facts, error);
 }
 
 const FragmentMethodRow fragment_methods[FRAGMENT_METHODS] = {

@@ -26,6 +26,9 @@ static const char *const pieces[] = { [FRAGMENT_PIECES_BOTH] = "both",
                                       [FRAGMENT_PIECES_OUTWARD] = "outward",
                                       [FRAGMENT_PIECES_MERGED] = "merged",
                                       NULL };
+static const char *const orders[] = {
+    [CONVEX_ORDER_EXACT] = "exact", [CONVEX_ORDER_GRID] = "grid", NULL
+};
 static const char *const colors[] = {
     [FRAGMENT_NORMALS] = "normals", [FRAGMENT_MATERIAL] = "material", NULL
 };
@@ -59,6 +62,11 @@ const SettingField fragment_settings[] = {
       "Of convex: a piece may be concave by so much of the mesh's longest side (default: 0, none "
       "is)",
       SETTING_NUMBER, OF(tolerance), .low = 0, .high = 1 },
+
+    { "order", NULL,
+      "Of convex: exact, of all that share a pixel (default); grid, by the cells of a grid, as the "
+      "paper has it, and sometimes wrong",
+      SETTING_NAME, OF(order), .names = orders },
 
     { "alpha", "A", "How much of what is behind it a fragment hides (default: 0.3)", SETTING_NUMBER,
       OF(alpha), .low = 0, .high = 1, .aside = true },
@@ -100,6 +108,7 @@ static bool asks_for_pieces(uint32_t given)
 {
     return setting_is_given(fragment_settings, given, "pieces") ||
            setting_is_given(fragment_settings, given, "tolerance") ||
+           setting_is_given(fragment_settings, given, "order") ||
            setting_is_given(fragment_settings, given, "cache");
 }
 
@@ -127,8 +136,9 @@ GpResult fragment_options_check(const void *setting, uint32_t given, const char 
         setting_is_given(fragment_settings, given, "hazard"))
         return gp_fail(error, GP_ERROR_INVALID, "--hazard: expected --method kbuffer with it");
     if (options->method != FRAGMENTS_CONVEX && asks_for_pieces(given))
-        return gp_fail(error, GP_ERROR_INVALID,
-                       "--pieces, --tolerance, --cache: expected --method convex with them");
+        return gp_fail(
+            error, GP_ERROR_INVALID,
+            "--pieces, --tolerance, --order, --cache: expected --method convex with them");
     if (options->is_as_printed && !(options->sigma > 0))
         return gp_fail(error, GP_ERROR_INVALID, "--as-printed: expected --sigma with it");
     if (options->camera && setting_is_given(fragment_settings, given, "from"))

@@ -4,6 +4,7 @@
 #define APPS_TECHNIQUES_FRAGMENTS_OPTIONS_H
 
 #include "apps/base/orbit.h"
+#include "apps/fragments/convex/convex.h"
 #include "apps/techniques/settings.h"
 
 typedef enum FragmentMethod {
@@ -40,6 +41,7 @@ typedef struct FragmentOptions {
     /* of convex: */
     FragmentPieces pieces;
     double tolerance;
+    ConvexOrder order;
 
     /* aside of the key */
     double alpha;

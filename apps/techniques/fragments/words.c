@@ -18,7 +18,8 @@ const TechniqueWord fragment_words[] = {
     { "convex pieces", "Sets of faces that any line crosses at most twice, drawn whole, front to "
                        "back; where faces are in front of each other in a circle the machine "
                        "sorts." },
-    { "convex pieces, as printed", "The same of pieces that are never turned over, and that may be "
+    { "convex pieces, as printed", "The same of pieces that are never turned over, put in order by "
+                                   "the cells of a grid, and that may be "
                                    "concave by a part of the mesh's longest side; then layers are "
                                    "lost." },
     { "peeling", "The nearest fragments, then the nearest behind those, a pass for each layer." },

@@ -55,7 +55,8 @@ static ConvexFacts draw(const Drawn *drawn, const FragmentView *view, GpSurface 
     ConvexFacts facts;
     frame->color = frame_surface(frame, GP_A32B32G32R32F, view->width, view->height, 1);
     frame_pass(frame, "background", frame->color, NULL, view->background);
-    assert_int_equal(convex_add(&drawn->model, view, frame->color, depth, frame, &facts, NULL),
+    assert_int_equal(convex_add(&drawn->model, CONVEX_ORDER_EXACT, view, frame->color, depth, frame,
+                                &facts, NULL),
                      GP_OK);
     return facts;
 }

@@ -10,7 +10,7 @@ enum { SIDE = 48 };
 static const char *const plain[] = {
     "--method sorted",
     "--method convex",
-    "--method convex --pieces outward --tolerance 0.01",
+    "--method convex --pieces outward --tolerance 0.01 --order grid",
     "--method dp",
     "--method ddp",
     "--method kbuffer --kept 3",
