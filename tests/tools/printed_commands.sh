@@ -29,8 +29,8 @@ page_commands() {
     sed -n '/^\.SH EXAMPLES/,/^\.fi/p' "$1" | grep -v '^\.' | sed -e 's/\\e/\\/g' -e 's/\\-/-/g' | joined
 }
 
-help_commands() {
-    ${EMULATOR:-} "$program" $1 --help | sed -n '/^Examples:/,/^$/s/^  //p' | joined
+help_commands() { # unwrapped
+    ARGP_HELP_FMT=rmargin=200 ${EMULATOR:-} "$program" $1 --help | sed -n '/^Examples:/,/^$/s/^  //p' | joined
 }
 
 run_one() { # PAGE COMMAND, in the page's folder
