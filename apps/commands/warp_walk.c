@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-enum { MOST_MODELS = 16, MOST_FRAMES = 1000, COLUMNS = 4, SHEET_WIDTH = 1920 };
+enum { MOST_MODELS = 16, MOST_FRAMES = 240, COLUMNS = 4, SHEET_WIDTH = 1920 };
 
 typedef struct WalkCommand {
     Options options; /* first: see options.h */
@@ -55,8 +55,8 @@ static const CommandSyntax syntax = {
     .arguments = "[MESH...]",
     .help =
         "Examples:\n"
-        "  glasspipe warp walk\n"
-        "  glasspipe warp walk builtin:teapot builtin:knot --objects 60 --frames 8 -o walk.png\n"
+        "  glasspipe warp walk --pixels 128 --frames 4\n"
+        "  glasspipe warp walk builtin:knot --pixels 96 --objects 60 --size 640x360 -o walk.png\n"
         "\n"
         "Walks among depth images of models, at 1920x1080 unless --size says otherwise, and prints "
         "what each frame takes. Each model is captured as a cylinder with its caps; without a "

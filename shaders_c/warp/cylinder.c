@@ -1,5 +1,6 @@
 #include "shaders_c/warp/cylinder.h"
 #include "shaders_c/common/vertices_shared.h"
+#include "shaders_c/warp/detail_shared.h"
 #include "shaders_c/warp/light_shared.h"
 
 typedef struct CylinderVertex {
@@ -27,9 +28,9 @@ typedef struct WarpedTargets {
 } WarpedTargets;
 
 /* Before the turn: x towards azimuth 0. */
-GP_INLINE float3 cylinder_place(const CylinderUniforms *c, const CylinderVertex *in)
+GP_INLINE float3 cylinder_place(const CylinderUniforms *c, const CylinderVertex *in, flt depth)
 {
-    flt out = c->radius - in->texel.z;
+    flt out = c->radius - depth;
     return vec3(out * in->turn.x, in->turn.z, out * in->turn.y);
 }
 
@@ -60,16 +61,38 @@ GP_INLINE float3 lit_at(GpInvocation *gp, const CylinderUniforms *c, float2 uv, 
 
 /* --- within the plane ------------------------------------------------------------------------- */
 
+GP_INLINE float4 warp_lit_vertex(const CylinderUniforms *c, const CylinderVertex *in, flt depth,
+                                 LitWarpedVarying *out)
+{
+    float3 place = cylinder_place(c, in, depth);
+    out->world = m4x3(place, c->to_world);
+    return warp(c, place, in, &out->warped);
+}
+
+/* Its depth under small relief. */
+GP_INLINE flt relief_depth(GpInvocation *gp, const CylinderUniforms *c, const CylinderVertex *in)
+{
+    return warp_detailed(gp, &c->detail, vec2(in->texel.x, in->texel.y), in->texel.z);
+}
+
 vertex_shader(cylinder_vs, CylinderUniforms, CylinderVertex, WarpedVarying)
 {
-    *position = warp(c, cylinder_place(c, in), in, out);
+    *position = warp(c, cylinder_place(c, in, in->texel.z), in, out);
+}
+
+vertex_shader(cylinder_detail_vs, CylinderUniforms, CylinderVertex, WarpedVarying)
+{
+    *position = warp(c, cylinder_place(c, in, relief_depth(gp, c, in)), in, out);
 }
 
 vertex_shader(cylinder_lit_vs, CylinderUniforms, CylinderVertex, LitWarpedVarying)
 {
-    float3 place = cylinder_place(c, in);
-    *position = warp(c, place, in, &out->warped);
-    out->world = m4x3(place, c->to_world);
+    *position = warp_lit_vertex(c, in, in->texel.z, out);
+}
+
+vertex_shader(cylinder_detail_lit_vs, CylinderUniforms, CylinderVertex, LitWarpedVarying)
+{
+    *position = warp_lit_vertex(c, in, relief_depth(gp, c, in), out);
 }
 
 pixel_shader_targets(cylinder_ps, CylinderUniforms, WarpedVarying, WarpedTargets)
@@ -87,12 +110,23 @@ pixel_shader_targets(cylinder_lit_ps, CylinderUniforms, LitWarpedVarying, Warped
 
 /* --- straight ---------------------------------------------------------------------------------- */
 
-vertex_shader(cylinder_straight_vs, CylinderUniforms, CylinderVertex, StraightVarying)
+GP_INLINE float4 straight_vertex(const CylinderUniforms *c, const CylinderVertex *in, flt depth,
+                                 StraightVarying *out)
 {
-    float3 place = cylinder_place(c, in);
-    *position = m4x4(place, c->to_clip);
+    float3 place = cylinder_place(c, in, depth);
     out->uv = vec2(in->texel.x, in->texel.y);
     out->world = m4x3(place, c->to_world);
+    return m4x4(place, c->to_clip);
+}
+
+vertex_shader(cylinder_straight_vs, CylinderUniforms, CylinderVertex, StraightVarying)
+{
+    *position = straight_vertex(c, in, in->texel.z, out);
+}
+
+vertex_shader(cylinder_straight_detail_vs, CylinderUniforms, CylinderVertex, StraightVarying)
+{
+    *position = straight_vertex(c, in, relief_depth(gp, c, in), out);
 }
 
 pixel_shader(cylinder_straight_ps, CylinderUniforms, StraightVarying)
@@ -141,18 +175,30 @@ pixel_shader(cylinder_plane_ps, CylinderPlaneUniforms, PlaneVarying)
 /* clang-format off */
 #define CYLINDER_INPUTS .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 3 } }
 #define WARPED_VARYINGS { "uv", 2, GP_LINEAR_SCREEN }, { "nearness", 1, GP_LINEAR_SCREEN }
+#define LIT_WARPED_VARYINGS WARPED_VARYINGS, { "world", 3, GP_LINEAR_SCREEN }
+#define RELIEF_SAMPLER .vertex_samplers = 1 << WARP_DETAIL_SLOT
 #define STRAIGHT_VARYINGS { "uv", 2, GP_PERSPECTIVE }, { "world", 3, GP_PERSPECTIVE }
 /* clang-format on */
 
 program(cylinder_program, cylinder_vs, cylinder_ps, MODEL_2_0, CYLINDER_INPUTS,
         .varyings = { WARPED_VARYINGS }, .samplers = 1 << 0)
 program(cylinder_lit_program, cylinder_lit_vs, cylinder_lit_ps, MODEL_2_0, CYLINDER_INPUTS,
-        .varyings = { WARPED_VARYINGS, { "world", 3, GP_LINEAR_SCREEN } },
-        .samplers = 1 << 0 | 1 << 1)
+        .varyings = { LIT_WARPED_VARYINGS }, .samplers = 1 << 0 | 1 << 1)
 program(cylinder_straight_program, cylinder_straight_vs, cylinder_straight_ps, MODEL_2_0,
         CYLINDER_INPUTS, .varyings = { STRAIGHT_VARYINGS }, .samplers = 1 << 0)
 program(cylinder_straight_lit_program, cylinder_straight_vs, cylinder_straight_lit_ps, MODEL_2_0,
         CYLINDER_INPUTS, .varyings = { STRAIGHT_VARYINGS }, .samplers = 1 << 0 | 1 << 1)
+program(cylinder_detail_program, cylinder_detail_vs, cylinder_ps, MODEL_3_0, CYLINDER_INPUTS,
+        .varyings = { WARPED_VARYINGS }, .samplers = 1 << 0, RELIEF_SAMPLER)
+program(cylinder_detail_lit_program, cylinder_detail_lit_vs, cylinder_lit_ps, MODEL_3_0,
+        CYLINDER_INPUTS, .varyings = { LIT_WARPED_VARYINGS }, .samplers = 1 << 0 | 1 << 1,
+        RELIEF_SAMPLER)
+program(cylinder_straight_detail_program, cylinder_straight_detail_vs, cylinder_straight_ps,
+        MODEL_3_0, CYLINDER_INPUTS, .varyings = { STRAIGHT_VARYINGS }, .samplers = 1 << 0,
+        RELIEF_SAMPLER)
+program(cylinder_straight_detail_lit_program, cylinder_straight_detail_vs, cylinder_straight_lit_ps,
+        MODEL_3_0, CYLINDER_INPUTS, .varyings = { STRAIGHT_VARYINGS }, .samplers = 1 << 0 | 1 << 1,
+        RELIEF_SAMPLER)
 program(cylinder_plane_program, cylinder_plane_vs, cylinder_plane_ps, MODEL_2_0,
         .inputs = { { GP_POSITION, 3 }, { GP_TEXCOORD0, 2 } },
         .varyings = { { "uv", 2, GP_PERSPECTIVE }, { "depth", 2, GP_PERSPECTIVE } },

@@ -7,6 +7,7 @@
 #ifndef SHADERS_WARP_CYLINDER_H
 #define SHADERS_WARP_CYLINDER_H
 
+#include "shaders_c/warp/detail.h"
 #include "shaders_c/warp/light.h"
 
 typedef struct CylinderUniforms {
@@ -15,8 +16,9 @@ typedef struct CylinderUniforms {
     float eye[2]; /* its distance from the axis, and its height */
     float window
         [4]; /* of the picture: places are x * window[0] + window[1], y * window[2] + window[3] */
-    float to_world[4][4]; /* from places before the turn */
-    float to_clip[4][4];  /* likewise, of the view */
+    float to_world[4][4];      /* from places before the turn */
+    float to_clip[4][4];       /* likewise, of the view */
+    WarpDetailUniforms detail; /* of the programs with detail */
     WarpLightUniforms light;
 } CylinderUniforms;
 
@@ -24,9 +26,11 @@ typedef struct CylinderUniforms {
  * colours; slot 1 of lit ones: normals, (n + 1) / 2. Target 0: colour; target 1: (distance of the plane
  * from the eye) / (that of the point), along the plane's normal. */
 extern const GpProgram cylinder_program, cylinder_lit_program;
+extern const GpProgram cylinder_detail_program, cylinder_detail_lit_program;
 
 /* The same points straight to the view, for eyes that no plane suits. */
 extern const GpProgram cylinder_straight_program, cylinder_straight_lit_program;
+extern const GpProgram cylinder_straight_detail_program, cylinder_straight_detail_lit_program;
 
 typedef struct CylinderPlaneUniforms {
     float mvp[4][4];

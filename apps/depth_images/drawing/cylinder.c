@@ -151,10 +151,12 @@ static void clip_matrix(const WarpView *view, double clip[4][4])
 
 /* --- drawing ----------------------------------------------------------------------------------- */
 
-static CylinderUniforms uniforms_of(const CylinderWarp *made, const WarpView *view)
+static CylinderUniforms uniforms_of(const CylinderWarp *made, const CylinderSetting *setting,
+                                    const WarpView *view)
 {
     const DepthCylinder *cylinder = &made->image->cylinder;
-    CylinderUniforms uniforms = { .radius = (float)cylinder->radius };
+    CylinderUniforms uniforms = { .radius = (float)cylinder->radius,
+                                  .detail = warp_detail_uniforms(&setting->detail) };
     double place[4][4], clip[4][4], product[4][4];
     place_matrix(cylinder, place);
     clip_matrix(view, clip);
@@ -192,8 +194,9 @@ static const CylinderStrips *strips_for(const CylinderWarp *made, const Cylinder
 }
 
 /* A draw of strips, whose indices are yet to come. */
-static GpDraw draw_of(const CylinderWarp *made, const CylinderStrips *strips,
-                      const GpProgram *program, const CylinderUniforms *uniforms, Frame *frame)
+static GpDraw draw_of(const CylinderWarp *made, const CylinderSetting *setting,
+                      const CylinderStrips *strips, const GpProgram *program,
+                      const CylinderUniforms *uniforms, Frame *frame)
 {
     const GpSampler sampler = { .min = GP_LINEAR,
                                 .mag = GP_LINEAR,
@@ -205,6 +208,7 @@ static GpDraw draw_of(const CylinderWarp *made, const CylinderStrips *strips,
                     .textures = { { made->textures.color, sampler },
                                   { made->textures.normal, sampler } } };
     draw.state.raster.cull = GP_CULL_CW;
+    draw.textures[WARP_DETAIL_SLOT].surface = setting->detail.heights; /* repeated, not filtered */
     draw.geometry.vertex_count = (strips->strips + 1) * strips->rows;
     draw.geometry.streams[GP_POSITION] =
         (GpStream){ strips->vertices->turn, stride, 3, GP_FLOAT32 };
@@ -259,9 +263,13 @@ static void add_warped(const CylinderWarp *made, const CylinderSetting *setting,
                        const WarpView *view, const WarpTarget *target, TouchingPlane *plane,
                        Frame *frame)
 {
+    static const GpProgram *const programs[2][2] = {
+        { &cylinder_program, &cylinder_lit_program },
+        { &cylinder_detail_program, &cylinder_detail_lit_program },
+    };
     static const float none[4] = { 0 };
     const CylinderStrips *strips = strips_for(made, setting, view);
-    CylinderUniforms uniforms = uniforms_of(made, view);
+    CylinderUniforms uniforms = uniforms_of(made, setting, view);
     find_window(&made->image->cylinder, view, plane);
     set_plane(plane, &uniforms);
     GpSurface *const surfaces[2] = {
@@ -270,8 +278,9 @@ static void add_warped(const CylinderWarp *made, const CylinderSetting *setting,
     };
     GpPass *pass = frame_pass(frame, "cylinder-warp", surfaces[0], NULL, none);
     pass->color[1] = (GpColorTarget){ .surface = surfaces[1], .clear = true };
-    const GpDraw draw = draw_of(
-        made, strips, view->light ? &cylinder_lit_program : &cylinder_program, &uniforms, frame);
+    const GpDraw draw =
+        draw_of(made, setting, strips,
+                programs[setting->detail.heights != NULL][view->light != NULL], &uniforms, frame);
     cylinder_strips_draw(strips, &draw, view->camera.eye, plane->place, frame);
     pass = frame_pass(frame, setting->name ? setting->name : "cylinder", target->color,
                       target->depth, none);
@@ -282,18 +291,22 @@ static void add_warped(const CylinderWarp *made, const CylinderSetting *setting,
 static void add_straight(const CylinderWarp *made, const CylinderSetting *setting,
                          const WarpView *view, const WarpTarget *target, Frame *frame)
 {
+    static const GpProgram *const programs[2][2] = {
+        { &cylinder_straight_program, &cylinder_straight_lit_program },
+        { &cylinder_straight_detail_program, &cylinder_straight_detail_lit_program },
+    };
     static const float none[4] = { 0 };
     const CylinderStrips *strips = strips_for(made, setting, view);
-    const CylinderUniforms uniforms = uniforms_of(made, view);
+    const CylinderUniforms uniforms = uniforms_of(made, setting, view);
     GpSurface *depth =
         target->depth ? target->depth : frame_surface(frame, GP_D32F, view->width, view->height, 1);
     GpPass *pass =
         frame_pass(frame, setting->name ? setting->name : "cylinder", target->color, depth, none);
     pass->color[0].clear = false;
     pass->depth.clear_depth = !target->depth;
-    GpDraw draw = draw_of(made, strips,
-                          view->light ? &cylinder_straight_lit_program : &cylinder_straight_program,
-                          &uniforms, frame);
+    GpDraw draw =
+        draw_of(made, setting, strips,
+                programs[setting->detail.heights != NULL][view->light != NULL], &uniforms, frame);
     draw.state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     draw.geometry.indices = strips->falling;
     draw.geometry.index_count = strips->first[strips->strips * strips->rows - 1];

@@ -13,6 +13,7 @@
 #define APPS_DEPTH_IMAGES_DRAWING_CYLINDER_H
 
 #include "apps/depth_images/drawing/cylinder_strips.h"
+#include "apps/depth_images/drawing/detail.h"
 #include "apps/depth_images/drawing/surface.h"
 
 enum { CYLINDER_STEPS = 5 }; /* 1, 2, 4, 8, 16 */
@@ -30,8 +31,9 @@ typedef struct CylinderWarp {
 
 /* All zero: as it is meant. */
 typedef struct CylinderSetting {
-    uint32_t step;    /* of columns and rows, a power of two; 0: as footprint_step has it */
-    const char *name; /* of the pass that draws into the target, borrowed; NULL: "cylinder" */
+    uint32_t step;     /* of columns and rows, a power of two; 0: as footprint_step has it */
+    WarpDetail detail; /* over the wall: across is once around. Caps have none */
+    const char *name;  /* of the pass that draws into the target, borrowed; NULL: "cylinder" */
 } CylinderSetting;
 
 /* errors GP_ERROR_MEMORY; those of surface_open and depth_textures_open */

@@ -177,6 +177,55 @@ static void what_has_no_plane_is_drawn_straight_and_said(void **state)
     depth_shape_close(&shape);
 }
 
+/* Relief of one height all over is the image with depths that are so much less; of waves, it is not. */
+static void relief_moves_points_outwards(void **state)
+{
+    (void)state;
+    static float rgba[3][AROUND_SIDE * AROUND_SIDE][4];
+    DepthShape shape = depth_shape_vase();
+    Warps warps[2];
+    GpSurface *heights = NULL;
+    const GpSurfaceDesc desc = { .format = GP_R32F, .width = 8, .height = 8 };
+    assert_int_equal(gp_surface_create(&desc, &heights, NULL), GP_OK);
+    open_warps(&shape, 0, &warps[0]);
+    warps[1].model = depth_shape_capture(&shape, 2 * IMAGE, IMAGE, 0, true);
+    for (uint32_t i = 0; i < 2 * IMAGE * IMAGE; i++)
+        warps[1].model.images[0].front.depth[i] -= 0.0625f;
+    assert_int_equal(cylinder_open(&warps[1].model.images[0], &warps[1].made[0], NULL), GP_OK);
+    for (int inside = 0; inside < 2; inside++) {
+        const Camera camera = around_camera(&shape, 30, inside ? 90 : 8, 4);
+        for (int i = 0; i < 3; i++) {
+            Frame frame = { .color = NULL };
+            const WarpView view = around_view(&camera, false);
+            const WarpTarget target = around_target(&frame, GP_A8R8G8B8);
+            CylinderSetting setting = { .step = 1 };
+            if (i != 1)
+                setting.detail = (WarpDetail){ heights, i ? 0.25 : 0.0625, { 6, 5 } };
+            gp_surface_clear_color(heights, (float[4]){ 1, 1, 1, 1 });
+            for (uint32_t k = 0; k < 8 && i == 2; k++)
+                memset(gp_surface_texel(&heights->level[0], 4, k, k), 0, 4);
+            assert_int_equal(
+                cylinder_add(&warps[i == 1].made[0], &setting, &view, &target, &frame, NULL),
+                GP_OK);
+            run_list(&frame.list);
+            assert_int_equal(gp_surface_read_floats(frame.color, 0, NULL, &rgba[i][0][0], NULL),
+                             GP_OK);
+            frame_free(&frame);
+        }
+        uint32_t off = 0, waves = 0;
+        for (int i = 0; i < AROUND_SIDE * AROUND_SIDE; i++) {
+            off += fabsf(rgba[0][i][0] - rgba[1][i][0]) > 0.02f;
+            waves += fabsf(rgba[2][i][0] - rgba[1][i][0]) > 0.02f;
+        }
+        print_message("# %u pixels off; with waves %u\n", off, waves);
+        assert_true(off < 20 && waves > 500);
+    }
+    gp_surface_destroy(&heights);
+    close_warps(&warps[0]);
+    close_warps(&warps[1]);
+    depth_shape_close(&shape);
+}
+
 static void no_eye_makes_a_nan(void **state)
 {
     (void)state;
@@ -218,6 +267,7 @@ int main(void)
         cmocka_unit_test(the_order_hides_what_is_behind),
         cmocka_unit_test(caps_are_drawn_on_their_side),
         cmocka_unit_test(what_has_no_plane_is_drawn_straight_and_said),
+        cmocka_unit_test(relief_moves_points_outwards),
         cmocka_unit_test(no_eye_makes_a_nan),
         cmocka_unit_test(every_device_draws_the_same_bits),
     };
