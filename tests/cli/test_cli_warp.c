@@ -225,6 +225,76 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
     }
 }
 
+/* An image that went through a file is the one that was captured, seen from where it was taken it is its own
+ * truth, and what does not go with it is refused. */
+static void images_of_files_are_those_that_were_captured(void **state)
+{
+    (void)state;
+    char first[64];
+    unlink("scene.json");
+    write_file("aside.json", "{ \"eye\": [1, 1, 5], \"at\": [0, 0, 0], \"near\": 1, \"far\": 9 }");
+    assert_int_equal(
+        shell("glasspipe warp builtin:knot --color waves:9 --source-size 64x64 --camera aside.json "
+              "--size 64x64 -q -o a.png"),
+        0);
+    snprintf(first, sizeof first, "%.50s", out);
+    if (shell("glasspipe warp capture builtin:knot --color waves:9 --size 64x64 -q -o a.exr"))
+        fail_msg("%s", err);
+    assert_int_equal(
+        shell("glasspipe warp a.exr --camera aside.json --unlit --size 64x64 -q -o a.png"), 0);
+    if (strncmp(out, first, strlen(first)) != 0)
+        fail_msg("%s is not %s", out, first);
+    assert_int_equal(
+        shell("glasspipe warp a.exr --truth a.exr --measure --method direct --json -q -o a.png"),
+        0);
+    json_t *object = parse_output();
+    assert_true(json_real_value(json_object_get(object, "interior_psnr")) > 25);
+    assert_true(json_real_value(json_object_get(object, "depth_error")) < 0.01);
+    assert_true(json_integer_value(json_object_get(object, "width")) == 64);
+    json_decref(object);
+    static const char *const rows[][2] = {
+        { "--measure", "a depth image has none: name it by --truth" },
+        { "--source aside.json", "--source is of what is captured of a mesh" },
+        { "--color gold", "--color is of what is captured of a mesh" },
+        { "--kind cylinder", "--kind is of what is captured of a mesh" },
+        { "--method polygons", "draws a mesh, and this is a depth image" },
+        { "--method cylinder", "--method cylinder does not draw planar images" },
+        { "--measure --truth a.exr --from 90 0", "from the eye of the view" },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        char arguments[256];
+        snprintf(arguments, sizeof arguments, "warp a.exr -o b.png %s", rows[i][0]);
+        expect_refused(3, arguments, rows[i][1]);
+    }
+    write_file("broken.exr", "no picture");
+    expect_refused(3, "warp broken.exr -o b.png", "broken.exr");
+    expect_files("a.exr a.png aside.json broken.exr");
+}
+
+/* Another photograph of a room says how far off the first one is, moved to its place. */
+static void a_photograph_is_moved_to_the_place_of_another(void **state)
+{
+    (void)state;
+    unlink("scene.json");
+    static const char *const frames[][2] = { { "00", "0" }, { "40", "40" } };
+    for (size_t i = 0; i < GP_COUNT(frames); i++) {
+        const int code = shell("glasspipe warp capture images/livingroom_%s_color.ppm --depth-file "
+                               "images/livingroom_%s_depth.pgm --camera-file "
+                               "images/livingroom_cameras.json --frame %s -q -o %s.exr",
+                               frames[i][0], frames[i][0], frames[i][1], frames[i][0]);
+        if (code == 3 && strstr(err, "no such file")) {
+            print_message("# skipped: the photographs are not here\n");
+            return;
+        }
+        assert_int_equal(code, 0);
+    }
+    assert_int_equal(shell("glasspipe warp 00.exr --truth 40.exr --measure --json -q -o a.png"), 0);
+    json_t *object = parse_output();
+    assert_true(json_real_value(json_object_get(object, "depth_error")) < 0.003); /* metres */
+    assert_true(json_real_value(json_object_get(object, "interior_psnr")) > 15);
+    json_decref(object);
+}
+
 static void without_a_view_it_is_beside_the_source_and_says_so(void **state)
 {
     (void)state;
@@ -249,6 +319,8 @@ int main(void)
         PROGRAM_TEST(options_of_one_method_mean_it),
         PROGRAM_TEST(what_a_method_cannot_do_is_named),
         PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
+        PROGRAM_TEST(images_of_files_are_those_that_were_captured),
+        PROGRAM_TEST(a_photograph_is_moved_to_the_place_of_another),
         PROGRAM_TEST(without_a_view_it_is_beside_the_source_and_says_so),
     };
     return cmocka_run_group_tests_name("warp", tests, find_program, NULL);

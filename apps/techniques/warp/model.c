@@ -87,9 +87,11 @@ static GpResult open_source(const TechniqueInput *input, WarpModel *model, GpErr
 /* What is said of a capture does not go with an image that is there. */
 static GpResult check_image(const char *path, const WarpOptions *options, GpError *error)
 {
+    /* else the method means it, and is told that it does not draw this */
+    const bool is_asked = options->kind && warp_method_draws(options->method, WARP_PLANAR);
     const char *wrong = options->source  ? "source"
                         : options->color ? "color"
-                        : options->kind  ? "kind"
+                        : is_asked       ? "kind"
                                          : NULL;
     return wrong ? gp_fail(error, GP_ERROR_INVALID,
                            "%.200s: --%s is of what is captured of a mesh, and this is a depth "
@@ -135,6 +137,7 @@ static GpResult open_truth(const WarpOptions *options, WarpModel *model, GpError
     if (result)
         return result;
     const DepthImage *image = &model->truth_images.images[0];
+    model->lit = false; /* for its colours are as they are */
     if (image->is_cylinder || options->camera || !isnan(options->orbit.azimuth))
         return GP_OK;
     model->fixed = camera_of_plane(&image->plane, &model->bounds);
