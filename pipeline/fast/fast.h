@@ -38,6 +38,8 @@
  *
  * Where the pass sorts, shaded fragments wait in the tile's lists (shade/fragments.c) until all have
  * come, and are sorted and blended then, the pixels of a packet side by side (shade/blend_sorted.c).
+ * Those of triangles that have one colour each are there before it is found (raster/fill_one_color.c,
+ * shade/one_color.c).
  *
  * output/depth.c and output/blend.c are the output end, texture/sample.c is the texture unit.
  *

@@ -81,6 +81,18 @@ static bool packs_points(const FastDraw *d)
     return d->only_adds || !d->needs.color;
 }
 
+/* What the shader looks at differs between triangles alone, and nothing of what it gives takes a fragment
+ * away or moves it. */
+static bool has_one_color(const FastDraw *d)
+{
+    const GpProgram *program = d->draw->program;
+    return d->sorted && d->needs.pixel_shader && d->draw->geometry.primitive != GP_POINTS &&
+           !(d->varyings_by[GP_PERSPECTIVE] | d->varyings_by[GP_LINEAR_SCREEN]) &&
+           !program->uses_pixel && !program->samplers && !program->local_reads && !d->needs.quads &&
+           !d->needs.discard && !d->needs.alpha_test && !d->needs.shader_depth &&
+           !d->needs.clip_planes;
+}
+
 /* To shade twice costs less than to keep what is shaded, where a shader makes much of little.
  * Vertices of a batch are to rise, as those do that no index names. */
 static bool shades_again(const FastDraw *d)
@@ -239,6 +251,7 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     pass->primitive_count += d->primitive_count;
     for (uint64_t left = d->needs.varyings; left; left &= left - 1)
         d->varyings_by[d->modes.mode[__builtin_ctzll(left)]] |= left & -left;
+    d->one_color = has_one_color(d);
     return prepare_samplers(arena, d) && d->positions && (d->varyings || d->shades_again);
 }
 
@@ -266,6 +279,26 @@ static uint32_t least(uint32_t a, uint32_t b)
 static bool has_room(const GpFast *fast)
 {
     return fast->vertex_bytes < fast->limit;
+}
+
+/* Whether a pixel's sorted fragments can be blended one after the other without asking whose they are. */
+static bool has_one_blend(const FastPass *p)
+{
+    const FastDraw *first = &p->draws[0];
+    for (uint32_t i = 0; i < p->draw_count; i++) {
+        const FastDraw *d = &p->draws[i];
+        const bool tests = d->needs.depth_test || d->needs.depth_write || d->needs.stencil;
+        if (!d->needs.color || (d->tests_last && tests) ||
+            gp_program_targets(d->draw->program) != gp_program_targets(first->draw->program) ||
+            memcmp(d->blend, first->blend, sizeof d->blend) != 0 ||
+            memcmp(d->draw->state.blend_constant, first->draw->state.blend_constant,
+                   sizeof d->draw->state.blend_constant) != 0)
+            return false;
+        for (int t = 0; t < GP_MAX_TARGETS && p->pass->color[t].surface; t++)
+            if (fast_is_bitwise(&d->blend[t], p->pass->color[t].surface->format))
+                return false;
+    }
+    return p->draw_count > 0;
 }
 
 /* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least, and all of a
@@ -297,6 +330,7 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
         at->pass++;
         at->draw = 0;
     }
+    p->one_blend = sorts && has_one_blend(p);
     p->range_size = range_size(p->primitive_count, gp_pool_threads(fast->pool));
     p->range_count = (p->primitive_count + p->range_size - 1) / p->range_size;
     return true;

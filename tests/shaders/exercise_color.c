@@ -35,6 +35,22 @@ pixel_shader(color_ps, ExerciseUniforms, Varying)
     return rgba(color, in->color.w + in->linear.x * in->linear.y);
 }
 
+/* One colour a triangle. */
+typedef struct FlatVarying {
+    float4 color;
+} FlatVarying;
+
+vertex_shader(flat_vs, ExerciseUniforms, Vertex, FlatVarying)
+{
+    *position = m4x4(in->position, c->matrix);
+    out->color = in->color;
+}
+
+pixel_shader(flat_ps, ExerciseUniforms, FlatVarying)
+{
+    return mul(in->color, max(vface(), 0.5f));
+}
+
 pixel_shader_targets(two_ps, ExerciseUniforms, Varying, TwoTargets)
 {
     out->first = mul(in->color, u4(c->color));
@@ -66,3 +82,5 @@ program(exercise_position, color_vs, position_ps, .vertex_profile = GP_VS_3_0,
         .uses_face = true)
 depth_program(exercise_depth_only, color_vs, .vertex_profile = GP_VS_2_0, .inputs = INPUTS,
               .varyings = VARYINGS)
+program(exercise_flat, flat_vs, flat_ps, .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
+        .inputs = INPUTS, .varyings = { { "color", 4, GP_FLAT } }, .uses_face = true)

@@ -22,6 +22,9 @@ bool random_order_add(uint64_t seed, RandomList *random)
         const bool alone = random_chance(&r, 50);
         for (uint32_t i = 0; alone && i < pass->draw_count; i++)
             leave_depth_alone(&random->draws[p][i]);
+        for (uint32_t i = 0; i < pass->draw_count; i++)
+            if (random_chance(&r, 30) && pass->color[0].surface)
+                random->draws[p][i].program = &exercise_flat; /* takes the same inputs */
     }
     return true;
 }

@@ -5,8 +5,8 @@
 
 #include "tests/support/random_list.h"
 
-/* Gives most passes an order by depth, and half of these draws that leave depth and stencil alone; the
- * list stays valid (gp_list_check). Never fails. */
+/* Gives most passes an order by depth, half of these draws that leave depth and stencil alone, and some draws
+ * a program with one colour a triangle; the list stays valid (gp_list_check). Never fails. */
 bool random_order_add(uint64_t seed, RandomList *random);
 
 #endif

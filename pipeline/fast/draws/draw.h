@@ -81,11 +81,13 @@ typedef struct FastDraw {
     const GpProgramCode *code;
     GpNeeds needs;
     FastFragmentPath path;
-    bool late_depth;   /* the pixel shader comes before depth and stencil */
-    bool wants_depth;  /* depth or stencil is touched at all */
-    bool sorted;       /* fragments wait for all of their pixel: shade/fragments.h */
-    bool tests_last;   /* and meet depth and stencil when they have their turn, if at all; otherwise
+    bool late_depth;  /* the pixel shader comes before depth and stencil */
+    bool wants_depth; /* depth or stencil is touched at all */
+    bool sorted;      /* fragments wait for all of their pixel: shade/fragments.h */
+    bool tests_last;  /* and meet depth and stencil when they have their turn, if at all; otherwise
                           nothing in the pass writes these, and tests are as early as ever */
+    bool one_color; /* sorted, and all fragments of a triangle have one colour, which is found once:
+                          shade/one_color.c */
     bool nearest_wins; /* ordered, but only equal depths need their order: see sorted_triangles.c */
     uint32_t epsilon;  /* of the ternary test, as a depth code */
     bool packs_points; /* fragments of several points share packets: see pack_points.c */
@@ -149,6 +151,8 @@ typedef struct FastPass {
     uint32_t block_count, primitive_count, range_count;
     uint32_t range_size;               /* primitives, but for the last */
     uint32_t first_block, first_range; /* of all that the group has */
+    bool
+        one_blend; /* of a pass that sorts: all draws blend alike, and test nothing in their turn */
     bool writes_depth; /* of a pass that sorts: some draw changes depth or stencil */
     bool starts;       /* with the pass's first draw: targets are cleared before */
 

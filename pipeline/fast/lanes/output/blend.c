@@ -3,102 +3,10 @@
 
 #include "pipeline/fast/lanes/output/blend_add.h"
 #include "pipeline/fast/lanes/output/blend_bits.h"
+#include "pipeline/fast/lanes/output/blend_lanes.h"
 #include "pipeline/fast/lanes/output/quantize.h"
 
 #include <string.h>
-
-/* --- blending --------------------------------------------------------------------------------- */
-
-/* All of this is written out where it is used, so that a blend known to the compiler leaves only
- * the operations that it asks for. */
-
-typedef struct Operands {
-    flt source[4], target[4];
-    float constant[4];
-} Operands;
-
-GP_INLINE flt factor(GpBlendFactor name, int c, const Operands *o)
-{
-    const flt one = flt_set(1);
-    flt headroom = 1.0f - o->target[3];
-    switch (name) {
-    case GP_ONE:
-        return one;
-    case GP_SRC_COLOR:
-        return o->source[c];
-    case GP_INV_SRC_COLOR:
-        return 1.0f - o->source[c];
-    case GP_SRC_ALPHA:
-        return o->source[3];
-    case GP_INV_SRC_ALPHA:
-        return 1.0f - o->source[3];
-    case GP_DEST_ALPHA:
-        return o->target[3];
-    case GP_INV_DEST_ALPHA:
-        return headroom;
-    case GP_DEST_COLOR:
-        return o->target[c];
-    case GP_INV_DEST_COLOR:
-        return 1.0f - o->target[c];
-    case GP_SRC_ALPHA_SAT:
-        return c == 3 ? one : flt_select(o->source[3] < headroom, o->source[3], headroom);
-    case GP_BLEND_CONSTANT:
-        return flt_set(o->constant[c]);
-    case GP_INV_BLEND_CONSTANT:
-        return flt_set(1.0f - o->constant[c]);
-    default:
-        return flt_set(0);
-    }
-}
-
-static flt logic(GpBlendOp op, flt s, flt d)
-{
-    itg source = itg_unorm8(s), target = itg_unorm8(d);
-    itg code = op == GP_BLEND_LOGIC_AND  ? source & target
-               : op == GP_BLEND_LOGIC_OR ? source | target
-                                         : source ^ target;
-    return flt_unpack_unorm8(code, 0);
-}
-
-GP_INLINE flt scaled(flt v, GpBlendFactor name, int c, const Operands *o)
-{
-    return name == GP_ONE ? v : v * factor(name, c, o); /* v * 1 is v */
-}
-
-GP_INLINE flt operate(GpBlendOp op, GpBlendFactor by_source, GpBlendFactor by_target, int c,
-                      const Operands *o)
-{
-    flt s = o->source[c], d = o->target[c];
-    switch (op) {
-    case GP_BLEND_ADD:
-        return scaled(s, by_source, c, o) + scaled(d, by_target, c, o);
-    case GP_BLEND_SUBTRACT:
-        return scaled(s, by_source, c, o) - scaled(d, by_target, c, o);
-    case GP_BLEND_REV_SUBTRACT:
-        return scaled(d, by_target, c, o) - scaled(s, by_source, c, o);
-    case GP_BLEND_MIN:
-        return flt_select((msk)(s < d) | (msk)(d != d), s, d);
-    case GP_BLEND_MAX:
-        return flt_select((msk)(s > d) | (msk)(d != d), s, d);
-    case GP_BLEND_LOGIC_AND:
-    case GP_BLEND_LOGIC_OR:
-    case GP_BLEND_LOGIC_XOR:
-        return logic(op, s, d);
-    default:
-        return s;
-    }
-}
-
-GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4])
-{
-    GP_UNROLL
-    for (int c = 0; c < 4; c++) {
-        bool separate = c == 3 && blend->alpha_op != GP_BLEND_OFF;
-        result[c] = operate(separate ? blend->alpha_op : blend->op,
-                            separate ? blend->alpha_src : blend->src,
-                            separate ? blend->alpha_dst : blend->dst, c, o);
-    }
-}
 
 /* --- targets ---------------------------------------------------------------------------------- */
 
@@ -255,32 +163,6 @@ GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
 }
 
 /* --- formats that are not packed -------------------------------------------------------------- */
-
-GP_INLINE int channels_of(GpFormat format)
-{
-    return format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
-}
-
-/* One packet's colours, blended with what its pixels hold of a target, and as they are stored. */
-GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float constant[4],
-                            const flt color[4], flt target[4])
-{
-    Operands o;
-    flt result[4];
-    memcpy(o.constant, constant, sizeof o.constant);
-    GP_UNROLL
-    for (int c = 0; c < 4; c++) {
-        o.source[c] = format == GP_R8 ? clamped(color[c]) : color[c];
-        o.target[c] = target[c];
-        result[c] = color[c];
-    }
-    if (blend->op != GP_BLEND_OFF)
-        blend_lanes(blend, &o, result);
-    GP_UNROLL
-    for (int c = 0; c < 4; c++)
-        if (c < channels_of(format) && !(blend->keep >> c & 1))
-            target[c] = quantize(format, result[c]);
-}
 
 /* Channels that the format lacks read 1. */
 GP_INLINE void load_channels(const BlendBlock *m, GpFormat format, Shape shape, int p, uint32_t at,
@@ -449,16 +331,6 @@ static bool are_whole(const FastPacket *packets, const unsigned *live, int count
     for (int p = 0; p < count; p++)
         other |= (live[p] ^ ALL_LANES) | (packets[p].wide ^ GP_LANES) | packets[p].gathered;
     return !other;
-}
-
-/* Blend factors, as the target clamps them. */
-static void set_constant(const GpState *state, GpFormat format, float constant[4])
-{
-    const bool is_float = gp_format_info(format)->is_float;
-    for (int c = 0; c < 4; c++) {
-        const float k = state->blend_constant[c];
-        constant[c] = is_float ? k : k > 0 ? (k < 1 ? k : 1.0f) : 0;
-    }
 }
 
 void fast_blend_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)

@@ -10,6 +10,9 @@ void fast_fill_tiny(const Filler *filler, const TriangleBatch *batch, unsigned l
 void fast_fill_compacted(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
 void fast_fill_small(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
 
+/* The same of small triangles whose fragments are sorted, and have one colour. */
+void fast_fill_one_color(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
+
 /* One set-up triangle of any size, by the path of its draw. Nearest: no depth's code is below. */
 void fast_fill_large(Tile *tile, const GpTriangle *triangle, int32_t nearest);
 

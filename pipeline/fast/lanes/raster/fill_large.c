@@ -270,6 +270,8 @@ void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
         filler.number = tile->records->count++;
         write_record(tile, t, &tile->records->record[filler.number]);
     }
+    if (d->one_color)
+        filler.color = fast_begin_color(tile, filler.number, t->front);
     if (hides_tile(&filler, &coverage))
         tile->visibility->occluder = filler.number;
     else

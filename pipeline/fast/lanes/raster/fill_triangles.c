@@ -69,6 +69,8 @@ static void fill_batch(const Filler *filler, const BatchCorners *corners)
             fast_fill_compacted(filler, &batch, tiny);
         else if (tiny)
             fast_fill_tiny(filler, &batch, tiny);
+        else if (small && tile->draw->one_color)
+            fast_fill_one_color(filler, &batch, small);
         else if (small)
             fast_fill_small(filler, &batch, small);
         else

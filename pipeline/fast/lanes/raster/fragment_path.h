@@ -3,6 +3,7 @@
 #define GP_FAST_RASTER_FRAGMENT_PATH_H
 
 #include "pipeline/fast/lanes/output/depth.h"
+#include "pipeline/fast/lanes/shade/one_color.h"
 #include "pipeline/fast/lanes/shade/queue.h"
 #include "pipeline/fast/lanes/shade/visibility.h"
 
@@ -35,6 +36,7 @@ typedef struct Filler {
     int32_t allowance; /* 1 where equal depths pass */
     bool writes;       /* the usual test also stores */
     uint32_t number;   /* of the record, where one is needed */
+    uint32_t color;    /* the number of a triangle's one colour, where it has one */
     bool front;
 } Filler;
 
@@ -63,6 +65,26 @@ GP_INLINE msk test_usual(const Filler *f, bool writes, bool quads, uint32_t at, 
     return live;
 }
 
+/* Adds fragments of a triangle of one colour to their lists.
+ * in   at: their places; z: a number, or not
+ * returns those that were of the slice */
+GP_INLINE msk list_lanes(const Filler *f, itg at, msk live, flt z)
+{
+    FastFragments *fragments = f->tile->fragments;
+    uint32_t place[GP_LANES], key[GP_LANES];
+    z = flt_select((msk)(z < f->low), flt_set(f->low), z);
+    z = flt_select((msk)(z > f->high), flt_set(f->high), z);
+    const itg keys = fast_order_keys(f->d, depth_codes(GP_D32F, z));
+    live &= fast_of_slice(fragments, keys);
+    store_lanes(place, false, at);
+    store_lanes(key, false, keys);
+    for (unsigned lanes = msk_bits(live); lanes; lanes &= lanes - 1) {
+        const int lane = __builtin_ctz(lanes);
+        fast_add_fragment(fragments, place[lane], key[lane], f->color);
+    }
+    return live;
+}
+
 /* Lanes of a row, or of quads, from (x, y) of the tile on: the tests that come early, and on along
  * the draw's fragment path.
  * in   early: the filler's, or EARLY_ANY in its place; z: not clamped; matters unless EARLY_NONE
@@ -83,6 +105,8 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
         itg shown = load_lanes(tile->visibility->record + at, quads);
         store_lanes(tile->visibility->record + at, quads,
                     itg_select(live, itg_set((int32_t)f->number), shown));
+    } else if (path == FAST_ORDERED && f->d->one_color) {
+        live = list_lanes(f, fast_at(x, y) + lane_numbers(), live, z);
     } else if (path == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);
         if (lanes) {

@@ -2,6 +2,7 @@
 
 #include "pipeline/fast/lanes/memory/convert.h"
 #include "pipeline/fast/lanes/output/blend.h"
+#include "pipeline/fast/lanes/output/blend_lanes.h"
 #include "pipeline/fast/lanes/output/depth.h"
 #include "pipeline/fast/lanes/output/replace.h"
 #include "pipeline/units/fragment_order.h"
@@ -47,6 +48,105 @@ static void sort_column(const FastFragments *f, Column *column)
         shaded += FAST_PIXELS;
     }
 }
+
+/* --- all of one blend ------------------------------------------------------------------------- */
+
+/* Numbers of what was shaded in a layer; 0 where there is none. */
+GP_INLINE void load_layer(const FastFragments *f, const Column *column, int32_t layer, int target,
+                          flt color[4])
+{
+    const itg number = column->shaded[layer] & (itg)(layer < column->waiting);
+    itg_gather4((const uint8_t *)(f->color + 4 * target),
+                number * (int32_t)(4 * f->targets * sizeof(float)), (itg *)color);
+}
+
+/* What a target holds of a column, blended with all layers, in registers. */
+GP_INLINE void blend_column(const Tile *tile, const Column *column, int t, const GpBlend *blend,
+                            GpFormat format, const float constant[4])
+{
+    const uint32_t at = fast_at(column->x, column->y);
+    const bool packed = fast_is_packed(format);
+    FastPlanes *planes = tile->planes[t];
+    flt target[4];
+    if (packed)
+        colors_of(load_lanes(planes->packed + at, false), target);
+    GP_UNROLL
+    for (int c = 0; c < 4 && !packed; c++)
+        target[c] = c < channels_of(format) ? flt_load(planes->channel[c] + at) : flt_set(1);
+    for (int32_t layer = 0; layer < column->most; layer++) {
+        const msk there = (msk)(layer < column->waiting);
+        flt color[4], result[4] = { target[0], target[1], target[2], target[3] };
+        load_layer(tile->fragments, column, layer, t, color);
+        blend_stored(blend, format, constant, color, result);
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            target[c] = flt_select(there, result[c], target[c]);
+    }
+    const GpFormat own = tile->pass->pass->color[t].surface->format;
+    if (packed && (blend->keep & 15) != 15)
+        store_lanes(planes->packed + at, false, word_of(target) | (int32_t)fast_filled_bits(own));
+    GP_UNROLL
+    for (int c = 0; c < 4 && !packed; c++)
+        if (c < channels_of(format))
+            flt_store(planes->channel[c] + at, target[c]);
+}
+
+/* Of known formats, the loop has no more than they ask for. */
+GP_INLINE void blend_column_of(const Tile *tile, const Column *column, int t, const GpBlend *blend,
+                               const float constant[4])
+{
+    const GpFormat format = tile->pass->pass->color[t].surface->format;
+    if (fast_is_packed(format)) /* what fills a word is its own affair */
+        blend_column(tile, column, t, blend, GP_A8R8G8B8, constant);
+    else if (format == GP_A16B16G16R16F)
+        blend_column(tile, column, t, blend, GP_A16B16G16R16F, constant);
+    else if (format == GP_A32B32G32R32F)
+        blend_column(tile, column, t, blend, GP_A32B32G32R32F, constant);
+    else
+        blend_column(tile, column, t, blend, format, constant);
+}
+
+/* The blends of nearly all passes that sort: "over", and the same of colours that are multiplied by alpha,
+ * which is then what hides or what is let through. */
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
+static const GpBlend over_multiplied = { .op = GP_BLEND_ADD,
+                                         .src = GP_ONE,
+                                         .dst = GP_INV_SRC_ALPHA };
+static const GpBlend before = { .op = GP_BLEND_ADD,
+                                .src = GP_ONE,
+                                .dst = GP_SRC_ALPHA,
+                                .alpha_op = GP_BLEND_ADD,
+                                .alpha_src = GP_ZERO,
+                                .alpha_dst = GP_SRC_ALPHA };
+
+static bool is_blend(const GpBlend *blend, const GpBlend *known)
+{
+    return blend->op == known->op && blend->src == known->src && blend->dst == known->dst &&
+           blend->alpha_op == known->alpha_op && !(blend->keep & 15) &&
+           (!known->alpha_op ||
+            (blend->alpha_src == known->alpha_src && blend->alpha_dst == known->alpha_dst));
+}
+
+static void blend_layers(const Tile *tile, const Column *column)
+{
+    const FastDraw *d = &tile->pass->draws[0];
+    const int written = gp_program_targets(d->draw->program);
+    for (int t = 0; t < written && t < tile->targets; t++) {
+        const GpBlend *blend = &d->blend[t];
+        float constant[4];
+        set_constant(&d->draw->state, d->pass->color[t].surface->format, constant);
+        if (is_blend(blend, &over))
+            blend_column_of(tile, column, t, &over, constant);
+        else if (is_blend(blend, &over_multiplied))
+            blend_column_of(tile, column, t, &over_multiplied, constant);
+        else if (is_blend(blend, &before))
+            blend_column_of(tile, column, t, &before, constant);
+        else
+            blend_column_of(tile, column, t, blend, constant);
+    }
+}
+
+/* --- of any ----------------------------------------------------------------------------------- */
 
 /* Fragments of one place in their lists and of one source: as a packet. */
 static void blend_fragments(Tile *tile, const Column *column, int32_t layer, uint32_t source,
@@ -97,23 +197,33 @@ static void blend_layer(Tile *tile, const Column *column, int32_t layer)
     }
 }
 
+static bool find_column(const FastFragments *f, Column *column)
+{
+    column->waiting = itg_load_bytes(f->waiting + fast_at(column->x, column->y));
+    column->most = 0;
+    while (msk_any((msk)(column->waiting > column->most)))
+        column->most++;
+    return column->most > 0;
+}
+
 void fast_blend_sorted(Tile *tile)
 {
     FastFragments *f = tile->fragments;
-    const FastPhase before = fast_turn_to(tile, FAST_SHADING);
+    const FastPhase before_this = fast_turn_to(tile, FAST_SHADING);
+    itg sorted = itg_set(0);
     Column column;
     for (column.y = 0; column.y < tile->height; column.y++)
         for (column.x = 0; column.x < tile->width; column.x += GP_LANES) {
-            column.waiting = itg_load_bytes(f->waiting + fast_at(column.x, column.y));
-            column.most = 0;
-            for (int lane = 0; lane < GP_LANES; lane++) {
-                f->sorted += (uint64_t)column.waiting[lane];
-                column.most =
-                    column.waiting[lane] > column.most ? column.waiting[lane] : column.most;
-            }
+            if (!find_column(f, &column))
+                continue;
+            sorted += column.waiting;
             sort_column(f, &column);
-            for (int32_t layer = 0; layer < column.most; layer++)
+            if (tile->pass->one_blend)
+                blend_layers(tile, &column);
+            for (int32_t layer = 0; layer < column.most && !tile->pass->one_blend; layer++)
                 blend_layer(tile, &column, layer);
         }
-    fast_turn_to(tile, before);
+    for (int lane = 0; lane < GP_LANES; lane++)
+        f->sorted += (uint64_t)sorted[lane];
+    fast_turn_to(tile, before_this);
 }

@@ -16,6 +16,7 @@ typedef struct FastFragments {
 
     uint32_t first, last;  /* keys of the present slice, ends included */
     uint32_t layers, room; /* of a pixel, and of what was shaded */
+    uint32_t deepest;      /* no list is longer */
     uint32_t targets;
     uint32_t shaded_count;
     uint8_t waiting[FAST_PIXELS]; /* of each pixel */
@@ -25,7 +26,7 @@ typedef struct FastFragments {
 
     /* what was shaded, by numbers that rise as it came */
     float *color;     /* [number][target][channel] */
-    uint32_t *source; /* twice the draw's number, plus 1 where it shows its front */
+    uint32_t *source; /* twice the draw's number, plus 1 where it shows its front: fast_source */
     uint32_t *moved;  /* its next number, while some are dropped */
 } FastFragments;
 
@@ -34,6 +35,41 @@ size_t fast_least_fragment_bytes(void);
 
 /* Begins the first slice of the present pass. */
 void fast_begin_fragments(Tile *tile);
+
+/* Whether every list has room for one more fragment, and what was shaded for a packet; where not, makes
+ * it, which may end the slice earlier. What waits to be shaded must have been. */
+GP_INLINE bool fast_has_layer(const FastFragments *f)
+{
+    return f->deepest < f->layers && f->shaded_count + GP_LANES <= f->room;
+}
+
+void fast_make_layer(Tile *tile);
+
+/* Whose a fragment is. */
+GP_INLINE uint32_t fast_source(const Tile *tile, const FastDraw *d, bool front)
+{
+    return 2 * (uint32_t)(d - tile->pass->draws) + front;
+}
+
+/* As gp_order_key, of depth's codes. */
+GP_INLINE itg fast_order_keys(const FastDraw *d, itg codes)
+{
+    return d->pass->order == GP_ORDER_DEPTH_NEAR_FIRST ? codes : INT32_MAX - codes;
+}
+
+/* Lanes whose fragments are of the slice. */
+GP_INLINE msk fast_of_slice(const FastFragments *f, itg keys)
+{
+    return (msk)(keys >= (int32_t)f->first) & (msk)(keys <= (int32_t)f->last);
+}
+
+/* Adds a fragment to its list, which has room. */
+GP_INLINE void fast_add_fragment(FastFragments *f, uint32_t at, uint32_t key, uint32_t shaded)
+{
+    const size_t place = (size_t)f->waiting[at]++ * FAST_PIXELS + at;
+    f->key[place] = key;
+    f->shaded[place] = shaded;
+}
 
 /* Adds the live fragments of shaded packets of an ordered draw, as far as they are of the slice. */
 void fast_keep_packets(Tile *tile, const FastDraw *draw, const FastShaded *shaded);

@@ -1,5 +1,6 @@
 #include "pipeline/fast/lanes/shade/queue.h"
 
+#include "pipeline/fast/lanes/shade/one_color.h"
 #include "pipeline/fast/lanes/shade/packets.h"
 
 FastPacket *fast_new_packet(Tile *tile)
@@ -55,6 +56,10 @@ void fast_flush_packets(Tile *tile)
     const FastPacketBlock block = {
         .packets = q->packets, .gathered = q->gathered, .depths = q->depths, .count = (int)q->count
     };
+    if (q->colors) {
+        fast_find_colors(tile);
+        return;
+    }
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
     if (q->layers.count)
         fast_shade_layers(tile, &q->layers, q->packets);

@@ -4,8 +4,13 @@
 
 #include "pipeline/fast/lanes/shade/layers.h"
 
+enum { FAST_COLORS = FAST_BLOCK * GP_LANES };
+
 typedef struct FastQueue {
     uint32_t count;
+    uint32_t
+        colors; /* triangles that wait for their one colour (one_color.h); then no packets do */
+    uint32_t color_record[FAST_COLORS];
     uint32_t taken;    /* lanes of the last packet, where points have left some: else 0 */
     FastLayers layers; /* while any wait, no packets do */
     _Alignas(64) FastPacket packets[FAST_BLOCK];
@@ -29,7 +34,8 @@ void fast_queue_box(Tile *tile, uint32_t record, const FastBox *box);
 
 GP_INLINE bool fast_queue_is_empty(const Tile *tile)
 {
-    return !tile->queue->count && !tile->queue->layers.count;
+    const FastQueue *q = tile->queue;
+    return !(q->count | q->layers.count | q->colors);
 }
 
 /* Shades what is queued, and blends it in its order. */

@@ -223,7 +223,7 @@ static void draw_slice(Tile *tile, const FastPass *pass, uint32_t number)
 {
     tile->draw = NULL;
     fast_keep_hierarchical_depth(tile, NULL);
-    tile->queue->count = tile->queue->layers.count = 0;
+    tile->queue->count = tile->queue->layers.count = tile->queue->colors = 0;
     tile->sorted->count = 0;
     tile->sums->targets = 0;
     fast_begin_visibility(tile);
