@@ -20,9 +20,9 @@ enum {
     FAST_LEAST_IN_RANGE = 4096, /* primitives of one item of work */
     FAST_MOST_IN_RANGE = 16384,
 
-    /* targets that a tile's memory holds at once: enough for any pass, and for groups of passes
-     * that read each other's results in place */
-    FAST_COLOR_SLOTS = GP_MAX_TARGETS,
+    /* surfaces that a tile's memory holds at once: the targets of a pass and all that it reads in place,
+     * which are read one by one from where they are else; and some more of its group */
+    FAST_COLOR_SLOTS = GP_MAX_TARGETS + GP_MAX_SAMPLERS + 4,
     FAST_DEPTH_SLOTS = 2,
 };
 
