@@ -278,10 +278,12 @@ static void a_photograph_is_moved_to_the_place_of_another(void **state)
     unlink("scene.json");
     static const char *const frames[][2] = { { "00", "0" }, { "40", "40" } };
     for (size_t i = 0; i < GP_COUNT(frames); i++) {
-        const int code = shell("glasspipe warp capture images/livingroom_%s_color.ppm --depth-file "
-                               "images/livingroom_%s_depth.pgm --camera-file "
-                               "images/livingroom_cameras.json --frame %s -q -o %s.exr",
-                               frames[i][0], frames[i][0], frames[i][1], frames[i][0]);
+        const int code =
+            shell("export GLASSPIPE_DATA=${GLASSPIPE_DATA:-'%s/../../../shared/data'}; "
+                  "glasspipe warp capture images/livingroom_%s_color.ppm --depth-file "
+                  "images/livingroom_%s_depth.pgm --camera-file "
+                  "images/livingroom_cameras.json --frame %s -q -o %s.exr",
+                  man_pages, frames[i][0], frames[i][0], frames[i][1], frames[i][0]);
         if (code == 3 && strstr(err, "no such file")) {
             print_message("# skipped: the photographs are not here\n");
             return;

@@ -108,7 +108,10 @@ static const PaperTable against_rivals = {
     .id = "001.2",
     .title = "frames a second of methods that draw depth images",
     .source = PAPER "2" BOARD,
-    .note = "ours as printed; layers: this project's own, which fills holes too. The model is Igea",
+    .note =
+        "ours as printed; layers: this project's own, which fills holes too. The model is Igea. A "
+        "mesh in the world costs here what a grid moved within a plane does: it is triangles that "
+        "are paid for, not matrices or the depth test; and rays by the pixel, as there",
     .columns = rival_columns,
     .rows = rival_rows,
     .measure = measure_rivals,
