@@ -66,6 +66,7 @@ GP_INLINE void blend_column(const Tile *tile, const Column *column, int t, const
 {
     const uint32_t at = fast_at(column->x, column->y);
     const bool packed = fast_is_packed(format);
+    const uint32_t filled = fast_filled_bits(tile->pass->pass->color[t].surface->format);
     FastPlanes *planes = tile->planes[t];
     flt target[4];
     if (packed)
@@ -81,10 +82,12 @@ GP_INLINE void blend_column(const Tile *tile, const Column *column, int t, const
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             target[c] = flt_select(there, result[c], target[c]);
+        if (packed && filled) /* the next layer finds the unused byte as it is stored */
+            target[3] = flt_select(there, flt_set(1), target[3]);
     }
-    const GpFormat own = tile->pass->pass->color[t].surface->format;
     if (packed && (blend->keep & 15) != 15)
-        store_lanes(planes->packed + at, false, word_of(target) | (int32_t)fast_filled_bits(own));
+        store_lanes(planes->packed + at, false,
+                    word_of(target) | ((int32_t)filled & (itg)(column->waiting > 0)));
     GP_UNROLL
     for (int c = 0; c < 4 && !packed; c++)
         if (c < channels_of(format))
