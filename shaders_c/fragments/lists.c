@@ -100,11 +100,16 @@ typedef struct NearestTargets {
 
 clip_vertex_shader(list_nearest_vs, NoUniforms);
 
-/* Those of one depth come by their places, so that an equal one goes behind. */
+/* Whether one comes before another: by depth, and those of one depth by their places. */
+GP_INLINE msk is_before(float4 one, float4 other)
+{
+    return (msk)(one.x < other.x) | ((msk)(one.x == other.x) & (msk)(one.z < other.z));
+}
+
 GP_INLINE void insert(float4 entry, NearestTargets *nearest)
 {
     for (int i = 0; i < LIST_KEPT; i++) {
-        msk is_nearer = entry.x < nearest->entry[i].x;
+        msk is_nearer = is_before(entry, nearest->entry[i]);
         float4 farther = sel(is_nearer, nearest->entry[i], entry);
         nearest->entry[i] = sel(is_nearer, entry, nearest->entry[i]);
         entry = farther;
@@ -118,8 +123,7 @@ pixel_shader_targets(list_nearest_ps, NoUniforms, NoVarying, NearestTargets)
     for (int i = 0; i < LIST_KEPT; i++)
         nearest.entry[i] = gp_load_local(i);
     for (int i = 0; i < LIST_AT_ONCE && any(entry.x < LIST_NONE); i++) {
-        msk counts = (msk)(entry.x > last.x) | ((msk)(entry.x == last.x) & (msk)(entry.z > last.z));
-        entry.x = sel(counts, entry.x, bcast(LIST_NONE));
+        entry.x = sel(is_before(last, entry), entry.x, bcast(LIST_NONE));
         insert(entry, &nearest);
         if (i + 1 < LIST_AT_ONCE)
             entry = gp_load_local(LIST_KEPT + 2 + i);

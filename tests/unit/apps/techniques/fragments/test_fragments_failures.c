@@ -128,6 +128,23 @@ static void layers_in_one_plane_are_one_to_those_who_peel(void **state)
     assert_true(wrong_of(sheets, 3, "--method kbuffer --kept 3") == 0);
 }
 
+/* A nearer fragment that comes last moves those of one depth on by one place: none of them is lost, and none
+ * is counted twice. */
+static void lists_keep_layers_of_one_plane_in_their_order(void **state)
+{
+    (void)state;
+    static const char *const lists[] = { "--method abuffer", "--method cpu", "--method stencil",
+                                         "--method kbuffer" };
+    static const float sheet[3][2] = { { -1, -1 }, { 1, -1 }, { 0, 1 } };
+    float sheets[21][3];
+    for (int i = 0; i < 21; i++) {
+        memcpy(sheets[i], sheet[i % 3], sizeof sheet[0]);
+        sheets[i][2] = i < 18 ? 0 : 1;
+    }
+    for (size_t i = 0; i < GP_COUNT(lists); i++)
+        assert_true(wrong_of((const float(*)[3])sheets, 7, lists[i]) == 0);
+}
+
 /* Five layers closer than 16 bits of depth tell apart, drawn back to front, before one that is far. */
 static void close_layers_are_mixed_up_by_buckets_and_packed_depths(void **state)
 {
@@ -203,6 +220,7 @@ int main(void)
         cmocka_unit_test(methods_that_keep_all_fragments_are_exact),
         cmocka_unit_test(what_is_lost_is_seen_and_found_again),
         cmocka_unit_test(layers_in_one_plane_are_one_to_those_who_peel),
+        cmocka_unit_test(lists_keep_layers_of_one_plane_in_their_order),
         cmocka_unit_test(close_layers_are_mixed_up_by_buckets_and_packed_depths),
         cmocka_unit_test(open_meshes_from_inside_are_exact),
         cmocka_unit_test(light_is_taken_on_its_way_through_a_body),
