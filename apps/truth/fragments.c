@@ -1,25 +1,16 @@
 #include "apps/truth/fragments.h"
 
+#include "apps/truth/seen_triangle.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A triangle as the picture sees it: corners are (X, Y, Z, W), where (X / W, Y / W) is a place in pixels, y
- * down, Z / W its depth, 0 near, 1 far; W is 1 where rays are parallel. A place (x, y) is inside where
- * edge[i] . (x, y, 1) are of one sign; they are also the shares of the corners in it (Olano and Greer,
- * "Triangle scan conversion using 2D homogeneous coordinates", Graphics Hardware 1997). */
-typedef struct Seen {
-    double edge[3][3];
-    double z[3], w[3];
-    double low[2], high[2]; /* box, in pixels */
-    bool is_before;         /* all corners are before the eye: edges end */
-    double at[3][2];        /* then where they are */
-} Seen;
-
 typedef struct Fragment {
     uint32_t x, triangle;
-    double depth,
-        way; /* way: along the line of sight, from the plane where light begins to be taken */
+    double depth;
+    double moved; /* by so much snapped corners may move the depth */
+    double way;   /* along the line of sight, from the plane where light begins to be taken */
 } Fragment;
 
 /* What all rows share. */
@@ -27,7 +18,7 @@ typedef struct Work {
     const FragmentTruthScene *scene;
     FragmentTruth *truth;
     CameraAxes axes;
-    Seen *seen;
+    SeenTriangle *seen;
     uint32_t *row_begin; /* [height + 1] in triangle */
     uint32_t *triangle;  /* those whose boxes reach into a row, row by row, rising */
     uint64_t *fragments; /* of each row */
@@ -35,112 +26,7 @@ typedef struct Work {
     bool *failed;
 } Work;
 
-/* An edge is as near as snapped corners may bring it. */
-#define NEAR (1.0 / 256)
-
-/* --- triangles on the picture -------------------------------------------------------------------- */
-
-static void find_corner(const Work *work, const float position[3], double corner[4])
-{
-    const FragmentTruthScene *scene = work->scene;
-    const Camera *camera = &scene->camera;
-    double from[3];
-    for (int k = 0; k < 3; k++)
-        from[k] = (double)position[k] - camera->eye[k];
-    const bool is_parallel = !(camera->fovy > 0);
-    const double along = vector_dot(from, work->axes.forward), w = is_parallel ? 1 : along;
-    const double length = camera->far - camera->near;
-    corner[0] = (vector_dot(from, work->axes.right) / work->axes.half_width + w) / 2 * scene->width;
-    corner[1] = (w - vector_dot(from, work->axes.up) / work->axes.half_height) / 2 * scene->height;
-    corner[2] = is_parallel ? (along - camera->near) / length
-                            : camera->far / length * (along - camera->near);
-    corner[3] = w;
-}
-
-/* Across two corners, the same but for the sign whichever comes first: they are put in an order that they
- * have in all triangles that share them. */
-static void find_edge(const double a[4], const double b[4], bool turned, double edge[3])
-{
-    const double *from = turned ? b : a, *to = turned ? a : b, sign = turned ? -1 : 1;
-    edge[0] = sign * (from[1] * to[3] - to[1] * from[3]);
-    edge[1] = sign * (from[3] * to[0] - to[3] * from[0]);
-    edge[2] = sign * (from[0] * to[1] - to[0] * from[1]);
-}
-
-static void find_box(const Work *work, const double corner[3][4], Seen *seen)
-{
-    const double size[2] = { work->scene->width, work->scene->height };
-    seen->is_before = true;
-    for (int i = 0; i < 3; i++)
-        seen->is_before = seen->is_before && corner[i][3] > 0;
-    for (int k = 0; k < 2; k++) {
-        seen->low[k] = 0;
-        seen->high[k] = size[k];
-        if (!seen->is_before)
-            continue;
-        for (int i = 0; i < 3; i++)
-            seen->at[i][k] = corner[i][k] / corner[i][3];
-        const double low = fmin(seen->at[0][k], fmin(seen->at[1][k], seen->at[2][k]));
-        const double high = fmax(seen->at[0][k], fmax(seen->at[1][k], seen->at[2][k]));
-        seen->low[k] = fmin(fmax(low - NEAR, 0), size[k]);
-        seen->high[k] = fmin(fmax(high + NEAR, 0), size[k]);
-    }
-}
-
-static void see_triangle(const Work *work, uint32_t number)
-{
-    const uint32_t *index = work->scene->indices + 3 * (size_t)number;
-    double corner[3][4];
-    Seen *seen = &work->seen[number];
-    for (int i = 0; i < 3; i++) {
-        find_corner(work, work->scene->positions[index[i]], corner[i]);
-        seen->z[i] = corner[i][2];
-        seen->w[i] = corner[i][3];
-    }
-    for (int i = 0; i < 3; i++) {
-        const int a = (i + 1) % 3, b = (i + 2) % 3;
-        const int order = memcmp(work->scene->positions[index[a]], work->scene->positions[index[b]],
-                                 3 * sizeof(float));
-        find_edge(corner[a], corner[b], order > 0, seen->edge[i]);
-    }
-    find_box(work, corner, seen);
-}
-
-/* --- a pixel and a triangle ---------------------------------------------------------------------- */
-
-/* A centre on an edge is inside of the triangle for which the edge runs one way. */
-static bool covers(const double at[3], const double edge[3][3])
-{
-    int positive = 0;
-    for (int i = 0; i < 3; i++) {
-        const double *e = edge[i];
-        const bool runs = e[0] > 0 || (e[0] == 0 && e[1] > 0);
-        positive += at[i] > 0 || (at[i] == 0 && runs);
-    }
-    return positive == 0 || positive == 3;
-}
-
-static double to_segment(const double p[2], const double a[2], const double b[2])
-{
-    const double along[2] = { b[0] - a[0], b[1] - a[1] }, from[2] = { p[0] - a[0], p[1] - a[1] };
-    const double square = along[0] * along[0] + along[1] * along[1];
-    const double share = (from[0] * along[0] + from[1] * along[1]) / square;
-    const double t = square > 0 ? fmin(fmax(share, 0), 1) : 0;
-    return hypot(from[0] - t * along[0], from[1] - t * along[1]);
-}
-
-static bool is_near_edge(const Seen *seen, const double centre[2], const double at[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const double *e = seen->edge[i];
-        if (fabs(at[i]) > NEAR * hypot(e[0], e[1]))
-            continue;
-        if (!seen->is_before ||
-            to_segment(centre, seen->at[(i + 1) % 3], seen->at[(i + 2) % 3]) <= NEAR)
-            return true;
-    }
-    return false;
-}
+/* --- a pixel ------------------------------------------------------------------------------------- */
 
 /* Length of the line of sight through a place for each unit along the view. */
 static double slant(const Work *work, const double centre[2])
@@ -159,30 +45,6 @@ static double distance_of(const Camera *camera, double depth)
     return camera->fovy > 0 ? camera->far * camera->near / (camera->far - depth * length)
                             : camera->near + depth * length;
 }
-
-/* The fragment of a triangle at a place. False: it has none there. */
-static bool find_fragment(const Work *work, const Seen *seen, const double centre[2],
-                          const double at[3], Fragment *fragment)
-{
-    double z = 0, w = 0;
-    if (!covers(at, seen->edge))
-        return false;
-    for (int i = 0; i < 3; i++) {
-        z += at[i] * seen->z[i];
-        w += at[i] * seen->w[i];
-    }
-    /* Shares of one sign: where that of w is another, the place is behind the eye. */
-    const double sum = at[0] + at[1] + at[2];
-    if (!(w * sum > 0) || !(z / w >= 0 && z / w <= 1))
-        return false;
-    const Camera *camera = &work->scene->camera;
-    fragment->depth = z / w;
-    fragment->way =
-        (distance_of(camera, fragment->depth) - work->scene->begin) * slant(work, centre);
-    return true;
-}
-
-/* --- a pixel ------------------------------------------------------------------------------------- */
 
 /* How far a triangle's plane is from the eye, or, of parallel rays, how far it goes along with a step along
  * them. out faces: whether its outer side is seen */
@@ -278,21 +140,44 @@ static bool append(Row *row, const Fragment *fragment)
 
 static bool cross_row(const Work *work, uint32_t y, uint32_t triangle, Row *row)
 {
-    const Seen *seen = &work->seen[triangle];
+    const FragmentTruthScene *scene = work->scene;
+    const SeenTriangle *seen = &work->seen[triangle];
     const uint32_t first = (uint32_t)fmax(floor(seen->low[0] - 0.5), 0);
-    const uint32_t end = (uint32_t)fmax(fmin(ceil(seen->high[0] + 0.5), work->scene->width), 0);
+    const uint32_t end = (uint32_t)fmax(fmin(ceil(seen->high[0] + 0.5), scene->width), 0);
     for (uint32_t x = first; x < end; x++) {
         const double centre[2] = { x + 0.5, y + 0.5 };
-        double at[3];
-        for (int i = 0; i < 3; i++)
-            at[i] = seen->edge[i][0] * centre[0] + seen->edge[i][1] * centre[1] + seen->edge[i][2];
-        Fragment fragment = { .x = x, .triangle = triangle };
-        if (is_near_edge(seen, centre, at))
-            work->truth->is_edge[(size_t)y * work->scene->width + x] = 1;
-        if (find_fragment(work, seen, centre, at, &fragment) && !append(row, &fragment))
+        SeenAt at;
+        seen_triangle_at(seen, centre, &at);
+        if (at.is_near_edge)
+            work->truth->is_edge[(size_t)y * scene->width + x] = 1;
+        if (!at.is_covered)
+            continue;
+        const double along = distance_of(&scene->camera, at.depth);
+        const Fragment fragment = { .x = x,
+                                    .triangle = triangle,
+                                    .depth = at.depth,
+                                    .moved = at.moved,
+                                    .way = (along - scene->begin) * slant(work, centre) };
+        if (!append(row, &fragment))
             return false;
     }
     return true;
+}
+
+/* Whether snapping may make two fragments change places. Those of triangles with the same corners move as one. */
+static bool may_change_places(const Fragment *first, const Fragment *second)
+{
+    const double apart = second->depth - first->depth;
+    return apart <= first->moved + second->moved && !(apart == 0 && first->moved == second->moved);
+}
+
+/* Where any two may, two that follow each other may. */
+static bool has_crossing(const Fragment *fragments, size_t count)
+{
+    for (size_t i = 1; i < count; i++)
+        if (may_change_places(&fragments[i - 1], &fragments[i]))
+            return true;
+    return false;
 }
 
 static void make_row(void *context, uint32_t y, int worker)
@@ -309,6 +194,8 @@ static void make_row(void *context, uint32_t y, int worker)
             const uint32_t x = row.fragments[i].x;
             for (end = i; end < row.count && row.fragments[end].x == x; end++)
                 ;
+            work->truth->is_crossing[(size_t)y * width + x] =
+                has_crossing(row.fragments + i, end - i);
             blend(work, row.fragments + i, end - i, slant(work, (double[2]){ x + 0.5, y + 0.5 }),
                   work->truth->rgba + 4 * ((size_t)y * width + x));
             work->layers[y] = end - i > work->layers[y] ? (uint32_t)(end - i) : work->layers[y];
@@ -321,7 +208,7 @@ static void make_row(void *context, uint32_t y, int worker)
 /* Rows that a triangle's box reaches into. */
 static void rows_of(const Work *work, uint32_t triangle, uint32_t rows[2])
 {
-    const Seen *seen = &work->seen[triangle];
+    const SeenTriangle *seen = &work->seen[triangle];
     rows[0] = (uint32_t)fmax(floor(seen->low[1] - 0.5), 0);
     rows[1] = (uint32_t)fmax(fmin(ceil(seen->high[1] + 0.5), work->scene->height), 0);
 }
@@ -330,11 +217,13 @@ static void rows_of(const Work *work, uint32_t triangle, uint32_t rows[2])
 static bool find_rows(Work *work)
 {
     const uint32_t height = work->scene->height;
+    const SeenView view = seen_view(&work->scene->camera, work->scene->width, height);
     uint32_t rows[2], *next = gp_alloc(height + 1, sizeof *next);
     if (!next)
         return false;
     for (uint32_t i = 0; i < work->scene->triangle_count; i++) {
-        see_triangle(work, i);
+        seen_triangle_make(&view, work->scene->positions, work->scene->indices + 3 * (size_t)i,
+                           &work->seen[i]);
         rows_of(work, i, rows);
         for (uint32_t y = rows[0]; y < rows[1]; y++)
             work->row_begin[y + 1]++;
@@ -365,7 +254,8 @@ GpResult fragment_truth_make(const FragmentTruthScene *scene, GpPool *pool, Frag
     FragmentTruth made = { .width = scene->width,
                            .height = scene->height,
                            .rgba = gp_alloc(pixels, 4 * sizeof *made.rgba),
-                           .is_edge = gp_alloc(pixels, 1) };
+                           .is_edge = gp_alloc(pixels, 1),
+                           .is_crossing = gp_alloc(pixels, 1) };
     Work work = { .scene = scene,
                   .truth = &made,
                   .axes = camera_axes(&scene->camera, (double)scene->width / scene->height),
@@ -374,8 +264,9 @@ GpResult fragment_truth_make(const FragmentTruthScene *scene, GpPool *pool, Frag
                   .fragments = gp_alloc(scene->height, sizeof *work.fragments),
                   .layers = gp_alloc(scene->height, sizeof *work.layers),
                   .failed = gp_alloc(scene->height, sizeof *work.failed) };
-    bool failed = !made.rgba || !made.is_edge || !work.seen || !work.row_begin || !work.fragments ||
-                  !work.layers || !work.failed || !find_rows(&work);
+    bool failed = !made.rgba || !made.is_edge || !made.is_crossing || !work.seen ||
+                  !work.row_begin || !work.fragments || !work.layers || !work.failed ||
+                  !find_rows(&work);
     if (!failed)
         gp_pool_run(pool, scene->height, make_row, &work);
     for (uint32_t y = 0; y < scene->height && !failed; y++)
@@ -399,5 +290,6 @@ void fragment_truth_free(FragmentTruth *truth)
 {
     gp_free(truth->rgba);
     gp_free(truth->is_edge);
+    gp_free(truth->is_crossing);
     *truth = (FragmentTruth){ .rgba = NULL };
 }

@@ -23,9 +23,12 @@ typedef struct FragmentTruthScene {
 typedef struct FragmentTruth {
     uint32_t width, height;
     double *rgba; /* [height][width][4]: colour multiplied by alpha, and alpha */
-    uint8_t *
-        is_edge; /* [height][width]: an edge of a triangle is within 1/256 pixel of the centre, so that a
-                         machine that rounds corners to that may see other triangles */
+    /* [height][width]: an edge of a triangle, or where the near or the far plane cuts it, is within 1/256 pixel of
+     * the centre, so that a machine that rounds corners to that may see other triangles. */
+    uint8_t *is_edge;
+    /* [height][width]: triangles come so close at the centre that rounding their corners may change which of them is in
+     * front: they cut each other there, or lie in one plane. */
+    uint8_t *is_crossing;
     uint64_t fragments;
     uint32_t layers; /* fragments of the pixel that has most */
 } FragmentTruth;

@@ -30,6 +30,7 @@ FragmentError fragment_error(const FragmentModel *model, const GpSurface *pictur
         const bool is_wrong = pixel_off(truth, picture, at, off);
         error.wrong += is_wrong;
         error.wrong_beyond_edges += is_wrong && !truth->is_edge[at];
+        error.wrong_at_crossings += is_wrong && !truth->is_edge[at] && truth->is_crossing[at];
     }
     return error;
 }
@@ -122,6 +123,7 @@ void fragment_tell_error(const FragmentModel *model, const GpSurface *picture, j
     const FragmentError off = fragment_error(model, picture);
     tell(members, "wrong", off.wrong);
     tell(members, "wrong_beyond_edges", off.wrong_beyond_edges);
+    tell(members, "wrong_at_crossings", off.wrong_at_crossings);
     tell(members, "layers", model->truth.layers);
 }
 
@@ -156,9 +158,12 @@ GpResult fragment_report(void *made, const void *setting, const Frame *frame, Gp
     if (result)
         return result;
     const FragmentError off = fragment_error(model, frame->color);
-    text_add(&report->lines,
-             "%" PRIu64 " pixels wrong, %" PRIu64 " of them beyond edges; %u layers\n", off.wrong,
-             off.wrong_beyond_edges, model->truth.layers);
+    text_add(&report->lines, "%" PRIu64 " pixels wrong, %" PRIu64 " of them beyond edges",
+             off.wrong, off.wrong_beyond_edges);
+    if (off.wrong_at_crossings > 0)
+        text_add(&report->lines, ", %" PRIu64 " of these where triangles cross",
+                 off.wrong_at_crossings);
+    text_add(&report->lines, "; %u layers\n", model->truth.layers);
     fragment_tell_error(model, frame->color, report->members);
     return GP_OK;
 }

@@ -239,6 +239,75 @@ static void a_centre_on_a_shared_edge_has_one_fragment_and_is_told(void **state)
     fragment_truth_free(&truth);
 }
 
+/* Triangles over a picture of 8 x 8 that is seen from along z; their planes rise to the right by `slopes`, and are at
+ * `height` so many pixels right of the centres of the fourth column. */
+static FragmentTruth truth_of_slopes(const double slopes[2], uint32_t triangles, double height,
+                                     double aside)
+{
+    static const float colors[2][4] = { { 1, 0, 0, 0.5f }, { 0, 1, 0, 0.5f } };
+    static const float corners[3][2] = { { -9, -9 }, { 9, -9 }, { 0, 9 } };
+    static const uint32_t indices[] = { 0, 1, 2, 5, 4, 3 };
+    float positions[6][3];
+    for (int i = 0; i < 6; i++) {
+        memcpy(positions[i], corners[i % 3], sizeof corners[0]);
+        positions[i][2] =
+            (float)(height + slopes[i / 3] * ((double)corners[i % 3][0] + 0.125 - aside / 4));
+    }
+    const FragmentTruthScene scene = {
+        .positions = (const float(*)[3])positions,
+        .indices = indices,
+        .triangle_count = triangles,
+        .colors = colors,
+        .camera = { .eye = { 0, 0, 2 }, .up = { 0, 1, 0 }, .height = 2, .near = 1, .far = 3 },
+        .width = 8,
+        .height = 8
+    };
+    return truth_of(&scene);
+}
+
+static void expect_in_fourth_column(const uint8_t *marks, bool there)
+{
+    for (uint32_t i = 0; i < 64; i++)
+        assert_int_equal(marks[i], there && i % 8 == 3);
+}
+
+/* The near plane cuts at 1, the far plane at -1. */
+static void where_a_triangle_is_cut_it_has_an_edge(void **state)
+{
+    (void)state;
+    for (int plane = -1; plane <= 1; plane += 2)
+        for (int near = 0; near < 2; near++) {
+            const double aside = near ? -0.9 / 256 : 1.1 / 256;
+            FragmentTruth truth = truth_of_slopes((const double[]){ 0.4, 0 }, 1, plane, aside);
+            assert_int_equal(truth.fragments, !near ? 32 : plane > 0 ? 24 : 40);
+            expect_in_fourth_column(truth.is_edge, near);
+            fragment_truth_free(&truth);
+        }
+}
+
+/* Corners move by half of 1/256 pixel, of either triangle. */
+static void where_triangles_cross_is_told_but_not_of_twins(void **state)
+{
+    (void)state;
+    static const double crossing[2] = { 0.4, -0.4 }, steep[2] = { 0.8, 0.1 },
+                        twins[2] = { 0.4, 0.4 };
+    static const struct {
+        const double *slopes;
+        double aside;
+        bool is_told;
+    } rows[] = { { crossing, 0.4 / 256, true },
+                 { crossing, -0.6 / 256, false },
+                 { steep, 0.6 / 256, true },
+                 { steep, 0.7 / 256, false },
+                 { twins, 0, false } };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        FragmentTruth truth = truth_of_slopes(rows[i].slopes, 2, 0, rows[i].aside);
+        assert_int_equal(truth.fragments, 128);
+        expect_in_fourth_column(truth.is_crossing, rows[i].is_told);
+        fragment_truth_free(&truth);
+    }
+}
+
 static void fragments_of_one_depth_go_by_the_order_of_triangles(void **state)
 {
     (void)state;
@@ -270,6 +339,8 @@ int main(void)
         cmocka_unit_test(fragments_are_those_that_rays_meet),
         cmocka_unit_test(glass_takes_light_between_its_surfaces),
         cmocka_unit_test(a_centre_on_a_shared_edge_has_one_fragment_and_is_told),
+        cmocka_unit_test(where_a_triangle_is_cut_it_has_an_edge),
+        cmocka_unit_test(where_triangles_cross_is_told_but_not_of_twins),
         cmocka_unit_test(fragments_of_one_depth_go_by_the_order_of_triangles),
     };
     return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);

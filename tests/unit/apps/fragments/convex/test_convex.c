@@ -61,7 +61,8 @@ static ConvexFacts draw(const Drawn *drawn, const FragmentView *view, GpSurface 
     return facts;
 }
 
-/* Pixels that are off by more than 1/255, and have no edge within snapping of their centre. */
+/* Pixels that are off by more than 1/255, and have neither an edge nor a crossing of triangles within snapping
+ * of their centre. */
 static uint32_t count_wrong(const Drawn *drawn, const FragmentView *view, const GpSurface *picture)
 {
     static float rgba[SIDE * SIDE][4];
@@ -85,7 +86,7 @@ static uint32_t count_wrong(const Drawn *drawn, const FragmentView *view, const 
         bool is_off = false;
         for (int c = 0; c < 4; c++)
             is_off |= !(fabs((double)rgba[i][c] - truth.rgba[4 * i + c]) <= 1.0 / 255);
-        wrong += is_off && !truth.is_edge[i];
+        wrong += is_off && !truth.is_edge[i] && !truth.is_crossing[i];
     }
     fragment_truth_free(&truth);
     return wrong;
@@ -117,16 +118,14 @@ static void pictures_are_the_truth_from_any_view(void **state)
     (void)state;
     static const PiecesSetting settings[] = { { 0 }, { .outward = true }, { .merge = true } };
     Random random = { 23 };
-    /* but twins: which of two in one plane is in front, the truth's roundings say */
-    for (int number = 0; number < FRAGMENT_CASES - 1; number++) {
+    for (int number = 0; number < FRAGMENT_CASES; number++) {
         Drawn drawn;
         open_case(&drawn, fragment_case(number), &settings[number % 3]);
         for (int i = 0; i < views_asked_for(2); i++) {
             const FragmentView view = view_of(fragment_case_camera(&drawn.made, false, &random));
             ConvexFacts facts;
             const uint32_t wrong = draw_and_count(&drawn, &view, &facts);
-            /* Where faces cut each other, floats cannot always tell which depth is the lesser. */
-            if (wrong > (drawn.made.is_clean ? 0u : 2u))
+            if (wrong > 0)
                 fail_msg("%s, view %d: %u pixels are wrong beyond edges; %u faces in knots",
                          drawn.made.name, i, wrong, facts.knot_faces);
         }

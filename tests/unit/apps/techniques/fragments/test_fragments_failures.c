@@ -2,6 +2,7 @@
 #include "apps/techniques/fragments/model.h"
 #include "apps/techniques/fragments/report.h"
 #include "apps/techniques/fragments/technique.h"
+#include "tests/support/random.h"
 #include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
@@ -62,8 +63,8 @@ static void what_is_lost_is_seen_and_found_again(void **state)
 
 /* --- meshes that are hard -------------------------------------------------------------------------- */
 
-/* Wrong pixels beyond edges of a mesh of triangles in front of the eye. */
-static double wrong_of(const float (*corners)[3], uint32_t triangles, const char *options)
+/* Wrong pixels of a mesh of triangles in front of the eye. */
+static FragmentError error_of(const float (*corners)[3], uint32_t triangles, const char *options)
 {
     GpError error;
     FragmentOptions *setting = NULL;
@@ -106,10 +107,17 @@ static double wrong_of(const float (*corners)[3], uint32_t triangles, const char
     gp_free(setting);
     gp_device_destroy(&device);
     fragment_truth_free(&model.truth);
+    convex_close(&model.convex);
+    gp_free(model.facts);
     fragment_geometry_free(&model.geometry);
     gp_free(model.colors);
     gp_mesh_free(&model.file);
-    return (double)off.wrong_beyond_edges;
+    return off;
+}
+
+static uint64_t wrong_of(const float (*corners)[3], uint32_t triangles, const char *options)
+{
+    return error_of(corners, triangles, options).wrong_beyond_edges;
 }
 
 /* Three sheets of one plane: of their fragments peeling sees one, dual peeling one of mixed colours; lists
@@ -181,6 +189,30 @@ static void open_meshes_from_inside_are_exact(void **state)
         assert_true(wrong_of(walls, 5, exact[i]) == 0);
 }
 
+/* Triangles in a heap, most of which the near plane cuts: what is wrong lies at edges, or where two of them cross,
+ * within the steps that corners are rounded to. */
+static void a_heap_of_triangles_is_exact_but_for_the_steps_of_corners(void **state)
+{
+    (void)state;
+    enum { TRIANGLES = 120 };
+    static const char *const exact[] = { "--method sorted", "--method convex", "--method abuffer",
+                                         "--method cpu" };
+    float corners[3 * TRIANGLES][3];
+    uint64_t at_crossings = 0;
+    for (uint64_t seed = 0; seed < 12; seed++) {
+        Random random = { seed };
+        for (int i = 0; i < 3 * TRIANGLES; i++)
+            for (int k = 0; k < 3; k++)
+                corners[i][k] =
+                    k < 2 ? random_float(&random, -1, 1) : random_float(&random, 1.7f, 2.8f);
+        const FragmentError off =
+            error_of((const float(*)[3])corners, TRIANGLES, exact[seed % GP_COUNT(exact)]);
+        assert_int_equal(off.wrong_beyond_edges, off.wrong_at_crossings);
+        at_crossings += off.wrong_at_crossings;
+    }
+    assert_true(at_crossings > 0);
+}
+
 /* --- bodies ---------------------------------------------------------------------------------------- */
 
 static void light_is_taken_on_its_way_through_a_body(void **state)
@@ -223,6 +255,7 @@ int main(void)
         cmocka_unit_test(lists_keep_layers_of_one_plane_in_their_order),
         cmocka_unit_test(close_layers_are_mixed_up_by_buckets_and_packed_depths),
         cmocka_unit_test(open_meshes_from_inside_are_exact),
+        cmocka_unit_test(a_heap_of_triangles_is_exact_but_for_the_steps_of_corners),
         cmocka_unit_test(light_is_taken_on_its_way_through_a_body),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
