@@ -6,6 +6,7 @@
 typedef struct WarpDetailUniforms {
     float repeats[2]; /* of the texture over the picture */
     float height;     /* by which 1 comes nearer, world units */
+    float level;      /* of the texture that is read */
 } WarpDetailUniforms;
 
 enum { WARP_DETAIL_SLOT = 2 };

@@ -10,7 +10,7 @@
 /* in  uv: of the depth image, 0..1 */
 GP_INLINE flt warp_detailed(GpInvocation *gp, const WarpDetailUniforms *c, float2 uv, flt depth)
 {
-    float4 at = vec4(uv.x * c->repeats[0], uv.y * c->repeats[1], 0, 0);
+    float4 at = vec4(uv.x * c->repeats[0], uv.y * c->repeats[1], 0, c->level);
     return depth - texldl(WARP_DETAIL_SLOT, at).x * c->height;
 }
 

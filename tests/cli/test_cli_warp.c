@@ -42,6 +42,16 @@ static void wrong_arguments_are_usage_errors(void **state)
           "does not go with --method relief-texture" },
         { "a.ply --tolerance 17", "--tolerance: expected a number from -1 to 16" },
         { "a.ply --halvings 0", "--halvings" },
+        { "a.ply --share 0", "--share: expected a number from 0.001 to 1" },
+        { "a.ply --method dmesh --share 0.5", "--share does not go with --method dmesh" },
+        { "a.ply --field 7", "--field: expected a whole number from 8 to 512" },
+        { "a.ply --method relief --field 9", "--field does not go with --method relief" },
+        { "a.ply --method surface --detail b.png", "--detail does not go with --method surface" },
+        { "a.ply --detail-depth 1", "--detail-depth and --detail-repeat are for --detail" },
+        { "a.ply --detail b.png --detail-depth deep", "--detail-depth: expected a number" },
+        { "a.ply --detail b.png --detail-repeat 0", "--detail-repeat: expected a whole number" },
+        { "a.ply --detail b.png --tolerance 2", "--tolerance does not go with --detail" },
+        { "a.ply --detail b.png --measure", "--truth names one that has it" },
         { "a.ply --kind ball", "--kind: expected planar, cylinder or box" },
         { "a.ply --source-size 0x5", "--source-size" },
         { "a.ply --source-size 5000x5", "--source-size" },
@@ -77,6 +87,8 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
         { "builtin:ball --camera one_place.json", "one_place.json:1: eye, at and up give" },
         { "builtin:ball --source one_place.json", "one_place.json:1: eye, at and up give" },
         { "builtin:ball --source missing.json", "missing.json: No such file" },
+        { "builtin:ball --detail missing.png", "missing.png: no such file" },
+        { "builtin:ball --detail nan.off", "nan.off" },
         { "builtin:ball --measure --truth missing.ply", "missing.ply: no such file" },
     };
     write_cameras();
@@ -174,6 +186,8 @@ static void options_of_one_method_mean_it(void **state)
         { "--entries 300", "--method planar --entries 300" },
         { "--unlimited", "--method parallax --unlimited" },
         { "--halvings 3", "--method relief --halvings 3" },
+        { "--share 0.5", "--method simplified --share 0.5" },
+        { "--field 32", "--method displacement --field 32" },
         { "--method cylinder", "--method cylinder --kind cylinder" },
         { "", "--method layers" },
         { "--cut none", "--method layers --cut none" },
@@ -186,6 +200,40 @@ static void options_of_one_method_mean_it(void **state)
         setting_of(options[i][1], named);
         assert_string_equal(implied, named);
     }
+}
+
+/* Of every kind; even heights stand out everywhere alike, and are of no more than one colour. */
+static void small_relief_is_laid_over_all_kinds(void **state)
+{
+    (void)state;
+    static const char *const options[][2] = {
+        { "", "--method layers" },
+        { "--method planar", "--method planar" },
+        { "--kind cylinder", "--method cylinder " },
+        { "--kind box --turn 40", "--method layers " },
+    };
+    unlink("scene.json");
+    write_file("rough.ppm", "P6 2 2 255\n000~~~~~~000");
+    write_file("even.ppm", "P6 2 2 255\n~~~~~~~~~~~~");
+    for (size_t i = 0; i < GP_COUNT(options); i++) {
+        char hashes[3][32];
+        const char *const details[] = { "", "--detail even.ppm", "--detail rough.ppm" };
+        for (int k = 0; k < 3; k++) {
+            if (shell("glasspipe warp builtin:teapot --source-size 96x96 --size 96x96 -q --json "
+                      "-o a.png %s %s",
+                      options[i][0], details[k]))
+                fail_msg("%s: %s", options[i][0], err);
+            json_t *object = parse_output();
+            snprintf(hashes[k], sizeof hashes[k], "%s",
+                     json_string_value(json_object_get(object, "hash")));
+            if (k > 0)
+                expect_contains(json_string_value(json_object_get(object, "setting")),
+                                options[i][1]);
+            json_decref(object);
+        }
+        assert_true(strcmp(hashes[0], hashes[1]) && strcmp(hashes[1], hashes[2]));
+    }
+    expect_files("a.png even.ppm rough.ppm");
 }
 
 /* As a line, and in JSON. */
@@ -319,6 +367,7 @@ int main(void)
         PROGRAM_TEST(odd_places_and_sizes_are_drawn),
         PROGRAM_TEST(json_has_what_checks_ask_for),
         PROGRAM_TEST(options_of_one_method_mean_it),
+        PROGRAM_TEST(small_relief_is_laid_over_all_kinds),
         PROGRAM_TEST(what_a_method_cannot_do_is_named),
         PROGRAM_TEST(stored_pictures_are_what_their_commands_draw),
         PROGRAM_TEST(images_of_files_are_those_that_were_captured),

@@ -151,12 +151,28 @@ static void clip_matrix(const WarpView *view, double clip[4][4])
 
 /* --- drawing ----------------------------------------------------------------------------------- */
 
+static const CylinderStrips *strips_for(const CylinderWarp *made, const CylinderSetting *setting,
+                                        const WarpView *view)
+{
+    const DepthCylinder *cylinder = &made->image->cylinder;
+    const double radius = hypot(cylinder->radius, cylinder->height / 2);
+    const uint32_t step =
+        setting->step ? setting->step : footprint_step(cylinder->center, radius, made->pixel, view);
+    const CylinderStrips *strips = made->strips, *last = strips + made->count - 1;
+    while (strips < last && strips[1].step <= step)
+        strips++;
+    return strips;
+}
+
 static CylinderUniforms uniforms_of(const CylinderWarp *made, const CylinderSetting *setting,
                                     const WarpView *view)
 {
     const DepthCylinder *cylinder = &made->image->cylinder;
-    CylinderUniforms uniforms = { .radius = (float)cylinder->radius,
-                                  .detail = warp_detail_uniforms(&setting->detail) };
+    CylinderUniforms uniforms = {
+        .radius = (float)cylinder->radius,
+        .detail = warp_detail_uniforms(&setting->detail, &made->image->front,
+                                       strips_for(made, setting, view)->step),
+    };
     double place[4][4], clip[4][4], product[4][4];
     place_matrix(cylinder, place);
     clip_matrix(view, clip);
@@ -180,19 +196,6 @@ static void set_plane(const TouchingPlane *plane, CylinderUniforms *uniforms)
     uniforms->eye[1] = (float)plane->height;
 }
 
-static const CylinderStrips *strips_for(const CylinderWarp *made, const CylinderSetting *setting,
-                                        const WarpView *view)
-{
-    const DepthCylinder *cylinder = &made->image->cylinder;
-    const double radius = hypot(cylinder->radius, cylinder->height / 2);
-    const uint32_t step =
-        setting->step ? setting->step : footprint_step(cylinder->center, radius, made->pixel, view);
-    const CylinderStrips *strips = made->strips, *last = strips + made->count - 1;
-    while (strips < last && strips[1].step <= step)
-        strips++;
-    return strips;
-}
-
 /* A draw of strips, whose indices are yet to come. */
 static GpDraw draw_of(const CylinderWarp *made, const CylinderSetting *setting,
                       const CylinderStrips *strips, const GpProgram *program,
@@ -208,7 +211,7 @@ static GpDraw draw_of(const CylinderWarp *made, const CylinderSetting *setting,
                     .textures = { { made->textures.color, sampler },
                                   { made->textures.normal, sampler } } };
     draw.state.raster.cull = GP_CULL_CW;
-    draw.textures[WARP_DETAIL_SLOT].surface = setting->detail.heights; /* repeated, not filtered */
+    draw.textures[WARP_DETAIL_SLOT] = warp_detail_texture(&setting->detail);
     draw.geometry.vertex_count = (strips->strips + 1) * strips->rows;
     draw.geometry.streams[GP_POSITION] =
         (GpStream){ strips->vertices->turn, stride, 3, GP_FLOAT32 };

@@ -138,7 +138,7 @@ static GpResult find_grid(const Direct *made, const DirectSetting *setting, int 
 }
 
 static DirectUniforms find_uniforms(const DepthImage *image, const DirectSetting *setting,
-                                    const WarpView *view)
+                                    uint32_t step, const WarpView *view)
 {
     const bool is_parallel = image->plane.is_parallel;
     DirectUniforms uniforms = { .spread = { is_parallel ? 0 : 1, is_parallel ? 1 : 0 } };
@@ -150,7 +150,7 @@ static DirectUniforms find_uniforms(const DepthImage *image, const DirectSetting
     matrix_round(product, uniforms.to_clip);
     matrix_round(to_world, world);
     memcpy(uniforms.to_world, world, sizeof uniforms.to_world);
-    uniforms.detail = warp_detail_uniforms(&setting->detail);
+    uniforms.detail = warp_detail_uniforms(&setting->detail, &image->front, step);
     if (view->light)
         uniforms.light = warp_light_uniforms(view);
     return uniforms;
@@ -182,7 +182,7 @@ static GpDraw *draw_layer(const WarpGrid *grid, const DepthTextures *textures,
     if (is_lit)
         draw->textures[1] = (GpTexture){ textures->normal, linear };
     if (has_detail)
-        draw->textures[WARP_DETAIL_SLOT].surface = detail->heights;
+        draw->textures[WARP_DETAIL_SLOT] = warp_detail_texture(detail);
     draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     return draw;
 }
@@ -197,7 +197,7 @@ GpResult direct_add(const Direct *made, const DirectSetting *given, const WarpVi
     own.layers = own.layers && image->behind.width;
     const uint32_t footprint = plane_step(made->center, made->radius, made->pixel, view);
     const uint32_t step = setting->step ? setting->step : footprint;
-    const DirectUniforms uniforms = find_uniforms(image, setting, view);
+    const DirectUniforms uniforms = find_uniforms(image, setting, step, view);
     GpSurface *depth =
         target->depth ? target->depth : frame_surface(frame, GP_D32F, view->width, view->height, 1);
     GpPass *pass =

@@ -240,7 +240,8 @@ static GpSurface *make_table(const PlanarEye *eye, const double range[2], uint32
 
 static PlanarUniforms find_uniforms(const Planar *made, const PlanarSetting *setting,
                                     const PlanarEye *eye, const Window *window,
-                                    const double range[2], uint32_t entries, const WarpView *view)
+                                    const double range[2], uint32_t entries, uint32_t step,
+                                    const WarpView *view)
 {
     const DepthPlane *plane = &made->image->plane;
     const bool is_parallel = plane->is_parallel;
@@ -250,7 +251,7 @@ static PlanarUniforms find_uniforms(const Planar *made, const PlanarSetting *set
         .table = { (float)(per / entries), (float)((0.5 - range[0] * per) / entries) },
         .eye_w = (float)eye->eye[3],
         .per_k = (float)(1 / eye->unit),
-        .detail = warp_detail_uniforms(&setting->detail),
+        .detail = warp_detail_uniforms(&setting->detail, &made->image->front, step),
     };
     const double first[2] = { plane->left, plane->bottom + plane->height };
     const double pixel[2] = { plane->width / made->image->front.width,
@@ -350,7 +351,7 @@ static void add_warp(const Planar *made, const PlanarSetting *setting, const War
     if (is_lit)
         draw->textures[1] = (GpTexture){ made->textures.normal, linear };
     if (has_detail)
-        draw->textures[WARP_DETAIL_SLOT].surface = setting->detail.heights;
+        draw->textures[WARP_DETAIL_SLOT] = warp_detail_texture(&setting->detail);
     draw->textures[PLANAR_TABLE_SLOT] =
         (GpTexture){ table, { .address_u = GP_CLAMP, .address_v = GP_CLAMP } };
 }
@@ -400,6 +401,16 @@ static void add_shown(const Planar *made, const PlanarSetting *setting, const Wa
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
 }
 
+/* What is shown may be nearer by a relief, or farther. */
+static DepthExtent with_detail(DepthExtent extent, const WarpDetail *detail)
+{
+    if (detail->heights) {
+        extent.low[2] -= fmax(detail->amplitude, 0);
+        extent.high[2] -= fmin(detail->amplitude, 0);
+    }
+    return extent;
+}
+
 GpResult planar_add(const Planar *made, const PlanarSetting *setting, const WarpView *view,
                     const WarpTarget *target, Frame *frame, GpError *error)
 {
@@ -407,9 +418,9 @@ GpResult planar_add(const Planar *made, const PlanarSetting *setting, const Warp
     const uint32_t entries = setting->entries ? setting->entries : USUAL_ENTRIES;
     const uint32_t footprint = plane_step(made->center, made->radius, made->pixel, view);
     const uint32_t step = setting->step ? setting->step : footprint;
-    const PlanarEye eye = find_eye(&image->plane, &made->extent, view, setting->stays);
-    const double depths[2] = { made->extent.low[2] - fmax(setting->detail.amplitude, 0),
-                               made->extent.high[2] };
+    const DepthExtent extent = with_detail(made->extent, &setting->detail);
+    const PlanarEye eye = find_eye(&image->plane, &extent, view, setting->stays);
+    const double depths[2] = { extent.low[2], extent.high[2] };
     const DepthLattice *pixels = &made->lattices[setting->is_cut];
     DepthLattice thin = { .flat = NULL };
     Window window;
@@ -424,7 +435,7 @@ GpResult planar_add(const Planar *made, const PlanarSetting *setting, const Warp
     GpSurface *picture[2] = { frame_surface(frame, GP_A8R8G8B8, window.size[0], window.size[1], 1),
                               frame_surface(frame, GP_R32F, window.size[0], window.size[1], 1) };
     const PlanarUniforms uniforms =
-        find_uniforms(made, setting, &eye, &window, depths, entries, view);
+        find_uniforms(made, setting, &eye, &window, depths, entries, step, view);
     add_warp(made, setting, view, &uniforms, &geometry, footprint > 1,
              make_table(&eye, depths, entries, frame), picture, frame);
     add_shown(made, setting, view, &eye, &window, picture, target, frame);

@@ -20,34 +20,57 @@ static const WarpRow *const rows[WARP_METHODS] = {
 
 /* --- what is kept ------------------------------------------------------------------------------- */
 
-static void close_made(const WarpRow *row, WarpImages *images, void **made)
+/* Of settings that differ in nothing else it is made once. */
+struct WarpMade {
+    WarpMade *next;
+    WarpMethod method;
+    double share;
+    uint32_t field;
+    char *images; /* the row's bytes for each */
+};
+
+static void close_made(WarpImages *images, WarpMade *made)
 {
-    for (uint32_t i = 0; *made && i < images->model.count; i++)
-        row->close((char *)*made + i * row->bytes);
-    gp_free(*made);
-    *made = NULL;
+    const WarpRow *row = rows[made->method];
+    for (uint32_t i = 0; made->images && i < images->model.count; i++)
+        row->close(made->images + i * row->bytes);
+    gp_free(made->images);
+    gp_free(made);
 }
 
-static GpResult make(const WarpRow *row, WarpImages *images, void **made, GpError *error)
+static GpResult make(WarpMethod method, const WarpOptions *options, WarpImages *images,
+                     const WarpMade **found, GpError *error)
 {
-    GpResult result = GP_OK;
-    if (*made)
-        return GP_OK;
-    *made = gp_alloc(images->model.count, row->bytes);
-    if (!*made)
+    const WarpRow *row = rows[method];
+    for (*found = images->made; *found; *found = (*found)->next)
+        if ((*found)->method == method && (*found)->share == options->share &&
+            (*found)->field == options->field)
+            return GP_OK;
+    WarpMade *made = gp_alloc(1, sizeof *made);
+    if (!made)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    *made = (WarpMade){ .method = method, .share = options->share, .field = options->field };
+    made->images = gp_alloc(images->model.count, row->bytes);
+    GpResult result = made->images ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     for (uint32_t i = 0; i < images->model.count && !result; i++)
-        result = row->open(&images->model.images[i], (char *)*made + i * row->bytes, error);
-    if (result)
-        close_made(row, images, made);
-    return result;
+        result = row->open(&images->model.images[i], options, made->images + i * row->bytes, error);
+    if (result) {
+        close_made(images, made);
+        return result;
+    }
+    made->next = images->made;
+    *found = images->made = made;
+    return GP_OK;
 }
 
 void warp_methods_close(WarpModel *model)
 {
     for (WarpImages *images = model->images; images; images = images->next)
-        for (int i = 0; i < WARP_METHODS; i++)
-            close_made(rows[i], images, &images->made[i]);
+        while (images->made) {
+            WarpMade *made = images->made;
+            images->made = made->next;
+            close_made(images, made);
+        }
 }
 
 /* --- drawing ------------------------------------------------------------------------------------ */
@@ -57,6 +80,7 @@ static GpResult add_images(WarpModel *model, const WarpOptions *options, const W
 {
     const WarpMethod method = warp_method_of(model, options);
     const WarpRow *row = rows[method];
+    const WarpMade *made = NULL;
     WarpImages *images;
     GpResult result = warp_model_images(model, options, device, &images, error);
     if (!result && !warp_method_draws(method, images->kind))
@@ -66,10 +90,12 @@ static GpResult add_images(WarpModel *model, const WarpOptions *options, const W
                          : images->kind == WARP_CYLINDER ? "cylinders"
                                                          : "boxes");
     if (!result)
-        result = make(row, images, &images->made[method], error);
-    for (uint32_t i = 0; !result && i < images->model.count; i++)
-        result = row->add((char *)images->made[method] + i * row->bytes, options, view, target,
-                          frame, error);
+        result = make(method, options, images, &made, error);
+    for (uint32_t i = 0; !result && i < images->model.count; i++) {
+        const WarpDetail detail = warp_heights_on(&model->heights, &images->model, i);
+        result =
+            row->add(made->images + i * row->bytes, options, &detail, view, target, frame, error);
+    }
     return result;
 }
 
@@ -89,7 +115,17 @@ WarpMethod warp_method_of(const WarpModel *model, const WarpOptions *options)
     const WarpKind kind = model->is_image ? model->images->kind : options->kind;
     return options->method != WARP_AUTO ? options->method
            : kind == WARP_PLANAR        ? WARP_LAYERS
-                                        : WARP_SURFACE;
+           : !options->detail           ? WARP_SURFACE
+           : kind == WARP_CYLINDER      ? WARP_CYLINDER_PRINTED
+                                        : WARP_LAYERS; /* surfaces are merged before any relief */
+}
+
+static bool has_made(const WarpImages *images, WarpMethod method)
+{
+    const WarpMade *made = images->made;
+    while (made && made->method != method)
+        made = made->next;
+    return made;
 }
 
 void warp_methods_warn(const WarpModel *model, const WarpOptions *options, const WarpView *view,
@@ -99,7 +135,8 @@ void warp_methods_warn(const WarpModel *model, const WarpOptions *options, const
     const WarpRow *row = rows[method];
     const char *last = NULL;
     for (const WarpImages *images = model->images; images; images = images->next)
-        for (uint32_t i = 0; row->warning && images->made[method] && i < images->model.count; i++) {
+        for (uint32_t i = 0; row->warning && has_made(images, method) && i < images->model.count;
+             i++) {
             const char *warning = row->warning(&images->model.images[i], view);
             if (warning && warning != last) /* of the images of one model mostly the same */
                 text_add(warnings, "%s\n", warning);

@@ -184,6 +184,10 @@ GpResult warp_model_open(const TechniqueInput *input, void **made, GpError *erro
     GpResult result = depth_file_is_readable(input->path) ? open_images(input, model, error)
                                                           : open_source(input, model, error);
     if (!result)
+        result = warp_heights_open(input->setting, &model->bounds, &model->heights, error);
+    if (!result && model->is_image)
+        result = warp_heights_lean(&model->heights, &model->images->model, error);
+    if (!result)
         result = open_truth(input->setting, model, error);
     if (!result)
         result = find_view(input, model, error);
@@ -211,6 +215,7 @@ void warp_model_close(void *made)
         gp_free(truth);
     }
     depth_model_free(&model->truth_images);
+    warp_heights_close(&model->heights);
     gp_mesh_free(&model->mesh);
     gp_free(model);
 }
@@ -262,8 +267,11 @@ GpResult warp_model_images(WarpModel *model, const WarpOptions *options, GpDevic
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     images->kind = options->kind;
     memcpy(images->size, options->source_size, sizeof images->size);
-    const GpResult result = capture(model, images, device, error);
+    GpResult result = capture(model, images, device, error);
+    if (!result)
+        result = warp_heights_lean(&model->heights, &images->model, error);
     if (result) {
+        depth_model_free(&images->model);
         gp_free(images);
         return result;
     }

@@ -6,17 +6,21 @@
 #include "apps/base/bounds.h"
 #include "apps/depth_images/drawing/polygons.h"
 #include "apps/techniques/technique.h"
+#include "apps/techniques/warp/heights.h"
 #include "apps/techniques/warp/options.h"
 #include "apps/techniques/warp/truths.h"
 #include "pipeline/io/mesh/mesh.h"
 
-/* Images that frames are made of, and what each method keeps of them. */
+/* What a method keeps of all images of a model, as some settings have it: methods.c */
+typedef struct WarpMade WarpMade;
+
+/* Images that frames are made of, and what methods keep of them. */
 typedef struct WarpImages {
     struct WarpImages *next;
     WarpKind kind;
     uint32_t size[2]; /* as asked for */
     DepthModel model;
-    void *made[WARP_METHODS]; /* as methods.h has it; NULL until a setting needs it */
+    WarpMade *made; /* a list */
 } WarpImages;
 
 /* A truth, of a view. */
@@ -34,6 +38,7 @@ typedef struct WarpModel {
     Camera source;     /* by which a planar image of the mesh is captured */
     Camera about;      /* what the view is turned from */
     WarpImages *images;
+    WarpHeights heights;     /* on all of them */
     const char *truth_path;  /* a file; NULL: the mesh */
     DepthModel truth_images; /* of that file, where it is one */
     Camera fixed;            /* the view, */

@@ -50,7 +50,7 @@ const SettingField warp_settings[] = {
       "cylinder: "
       "as printed, within a plane; relief: a search along the ray of each pixel; dmesh, "
       "simplified: a "
-      "mesh of all pixels, or of a tenth of its triangles; displacement: rays through a field of "
+      "mesh of all pixels, or of a part of its triangles; displacement: rays through a field of "
       "distances; relief-texture: a picture on a rectangle, warped by the processor; parallax, "
       "bump: "
       "one whose places are shifted, or not; polygons: the mesh itself. An option of one method "
@@ -83,6 +83,11 @@ const SettingField warp_settings[] = {
     { "unlimited", NULL,
       "Of parallax: places move as far as the view's slope has it, also where it is flat",
       SETTING_FLAG, OF(unlimited), .low = 0 },
+    { "share", "S", "Of simplified: part of the triangles that is left, at least (default: 0.1)",
+      SETTING_NUMBER, OF(share), .low = 0.001, .high = 1 },
+    { "field", "N",
+      "Of displacement: samples of the field of distances along its longest side (default: 128)",
+      SETTING_INTEGER, OF(field), .low = 8, .high = 512 },
     { "source-size", "WxH", "Size of the image that is captured (default: 512x512)", SETTING_SIZE,
       OF(source_size), .low = 1, .high = 4096 },
     { "turn", "DEGREES",
@@ -99,6 +104,16 @@ const SettingField warp_settings[] = {
       SETTING_TEXT, OF(color), .aside = true },
     { "unlit", NULL, "Show colours as they are, without light", SETTING_FLAG, OF(unlit),
       .aside = true },
+    { "detail", "FILE",
+      "Of layers, direct, planar and cylinder: a small relief all over, whose heights are the "
+      "brightness of a picture, or its fourth channel",
+      SETTING_TEXT, OF(detail), .aside = true },
+    { "detail-depth", "D",
+      "By how much white stands out of black, in the model's unit; below 0: is carved in (default: "
+      "a 50th of its longest side)",
+      SETTING_NUMBER, OF(detail_depth), .low = -1e9, .high = 1e9, .aside = true },
+    { "detail-repeat", "N", "So many copies of the relief across the image (default: 4)",
+      SETTING_INTEGER, OF(detail_repeat), .low = 1, .high = 1024, .aside = true },
     { "camera", "FILE", "The view: a camera, as scenes have it", SETTING_TEXT, OF(camera),
       .aside = true },
     { "from", "AZIMUTH ELEVATION",
@@ -164,6 +179,10 @@ static const struct {
     { "search", BIT(WARP_RELIEF) | BIT(WARP_DISPLACEMENT) },
     { "halvings", BIT(WARP_RELIEF) },
     { "unlimited", BIT(WARP_PARALLAX) },
+    { "share", BIT(WARP_SIMPLIFIED) },
+    { "field", BIT(WARP_DISPLACEMENT) },
+    { "detail", BIT(WARP_AUTO) | BIT(WARP_LAYERS) | BIT(WARP_DIRECT) | BIT(WARP_PLANAR_PRINTED) |
+                    BIT(WARP_CYLINDER_PRINTED) },
 };
 
 void warp_options_imply(void *setting, uint32_t given)
@@ -200,6 +219,13 @@ GpResult warp_options_check(const void *setting, uint32_t given, const char *ext
           "--from: expected -89 to 89 degrees of elevation" },
         { !is_from && setting_is_given(fields, given, "zoom"), "--zoom is for --from" },
         { options->truth && !options->measures, "--truth is for --measure" },
+        { !options->detail && (setting_is_given(fields, given, "detail-depth") ||
+                               setting_is_given(fields, given, "detail-repeat")),
+          "--detail-depth and --detail-repeat are for --detail" },
+        { options->detail && setting_is_given(fields, given, "tolerance"),
+          "--tolerance does not go with --detail, under which nothing is merged" },
+        { options->detail && options->measures && !options->truth,
+          "--measure: the mesh lacks what --detail adds to it; --truth names one that has it" },
         { options->method == WARP_PLANAR_PRINTED && options->cut == WARP_CUT_RELATIVE,
           "--cut relative does not go with --method planar" },
         { options->method == WARP_RELIEF_TEXTURE && options->cut == WARP_CUT_SLOPES,

@@ -44,15 +44,20 @@ typedef struct WarpOptions {
     uint32_t entries;          /* as PlanarSetting has it */
     uint32_t search, halvings; /* of rays, as ReliefSetting has them */
     bool unlimited;            /* parallax */
+    double share;              /* of simplified: as DmeshDetail has it; 0: 0.1 */
+    uint32_t field;            /* of displacement: as DisplacementField has its size */
     double turn;               /* of the view about the source, in degrees */
 
     /* aside of the key */
     const char *source; /* a camera's file; NULL: in front of the model */
     const char *color;  /* "file", "waves:K", or a name; NULL: the file's, where it has any */
     bool unlit;
-    const char *camera; /* a file; NULL: the orbit, or a turn about the source */
-    Orbit orbit;        /* of the view, where its azimuth is not NaN */
-    const char *truth;  /* a mesh or a depth image; NULL: the mesh that was captured */
+    const char *detail;     /* a picture of heights; NULL: none */
+    double detail_depth;    /* by which its white stands out; 0: a fiftieth of the model */
+    uint32_t detail_repeat; /* across an image; 0: 4 */
+    const char *camera;     /* a file; NULL: the orbit, or a turn about the source */
+    Orbit orbit;            /* of the view, where its azimuth is not NaN */
+    const char *truth;      /* a mesh or a depth image; NULL: the mesh that was captured */
     bool measures;
 } WarpOptions;
 

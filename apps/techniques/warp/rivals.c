@@ -7,21 +7,23 @@
 
 WARP_ROW_KEEPS(relief);
 WARP_ROW_KEEPS(dmesh);
-WARP_ROW_KEEPS(displacement);
 WARP_ROW_KEEPS(relief_texture);
 WARP_ROW_KEEPS(parallax);
 
 /* --- meshes -------------------------------------------------------------------------------------- */
 
-static GpResult open_simplified(const DepthImage *image, void *made, GpError *error)
+static GpResult open_simplified(const DepthImage *image, const WarpOptions *options, void *made,
+                                GpError *error)
 {
-    static const DmeshDetail detail = { .share = 0.1 };
+    const DmeshDetail detail = { .share = options->share > 0 ? options->share : 0.1 };
     return dmesh_open_detailed(image, &detail, made, error);
 }
 
-static GpResult add_dmesh(const void *made, const WarpOptions *options, const WarpView *view,
-                          const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_dmesh(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                          const WarpView *view, const WarpTarget *target, Frame *frame,
+                          GpError *error)
 {
+    (void)detail;
     static const DmeshSetting setting = { .name = NULL };
     (void)options;
     return dmesh_add(made, &setting, view, target, frame, error);
@@ -29,16 +31,32 @@ static GpResult add_dmesh(const void *made, const WarpOptions *options, const Wa
 
 /* --- rays ---------------------------------------------------------------------------------------- */
 
-static GpResult add_relief(const void *made, const WarpOptions *options, const WarpView *view,
-                           const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_relief(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                           const WarpView *view, const WarpTarget *target, Frame *frame,
+                           GpError *error)
 {
+    (void)detail;
     const ReliefSetting setting = { .steps = options->search, .halvings = options->halvings };
     return relief_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_displacement(const void *made, const WarpOptions *options, const WarpView *view,
+static GpResult open_displacement(const DepthImage *image, const WarpOptions *options, void *made,
+                                  GpError *error)
+{
+    const DisplacementField field = { .size = options->field };
+    return displacement_open_sized(image, &field, made, error);
+}
+
+static void close_displacement(void *made)
+{
+    displacement_close(made);
+}
+
+static GpResult add_displacement(const void *made, const WarpOptions *options,
+                                 const WarpDetail *detail, const WarpView *view,
                                  const WarpTarget *target, Frame *frame, GpError *error)
 {
+    (void)detail;
     const DisplacementSetting setting = { .steps = options->search };
     return displacement_add(made, &setting, view, target, frame, error);
 }
@@ -46,24 +64,29 @@ static GpResult add_displacement(const void *made, const WarpOptions *options, c
 /* --- pictures on rectangles ---------------------------------------------------------------------- */
 
 static GpResult add_relief_texture(const void *made, const WarpOptions *options,
-                                   const WarpView *view, const WarpTarget *target, Frame *frame,
-                                   GpError *error)
+                                   const WarpDetail *detail, const WarpView *view,
+                                   const WarpTarget *target, Frame *frame, GpError *error)
 {
+    (void)detail;
     const ReliefTextureSetting setting = { .cut = options->cut == WARP_CUT_NONE ? -1 : 0 };
     return relief_texture_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_parallax(const void *made, const WarpOptions *options, const WarpView *view,
-                             const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_parallax(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                             const WarpView *view, const WarpTarget *target, Frame *frame,
+                             GpError *error)
 {
+    (void)detail;
     const ParallaxSetting setting = { .kind =
                                           options->unlimited ? PARALLAX_OFFSET : PARALLAX_LIMITED };
     return parallax_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_bump(const void *made, const WarpOptions *options, const WarpView *view,
-                         const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_bump(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                         const WarpView *view, const WarpTarget *target, Frame *frame,
+                         GpError *error)
 {
+    (void)detail;
     static const ParallaxSetting setting = { .kind = PARALLAX_BUMP, .name = "bump" };
     (void)options;
     return parallax_add(made, &setting, view, target, frame, error);

@@ -2,23 +2,27 @@
 #ifndef APPS_TECHNIQUES_WARP_ROW_H
 #define APPS_TECHNIQUES_WARP_ROW_H
 
+#include "apps/depth_images/drawing/detail.h"
 #include "apps/depth_images/drawing/view.h"
 #include "apps/techniques/warp/options.h"
 
 typedef struct WarpRow {
     size_t bytes; /* of what is kept of an image */
-    GpResult (*open)(const DepthImage *image, void *made, GpError *error);
+    GpResult (*open)(const DepthImage *image, const WarpOptions *options, void *made,
+                     GpError *error);
     void (*close)(void *made); /* of a zeroed one too */
-    GpResult (*add)(const void *made, const WarpOptions *options, const WarpView *view,
-                    const WarpTarget *target, Frame *frame, GpError *error);
+    GpResult (*add)(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                    const WarpView *view, const WarpTarget *target, Frame *frame, GpError *error);
     /* What of a view the method cannot do, a sentence; NULL: nothing. NULL: never */
     const char *(*warning)(const DepthImage *image, const WarpView *view);
 } WarpRow;
 
 /* Those of a method whose functions are name_open and name_close. */
 #define WARP_ROW_KEEPS(name)                                                                       \
-    static GpResult open_##name(const DepthImage *image, void *made, GpError *error)               \
+    static GpResult open_##name(const DepthImage *image, const WarpOptions *options, void *made,   \
+                                GpError *error)                                                    \
     {                                                                                              \
+        (void)options;                                                                             \
         return name##_open(image, made, error);                                                    \
     }                                                                                              \
     static void close_##name(void *made)                                                           \

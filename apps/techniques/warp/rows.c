@@ -9,7 +9,7 @@ WARP_ROW_KEEPS(cylinder);
 
 /* --- this project's ------------------------------------------------------------------------------ */
 
-static DirectSetting direct_setting(const WarpOptions *options)
+static DirectSetting direct_setting(const WarpOptions *options, const WarpDetail *detail)
 {
     static const EdgeRule rules[] = { [WARP_CUT_AUTO] = EDGES_SLOPES,
                                       [WARP_CUT_SLOPES] = EDGES_SLOPES,
@@ -17,26 +17,31 @@ static DirectSetting direct_setting(const WarpOptions *options)
                                       [WARP_CUT_NONE] = EDGES_NONE };
     return (DirectSetting){ .step = options->step,
                             .tolerance = options->tolerance,
-                            .edges = { .rule = rules[options->cut] } };
+                            .edges = { .rule = rules[options->cut] },
+                            .detail = *detail };
 }
 
-static GpResult add_direct(const void *made, const WarpOptions *options, const WarpView *view,
-                           const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_direct(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                           const WarpView *view, const WarpTarget *target, Frame *frame,
+                           GpError *error)
 {
-    const DirectSetting setting = direct_setting(options);
+    const DirectSetting setting = direct_setting(options, detail);
     return direct_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_layers(const void *made, const WarpOptions *options, const WarpView *view,
-                           const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_layers(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                           const WarpView *view, const WarpTarget *target, Frame *frame,
+                           GpError *error)
 {
-    DirectSetting setting = direct_setting(options);
+    DirectSetting setting = direct_setting(options, detail);
     setting.layers = true;
     return direct_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult open_surface(const DepthImage *image, void *made, GpError *error)
+static GpResult open_surface(const DepthImage *image, const WarpOptions *options, void *made,
+                             GpError *error)
 {
+    (void)options;
     return surface_open(image, NULL, made, error);
 }
 
@@ -45,28 +50,33 @@ static void close_surface(void *made)
     surface_close(made);
 }
 
-static GpResult add_surface(const void *made, const WarpOptions *options, const WarpView *view,
-                            const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_surface(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                            const WarpView *view, const WarpTarget *target, Frame *frame,
+                            GpError *error)
 {
+    (void)detail;
     const SurfaceSetting setting = { .step = options->step };
     return surface_add(made, &setting, view, target, frame, error);
 }
 
 /* --- as printed ---------------------------------------------------------------------------------- */
 
-static GpResult add_planar(const void *made, const WarpOptions *options, const WarpView *view,
-                           const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_planar(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                           const WarpView *view, const WarpTarget *target, Frame *frame,
+                           GpError *error)
 {
     const PlanarSetting setting = { .step = options->step,
                                     .entries = options->entries,
-                                    .is_cut = options->cut == WARP_CUT_SLOPES };
+                                    .is_cut = options->cut == WARP_CUT_SLOPES,
+                                    .detail = *detail };
     return planar_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_cylinder(const void *made, const WarpOptions *options, const WarpView *view,
-                             const WarpTarget *target, Frame *frame, GpError *error)
+static GpResult add_cylinder(const void *made, const WarpOptions *options, const WarpDetail *detail,
+                             const WarpView *view, const WarpTarget *target, Frame *frame,
+                             GpError *error)
 {
-    const CylinderSetting setting = { .step = options->step };
+    const CylinderSetting setting = { .step = options->step, .detail = *detail };
     return cylinder_add(made, &setting, view, target, frame, error);
 }
 

@@ -200,7 +200,7 @@ static void relief_moves_points_outwards(void **state)
             const WarpTarget target = around_target(&frame, GP_A8R8G8B8);
             CylinderSetting setting = { .step = 1 };
             if (i != 1)
-                setting.detail = (WarpDetail){ heights, i ? 0.25 : 0.0625, { 6, 5 } };
+                setting.detail = (WarpDetail){ heights, i ? 0.25 : 0.0625, { 6, 5 }, false };
             gp_surface_clear_color(heights, (float[4]){ 1, 1, 1, 1 });
             for (uint32_t k = 0; k < 8 && i == 2; k++)
                 memset(gp_surface_texel(&heights->level[0], 4, k, k), 0, 4);

@@ -171,7 +171,7 @@ static void detail_stands_out(void **state)
         const Camera camera = {
             .eye = { 0, 0, 5 }, .up = { 0, 1, 0 }, .height = 3, .near = 1, .far = 9
         };
-        const DirectSetting setting = { .detail = { heights, 0.4, { 8, 8 } } };
+        const DirectSetting setting = { .detail = { heights, 0.4, { 8, 8 }, false } };
         Frame frame = draw(&direct, &setting, &camera, false, false);
         uint32_t low = 0, high = 0, covered = 0;
         run_list(&frame.list);
@@ -379,7 +379,7 @@ static void frames_have_the_same_bits_everywhere(void **state)
     const GpSurfaceDesc desc = { .format = GP_R8, .width = 2, .height = 2, .memory = texels };
     assert_int_equal(gp_surface_create(&desc, &heights, NULL), GP_OK);
     const DirectSetting settings[] = {
-        usual, { .step = 3 }, { .tolerance = -1 }, { .detail = { heights, 0.1, { 5, 3 } } }
+        usual, { .step = 3 }, { .tolerance = -1 }, { .detail = { heights, 0.1, { 5, 3 }, true } }
     };
     for (int way = 0; way < 2; way++)
         for (size_t i = 0; i < GP_COUNT(settings); i++) {

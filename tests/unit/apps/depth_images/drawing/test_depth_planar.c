@@ -222,7 +222,7 @@ static void frames_have_the_same_bits_everywhere(void **state)
     assert_int_equal(gp_surface_create(&desc, &heights, NULL), GP_OK);
     const PlanarSetting settings[] = { usual,
                                        { .step = 3, .is_cut = true },
-                                       { .detail = { heights, 0.1, { 5, 3 } } } };
+                                       { .detail = { heights, 0.1, { 5, 3 }, true } } };
     for (int way = 0; way < 2; way++)
         for (size_t i = 0; i < GP_COUNT(settings); i++) {
             DepthImage image = formula_image(i & 1 ? FORMULA_BALL : FORMULA_STEP, way);
