@@ -37,6 +37,7 @@ typedef struct Case {
     GpDraw draw[MOST_DRAWS];
     GpPass pass;
     float before[4], depth_before;
+    bool is_deep; /* large primitives, as many as there may be */
 } Case;
 
 typedef struct Fragment {
@@ -173,15 +174,16 @@ static void expect_sorted(const Case *c, int seed)
 /* --- random passes ------------------------------------------------------------------------------ */
 
 /* Half of the triangles lie in planes of few depths, so that many are equal; others go through them. */
-static void set_vertices(Random *r, float (*vertex)[VERTEX_FLOATS], int count, int corners)
+static void set_vertices(Random *r, float (*vertex)[VERTEX_FLOATS], int count, int corners,
+                         bool are_large)
 {
     float size = 1, level = 0;
     for (int i = 0; i < count; i++) {
         float *v = vertex[i];
         const bool flat = i / corners % 2;
         if (i % corners == 0) {
-            size = random_float(r, 0.02f, 1.2f);
-            level = (float)random_int(r, 1, 4) / 4;
+            size = are_large ? random_float(r, 2, 6) : random_float(r, 0.02f, 1.2f);
+            level = (float)random_int(r, 0, 4) / 4;
             v[0] = random_float(r, -1, 1);
             v[1] = random_float(r, -1, 1);
         } else {
@@ -226,8 +228,10 @@ static void set_draw(Random *r, Case *c, int number)
     *draw = (GpDraw){ .program = programs[program < 5 ? program : 0], .uniforms = u };
     const bool points = draw->program == &exercise_point;
     draw->geometry.primitive = points ? GP_POINTS : GP_TRIANGLES;
-    draw->geometry.vertex_count = (points ? 1 : 3) * (uint32_t)random_int(r, 1, MOST_PRIMITIVES);
-    set_vertices(r, vertex, (int)draw->geometry.vertex_count, points ? 1 : 3);
+    draw->geometry.vertex_count =
+        (points ? 1 : 3) *
+        (uint32_t)random_int(r, c->is_deep ? MOST_PRIMITIVES : 1, MOST_PRIMITIVES);
+    set_vertices(r, vertex, (int)draw->geometry.vertex_count, points ? 1 : 3, c->is_deep);
     const uint32_t stride = VERTEX_FLOATS * sizeof(float);
     draw->geometry.streams[GP_POSITION] = (GpStream){ vertex[0], stride, 4, GP_FLOAT32 };
     draw->geometry.streams[GP_COLOR] = (GpStream){ vertex[0] + 4, stride, 4, GP_FLOAT32 };
@@ -262,6 +266,9 @@ static void set_case(Random *r, int seed, Case *c)
                         .order = seed % 3 ? GP_ORDER_DEPTH : GP_ORDER_DEPTH_NEAR_FIRST,
                         .draws = c->draw,
                         .draw_count = (uint32_t)random_int(r, 1, MOST_DRAWS) };
+    c->is_deep = seed % 5 == 4;
+    if (c->is_deep)
+        c->pass.draw_count = MOST_DRAWS;
     c->depth_before = seed % 2 ? 0.6f : 1;
     for (int channel = 0; channel < 4; channel++)
         c->before[channel] = (float)channel / 4;

@@ -7,6 +7,9 @@
 #include "pipeline/fast/lanes/output/replace.h"
 #include "pipeline/units/fragment_order.h"
 
+/* Layers from which on a network may pay. */
+enum { LEAST_OF_NETWORK = 24 };
+
 /* The lists of GP_LANES pixels of a row, side by side. */
 typedef struct Column {
     int32_t x, y; /* of the first pixel */
@@ -34,19 +37,68 @@ GP_INLINE void insert(Column *column, int32_t layer, itg key, itg shaded)
     column->shaded[to] = shaded;
 }
 
-/* Past a list's end are keys that have no turn, and stay there: they come last. */
-static void sort_column(const FastFragments *f, Column *column)
+/* Past a list's end are keys that have no turn, and numbers behind all others: they come last. */
+static void load_column(const FastFragments *f, Column *column)
 {
     const uint32_t *key = f->key + fast_at(column->x, column->y);
     const uint32_t *shaded = f->shaded + fast_at(column->x, column->y);
     for (int32_t layer = 0; layer < column->most; layer++) {
         const msk there = (msk)(layer < column->waiting);
-        const itg keys =
+        column->key[layer] =
             itg_select(there, load_lanes(key, false), itg_set((int32_t)GP_ORDER_KEY_MOST));
-        insert(column, layer, keys, load_lanes(shaded, false));
+        column->shaded[layer] = itg_select(there, load_lanes(shaded, false), itg_set(INT32_MAX));
         key += FAST_PIXELS;
         shaded += FAST_PIXELS;
     }
+}
+
+/* Puts two layers in order: by keys, and of one key as they came, by their numbers. */
+GP_INLINE void exchange(Column *column, int32_t first, int32_t second)
+{
+    const itg key[2] = { column->key[first], column->key[second] };
+    const itg number[2] = { column->shaded[first], column->shaded[second] };
+    const msk turned =
+        (msk)(key[0] > key[1]) | ((msk)(key[0] == key[1]) & (msk)(number[0] > number[1]));
+    column->key[first] = itg_select(turned, key[1], key[0]);
+    column->key[second] = itg_select(turned, key[0], key[1]);
+    column->shaded[first] = itg_select(turned, number[1], number[0]);
+    column->shaded[second] = itg_select(turned, number[0], number[1]);
+}
+
+/* By a network of n log^2 n / 4 exchanges: Batcher, "Sorting networks and their applications", 1968, for any n as
+ * Knuth has it (algorithm 5.2.2 M). */
+static void sort_by_network(Column *column)
+{
+    int32_t most = 1;
+    while (most < column->most)
+        most *= 2;
+    for (int32_t p = most / 2; p > 0; p /= 2)
+        for (int32_t q = most / 2, r = 0, d = p;; d = q - p, q /= 2, r = p) {
+            for (int32_t i = 0; i < column->most - d; i++)
+                if ((i & p) == r)
+                    exchange(column, i, i + d);
+            if (q == p)
+                break;
+        }
+}
+
+/* Whether so many layers come before those before them that inserting takes its square. */
+static bool is_far_from_sorted(const Column *column)
+{
+    int32_t count = 0;
+    for (int32_t layer = 1; layer < column->most; layer++)
+        count += msk_any((msk)(column->key[layer] < column->key[layer - 1]));
+    return column->most >= LEAST_OF_NETWORK && 3 * count > column->most;
+}
+
+static void sort_column(const FastFragments *f, Column *column)
+{
+    load_column(f, column);
+    if (is_far_from_sorted(column))
+        sort_by_network(column);
+    else
+        for (int32_t layer = 1; layer < column->most; layer++)
+            insert(column, layer, column->key[layer], column->shaded[layer]);
 }
 
 /* --- all of one blend ------------------------------------------------------------------------- */
