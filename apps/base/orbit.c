@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-/* Axes that point right, up and to the front, right-handed, for each OrbitUp. */
 static const double turns[][3][3] = {
     [ORBIT_UP_Y] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
     [ORBIT_UP_Z] = { { 1, 0, 0 }, { 0, 0, 1 }, { 0, -1, 0 } },
@@ -11,6 +10,11 @@ static const double turns[][3][3] = {
     [ORBIT_DOWN_Z] = { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } },
 };
 
+const double (*orbit_axes(OrbitUp up))[3]
+{
+    return turns[up];
+}
+
 /* Of the way between a box and the picture's border. */
 #define BORDER 1.05
 #define ANGLE  30.0 /* of view, before it is zoomed */
@@ -18,7 +22,7 @@ static const double turns[][3][3] = {
 /* The camera's own axes: to the right, up, and towards the eye. */
 static void find_axes(const Orbit *orbit, double axes[3][3])
 {
-    const double(*turn)[3] = turns[orbit->up];
+    const double(*turn)[3] = orbit_axes(orbit->up);
     double sine[2], cosine[2];
     angle_sincos(orbit->azimuth, &sine[0], &cosine[0]);
     angle_sincos(orbit->elevation, &sine[1], &cosine[1]);

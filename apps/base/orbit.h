@@ -20,6 +20,9 @@ typedef struct Orbit {
     double zoom; /* larger by so much than what fills the picture */
 } Orbit;
 
+/* Unit vectors to the right, up and to the front, where azimuths are counted from: right-handed. */
+const double (*orbit_axes(OrbitUp up))[3];
+
 /* Looks at the centre of a box, from just so far that every corner is in the picture.
  * in   aspect: width / height; nearest: the near plane is at least so far from the eye */
 Camera orbit_camera(const Orbit *orbit, const Bounds *seen, double aspect, double nearest);

@@ -27,7 +27,7 @@ CaptureInput capture_input(const CaptureArgs *args)
 /* A model's second layers are taken away where one was asked for. */
 static void leave_layers(uint32_t layers, DepthModel *model)
 {
-    for (uint32_t i = 0; i < model->count && layers < 2; i++)
+    for (uint32_t i = 0; i < model->count && layers == 1; i++)
         depth_pixels_free(&model->images[i].behind);
 }
 
@@ -37,17 +37,18 @@ static GpResult capture_opened(const CaptureArgs *args, WarpModel *opened, GpDev
     const CaptureSource source = { &opened->mesh, opened->polygons.waves };
     const uint32_t *size = args->warp.source_size;
     const Progress progress = progress_begin(&args->options);
-    const CaptureTurn turn = { .rays = args->rays,
+    const CaptureTurn turn = { .up = args->warp.orbit.up,
+                               .rays = args->rays,
                                .width = size[0],
                                .height = size[1],
-                               .behind = args->layers > 1,
+                               .behind = args->layers != 1,
                                .tell = progress_tell,
                                .listener = &progress };
     if (args->warp.kind == WARP_CYLINDER)
         return capture_cylinder(device, &source, &turn, model, error);
     if (args->warp.kind == WARP_BOX)
-        return capture_box(device, &source, size[0] > size[1] ? size[0] : size[1], args->layers > 1,
-                           model, error);
+        return capture_box(device, &source, size[0] > size[1] ? size[0] : size[1],
+                           args->layers != 1, model, error);
     WarpImages *images;
     const GpResult result = warp_model_images(opened, &args->warp, device, &images, error);
     if (!result) {

@@ -39,6 +39,11 @@ static const SettingField options[] = {
       "p); "
       "or white, grey, clay, gold, jade or black",
       SETTING_TEXT, .offset = OF(warp.color) },
+    { "up", NULL,
+      "Of a mesh: which axis points up, of the default camera and of a cylinder: y (default), z, "
+      "x, "
+      "-y or -z",
+      SETTING_NAME, .offset = OF(warp.orbit.up), .names = warp_ups },
     { "layers", "N",
       "Of a mesh: 2, with what is seen behind what is in front (default); 1, without",
       SETTING_INTEGER, .offset = OF(layers), .low = 1, .high = 2 },
@@ -86,8 +91,10 @@ static void check(struct argp_state *state, void *object)
         { args->depth && args->relief > 0,
           "--depth-file and --relief: a picture has the one or the other" },
         { args->height && !(args->relief > 0), "--height-file: expected --relief with it" },
-        { !is_mesh && (!is_plane || args->warp.source || args->warp.color || args->layers != 2),
-          "--kind, --source, --color and --layers are for meshes" },
+        { !is_mesh && (!is_plane || args->warp.source || args->warp.color || args->warp.orbit.up),
+          "--kind, --source, --color and --up are for meshes" },
+        { !is_mesh && args->layers > 0, "--layers is for meshes: scenes and pictures are captured "
+                                        "as they are seen, in one layer" },
         { args->warp.source && !is_plane, "--source is for --kind planar" },
         { args->rays != CAPTURE_COLUMNS && (!is_mesh || args->warp.kind != WARP_CYLINDER),
           "--rays is for --kind cylinder" },
@@ -236,7 +243,7 @@ static int write_camera(const char *path, const DepthModel *model)
 
 int cmd_warp_capture(int argc, char **argv)
 {
-    CaptureArgs args = { .warp = warp_option_defaults, .layers = 2, .width = 1 };
+    CaptureArgs args = { .warp = warp_option_defaults, .width = 1 };
     command_parse(&syntax, NULL, argc, argv, &args);
     char path[4096];
     output_default_path(args.input, "exr", path, sizeof path);

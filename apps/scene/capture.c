@@ -49,8 +49,10 @@ static GpResult take_image(const Scene *scene, DepthImage *image, GpError *error
 GpResult scene_capture(GpDevice *device, const Scene *scene, DepthImage *image, GpError *error)
 {
     if (scene->has_passes)
-        return gp_fail(error, GP_ERROR_INVALID,
-                       "a scene with passes of its own, which may look from elsewhere");
+        return gp_fail(
+            error, GP_ERROR_INVALID,
+            "a scene with passes of its own, which may look from elsewhere: expected objects "
+            "and lights under one camera, without \"passes\"");
     if (!scene->depth)
         return gp_fail(error, GP_ERROR_INVALID, "a scene without a depth buffer");
     const double aspect = (double)scene->picture->width / scene->picture->height;

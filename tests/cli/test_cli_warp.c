@@ -247,9 +247,27 @@ static void what_a_method_cannot_do_is_named(void **state)
     expect_contains(err, "warning: the eye is inside the cylinder");
     json_t *object = parse_output();
     const json_t *warnings = json_object_get(object, "warnings");
-    assert_int_equal(json_array_size(warnings), 1);
+    assert_int_equal(json_array_size(warnings), 2);
     expect_contains(json_string_value(json_array_get(warnings, 0)), "inside the cylinder");
+    expect_contains(json_string_value(json_array_get(warnings, 1)), "the picture is empty");
     json_decref(object);
+    static const char *const rows[][2] = {
+        { "--turn 180", "sees a planar depth image from behind" },
+        { "--turn 180 --method relief", "sees a planar depth image from behind" },
+        { "--turn 180 --method surface", "sees a planar depth image from behind" },
+        { "--camera away.json --kind cylinder", "the picture is empty" },
+    };
+    write_file("away.json", "{ \"eye\": [0, 0, 9], \"at\": [0, 0, 10] }");
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        assert_int_equal(shell("glasspipe warp builtin:ball --source-size 32x32 --size 32x32 -o "
+                               "a.png %s",
+                               rows[i][0]),
+                         0);
+        expect_contains(err, rows[i][1]);
+    }
+    assert_int_equal(shell("glasspipe warp builtin:ball --source-size 32x32 -o a.png --kind box"),
+                     0); /* half of its faces look away, as they should */
+    assert_null(strstr(err, "warning"));
 }
 
 /* The README shows them. */

@@ -48,8 +48,11 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ppm --height-file b.pgm", "expected --relief with it" },
         { "a.ppm --relief 0", "--relief" },
         { "a.ppm --relief 1 --size 5x5", "--size is for meshes and scenes" },
-        { "a.ppm --relief 1 --layers 1", "are for meshes" },
+        { "a.ppm --relief 1 --layers 1", "--layers is for meshes" },
         { "a.json --kind cylinder", "are for meshes" },
+        { "a.json --layers 2", "--layers is for meshes: scenes and pictures" },
+        { "a.json --up z", "are for meshes" },
+        { "a.ply --up w", "--up: expected y, z, x, -y or -z" },
         { "a.ply --size 0x5", "--size" },
     };
     unlink("scene.json");
@@ -63,6 +66,8 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
     static const char *const rows[][2] = {
         { "missing.ply", "missing.ply: no such file" },
         { "missing.json", "missing.json: no such file" },
+        { "passes.json", "passes.json: a scene with passes of its own, which may look from "
+                         "elsewhere: expected objects and lights under one camera" },
         { "builtin:nothing", "no builtin mesh 'nothing'" },
         { "builtin:ball --source missing.json", "missing.json" },
         { "builtin:ball --color pink", "--color: expected file" },
@@ -78,6 +83,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
           "--write-camera: no camera of a scene takes this" },
     };
     unlink("scene.json");
+    write_file("passes.json", "{ \"passes\": [ { \"name\": \"a\" } ] }");
     write_inputs();
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         char arguments[256];
@@ -87,7 +93,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
         if (!end || end[1])
             fail_msg("more than a line: %s", err);
     }
-    expect_files(INPUTS " small.pgm");
+    expect_files(INPUTS " passes.json small.pgm");
 }
 
 /* --- what is written ---------------------------------------------------------------------------- */

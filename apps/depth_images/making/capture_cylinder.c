@@ -5,20 +5,30 @@
 
 #include <string.h>
 
-DepthCylinder capture_cylinder_about(const CaptureSource *source)
+DepthCylinder capture_cylinder_about(const CaptureSource *source, OrbitUp up)
 {
     const GpMesh *mesh = source->mesh;
     const Bounds box = capture_bounds(source);
-    DepthCylinder cylinder = { .axis = { 0, 1, 0 }, .zero = { 0, 0, 1 } };
-    for (int k = 0; k < 3; k++)
-        cylinder.center[k] = (box.low[k] + box.high[k]) / 2;
+    const double(*axes)[3] = orbit_axes(up);
+    DepthCylinder cylinder = { .radius = 0 };
     double farthest = 0;
+    int along = 0;
+    for (int k = 0; k < 3; k++) {
+        cylinder.center[k] = (box.low[k] + box.high[k]) / 2;
+        cylinder.axis[k] = axes[1][k];
+        cylinder.zero[k] = axes[2][k];
+        along = axes[1][k] != 0 ? k : along;
+    }
     for (size_t i = 0; i < 3 * (size_t)mesh->triangle_count; i++) {
         const float *p = mesh->positions + 3 * (size_t)mesh->indices[i];
-        const double x = (double)p[0] - cylinder.center[0], z = (double)p[2] - cylinder.center[2];
-        farthest = fmax(farthest, x * x + z * z);
+        double square = 0;
+        for (int k = 0; k < 3; k++) {
+            const double off = k == along ? 0 : (double)p[k] - cylinder.center[k];
+            square += off * off;
+        }
+        farthest = fmax(farthest, square);
     }
-    const double radius = 1.01 * sqrt(farthest), height = 1.01 * (box.high[1] - box.low[1]);
+    const double radius = 1.01 * sqrt(farthest), height = 1.01 * (box.high[along] - box.low[along]);
     cylinder.radius = fmax(fmax(radius, 1e-3 * height), 1e-30);
     cylinder.height = fmax(fmax(height, 1e-3 * radius), 1e-30);
     return cylinder;
@@ -252,7 +262,7 @@ GpResult capture_cylinder(GpDevice *device, const CaptureSource *source, const C
 {
     CaptureTurn whole = *turn;
     if (!(whole.cylinder.radius > 0))
-        whole.cylinder = capture_cylinder_about(source);
+        whole.cylinder = capture_cylinder_about(source, whole.up);
     whole.cap = whole.cap ? whole.cap : whole.width / 2 ? whole.width / 2 : 1;
     DepthModel made = { 0 };
     GpResult result = capture_wall(device, source, &whole, &made.images[0], error);

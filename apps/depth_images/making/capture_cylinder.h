@@ -6,6 +6,7 @@
 #ifndef APPS_DEPTH_IMAGES_MAKING_CAPTURE_CYLINDER_H
 #define APPS_DEPTH_IMAGES_MAKING_CAPTURE_CYLINDER_H
 
+#include "apps/base/orbit.h"
 #include "apps/depth_images/capture.h"
 
 /* How a cylinder's pixels are found. */
@@ -22,6 +23,7 @@ typedef enum CaptureRays {
 /* Zero is a default, but for the size. */
 typedef struct CaptureTurn {
     DepthCylinder cylinder; /* radius 0: capture_cylinder_about */
+    OrbitUp up;             /* its axis, of that */
     CaptureRays rays;
     uint32_t width, height; /* of the cylinder's image, 1 to GP_MAX_SIZE */
     uint32_t cap;           /* pixels a side of the caps; 0: width / 2, at least 1 */
@@ -32,9 +34,9 @@ typedef struct CaptureTurn {
     const void *listener;
 } CaptureTurn;
 
-/* The cylinder about a mesh, upright along y round the middle of its box, a hundredth larger than what it
- * holds. Thin ones are thick enough to be looked at: neither side is below a thousandth of the other. */
-DepthCylinder capture_cylinder_about(const CaptureSource *source);
+/* The cylinder about a mesh, round the middle of its box along the axis that points up, a hundredth larger
+ * than what it holds; azimuth 0 is in front. Thin ones are thick enough to be looked at: neither side is below a thousandth of the other. */
+DepthCylinder capture_cylinder_about(const CaptureSource *source, OrbitUp up);
 
 /* Captures a cylinder, then the caps: parallel, from above with `zero` to the right, from below with
  * axis x zero there. A ray of the cylinder ends at its axis: what is beyond belongs to the other side.

@@ -92,9 +92,9 @@ static GpResult add_images(WarpModel *model, const WarpOptions *options, const W
     if (!result)
         result = make(method, options, images, &made, error);
     for (uint32_t i = 0; !result && i < images->model.count; i++) {
-        const WarpDetail detail = warp_heights_on(&model->heights, &images->model, i);
-        result =
-            row->add(made->images + i * row->bytes, options, &detail, view, target, frame, error);
+        const WarpUse use = { options, warp_heights_on(&model->heights, &images->model, i),
+                              images->kind == WARP_BOX };
+        result = row->add(made->images + i * row->bytes, &use, view, target, frame, error);
     }
     return result;
 }
@@ -133,13 +133,13 @@ void warp_methods_warn(const WarpModel *model, const WarpOptions *options, const
 {
     const WarpMethod method = warp_method_of(model, options);
     const WarpRow *row = rows[method];
-    const char *last = NULL;
     for (const WarpImages *images = model->images; images; images = images->next)
         for (uint32_t i = 0; row->warning && has_made(images, method) && i < images->model.count;
              i++) {
-            const char *warning = row->warning(&images->model.images[i], view);
-            if (warning && warning != last) /* of the images of one model mostly the same */
+            const DepthImage *image = &images->model.images[i];
+            const bool is_part = images->model.count > 1 && !image->is_cylinder;
+            const char *warning = is_part ? NULL : row->warning(image, view);
+            if (warning) /* of parts others show what one cannot */
                 text_add(warnings, "%s\n", warning);
-            last = warning ? warning : last;
         }
 }

@@ -80,6 +80,7 @@ static GpResult open_source(const TechniqueInput *input, WarpModel *model, GpErr
     if (options->source)
         result = camera_read_file(options->source, &model->source, error);
     model->about = model->source;
+    model->up = options->orbit.up;
     model->lit = !options->unlit && !(model->polygons.waves > 0);
     return result;
 }
@@ -245,7 +246,7 @@ static GpResult capture(const WarpModel *model, WarpImages *images, GpDevice *de
     const uint32_t *size = images->size;
     if (images->kind == WARP_PLANAR)
         return capture_plane(model, size, &source, device, &images->model, error);
-    const CaptureTurn turn = { .width = size[0], .height = size[1] };
+    const CaptureTurn turn = { .up = model->up, .width = size[0], .height = size[1] };
     return images->kind == WARP_CYLINDER
                ? capture_cylinder(device, &source, &turn, &images->model, error)
                : capture_box(device, &source, size[0] > size[1] ? size[0] : size[1], false,

@@ -35,6 +35,7 @@ typedef struct WarpModel {
     GpMesh mesh;       /* with colours */
     Polygons polygons; /* that mesh */
     Bounds bounds;     /* of what is seen */
+    OrbitUp up;        /* the axis of cylinders about the mesh */
     Camera source;     /* by which a planar image of the mesh is captured */
     Camera about;      /* what the view is turned from */
     WarpImages *images;

@@ -39,7 +39,7 @@ static const char *const cuts[] = { [WARP_CUT_AUTO] = "auto",
 static const char *const kinds[] = {
     [WARP_PLANAR] = "planar", [WARP_CYLINDER] = "cylinder", [WARP_BOX] = "box", NULL
 };
-static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
+const char *const warp_ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 #define OF(member) offsetof(WarpOptions, member)
 
@@ -119,8 +119,8 @@ const SettingField warp_settings[] = {
     { "from", "AZIMUTH ELEVATION",
       "Where the model is seen from, in degrees (0 0 is in front; default: beside the source)",
       SETTING_VECTOR, OF(orbit.azimuth), .low = -360, .high = 360, .count = 2, .aside = true },
-    { "up", NULL, "Which axis points up: y (default), z, x, -y or -z", SETTING_NAME, OF(orbit.up),
-      .names = ups, .aside = true },
+    { "up", NULL, "Which axis points up, and cylinders stand along: y (default), z, x, -y or -z",
+      SETTING_NAME, OF(orbit.up), .names = warp_ups, .aside = true },
     { "zoom", "F", "Larger by so much than what fills the picture, with --from", SETTING_NUMBER,
       OF(orbit.zoom), .low = 0.1, .high = 1000, .aside = true },
     { "truth", "FILE",

@@ -63,6 +63,7 @@ typedef struct WarpOptions {
 
 extern const SettingField warp_settings[];
 extern const WarpOptions warp_option_defaults;
+extern const char *const warp_ups[]; /* names of OrbitUp */
 
 /* As a technique's imply and check. */
 void warp_options_imply(void *options, uint32_t given);

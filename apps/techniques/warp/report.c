@@ -98,6 +98,16 @@ static json_t *json_of_lines(const char *line)
     return array;
 }
 
+static void warn_if_empty(const GpSurface *color, Text *warnings)
+{
+    size_t texels = (size_t)color->width * color->height;
+    while (texels > 0 && color->level[0].texels[4 * (texels - 1) + 3] == 0)
+        texels--;
+    if (texels == 0)
+        text_add(warnings, "the picture is empty: of what was captured nothing that is in the view "
+                           "turns to the eye\n");
+}
+
 GpResult warp_report(void *made, const void *setting, const Frame *frame, GpDevice *device,
                      TechniqueReport *report, GpError *error)
 {
@@ -106,6 +116,7 @@ GpResult warp_report(void *made, const void *setting, const Frame *frame, GpDevi
     WarpLight light;
     const WarpView view = warp_model_view(model, options, &light);
     warp_methods_warn(model, options, &view, &report->warnings);
+    warn_if_empty(frame->color, &report->warnings);
     if (!model->is_fixed)
         text_add(&report->lines, "seen %g degrees to the right of the source\n", options->turn);
     if (report->members) {

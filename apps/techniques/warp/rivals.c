@@ -1,3 +1,4 @@
+#include "apps/depth_images/drawing/direct.h"
 #include "apps/depth_images/rivals/displacement.h"
 #include "apps/depth_images/rivals/dmesh.h"
 #include "apps/depth_images/rivals/parallax.h"
@@ -19,24 +20,21 @@ static GpResult open_simplified(const DepthImage *image, const WarpOptions *opti
     return dmesh_open_detailed(image, &detail, made, error);
 }
 
-static GpResult add_dmesh(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                          const WarpView *view, const WarpTarget *target, Frame *frame,
-                          GpError *error)
+static GpResult add_dmesh(const void *made, const WarpUse *use, const WarpView *view,
+                          const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
+    (void)use;
     static const DmeshSetting setting = { .name = NULL };
-    (void)options;
     return dmesh_add(made, &setting, view, target, frame, error);
 }
 
 /* --- rays ---------------------------------------------------------------------------------------- */
 
-static GpResult add_relief(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                           const WarpView *view, const WarpTarget *target, Frame *frame,
-                           GpError *error)
+static GpResult add_relief(const void *made, const WarpUse *use, const WarpView *view,
+                           const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
-    const ReliefSetting setting = { .steps = options->search, .halvings = options->halvings };
+    const ReliefSetting setting = { .steps = use->options->search,
+                                    .halvings = use->options->halvings };
     return relief_add(made, &setting, view, target, frame, error);
 }
 
@@ -52,55 +50,50 @@ static void close_displacement(void *made)
     displacement_close(made);
 }
 
-static GpResult add_displacement(const void *made, const WarpOptions *options,
-                                 const WarpDetail *detail, const WarpView *view,
+static GpResult add_displacement(const void *made, const WarpUse *use, const WarpView *view,
                                  const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
-    const DisplacementSetting setting = { .steps = options->search };
+    const DisplacementSetting setting = { .steps = use->options->search };
     return displacement_add(made, &setting, view, target, frame, error);
 }
 
 /* --- pictures on rectangles ---------------------------------------------------------------------- */
 
-static GpResult add_relief_texture(const void *made, const WarpOptions *options,
-                                   const WarpDetail *detail, const WarpView *view,
+static GpResult add_relief_texture(const void *made, const WarpUse *use, const WarpView *view,
                                    const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
-    const ReliefTextureSetting setting = { .cut = options->cut == WARP_CUT_NONE ? -1 : 0 };
+    const ReliefTextureSetting setting = { .cut = use->options->cut == WARP_CUT_NONE ? -1 : 0 };
     return relief_texture_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_parallax(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                             const WarpView *view, const WarpTarget *target, Frame *frame,
-                             GpError *error)
+static GpResult add_parallax(const void *made, const WarpUse *use, const WarpView *view,
+                             const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
-    const ParallaxSetting setting = { .kind =
-                                          options->unlimited ? PARALLAX_OFFSET : PARALLAX_LIMITED };
+    const ParallaxSetting setting = { .kind = use->options->unlimited ? PARALLAX_OFFSET
+                                                                      : PARALLAX_LIMITED };
     return parallax_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_bump(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                         const WarpView *view, const WarpTarget *target, Frame *frame,
-                         GpError *error)
+static GpResult add_bump(const void *made, const WarpUse *use, const WarpView *view,
+                         const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
+    (void)use;
     static const ParallaxSetting setting = { .kind = PARALLAX_BUMP, .name = "bump" };
-    (void)options;
     return parallax_add(made, &setting, view, target, frame, error);
 }
 
 /* --- rows ---------------------------------------------------------------------------------------- */
 
-const WarpRow warp_relief = { sizeof(Relief), open_relief, close_relief, add_relief, NULL };
-const WarpRow warp_dmesh = { sizeof(Dmesh), open_dmesh, close_dmesh, add_dmesh, NULL };
-const WarpRow warp_simplified = { sizeof(Dmesh), open_simplified, close_dmesh, add_dmesh, NULL };
+const WarpRow warp_relief = { sizeof(Relief), open_relief, close_relief, add_relief,
+                              direct_warning };
+const WarpRow warp_dmesh = { sizeof(Dmesh), open_dmesh, close_dmesh, add_dmesh, direct_warning };
+const WarpRow warp_simplified = { sizeof(Dmesh), open_simplified, close_dmesh, add_dmesh,
+                                  direct_warning };
 const WarpRow warp_displacement = { sizeof(Displacement), open_displacement, close_displacement,
-                                    add_displacement, NULL };
+                                    add_displacement, direct_warning };
 const WarpRow warp_relief_texture = { sizeof(ReliefTexture), open_relief_texture,
-                                      close_relief_texture, add_relief_texture, NULL };
+                                      close_relief_texture, add_relief_texture, direct_warning };
 const WarpRow warp_parallax = { sizeof(Parallax), open_parallax, close_parallax, add_parallax,
-                                NULL };
-const WarpRow warp_bump = { sizeof(Parallax), open_parallax, close_parallax, add_bump, NULL };
+                                direct_warning };
+const WarpRow warp_bump = { sizeof(Parallax), open_parallax, close_parallax, add_bump,
+                            direct_warning };

@@ -6,13 +6,20 @@
 #include "apps/depth_images/drawing/view.h"
 #include "apps/techniques/warp/options.h"
 
+/* How an image is drawn. */
+typedef struct WarpUse {
+    const WarpOptions *options;
+    WarpDetail detail; /* on it */
+    bool one_sided;    /* it shows one side of a solid, of which others show the rest */
+} WarpUse;
+
 typedef struct WarpRow {
     size_t bytes; /* of what is kept of an image */
     GpResult (*open)(const DepthImage *image, const WarpOptions *options, void *made,
                      GpError *error);
     void (*close)(void *made); /* of a zeroed one too */
-    GpResult (*add)(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                    const WarpView *view, const WarpTarget *target, Frame *frame, GpError *error);
+    GpResult (*add)(const void *made, const WarpUse *use, const WarpView *view,
+                    const WarpTarget *target, Frame *frame, GpError *error);
     /* What of a view the method cannot do, a sentence; NULL: nothing. NULL: never */
     const char *(*warning)(const DepthImage *image, const WarpView *view);
 } WarpRow;

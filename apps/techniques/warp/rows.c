@@ -9,8 +9,9 @@ WARP_ROW_KEEPS(cylinder);
 
 /* --- this project's ------------------------------------------------------------------------------ */
 
-static DirectSetting direct_setting(const WarpOptions *options, const WarpDetail *detail)
+static DirectSetting direct_setting(const WarpUse *use)
 {
+    const WarpOptions *options = use->options;
     static const EdgeRule rules[] = { [WARP_CUT_AUTO] = EDGES_SLOPES,
                                       [WARP_CUT_SLOPES] = EDGES_SLOPES,
                                       [WARP_CUT_RELATIVE] = EDGES_RELATIVE,
@@ -18,22 +19,21 @@ static DirectSetting direct_setting(const WarpOptions *options, const WarpDetail
     return (DirectSetting){ .step = options->step,
                             .tolerance = options->tolerance,
                             .edges = { .rule = rules[options->cut] },
-                            .detail = *detail };
+                            .detail = use->detail,
+                            .one_sided = use->one_sided };
 }
 
-static GpResult add_direct(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                           const WarpView *view, const WarpTarget *target, Frame *frame,
-                           GpError *error)
+static GpResult add_direct(const void *made, const WarpUse *use, const WarpView *view,
+                           const WarpTarget *target, Frame *frame, GpError *error)
 {
-    const DirectSetting setting = direct_setting(options, detail);
+    const DirectSetting setting = direct_setting(use);
     return direct_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_layers(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                           const WarpView *view, const WarpTarget *target, Frame *frame,
-                           GpError *error)
+static GpResult add_layers(const void *made, const WarpUse *use, const WarpView *view,
+                           const WarpTarget *target, Frame *frame, GpError *error)
 {
-    DirectSetting setting = direct_setting(options, detail);
+    DirectSetting setting = direct_setting(use);
     setting.layers = true;
     return direct_add(made, &setting, view, target, frame, error);
 }
@@ -50,42 +50,40 @@ static void close_surface(void *made)
     surface_close(made);
 }
 
-static GpResult add_surface(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                            const WarpView *view, const WarpTarget *target, Frame *frame,
-                            GpError *error)
+static GpResult add_surface(const void *made, const WarpUse *use, const WarpView *view,
+                            const WarpTarget *target, Frame *frame, GpError *error)
 {
-    (void)detail;
-    const SurfaceSetting setting = { .step = options->step };
+    const SurfaceSetting setting = { .step = use->options->step };
     return surface_add(made, &setting, view, target, frame, error);
 }
 
 /* --- as printed ---------------------------------------------------------------------------------- */
 
-static GpResult add_planar(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                           const WarpView *view, const WarpTarget *target, Frame *frame,
-                           GpError *error)
+static GpResult add_planar(const void *made, const WarpUse *use, const WarpView *view,
+                           const WarpTarget *target, Frame *frame, GpError *error)
 {
-    const PlanarSetting setting = { .step = options->step,
-                                    .entries = options->entries,
-                                    .is_cut = options->cut == WARP_CUT_SLOPES,
-                                    .detail = *detail };
+    const PlanarSetting setting = { .step = use->options->step,
+                                    .entries = use->options->entries,
+                                    .is_cut = use->options->cut == WARP_CUT_SLOPES,
+                                    .detail = use->detail };
     return planar_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_cylinder(const void *made, const WarpOptions *options, const WarpDetail *detail,
-                             const WarpView *view, const WarpTarget *target, Frame *frame,
-                             GpError *error)
+static GpResult add_cylinder(const void *made, const WarpUse *use, const WarpView *view,
+                             const WarpTarget *target, Frame *frame, GpError *error)
 {
-    const CylinderSetting setting = { .step = options->step, .detail = *detail };
+    const CylinderSetting setting = { .step = use->options->step, .detail = use->detail };
     return cylinder_add(made, &setting, view, target, frame, error);
 }
 
 /* --- rows ---------------------------------------------------------------------------------------- */
 
-const WarpRow warp_layers = { sizeof(Direct), open_direct, close_direct, add_layers, NULL };
-const WarpRow warp_direct = { sizeof(Direct), open_direct, close_direct, add_direct, NULL };
+const WarpRow warp_layers = { sizeof(Direct), open_direct, close_direct, add_layers,
+                              direct_warning };
+const WarpRow warp_direct = { sizeof(Direct), open_direct, close_direct, add_direct,
+                              direct_warning };
 const WarpRow warp_surface = { sizeof(DepthSurface), open_surface, close_surface, add_surface,
-                               NULL };
+                               direct_warning };
 const WarpRow warp_planar = { sizeof(Planar), open_planar, close_planar, add_planar,
                               planar_warning };
 const WarpRow warp_cylinder = { sizeof(CylinderWarp), open_cylinder, close_cylinder, add_cylinder,

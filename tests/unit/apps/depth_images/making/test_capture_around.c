@@ -83,6 +83,41 @@ static void columns_are_what_rays_meet_and_faces_are_near_it(void **state)
     }
 }
 
+/* Whichever axis points up; in front is azimuth 0. */
+static void cylinders_stand_along_the_axis_that_points_up(void **state)
+{
+    (void)state;
+    static const double ups[][2][3] = {
+        [ORBIT_UP_Y] = { { 0, 1, 0 }, { 0, 0, 1 } },
+        [ORBIT_UP_Z] = { { 0, 0, 1 }, { 0, -1, 0 } },
+        [ORBIT_UP_X] = { { 1, 0, 0 }, { 0, 0, -1 } },
+        [ORBIT_DOWN_Y] = { { 0, -1, 0 }, { 0, 0, -1 } },
+        [ORBIT_DOWN_Z] = { { 0, 0, -1 }, { 0, 1, 0 } },
+    };
+    DepthCase seen;
+    depth_case_open("builtin:knot", 1, (double[3]){ 3, -2, 1 }, &seen);
+    for (size_t up = 0; up < GP_COUNT(ups); up++) {
+        const CaptureTurn turn = { .up = (OrbitUp)up, .width = 96, .height = 64 };
+        DepthModel model = turned(&seen, &turn);
+        const DepthCylinder *cylinder = &model.images[0].cylinder;
+        assert_memory_equal(cylinder->axis, ups[up][0], sizeof cylinder->axis);
+        assert_memory_equal(cylinder->zero, ups[up][1], sizeof cylinder->zero);
+        for (uint32_t i = 0; i < seen.mesh.vertex_count; i++) {
+            double off[3];
+            for (int k = 0; k < 3; k++)
+                off[k] = (double)seen.mesh.positions[3 * i + (uint32_t)k] - cylinder->center[k];
+            const double along = vector_dot(off, cylinder->axis);
+            assert_true(fabs(along) < cylinder->height / 2);
+            assert_true(vector_dot(off, off) - along * along < cylinder->radius * cylinder->radius);
+        }
+        const Off off = off_from_rays(&seen, &model.images[0]);
+        if (off.seen < 1000 || off.wrong > off.seen / 200 || off.depth > 1e-3)
+            fail_msg("%u of %u wrong, depth %g", off.wrong, off.seen, off.depth);
+        depth_model_free(&model);
+    }
+    depth_case_close(&seen);
+}
+
 /* The seam lies where the model is, and the model off the origin; a cylinder round another axis. */
 static void cylinders_that_stand_anywhere_are_what_rays_meet(void **state)
 {
@@ -222,6 +257,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_are_what_rays_meet_and_faces_are_near_it),
+        cmocka_unit_test(cylinders_stand_along_the_axis_that_points_up),
         cmocka_unit_test(cylinders_that_stand_anywhere_are_what_rays_meet),
         cmocka_unit_test(caps_and_faces_are_what_rays_meet),
         cmocka_unit_test(thin_models_are_captured),
