@@ -83,7 +83,9 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
         { "builtin:nothing", "no builtin mesh 'nothing'" },
         { "empty.off", "empty.off: no faces" },
         { "nan.off", "nan.off: line 3" },
-        { "far.json", "far.json" },
+        { "far.json", "far.json: a scene: expected a mesh, or a depth image, .exr" },
+        { "a.png", "a.png: a picture: expected a mesh, or a depth image, .exr" },
+        { "builtin:ball --error 1% --detail even.ppm", "the mesh lacks what --detail adds" },
         { "builtin:ball --camera one_place.json", "one_place.json:1: eye, at and up give" },
         { "builtin:ball --source one_place.json", "one_place.json:1: eye, at and up give" },
         { "builtin:ball --source missing.json", "missing.json: No such file" },
@@ -93,6 +95,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
     };
     write_cameras();
     write_file("empty.off", "OFF\n1 0 0\n0 0 0\n");
+    write_file("even.ppm", "P6 1 1 255\n~~~");
     write_file("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         char arguments[256];
@@ -102,8 +105,9 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
         if (!end || end[1])
             fail_msg("more than a line: %s", err);
     }
-    expect_files("ahead.json behind.json empty.off far.json inside.json nan.off one_place.json "
-                 "parallel.json");
+    expect_files(
+        "ahead.json behind.json empty.off even.ppm far.json inside.json nan.off one_place.json "
+        "parallel.json");
 }
 
 /* --- what is drawn ------------------------------------------------------------------------------ */

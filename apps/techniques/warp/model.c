@@ -6,6 +6,7 @@
 #include "apps/depth_images/drawing/light.h"
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/capture_cylinder.h"
+#include "apps/frame/picture.h"
 #include "apps/scene/camera_file.h"
 #include "apps/scene/model.h"
 #include "apps/techniques/warp/cameras.h"
@@ -176,14 +177,32 @@ WarpView warp_model_view(const WarpModel *model, const WarpOptions *options, War
     return view;
 }
 
+/* Names that end as what depth images are captured of, but meshes. */
+static GpResult check_name(const char *path, GpError *error)
+{
+    char extension[8];
+    gp_file_extension(path, extension);
+    const char *what = picture_has_extension(path)      ? "picture"
+                       : strcmp(extension, "json") == 0 ? "scene"
+                                                        : NULL;
+    return what && !depth_file_is_readable(path)
+               ? gp_fail(error, GP_ERROR_INVALID,
+                         "%.200s: a %s: expected a mesh, or a depth image, .exr; glasspipe warp "
+                         "capture makes one of a %s",
+                         path, what, what)
+               : GP_OK;
+}
+
 GpResult warp_model_open(const TechniqueInput *input, void **made, GpError *error)
 {
     WarpModel *model = gp_alloc(1, sizeof *model);
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     model->width = model->height = DEFAULT_SIDE;
-    GpResult result = depth_file_is_readable(input->path) ? open_images(input, model, error)
-                                                          : open_source(input, model, error);
+    GpResult result = check_name(input->path, error);
+    if (!result)
+        result = depth_file_is_readable(input->path) ? open_images(input, model, error)
+                                                     : open_source(input, model, error);
     if (!result)
         result = warp_heights_open(input->setting, &model->bounds, &model->heights, error);
     if (!result && model->is_image)
@@ -296,6 +315,11 @@ static GpResult find_truth(WarpModel *model, const WarpOptions *options, int thr
         return gp_fail(error, GP_ERROR_INVALID,
                        "the truth is the mesh that was captured, and a depth image has none: name "
                        "it by --truth");
+    if (model->heights.surface && !model->truth_path)
+        return gp_fail(
+            error, GP_ERROR_INVALID,
+            "the mesh lacks what --detail adds to it: --measure needs a --truth that has "
+            "it, and --error has none");
     GpResult result = GP_OK;
     if (model->truth_path)
         result = open_mesh(model->truth_path, options->color, &mesh, &polygons, error);
