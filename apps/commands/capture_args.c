@@ -87,7 +87,7 @@ static GpResult capture_scene_file(const CaptureArgs *args, GpDevice *device, De
     GpResult result = scene_load(args->input, &options, &scene, error);
     if (result)
         return result;
-    result = scene_capture(device, &scene, image, &reason);
+    result = scene_capture(device, &scene, args->layers == 2, image, &reason);
     scene_free(&scene);
     return result ? gp_fail(error, result, "%s: %s", args->input, reason.text) : GP_OK;
 }

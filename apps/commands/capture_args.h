@@ -10,7 +10,7 @@ typedef struct CaptureArgs {
     Options options; /* first: see options.h */
     const char *input, *output;
     WarpOptions warp;  /* of meshes: kind, source, color */
-    uint32_t layers;   /* of meshes: 1 or 2; 0: 2 */
+    uint32_t layers;   /* 1 or 2; 0: of meshes 2, of scenes 1 */
     CaptureRays rays;  /* of cylinders */
     const char *depth; /* picture of depths beside a colour picture; NULL: there is none */
     const char *camera, *frame;

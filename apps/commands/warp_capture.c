@@ -45,7 +45,7 @@ static const SettingField options[] = {
       "-y or -z",
       SETTING_NAME, .offset = OF(warp.orbit.up), .names = warp_ups },
     { "layers", "N",
-      "Of a mesh: 2, with what is seen behind what is in front (default); 1, without",
+      "2, with what is seen behind what is in front, of meshes the default; 1, without, of scenes",
       SETTING_INTEGER, .offset = OF(layers), .low = 1, .high = 2 },
     { "rays", NULL,
       "Of a cylinder: columns, each drawn from its own azimuth (default); faces, as printed, out "
@@ -93,8 +93,8 @@ static void check(struct argp_state *state, void *object)
         { args->height && !(args->relief > 0), "--height-file: expected --relief with it" },
         { !is_mesh && (!is_plane || args->warp.source || args->warp.color || args->warp.orbit.up),
           "--kind, --source, --color and --up are for meshes" },
-        { !is_mesh && args->layers > 0, "--layers is for meshes: scenes and pictures are captured "
-                                        "as they are seen, in one layer" },
+        { input >= CAPTURE_INPUT_RGBD && args->layers > 0,
+          "--layers is for meshes and scenes: pictures have one" },
         { args->warp.source && !is_plane, "--source is for --kind planar" },
         { args->rays != CAPTURE_COLUMNS && (!is_mesh || args->warp.kind != WARP_CYLINDER),
           "--rays is for --kind cylinder" },

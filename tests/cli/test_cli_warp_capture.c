@@ -48,9 +48,8 @@ static void wrong_arguments_are_usage_errors(void **state)
         { "a.ppm --height-file b.pgm", "expected --relief with it" },
         { "a.ppm --relief 0", "--relief" },
         { "a.ppm --relief 1 --size 5x5", "--size is for meshes and scenes" },
-        { "a.ppm --relief 1 --layers 1", "--layers is for meshes" },
+        { "a.ppm --relief 1 --layers 1", "--layers is for meshes and scenes" },
         { "a.json --kind cylinder", "are for meshes" },
-        { "a.json --layers 2", "--layers is for meshes: scenes and pictures" },
         { "a.json --up z", "are for meshes" },
         { "a.ply --up w", "--up: expected y, z, x, -y or -z" },
         { "a.ply --size 0x5", "--size" },
@@ -122,12 +121,15 @@ static void images_are_counted_and_kinds_told(void **state)
         { "builtin:knot --size 40x30 --kind cylinder --rays faces", 3, "cylinder", 500, 100 },
         { "builtin:knot --size 40x30 --kind box", 6, "parallel plane", 300, 300 },
         { "scene.json", 1, "perspective plane", 100, 0 },
+        { "two.json --layers 2", 1, "perspective plane", 100, 20 },
         { "scene.json --size 20x20", 1, "perspective plane", 20, 0 },
         { "color.ppm --depth-file depth.pgm --camera-file lens.json", 1, "perspective plane", 2,
           0 },
         { "color.ppm --relief 0.1 --height-file depth.pgm --width 2", 1, "parallel plane", 2, 0 },
         { "depth.pgm --relief 0.1", 1, "parallel plane", 2, 0 },
     };
+    write_file("two.json", "{ \"size\": [40, 30], \"objects\": [ { \"mesh\": \"builtin:quad\" },"
+                           "{ \"mesh\": \"builtin:ball\", \"transform\": { \"scale\": 0.3 } } ] }");
     write_inputs();
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         json_t *object = captured(rows[i].arguments);
@@ -143,8 +145,8 @@ static void images_are_counted_and_kinds_told(void **state)
         assert_int_equal(shell("glasspipe warp a.exr -q --size 40x30 -o a.png"), 0);
         expect_matches(out, "^hash A8R8G8B8 40x30 [0-9a-f]{16}\n");
     }
-    expect_files(
-        "a.exr a.png aside.json camera.json color.ppm depth.pgm lens.json scene.json small.pgm");
+    expect_files("a.exr a.png aside.json camera.json color.ppm depth.pgm lens.json scene.json "
+                 "small.pgm two.json");
 }
 
 /* Any device, any number of threads: the same file. */
