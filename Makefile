@@ -227,10 +227,10 @@ $(filter-out $(HEADERS),$(STAGED)): $(wildcard pipeline/install/*)
 # --- the first picture ----------------------------------------------------------------------------
 
 run: all
-	@$(PROGRAM) render scenes/default.json -o out/default.png
-	@$(PROGRAM) explain scenes/default.json >out/default.txt
-	@echo "picture: out/default.png"
-	@echo "report:  out/default.txt (what each draw needed, and what its shaders cost)"
+	@$(PROGRAM) render scenes/together.json -o out/together.png
+	@$(PROGRAM) explain scenes/together.json >out/together.txt
+	@echo "picture: out/together.png"
+	@echo "report:  out/together.txt (what each draw needed, and what its shaders cost)"
 
 # --- tests
 
@@ -426,7 +426,7 @@ clean:
 
 help:
 	@echo 'make             build out/bin/glasspipe and out/lib/libglasspipe.{a,so}'
-	@echo 'make run         install what is missing, build, draw scenes/default.json'
+	@echo 'make run         install what is missing, build, draw scenes/together.json'
 	@echo 'make test        install what is missing, build, run every test'
 	@echo 'make lint        floors, circles, sizes, format and words of the sources'
 	@echo 'make format      clang-format on all of them'

@@ -1,5 +1,7 @@
 #include "apps/commands/options.h"
 
+#include "apps/techniques/shadow/shadowed.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,7 +67,7 @@ int options_scene(const Options *options, const char *path, Scene *scene)
 {
     const SceneOptions size = { .width = options->size[0], .height = options->size[1] };
     GpError error = { "" };
-    GpResult result = scene_load(path, &size, scene, &error);
+    GpResult result = shadowed_scene_load(path, &size, scene, &error);
     return result ? report(exit_of_input(result), "%s", error.text) : EXIT_DONE;
 }
 

@@ -137,3 +137,23 @@ GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *un
     return frame_draw(frame, program, frame_copy(frame, uniforms, program->uniform_bytes),
                       geometry);
 }
+
+uint32_t frame_take(Frame *frame, bool (*which)(const GpDraw *draw), GpDraw *taken)
+{
+    if (frame->arena.result)
+        return 0;
+    GP_ASSERT(frame->list.pass_count > 0);
+    GpPass *pass = &frame->passes[frame->list.pass_count - 1];
+    GpDraw *draws = frame->draws + frame->draw_count - pass->draw_count;
+    uint32_t kept = 0, count = 0;
+    for (uint32_t i = 0; i < pass->draw_count; i++)
+        if (which(&draws[i]))
+            taken[count++] = draws[i];
+        else
+            draws[kept++] = draws[i];
+    for (uint32_t i = kept; i < pass->draw_count; i++)
+        draws[i] = (GpDraw){ .program = NULL };
+    pass->draw_count -= count;
+    frame->draw_count -= count;
+    return count;
+}

@@ -66,6 +66,11 @@ GpDraw *frame_draw(Frame *frame, const GpProgram *program, const void *uniforms,
 GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *uniforms,
                           const GpGeometry *geometry);
 
+/* Takes draws out of the last pass; the others keep their order.
+ * out    taken: [draws of the pass], in order
+ * returns how many */
+uint32_t frame_take(Frame *frame, bool (*which)(const GpDraw *draw), GpDraw *taken);
+
 /* Makes room for so many more draws at once, of which there are millions: otherwise their array moves as it
  * grows, and leaves what it was behind. */
 void frame_reserve(Frame *frame, uint32_t draws);

@@ -4,6 +4,7 @@
 #include "apps/compare/comparison_page.h"
 #include "apps/golden/limits.h"
 #include "apps/scene/scene.h"
+#include "apps/techniques/shadow/shadowed.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -51,7 +52,7 @@ static GpResult draw(const GoldenTask *task, const char *name, GpDevice *device,
     char path[MAX_PATH];
     const SceneOptions options = { .width = task->size[0], .height = task->size[1] };
     path_of(task->folder, name, "json", path);
-    GpResult result = scene_load(path, &options, scene, error);
+    GpResult result = shadowed_scene_load(path, &options, scene, error);
     if (result)
         return result;
     result = gp_device_run(device, &scene->list, error);

@@ -26,6 +26,8 @@ typedef struct SceneImage {
     bool srgb, mips;
 } SceneImage;
 
+typedef struct SceneVolume SceneVolume; /* volumes.h */
+
 /* The state of loading. Memory that runs short is the frame's failure, which loading ends with. */
 typedef struct Loader {
     Reader reader;
@@ -38,7 +40,7 @@ typedef struct Loader {
     SplatSource *splats; /* of the pass that is read */
     Surfels *models;     /* as many */
     uint32_t splat_count, splat_room;
-    struct SceneVolume *volumes; /* likewise */
+    SceneVolume *volumes; /* likewise */
 } Loader;
 
 #define SCENE_SHAPES "a mesh, points, a volume or a depth image" /* that an object has one of */

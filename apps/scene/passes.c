@@ -1,5 +1,6 @@
 #include "apps/scene/passes.h"
 
+#include "apps/scene/blended.h"
 #include "apps/scene/objects.h"
 #include "apps/scene/splats.h"
 #include "apps/scene/volumes.h"
@@ -142,10 +143,16 @@ void scene_read_pass_body(Loader *loader, Node *node, const SceneView *view, con
     own.depth = pass->depth.surface;
     if (!loader->reader.result)
         read_draws(loader, node, &own);
+    const SceneBlended blended = scene_take_blended(loader, node);
+    if (blended.count > 0)
+        pass->order = GP_ORDER_SUBMITTED; /* of opaque things it makes no difference */
     if (!loader->reader.result)
         scene_draw_splats(loader, &own, name);
-    if (!loader->reader.result)
-        scene_draw_volumes(loader, &own, name);
+    loader->scene->over = loader->frame->list.pass_count;
+    if (!loader->reader.result) {
+        SceneVolume *volumes = scene_draw_volumes(loader, &own, name);
+        scene_draw_blended(loader, node, &blended, volumes, &own, name);
+    }
     loader->pass_count = loader->frame->list.pass_count;
 }
 

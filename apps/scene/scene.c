@@ -28,6 +28,8 @@ static void read_view(Loader *loader, Node *root, const SceneOptions *options)
     scene->background[3] = 1;
     node_numbers(node_member(root, "background"), scene->background, 4, 0, 1);
     scene_read_lights(scene, node_member(root, "lights"));
+    scene->shadows =
+        node_bool(node_member(root, "shadows"), false) || (options && options->shadows);
 }
 
 static void read_passes(Loader *loader, Node *root)
@@ -113,6 +115,7 @@ GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene,
 
 void scene_free(Scene *scene)
 {
+    frame_free(&scene->shadowed);
     frame_free(&scene->frame);
     *scene = (Scene){ 0 };
 }

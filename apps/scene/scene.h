@@ -12,6 +12,7 @@ enum { SCENE_MAX_LIGHTS = 8 };
 typedef struct SceneOptions {
     uint32_t width, height; /* 0: the scene's own size */
     uint32_t fails;         /* for tests, as an arena has it */
+    bool shadows;           /* as where the scene asks for them itself */
 } SceneOptions;
 
 /* What a light's shadow map shall see and be; zero where the scene leaves it to the technique. */
@@ -49,7 +50,12 @@ typedef struct Scene {
     const Surfels *splat_models; /* [splats.source_count], all surfels of each, seen or not */
     uint32_t volume_count;       /* of all passes */
     bool has_passes;             /* of its own, instead of one for all objects */
-    Frame frame;                 /* private: what all this is made of */
+    bool shadows;                /* it is to be drawn with them: shadow/shadowed.h */
+    uint32_t
+        over;    /* number of the pass from which on volumes, and then what is blended by depth, lie
+                      over the rest; as many as there are where nothing does */
+    Frame frame; /* private: what all this is made of */
+    Frame shadowed; /* private: what else, with shadows */
 } Scene;
 
 /* Reads a scene file, found as data is (gp_data_find), and everything it names, which is looked for

@@ -1,16 +1,19 @@
 #include "apps/scene/volumes.h"
 
+#include "apps/scene/bounds.h"
+#include "apps/scene/materials.h"
 #include "apps/scene/placing.h"
 #include "apps/volumes/drawing/raycast.h"
 #include "pipeline/io/file.h"
+#include "shaders_c/materials/phong.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 struct SceneVolume {
-    struct SceneVolume *next;  /* of the pass that is read */
-    struct SceneVolume *older; /* of the whole scene */
+    SceneVolume *next;  /* of the pass that is read */
+    SceneVolume *older; /* of the whole scene */
     Field field;
     RaycastVolume rays;
     RaycastSetting setting;
@@ -50,14 +53,14 @@ void scene_refuse_without_volume(Node *object)
 /* Frees what volumes have beside the frame's memory. */
 static void release(void *held)
 {
-    for (struct SceneVolume *volume = held; volume; volume = volume->older) {
+    for (SceneVolume *volume = held; volume; volume = volume->older) {
         raycast_close(&volume->rays);
         field_free(&volume->field);
     }
 }
 
 /* Corners of its box to the world, and from them the way back. */
-static void place(Node *object, struct SceneVolume *volume)
+static void place(Node *object, SceneVolume *volume)
 {
     Node transform = node_member(object, "transform"), fit = node_member(object, "fit");
     float corners[8][2][3] = { { { 0 } } }; /* with normals, which nobody needs */
@@ -103,7 +106,7 @@ static GpResult open_transfer(const char *scene, const char *name, const Field *
 }
 
 /* The volume and its transfer function; an empty one after a failure. */
-static void read_field(Node *object, struct SceneVolume *volume)
+static void read_field(Node *object, SceneVolume *volume)
 {
     Node name_node = node_member(object, "volume"), transfer_node = node_member(object, "transfer");
     Node mesh = node_member(object, "mesh"), points = node_member(object, "points");
@@ -143,7 +146,7 @@ void scene_read_volume(Loader *loader, Node *object, const SceneView *view)
     static const char *const others[] = { "material", "state",  "viewport",  "tile",   "size",
                                           "color",    "method", "subdivide", "sample", "pixels" };
     Frame *frame = loader->frame;
-    struct SceneVolume none = { .next = NULL }, *volume = frame_alloc(frame, 1, sizeof *volume);
+    SceneVolume none = { .next = NULL }, *volume = frame_alloc(frame, 1, sizeof *volume);
     if (!volume)
         volume = &none;
     node_string(node_member(object, "name"), "");
@@ -169,8 +172,7 @@ void scene_read_volume(Loader *loader, Node *object, const SceneView *view)
 /* --- drawing ---------------------------------------------------------------------------------- */
 
 /* A place, or a direction, of the world where sample (0, 0, 0) is the origin and x, y, z its axes. */
-static void turn(const struct SceneVolume *volume, const double world[3], bool place_,
-                 double own[3])
+static void turn(const SceneVolume *volume, const double world[3], bool place_, double own[3])
 {
     for (int i = 0; i < 3; i++) {
         own[i] = 0;
@@ -180,7 +182,7 @@ static void turn(const struct SceneVolume *volume, const double world[3], bool p
     }
 }
 
-static VolumeView view_of(const struct SceneVolume *volume, const SceneView *view)
+static VolumeView view_of(const SceneVolume *volume, const SceneView *view)
 {
     const Camera *camera = &view->camera;
     VolumeView own = {
@@ -196,7 +198,7 @@ static VolumeView view_of(const struct SceneVolume *volume, const SceneView *vie
 }
 
 /* Of the middle of a volume's box, along the view. */
-static double distance_of(const struct SceneVolume *volume, const SceneView *view)
+static double distance_of(const SceneVolume *volume, const SceneView *view)
 {
     const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
     const Field *field = &volume->field;
@@ -211,10 +213,10 @@ static double distance_of(const struct SceneVolume *volume, const SceneView *vie
 }
 
 /* Takes the farthest out of the list; of equal ones that which was read last. */
-static struct SceneVolume *take_farthest(struct SceneVolume **list, const SceneView *view)
+static SceneVolume *take_farthest(SceneVolume **list, const SceneView *view)
 {
-    struct SceneVolume **farthest = list, *taken;
-    for (struct SceneVolume **at = list; *at; at = &(*at)->next)
+    SceneVolume **farthest = list, *taken;
+    for (SceneVolume **at = list; *at; at = &(*at)->next)
         if (distance_of(*at, view) > distance_of(*farthest, view))
             farthest = at;
     taken = *farthest;
@@ -222,17 +224,76 @@ static struct SceneVolume *take_farthest(struct SceneVolume **list, const SceneV
     return taken;
 }
 
-void scene_draw_volumes(Loader *loader, const SceneView *view, const char *name)
+SceneVolume *scene_draw_volumes(Loader *loader, const SceneView *view, const char *name)
 {
     const VolumeTarget target = { view->color, view->depth };
-    struct SceneVolume *list = loader->volumes;
+    SceneVolume *list = loader->volumes, *drawn = NULL;
     char text[300];
     loader->volumes = NULL;
     while (list && !loader->frame->arena.result) {
-        struct SceneVolume *volume = take_farthest(&list, view);
+        SceneVolume *volume = take_farthest(&list, view);
         const VolumeView own = view_of(volume, view);
         snprintf(text, sizeof text, "%.200s-volume", name);
         volume->setting.name = scene_copy(loader, text);
         raycast_add(&volume->rays, &own, &volume->setting, &target, loader->frame, NULL);
+        volume->next = drawn;
+        drawn = volume;
     }
+    return drawn;
+}
+
+/* --- what is seen through them ------------------------------------------------------------------ */
+
+static bool is_before(const SceneVolume *volume, const SceneView *view, const Bounds *box)
+{
+    const VolumeView own = view_of(volume, view);
+    double corners[8][3];
+    for (int corner = 0; corner < 8; corner++) {
+        double world[3];
+        for (int k = 0; k < 3; k++)
+            world[k] = corner >> k & 1 ? box->high[k] : box->low[k];
+        turn(volume, world, true, corners[corner]);
+    }
+    return raycast_is_before(&volume->rays, &own, corners);
+}
+
+static void find_to_field(const SceneVolume *volume, double to_field[3][4])
+{
+    for (int k = 0; k < 4; k++) {
+        const double column[3] = { k == 0, k == 1, k == 2 };
+        double own[3];
+        turn(volume, column, k == 3, own);
+        for (int i = 0; i < 3; i++)
+            to_field[i][k] = own[i];
+    }
+}
+
+void scene_see_through(Loader *loader, const Node *pass, SceneVolume *volumes,
+                       const SceneView *view, GpDraw *draw)
+{
+    const Bounds box = draw_bounds(draw);
+    SceneVolume *before = NULL;
+    double to_field[3][4];
+    GpError reason = { "" };
+    for (; volumes; volumes = volumes->next) {
+        if (!is_before(volumes, view, &box))
+            continue;
+        if (before)
+            node_fail(pass, GP_ERROR_FORMAT,
+                      "%s is blended, and two volumes are before it: expected one", draw->name);
+        before = volumes;
+    }
+    if (!before || loader->reader.result)
+        return;
+    if (draw->program != &phong_program) {
+        node_fail(pass, GP_ERROR_FORMAT,
+                  "%s is blended, and a volume is before it: expected program phong, not %s",
+                  draw->name, scene_program_name(draw->program));
+        return;
+    }
+    const VolumeView own = view_of(before, view);
+    find_to_field(before, to_field);
+    if (raycast_see_through(&before->rays, &own, &before->setting, to_field, draw, loader->frame,
+                            &reason))
+        node_fail(pass, GP_ERROR_MEMORY, "%s", reason.text);
 }

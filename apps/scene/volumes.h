@@ -13,7 +13,13 @@ void scene_read_volume(Loader *loader, Node *object, const SceneView *view);
 void scene_refuse_without_volume(Node *object);
 
 /* The end of a pass: its volumes over what it drew, the farthest first, each in a pass NAME-volume; opaque
- * things cut them by the pass's depth. Volumes that overlap are not mixed. */
-void scene_draw_volumes(Loader *loader, const SceneView *view, const char *name);
+ * things cut them by the pass's depth. Volumes that overlap are not mixed.
+ * returns them */
+SceneVolume *scene_draw_volumes(Loader *loader, const SceneView *view, const char *name);
+
+/* Gives a blended draw the colours that it has through the volume before it, if there is one.
+ * in   pass: for failures: that there is more than one, or that the draw's program is not phong */
+void scene_see_through(Loader *loader, const Node *pass, SceneVolume *volumes,
+                       const SceneView *view, GpDraw *draw);
 
 #endif

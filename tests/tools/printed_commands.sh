@@ -75,7 +75,7 @@ mkdir "$scratch/checkout"
 cp -r scenes "$scratch/checkout/"
 wrapper "$scratch/checkout/out/bin/glasspipe" "$program"
 cd "$scratch/checkout" || exit 1
-out/bin/glasspipe render -q scenes/default.json -o out/default.png >/dev/null
+out/bin/glasspipe render -q scenes/together.json -o out/together.png >/dev/null
 readme_commands "$root/README.md" >"$scratch/list"
 run_page README.md <"$scratch/list"
 

@@ -62,7 +62,8 @@ static GpResult make_draw(const Surfels *model, Frame *memory, GpDraw *draw)
 GpResult shadow_scene_with_discs(const Scene *scene, Frame *memory, Scene *made, GpError *error)
 {
     const uint32_t objects = scene->list.passes[0].draw_count, models = scene->splats.source_count;
-    GpPass *pass = frame_alloc(memory, 1, sizeof *pass);
+    const uint32_t passes = scene->list.pass_count;
+    GpPass *pass = frame_alloc(memory, passes, sizeof *pass);
     GpDraw *draws = frame_alloc(memory, objects + models + 1, sizeof *draws);
     GpResult result = pass && draws ? GP_OK : GP_ERROR_MEMORY;
     if (!result && objects)
@@ -76,10 +77,10 @@ GpResult shadow_scene_with_discs(const Scene *scene, Frame *memory, Scene *made,
         return gp_fail(error, result, "too many splats cast shadows: over 2^29 of one model");
     if (result)
         return gp_fail(error, result, "out of memory");
-    *pass = scene->list.passes[0];
+    memcpy(pass, scene->list.passes, passes * sizeof *pass);
     pass->draws = draws;
     pass->draw_count = objects + models;
     *made = *scene;
-    made->list = (GpList){ pass, 1 };
+    made->list.passes = pass;
     return GP_OK;
 }

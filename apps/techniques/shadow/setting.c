@@ -136,14 +136,17 @@ GpResult shadow_check(const Scene *scene, const ShadowSetting *setting, GpError 
     if (plain && setting->slope > 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "the plain method's depths are colours, which the rasterizer does not bias");
-    if (scene->volume_count > 0)
-        return gp_fail(error, GP_ERROR_INVALID, "the scene has volumes, which have no shadows");
     if (scene->has_passes)
         return gp_fail(error, GP_ERROR_INVALID, "the scene has passes of its own");
     if (scene->light_count == 0)
         return gp_fail(error, GP_ERROR_INVALID, "the scene has no light");
     for (uint32_t i = 0; i < scene->list.passes[0].draw_count; i++) {
         const GpDraw *draw = &scene->list.passes[0].draws[i];
+        if (draw->state.blend[0].op != GP_BLEND_OFF)
+            return gp_fail(error, GP_ERROR_INVALID,
+                           "%s is blended, which among shadows asks for the scene's \"order\": "
+                           "\"depth\"",
+                           draw->name[0] ? draw->name : "an object");
         if (draw->program != &phong_program && draw->program != &textured_phong_program &&
             draw->program != &mapped_phong_program && !shadow_is_disc(draw))
             return gp_fail(error, GP_ERROR_INVALID,

@@ -102,6 +102,31 @@ static void draw_splats(const ShadowBuild *build, const ShadowLight *light)
                      build->frame);
 }
 
+/* Volumes, and what is blended by depth, as the scene has them: they cast no shadows, receive none, and
+ * leave alpha as it is. */
+static void draw_over(const ShadowBuild *build)
+{
+    enum { ALPHA = 8 }; /* channel of a target */
+    const Scene *scene = build->scene;
+    const GpSurface *own_depth = scene->list.passes[0].depth.surface;
+    Frame *frame = build->frame;
+    for (uint32_t p = scene->over; p < scene->list.pass_count; p++) {
+        const GpPass *from = &scene->list.passes[p];
+        GpSurface *depth = from->depth.surface ? frame->depth : NULL;
+        GpPass *pass = frame_pass(frame, from->name, frame->color, depth, scene->background);
+        pass->color[0].clear = pass->depth.clear_depth = false;
+        pass->order = from->order;
+        for (uint32_t i = 0; i < from->draw_count; i++) {
+            GpDraw *draw = frame_draw(frame, NULL, NULL, &from->draws[i].geometry);
+            *draw = from->draws[i];
+            draw->state.blend[0].keep |= ALPHA;
+            for (int k = 0; k < GP_MAX_SAMPLERS; k++)
+                if (own_depth && draw->textures[k].surface == own_depth)
+                    draw->textures[k].surface = frame->depth;
+        }
+    }
+}
+
 /* --- the frame -------------------------------------------------------------------------------- */
 
 GpResult shadow_build(const Scene *scene, ShadowKept *kept, const ShadowSetting *setting,
@@ -127,6 +152,8 @@ GpResult shadow_build(const Scene *scene, ShadowKept *kept, const ShadowSetting 
         if (!result && scene->splats.source_count > 0)
             draw_splats(&build, &light);
     }
+    if (!result)
+        draw_over(&build);
     if (!result)
         result = frame_result(frame, error);
     if (!result)

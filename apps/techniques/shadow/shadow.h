@@ -6,7 +6,8 @@
 #include "apps/techniques/shadow/kept.h"
 #include "apps/techniques/shadow/setting.h"
 
-/* Builds the frame of a scene whose objects have the program phong or textured_phong.
+/* Builds the frame of a scene whose objects have the program phong, textured_phong or mapped_phong, but
+ * for what lies over them (scene.h): volumes, and in an order by depth what is blended.
  * in   kept: the scene's, which outlives the frame; NULL: the frame finds its own
  *      device: runs what an adaptive map asks first; frame: zeroed
  * out  frame->color: A8R8G8B8; with one light, alpha is its visibility; 0 where nothing was drawn

@@ -113,7 +113,9 @@ static GpResult open_scene(const TechniqueInput *input, void **made, GpError *er
     Opened *opened = gp_alloc(1, sizeof *opened);
     if (!opened)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory");
-    const SceneOptions options = { .width = input->width, .height = input->height };
+    const SceneOptions options = { .width = input->width,
+                                   .height = input->height,
+                                   .shadows = true };
     GpResult result = scene_load(input->path, &options, &opened->file, error);
     if (result) {
         gp_free(opened);
@@ -230,6 +232,10 @@ static GpResult cast_truth(void *made, int threads, bool only_lit, GpError *erro
     if (scene->splats.source_count > 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "the truth is of triangles, and the scene has splats");
+    if (scene->over < scene->list.pass_count)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "the truth is of what casts shadows, and the scene has more over it: %s",
+                       scene->volume_count > 0 ? "volumes" : "what is blended");
     const ShadowView view = { .camera = scene->camera,
                               .width = scene->picture->width,
                               .height = scene->picture->height,

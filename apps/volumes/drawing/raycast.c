@@ -2,89 +2,10 @@
 
 #include "apps/base/reach.h"
 #include "apps/base/stable_math.h"
-#include "shaders_c/volume/raycast.h"
+#include "shaders_c/volume/through.h"
 
 #include <math.h>
 #include <string.h>
-
-_Static_assert((int)VOLUME_BRICK == (int)BRICK_SIDE, "bricks are those of the shader");
-
-/* --- flat textures ------------------------------------------------------------------------------ */
-
-/* Patches of all ways, one way below the other. */
-static GpResult make_runs(RaycastVolume *volume, GpError *error)
-{
-    const uint32_t *count = volume->bricks.count;
-    volume->shown = gp_alloc(bricks_total(&volume->bricks) + 1, 1);
-    if (!volume->shown)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    if (bricks_total(&volume->bricks) == 0)
-        return GP_OK;
-    const uint32_t columns = atlas_columns(count[0], count[1] * BRICK_WAYS, count[2]);
-    GP_ASSERT(columns > 0);
-    volume->columns = columns;
-    return gp_surface_create(
-        &(GpSurfaceDesc){ .format = GP_R8,
-                          .width = columns * count[0],
-                          .height = (count[2] + columns - 1) / columns * count[1] * BRICK_WAYS,
-                          .name = "bricks" },
-        &volume->runs, error);
-}
-
-/* What is not there yet of the ways that bits stand for. */
-static GpResult find_runs(RaycastVolume *volume, unsigned ways, GpError *error)
-{
-    const Bricks *bricks = &volume->bricks;
-    const uint32_t *count = bricks->count, rows = volume->runs->height / count[1] / BRICK_WAYS;
-    uint8_t *runs = gp_alloc(bricks_total(bricks), 1);
-    GpResult result = runs ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    for (unsigned way = 0; way < BRICK_WAYS && !result; way++) {
-        if (volume->known >> way & 1 || !(ways >> way & 1))
-            continue;
-        result = bricks_runs(bricks, volume->shown, way, runs, error);
-        const uint8_t *from = runs;
-        const uint32_t first = way * rows * volume->columns;
-        for (uint32_t z = 0; z < count[2] && !result; z++)
-            for (uint32_t y = 0; y < count[1]; y++, from += count[0])
-                memcpy(atlas_texel(volume->runs, volume->columns, count, 0, y, first + z), from,
-                       count[0]);
-        volume->known |= result ? 0 : 1u << way;
-    }
-    gp_free(runs);
-    return result;
-}
-
-GpResult raycast_open(const Field *field, RaycastVolume *volume, GpError *error)
-{
-    RaycastVolume made = { .field = field };
-    GpResult result = volume_atlas_make(field->value, field->size, &made.atlas, error);
-    if (!result)
-        result = bricks_make(field, &made.bricks, error);
-    if (!result)
-        result = make_runs(&made, error);
-    if (result) {
-        raycast_close(&made);
-        return result;
-    }
-    *volume = made;
-    return GP_OK;
-}
-
-void raycast_close(RaycastVolume *volume)
-{
-    volume_atlas_free(&volume->atlas);
-    gp_surface_destroy(&volume->runs);
-    gp_free(volume->shown);
-    bricks_free(&volume->bricks);
-    *volume = (RaycastVolume){ .field = NULL };
-}
-
-void raycast_classify(RaycastVolume *volume, const Transfer *transfer)
-{
-    volume->transfer = *transfer;
-    volume->known = 0;
-    bricks_show(&volume->bricks, transfer, volume->shown);
-}
 
 /* --- classification ------------------------------------------------------------------------------ */
 
@@ -210,33 +131,63 @@ static RaycastUniforms uniforms_of(const RaycastVolume *volume, const VolumeView
     return uniforms;
 }
 
+/* --- what is drawn ------------------------------------------------------------------------------- */
+
+static const GpSampler points = { .address_u = GP_CLAMP, .address_v = GP_CLAMP };
+
+/* What a picture shows of a volume. */
+typedef struct Rays {
+    double reach[2];
+    GpRect rect; /* empty: nothing */
+    RayCorner corners[3];
+    RaycastUniforms uniforms;
+} Rays;
+
+static void set_textures(const RaycastVolume *volume, double step, GpTexture textures[3],
+                         Frame *frame)
+{
+    static const GpSampler linear = {
+        .min = GP_LINEAR, .mag = GP_LINEAR, .address_u = GP_CLAMP, .address_v = GP_CLAMP
+    };
+    textures[0] = (GpTexture){ volume->atlas.surface, linear };
+    textures[1] = (GpTexture){ volume->runs, points };
+    textures[2] = (GpTexture){ make_table(&volume->transfer, step, frame), points };
+}
+
+static double step_of(const RaycastSetting *setting)
+{
+    return setting->step > 0 ? setting->step : 1;
+}
+
+static GpResult find_rays(RaycastVolume *volume, const VolumeView *view,
+                          const RaycastSetting *setting, Rays *rays, GpError *error)
+{
+    const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
+    double box[8][3];
+    find_box(volume->field, box);
+    *rays = (Rays){ .rect = reach_rect(box, &view->camera, &axes, view->width, view->height) };
+    if (!volume->runs || !reach_find(box, &view->camera, &axes, rays->reach))
+        rays->rect = (GpRect){ 0 };
+    if (gp_rect_is_empty(rays->rect))
+        return GP_OK;
+    find_corners(volume->field, view, &axes, rays->reach, rays->corners);
+    rays->uniforms = uniforms_of(volume, view, &axes, setting, step_of(setting), rays->reach);
+    return raycast_find_runs(volume, ways_of(&view->camera, &axes), error);
+}
+
 GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const RaycastSetting *setting,
                      const VolumeTarget *target, Frame *frame, GpError *error)
 {
-    static const GpSampler linear = { .min = GP_LINEAR,
-                                      .mag = GP_LINEAR,
-                                      .address_u = GP_CLAMP,
-                                      .address_v = GP_CLAMP },
-                           points = { .address_u = GP_CLAMP, .address_v = GP_CLAMP };
     static const float none[4] = { 0 };
-    const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
-    const double step = setting->step > 0 ? setting->step : 1;
-    RayCorner *corners = frame_alloc(frame, 3, sizeof *corners);
-    double box[8][3], reach[2];
+    Rays rays;
+    const GpResult result = find_rays(volume, view, setting, &rays, error);
 
     frame_pass(frame, setting->name ? setting->name : "raycast", target->color, NULL, none)
         ->color[0]
         .clear = false;
-    find_box(volume->field, box);
-    const GpRect rect = reach_rect(box, &view->camera, &axes, view->width, view->height);
-    if (!corners || !volume->runs || gp_rect_is_empty(rect) ||
-        !reach_find(box, &view->camera, &axes, reach))
-        return frame_result(frame, error);
-    find_corners(volume->field, view, &axes, reach, corners);
-    const GpResult result = find_runs(volume, ways_of(&view->camera, &axes), error);
-    if (result)
-        return result;
-    const RaycastUniforms uniforms = uniforms_of(volume, view, &axes, setting, step, reach);
+    const RayCorner *corners = frame_copy(frame, rays.corners, sizeof rays.corners);
+    if (result || !corners || gp_rect_is_empty(rays.rect))
+        return result ? result : frame_result(frame, error);
     const uint32_t stride = sizeof *corners;
     const GpGeometry geometry = {
         .vertex_count = 3,
@@ -251,16 +202,71 @@ GpResult raycast_add(RaycastVolume *volume, const VolumeView *view, const Raycas
             gp_surface_clear_depth(depth, 1, 0, true, false);
     }
     GpDraw *draw = frame_draw_copied(frame, view->lit ? &raycast_lit_program : &raycast_program,
-                                     &uniforms, &geometry);
-    draw->textures[0] = (GpTexture){ volume->atlas.surface, linear };
-    draw->textures[1] = (GpTexture){ volume->runs, points };
-    draw->textures[2] = (GpTexture){ make_table(&volume->transfer, step, frame), points };
+                                     &rays.uniforms, &geometry);
+    set_textures(volume, step_of(setting), draw->textures, frame);
     draw->textures[3] = (GpTexture){ depth, points };
     draw->state.raster = (GpRasterState){ .scissor = true,
-                                          .scissor_x0 = rect.x0,
-                                          .scissor_y0 = rect.y0,
-                                          .scissor_x1 = rect.x1,
-                                          .scissor_y1 = rect.y1 };
+                                          .scissor_x0 = rays.rect.x0,
+                                          .scissor_y0 = rays.rect.y0,
+                                          .scissor_x1 = rays.rect.x1,
+                                          .scissor_y1 = rays.rect.y1 };
     draw->state.blend[0] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
+    return frame_result(frame, error);
+}
+
+/* --- what is seen through it --------------------------------------------------------------------- */
+
+bool raycast_is_before(const RaycastVolume *volume, const VolumeView *view, double body[8][3])
+{
+    const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
+    enum { FINE = 1 << 16 }; /* whatever the picture's size, the answer is one */
+    double box[8][3], reach[2], of_body[2];
+    find_box(volume->field, box);
+    const GpRect common = gp_rect_common(reach_rect(box, &view->camera, &axes, FINE, FINE),
+                                         reach_rect(body, &view->camera, &axes, FINE, FINE));
+    return volume->runs && !gp_rect_is_empty(common) &&
+           reach_find(box, &view->camera, &axes, reach) &&
+           reach_find(body, &view->camera, &axes, of_body) && reach[0] < of_body[1];
+}
+
+/* Rays of corners (-1, -1), (-1, 3) and (3, -1) of clip space, as what pixels' centres add. */
+static void find_pixels(const RayCorner corners[3], const VolumeView *view,
+                        ThroughUniforms *uniforms)
+{
+    for (int i = 0; i < 3; i++)
+        for (int way = 0; way < 2; way++) {
+            float(*made)[3] = way ? uniforms->way : uniforms->start;
+            double at[3];
+            for (int k = 0; k < 3; k++)
+                at[k] = (double)(way ? corners[k].way[i] : corners[k].start[i]);
+            const double across = (at[2] - at[0]) / 2 / view->width;
+            const double up = (at[1] - at[0]) / 2 / view->height;
+            made[0][i] = (float)(at[0] + across / 2 + up * (view->height - 0.5));
+            made[1][i] = (float)across;
+            made[2][i] = (float)-up;
+        }
+}
+
+GpResult raycast_see_through(RaycastVolume *volume, const VolumeView *view,
+                             const RaycastSetting *setting, double to_field[3][4], GpDraw *draw,
+                             Frame *frame, GpError *error)
+{
+    const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
+    ThroughUniforms made = { .phong = *(const PhongUniforms *)draw->uniforms };
+    Rays rays;
+    const GpResult result = find_rays(volume, view, setting, &rays, error);
+    if (result || gp_rect_is_empty(rays.rect))
+        return result;
+    made.rays = rays.uniforms;
+    find_pixels(rays.corners, view, &made);
+    for (int k = 0; k < 4; k++) {
+        double distance = k == 3 ? -vector_dot(view->camera.eye, axes.forward) - rays.reach[0] : 0;
+        for (int i = 0; i < 3; i++)
+            distance += axes.forward[i] * to_field[i][k];
+        made.share[k] = (float)(distance / (rays.reach[1] - rays.reach[0]));
+    }
+    draw->program = view->lit ? &phong_through_lit_program : &phong_through_program;
+    draw->uniforms = frame_copy(frame, &made, sizeof made);
+    set_textures(volume, step_of(setting), draw->textures, frame);
     return frame_result(frame, error);
 }
