@@ -11,14 +11,17 @@
 
 /* What is meant: without the second layer, and with it. */
 static const EdgeSetting usual_edges[2] = { { .rule = EDGES_SLOPES },
-                                            { .spread = 2.5, .texels = 2 } };
+                                            { .spread = 2.5, .texels = 2, .along = 0.3 } };
 static const double usual_reach[2] = { 0.4, 0.5 };
+static const GridEnds usual_ends[2] = { { .lean = 1 }, { .lean = 2, .most = 3.5 } };
 
 static GpResult make_grids(const DepthPlane *plane, const DepthPixels *pixels, bool layers,
                            bool turned, WarpGrid grids[DIRECT_STEPS])
 {
     DepthLattice lattice = { .flat = NULL };
-    GridSetting setting = { .reach = usual_reach[layers], .turned = turned };
+    GridSetting setting = { .reach = usual_reach[layers],
+                            .ends = usual_ends[layers],
+                            .turned = turned };
     if (!pixels->width)
         return GP_OK;
     GpResult result = depth_lattice_make(plane, pixels, &usual_edges[layers], &lattice);
@@ -88,7 +91,8 @@ static int kept_step(uint32_t step)
 
 static bool has_edges(const EdgeSetting *edges)
 {
-    return edges->rule || edges->share > 0 || edges->spread > 0 || edges->texels > 0;
+    return edges->rule || edges->share > 0 || edges->spread > 0 || edges->texels > 0 ||
+           edges->along > 0;
 }
 
 static bool is_usual(const DirectSetting *setting)
@@ -108,6 +112,7 @@ static GpResult make_grid(const Direct *made, const DirectSetting *setting, int 
                               .tolerance = setting->detail.heights ? -1 : setting->tolerance,
                               .reach = setting->reach > 0 ? setting->reach
                                                           : usual_reach[setting->layers],
+                              .ends = usual_ends[setting->layers],
                               .turned = layer == 1 };
     DepthLattice lattice;
     WarpGrid whole;

@@ -19,8 +19,9 @@ typedef struct DirectSetting {
     uint32_t step;  /* pixels from vertex to vertex; 0: by the footprint */
     double tolerance; /* of merging, as GridSetting has it */
     EdgeSetting
-        edges;    /* all zero, with layers: spread 2.5, texels 2: what is steep stays whole, since
-                          to cut it opens more holes than the second layer fills */
+        edges;    /* all zero, with layers: spread 2.5, texels 2, along 0.3: what is steep stays
+                          whole, since to cut it opens more holes than the second layer fills; but not
+                          what normals say is a jump: sheets there are seen as streaks */
     double reach; /* as GridSetting has it; 0: 0.4, with layers 0.5: farther out is more of the
                           silhouette, in colours that are a guess */
     WarpDetail detail;

@@ -8,6 +8,11 @@ static float flat_of(const DepthPlane *plane, float depth)
     return is_there ? (float)depth_flat(plane->is_parallel, (double)depth) : NAN;
 }
 
+typedef struct Image {
+    const DepthPlane *plane;
+    const DepthPixels *pixels;
+} Image;
+
 /* --- between pixels ------------------------------------------------------------------------------- */
 
 /* A row or a column of pixels. */
@@ -38,8 +43,30 @@ static double flat_step(const DepthLattice *lattice, double flat)
     return lattice->is_parallel ? lattice->level : lattice->level * flat * flat;
 }
 
+/* Whether the way between two pixels goes along the surface at both of them, as normals have it: beside a
+ * silhouette the jump to another surface may be no steeper than the slope before it. */
+static bool lies_along(const Image *image, double cosine, size_t from, size_t to)
+{
+    const DepthPixels *pixels = image->pixels;
+    const size_t at[2] = { from, to };
+    double point[2][3], way[3];
+    for (int i = 0; i < 2; i++)
+        depth_plane_point(image->plane, pixels, (double)(at[i] % pixels->width) + 0.5,
+                          (double)(at[i] / pixels->width) + 0.5, (double)pixels->depth[at[i]],
+                          point[i]);
+    vector_subtract(point[1], point[0], way);
+    vector_normalize(way);
+    for (int i = 0; i < 2; i++) {
+        const float *normal = pixels->normal + 3 * at[i];
+        if (fabs((double)normal[0] * way[0] + (double)normal[1] * way[1] +
+                 (double)normal[2] * way[2]) > cosine)
+            return false;
+    }
+    return true;
+}
+
 static bool is_one_surface(const DepthLattice *lattice, const EdgeSetting *setting,
-                           const Line *line, uint32_t i)
+                           const Image *image, const Line *line, uint32_t i)
 {
     const double a = at(line, i), b = at(line, i + 1);
     if (!(a == a && b == b))
@@ -56,7 +83,13 @@ static bool is_one_surface(const DepthLattice *lattice, const EdgeSetting *setti
     const double texels = setting->texels > 0 ? setting->texels : 4;
     const double sides = fmax(slope(lattice, line, i - 1), slope(lattice, line, i + 1));
     const double level = depth_lattice_texels(lattice, fmax(a, b), flat_step(lattice, fmax(a, b)));
-    return slope(lattice, line, i) <= texels + level + spread * sides;
+    const double step = slope(lattice, line, i);
+    const size_t from = (size_t)(line->flat - lattice->flat) + i * line->stride;
+    if (step <= texels + level)
+        return true;
+    const bool asks = setting->along > 0 && image->pixels->normal;
+    return step <= texels + level + spread * sides &&
+           (!asks || lies_along(image, setting->along, from, from + line->stride));
 }
 
 /* --- pixels ------------------------------------------------------------------------------------------- */
@@ -120,6 +153,7 @@ GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,
                             const EdgeSetting *setting, DepthLattice *lattice)
 {
     const uint32_t width = pixels->width, height = pixels->height;
+    const Image image = { plane, pixels };
     DepthLattice made = { .width = width,
                           .height = height,
                           .image = { width, height },
@@ -137,9 +171,9 @@ GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,
             const size_t i = (size_t)y * width + x;
             if (isnan(made.flat[i]))
                 continue;
-            if (x + 1 < width && is_one_surface(&made, setting, &row, x))
+            if (x + 1 < width && is_one_surface(&made, setting, &image, &row, x))
                 made.neighbour[i] |= EDGE_RIGHT;
-            if (y + 1 < height && is_one_surface(&made, setting, &column, y))
+            if (y + 1 < height && is_one_surface(&made, setting, &image, &column, y))
                 made.neighbour[i] |= EDGE_DOWN;
             made.away[i] = pixels->normal && is_away(plane, pixels, x, y);
         }

@@ -186,14 +186,20 @@ static Cell cell_at(const Builder *b, int32_t x, int32_t y)
 }
 
 /* By how much a surface's flat depth goes on in half a step, from what is on its other side. */
-static double half_slope(const DepthLattice *lattice, const int32_t place[2], int axis, int32_t way)
+static double half_slope(const Builder *b, const int32_t place[2], int axis, int32_t way)
 {
+    const DepthLattice *lattice = &b->lattice;
+    const GridEnds *ends = &b->setting->ends;
     int32_t behind[2] = { place[0], place[1] };
     behind[axis] -= way;
     const int32_t *first = way > 0 ? behind : place;
     if (!has_bit(lattice, first[0], first[1], axis ? EDGE_DOWN : EDGE_RIGHT))
         return 0;
-    const double here = flat_at(lattice, place), half = (here - flat_at(lattice, behind)) / 2;
+    const double here = flat_at(lattice, place), lean = ends->lean > 0 ? ends->lean : 1;
+    double half = lean * (here - flat_at(lattice, behind)) / 2;
+    const double texels = depth_lattice_texels(lattice, here, half);
+    if (ends->most > 0 && texels > ends->most)
+        half *= ends->most / texels;
     return lattice->is_parallel ? half : fmax(half, -here / 2); /* no farther than twice */
 }
 
@@ -209,7 +215,7 @@ static Corner corner_of(const Builder *b, const Cell *cell, int i)
                       .way = { 1 - 2 * corner_x[i], 1 - 2 * corner_y[i] } };
     corner.flat = flat_at(&b->lattice, corner.place);
     for (int axis = 0; axis < 2; axis++)
-        corner.slope[axis] = half_slope(&b->lattice, corner.place, axis, corner.way[axis]);
+        corner.slope[axis] = half_slope(b, corner.place, axis, corner.way[axis]);
     return corner;
 }
 

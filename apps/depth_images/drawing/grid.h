@@ -6,6 +6,14 @@
 
 #include "apps/depth_images/drawing/edges.h"
 
+/* How a surface goes on beyond its last vertices. All zero: as it came there. */
+typedef struct GridEnds {
+    double lean; /* times as steep, since surfaces curve away where they end; 0: 1 */
+    double
+        most; /* by so many pixel widths its depth may change in half a step: from the side longer ends
+                    are streaks; 0: by any */
+} GridEnds;
+
 /* All zero: every pixel is a vertex, and flat places are merged. */
 typedef struct GridSetting {
     uint32_t step; /* pixels from vertex to vertex; 0: 1 */
@@ -16,6 +24,7 @@ typedef struct GridSetting {
     double
         reach; /* of a surface beyond its last vertices, of the way to the next, at most 0.5, where
                      its end is on the average; 0: 0.5 */
+    GridEnds ends;
     bool
         turned; /* counter-clockwise seen from outside, as normals say, instead of from the image's eye */
 } GridSetting;

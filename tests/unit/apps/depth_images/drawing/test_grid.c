@@ -244,6 +244,65 @@ static void no_triangle_hangs_between_near_and_far(void **state)
     depth_pixels_free(&pixels);
 }
 
+enum { STEEP = 8, LAST = 70 }; /* pixel widths from pixel to pixel, up to a column */
+
+/* A slope that ends, before what is three steps of it deeper, or nothing. */
+static DepthPixels slope_before(double behind, bool normals)
+{
+    DepthPixels pixels;
+    const double width = planes[1].width / W;
+    assert_int_equal(depth_pixels_make(W, H, normals, &pixels), GP_OK);
+    for (uint32_t i = 0; i < W * H; i++) {
+        const uint32_t x = i % W, on = x <= LAST ? x : LAST;
+        const double across = x <= LAST ? STEEP / sqrt(1 + STEEP * STEEP) : 0;
+        pixels.depth[i] = (float)(1 + STEEP * width * on + (x > LAST ? behind * width : 0));
+        if (normals) {
+            pixels.normal[3 * i] = (float)across;
+            pixels.normal[3 * i + 2] = (float)sqrt(1 - across * across);
+        }
+    }
+    return pixels;
+}
+
+/* A jump that is no steeper, by the rule, than the slope before it is told by normals. */
+static void normals_tell_jumps_from_slopes(void **state)
+{
+    (void)state;
+    DepthPixels pixels = slope_before(2.5 * STEEP, true);
+    for (int asks = 0; asks < 2; asks++) {
+        DepthLattice lattice;
+        const EdgeSetting edges = { .spread = 2.5, .texels = 2, .along = asks ? 0.3 : 0 };
+        assert_int_equal(depth_lattice_make(&planes[1], &pixels, &edges, &lattice), GP_OK);
+        for (uint32_t x = 0; x + 1 < W; x++)
+            assert_int_equal(lattice.neighbour[9 * W + x] & EDGE_RIGHT,
+                             asks && x == LAST ? 0 : EDGE_RIGHT);
+        depth_lattice_free(&lattice);
+    }
+    depth_pixels_free(&pixels);
+}
+
+/* Beyond its last column a slope goes on for half a step: as it came, twice as steep, or by so much at most. */
+static void ends_lean_as_far_as_is_allowed(void **state)
+{
+    (void)state;
+    static const struct {
+        GridEnds ends;
+        double widths;
+    } cases[] = { { { 0, 0 }, STEEP / 2.0 }, { { 2, 0 }, STEEP }, { { 2, 3.5 }, 3.5 } };
+    DepthPixels pixels = slope_before(INFINITY, false);
+    const double width = planes[1].width / W, last = 1 + STEEP * width * LAST;
+    for (size_t i = 0; i < GP_COUNT(cases); i++) {
+        WarpGrid grid = grid_of(&planes[1], &pixels, &(EdgeSetting){ .texels = 10 },
+                                &(GridSetting){ .ends = cases[i].ends });
+        double deepest = 0;
+        for (uint32_t v = 0; v < grid.vertex_count; v++)
+            deepest = fmax(deepest, (double)grid.vertices[v].depth);
+        assert_true(fabs((deepest - last) / width - cases[i].widths) < 1e-3);
+        warp_grid_free(&grid);
+    }
+    depth_pixels_free(&pixels);
+}
+
 static void a_pixel_alone_is_a_spot_of_its_own_colour(void **state)
 {
     (void)state;
@@ -299,6 +358,8 @@ int main(void)
         cmocka_unit_test(no_pixel_is_farther_off_than_the_tolerance),
         cmocka_unit_test(neighbours_share_whole_edges),
         cmocka_unit_test(no_triangle_hangs_between_near_and_far),
+        cmocka_unit_test(normals_tell_jumps_from_slopes),
+        cmocka_unit_test(ends_lean_as_far_as_is_allowed),
         cmocka_unit_test(a_pixel_alone_is_a_spot_of_its_own_colour),
         cmocka_unit_test(depths_at_random_are_numbers),
     };
