@@ -14,7 +14,7 @@ enum { MOST_MODELS = 16, MOST_FRAMES = 240, COLUMNS = 4, SHEET_WIDTH = 1920 };
 typedef struct WalkCommand {
     Options options; /* first: see options.h */
     const char *output;
-    uint32_t size[2], objects, frames, pixels, map;
+    uint32_t size[2], objects, frames, pixels, map, step;
     bool no_shadows;
     const char *names[MOST_MODELS];
     uint32_t name_count;
@@ -37,6 +37,9 @@ static const SettingField options[] = {
       OF(pixels), .low = 8, .high = 4096 },
     { "map", "N", "Texels a side of the shadow map (default: 2048)", SETTING_INTEGER, OF(map),
       .low = 16, .high = GP_MAX_SIZE },
+    { "step", "N",
+      "Pixels from vertex to vertex of all images, a power of two (default: by the distance)",
+      SETTING_INTEGER, OF(step), .low = 1, .high = 128 },
     { "no-shadows", NULL, "Without shadows", SETTING_FLAG, .offset = OF(no_shadows) },
     { .name = NULL },
 };
@@ -150,7 +153,9 @@ static void tell_frame(Way *way, uint32_t number, const WalkCounts *counts, doub
 static GpResult draw_frame(Way *way, uint32_t number, GpError *error)
 {
     const WalkCommand *command = way->command;
-    const WalkSetting setting = { .map = command->map, .no_shadows = command->no_shadows };
+    const WalkSetting setting = { .map = command->map,
+                                  .step = command->step,
+                                  .no_shadows = command->no_shadows };
     const Camera camera = walk_camera(way->walk, (double)number / command->frames);
     Frame frame = { .color = NULL };
     WalkCounts counts;

@@ -180,6 +180,25 @@ static bool is_whole(const MergeGrid *grid, const int64_t a[2], const int64_t b[
     return !is_cut(grid, x, c[1], MERGE_CUT_RIGHT) && !is_cut(grid, c[0], y, MERGE_CUT_DOWN);
 }
 
+/* Whether some point of a triangle's box is needed. */
+static bool is_needed(const MergeGrid *grid, const int64_t *const corners[3])
+{
+    if (!grid->needed)
+        return true;
+    const uint32_t *sums = grid->needed;
+    int64_t low[2], high[2];
+    for (int k = 0; k < 2; k++) {
+        const int64_t a = corners[0][k], b = corners[1][k], c = corners[2][k];
+        const int64_t last = (k ? grid->rows : grid->columns) - 1;
+        low[k] = a < b ? (a < c ? a : c) : b < c ? b : c;
+        high[k] = a > b ? (a > c ? a : c) : b > c ? b : c;
+        high[k] = (high[k] < last ? high[k] : last) + 1;
+    }
+    const int64_t stride = grid->columns + 1;
+    return sums[high[1] * stride + high[0]] - sums[low[1] * stride + high[0]] -
+           sums[high[1] * stride + low[0]] + sums[low[1] * stride + low[0]];
+}
+
 /* A triangle with its right angle at c; seen from outside, a, b, c turn counter-clockwise. */
 static void add_triangle(Merging *merging, const int64_t a[2], const int64_t b[2],
                          const int64_t c[2])
@@ -194,7 +213,7 @@ static void add_triangle(Merging *merging, const int64_t a[2], const int64_t b[2
     if (is_last && !is_whole(merging->grid, a, b, c))
         return;
     const int64_t *const corners[3] = { a, b, c };
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3 && is_needed(merging->grid, corners); i++)
         merging->mesh.indices[merging->mesh.index_count++] = vertex_of(merging, corners[i]);
 }
 

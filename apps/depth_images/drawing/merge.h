@@ -22,6 +22,9 @@ typedef struct MergeGrid {
     /* [rows][columns]: MERGE_CUT_RIGHT, MERGE_CUT_DOWN: no triangle has this side; NULL: none is cut */
     const uint8_t *cut;
     bool whole_cells; /* only cells of which all points and sides are there */
+    /* [rows + 1][columns + 1]: how many points above and to the left of a place are needed; triangles are
+     * left out whose box has none. NULL: all are */
+    const uint32_t *needed;
 } MergeGrid;
 
 enum { MERGE_CUT_RIGHT = 1, MERGE_CUT_DOWN = 2 };

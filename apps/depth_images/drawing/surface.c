@@ -3,14 +3,19 @@
 #include "apps/base/bounds.h"
 #include "apps/depth_images/drawing/footprint.h"
 #include "apps/depth_images/drawing/light.h"
+#include "apps/depth_images/drawing/shares.h"
 #include "apps/depth_images/drawing/surface_grid.h"
+#include "apps/depth_images/drawing/view_planes.h"
 #include "shaders_c/common/depth_only.h"
 #include "shaders_c/warp/surface.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { LEAST_CELLS = 8 }; /* of a level, across and down */
+enum {
+    LEAST_CELLS = 8,   /* of a level, across and down */
+    BETWEEN = 3 * 200, /* indices */
+};
 
 static const double usual_tolerance = 0.25, usual_cut = 4;
 static const float depth_slope = 2; /* of shadow maps: their texels' neighbours are read too */
@@ -40,14 +45,20 @@ static GpResult make_level(const DepthImage *image, const float *normals, uint32
     GpResult result = surface_grid_open(image, normals, step, detail->cut, &grid, error);
     if (result)
         return result;
-    const MergeGrid points = { .columns = grid.columns,
-                               .rows = grid.rows,
-                               .wraps = image->is_cylinder,
-                               .position = (const float(*)[3])grid.position,
-                               .normal = (const float(*)[3])grid.normal,
-                               .cut = grid.cut };
+    uint32_t *needed = NULL;
+    MergeGrid points = { .columns = grid.columns,
+                         .rows = grid.rows,
+                         .wraps = image->is_cylinder,
+                         .position = (const float(*)[3])grid.position,
+                         .normal = (const float(*)[3])grid.normal,
+                         .cut = grid.cut };
     level->step = step;
-    result = merge_grid(&points, detail->tolerance * pixel * step, &level->mesh, error);
+    if (detail->own && shares_sum(image, detail->own, step, grid.columns, grid.rows, &needed))
+        result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    points.needed = needed;
+    if (!result)
+        result = merge_grid(&points, detail->tolerance * pixel * step, &level->mesh, error);
+    gp_free(needed);
     if (!result)
         result = make_vertices(&grid, level, error);
     surface_grid_close(&grid);
@@ -79,7 +90,8 @@ GpResult surface_open(const DepthImage *image, const SurfaceDetail *detail, Dept
 {
     const SurfaceDetail wanted = { detail && detail->tolerance > 0 ? detail->tolerance
                                                                    : usual_tolerance,
-                                   detail && detail->cut != 0 ? detail->cut : usual_cut };
+                                   detail && detail->cut != 0 ? detail->cut : usual_cut,
+                                   detail ? detail->own : NULL };
     const DepthPixels *front = &image->front;
     DepthSurface made = { .is_cylinder = image->is_cylinder, .pixel = surface_grid_pixel(image) };
     float *found = NULL;
@@ -121,39 +133,6 @@ uint32_t surface_step(const DepthSurface *surface, const WarpView *view)
     return footprint_step(surface->center, surface->radius, surface->pixel, view);
 }
 
-/* Planes of the view, unit normals that point into it: sides, near, far. */
-typedef struct ViewPlanes {
-    double plane[6][4];
-} ViewPlanes;
-
-static ViewPlanes planes_of(const WarpView *view)
-{
-    double eye_space[4][4], projection[4][4], clip[4][4];
-    ViewPlanes planes;
-    camera_view(&view->camera, eye_space);
-    camera_projection(&view->camera, (double)view->width / view->height, projection);
-    matrix_multiply(projection, eye_space, clip);
-    for (int i = 0; i < 6; i++) {
-        double *plane = planes.plane[i];
-        for (int k = 0; k < 4; k++) {
-            const double axis = clip[i / 2][k];
-            plane[k] = i == 4 ? axis : i % 2 ? clip[3][k] - axis : clip[3][k] + axis;
-        }
-        const double length = sqrt(vector_dot(plane, plane));
-        for (int k = 0; k < 4; k++)
-            plane[k] /= length;
-    }
-    return planes;
-}
-
-static bool may_be_in(const ViewPlanes *planes, const double center[3], double radius)
-{
-    for (int i = 0; i < 6; i++)
-        if (vector_dot(planes->plane[i], center) + planes->plane[i][3] < -radius)
-            return false;
-    return true;
-}
-
 static const SurfaceLevel *level_for(const DepthSurface *surface, const SurfaceSetting *setting,
                                      const WarpView *view)
 {
@@ -187,28 +166,35 @@ static void draw_patches(SurfaceDraws *draws, uint32_t first, uint32_t end)
     draws->triangles += geometry.index_count / 3;
 }
 
-/* Neighbours that may be seen are one draw. */
+/* Neighbours that may be seen are one draw, with what lies between them where that is less than to prepare
+ * another. */
 static void draw_seen(SurfaceDraws *draws, const WarpView *view, bool both_sides)
 {
     const MergedMesh *mesh = &draws->level->mesh;
-    const ViewPlanes planes = planes_of(view);
+    const ViewPlanes planes = view_planes(view);
     const bool is_parallel = !(view->camera.fovy > 0);
     double eye[3];
-    uint32_t first = 0;
+    uint32_t first = 0, end = 0, last = 0; /* patches that wait; the index behind them */
     memcpy(eye, view->camera.eye, sizeof eye);
     if (is_parallel) {
         vector_subtract(view->camera.eye, view->camera.at, eye);
         vector_normalize(eye);
     }
-    for (uint32_t i = 0; i <= mesh->patch_count; i++) {
+    for (uint32_t i = 0; i < mesh->patch_count; i++) {
         const MergedPatch *patch = &mesh->patches[i];
-        if (i < mesh->patch_count && may_be_in(&planes, patch->center, patch->radius) &&
-            (both_sides || merged_may_face(patch, eye, is_parallel)))
+        if (!view_planes_may_see(&planes, patch->center, patch->radius) ||
+            !(both_sides || merged_may_face(patch, eye, is_parallel)))
             continue;
-        if (first < i)
-            draw_patches(draws, first, i);
-        first = i + 1;
+        if (first < end && patch->first_index > last + BETWEEN) {
+            draw_patches(draws, first, end);
+            first = end;
+        }
+        first = first == end ? i : first;
+        end = i + 1;
+        last = patch->first_index + patch->index_count;
     }
+    if (first < end)
+        draw_patches(draws, first, end);
 }
 
 static GpGeometry geometry_of(const SurfaceLevel *level)
@@ -233,37 +219,80 @@ static SurfaceUniforms uniforms_of(const SurfaceSetting *setting, const WarpView
     return uniforms;
 }
 
-/* Smaller levels of textures are for those of the surface. */
-static GpSampler sampler_of(const DepthSurface *surface, const SurfaceLevel *level)
+/* A level that holds for all of the draw leaves pixels without neighbours to be shaded for its sake. */
+static GpSampler sampler_of(const DepthSurface *surface, const SurfaceSetting *setting,
+                            const WarpView *view, const SurfaceLevel *level)
 {
-    return (GpSampler){ .min = GP_LINEAR,
-                        .mag = GP_LINEAR,
-                        .mip = level->step > 1 ? GP_MIP_POINT : GP_MIP_NONE,
-                        .address_u = surface->is_cylinder ? GP_WRAP : GP_CLAMP,
-                        .address_v = GP_CLAMP };
+    GpSampler sampler = { .min = GP_LINEAR,
+                          .mag = GP_LINEAR,
+                          .address_u = surface->is_cylinder ? GP_WRAP : GP_CLAMP,
+                          .address_v = GP_CLAMP };
+    if (setting->is_distant)
+        sampler.min_lod = (float)__builtin_ctz(surface_step(surface, view));
+    else if (level->step > 1)
+        sampler.mip = GP_MIP_POINT;
+    return sampler;
+}
+
+/* in   view: lit from without end */
+static SurfaceDistantUniforms distant_uniforms(const DepthSurface *surface,
+                                               const SurfaceSetting *setting, const WarpView *view)
+{
+    const WarpLight *light = view->light;
+    SurfaceDistantUniforms uniforms = { .specular = (float)WARP_SPECULAR,
+                                        .shininess = (float)WARP_SHININESS };
+    double way[3];
+    camera_matrix(&view->camera, (double)view->width / view->height, uniforms.mvp);
+    if (setting->shadow)
+        memcpy(uniforms.map, setting->shadow->map, sizeof uniforms.map);
+    vector_subtract(view->camera.eye, view->camera.fovy > 0 ? surface->center : view->camera.at,
+                    way);
+    vector_normalize(way);
+    vector_add_scaled(way, 1, light->position, way);
+    vector_normalize(way);
+    for (int k = 0; k < 3; k++) {
+        uniforms.half_way[k] = (float)way[k];
+        uniforms.source[k] = (float)light->position[k];
+        uniforms.color[k] = light->color[k];
+        uniforms.ambient[k] = light->ambient[k];
+    }
+    return uniforms;
+}
+
+/* What shades it, and from what. */
+static void set_program(const DepthSurface *surface, const SurfaceSetting *setting,
+                        const WarpView *view, Frame *frame, GpDraw *draw)
+{
+    if (view->light && setting->is_distant) {
+        const SurfaceDistantUniforms uniforms = distant_uniforms(surface, setting, view);
+        draw->program =
+            setting->shadow ? &surface_distant_shadowed_program : &surface_distant_program;
+        draw->uniforms = frame_copy(frame, &uniforms, sizeof uniforms);
+        return;
+    }
+    const SurfaceUniforms uniforms = uniforms_of(setting, view);
+    draw->program = !view->light      ? &surface_program
+                    : setting->shadow ? &surface_shadowed_program
+                                      : &surface_lit_program;
+    draw->uniforms = frame_copy(frame, &uniforms, sizeof uniforms);
 }
 
 uint32_t surface_draw(const DepthSurface *surface, const SurfaceSetting *setting,
                       const WarpView *view, bool has_depth, Frame *frame)
 {
-    const ViewPlanes planes = planes_of(view);
-    if (!surface->level_count || !may_be_in(&planes, surface->center, surface->radius))
+    const ViewPlanes planes = view_planes(view);
+    if (!surface->level_count || !view_planes_may_see(&planes, surface->center, surface->radius))
         return 0;
     const SurfaceLevel *level = level_for(surface, setting, view);
-    const SurfaceUniforms uniforms = uniforms_of(setting, view);
-    const GpSampler sampler = sampler_of(surface, level);
-    const bool is_shadowed = view->light && setting->shadow;
+    const GpSampler sampler = sampler_of(surface, setting, view, level);
     SurfaceDraws draws = { .level = level, .frame = frame };
     GpDraw *draw = &draws.draw;
-    draw->program = is_shadowed   ? &surface_shadowed_program
-                    : view->light ? &surface_lit_program
-                                  : &surface_program;
-    draw->uniforms = frame_copy(frame, &uniforms, sizeof uniforms);
+    set_program(surface, setting, view, frame, draw);
     draw->geometry = geometry_of(level);
     draw->textures[0] = (GpTexture){ surface->textures.color, sampler };
     if (view->light)
         draw->textures[1] = (GpTexture){ surface->textures.normal, sampler };
-    if (is_shadowed)
+    if (view->light && setting->shadow)
         draw->textures[2] = setting->shadow->texture;
     if (has_depth)
         draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
@@ -275,8 +304,8 @@ uint32_t surface_draw(const DepthSurface *surface, const SurfaceSetting *setting
 uint32_t surface_draw_depth(const DepthSurface *surface, const SurfaceSetting *setting,
                             const WarpView *view, Frame *frame)
 {
-    const ViewPlanes planes = planes_of(view);
-    if (!surface->level_count || !may_be_in(&planes, surface->center, surface->radius))
+    const ViewPlanes planes = view_planes(view);
+    if (!surface->level_count || !view_planes_may_see(&planes, surface->center, surface->radius))
         return 0;
     SurfaceDraws draws = { .level = level_for(surface, setting, view), .frame = frame };
     DepthOnlyUniforms uniforms;

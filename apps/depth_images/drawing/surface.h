@@ -20,6 +20,9 @@ typedef struct SurfaceDetail {
     /* Neighbours whose depths differ by more than so many times their distance are not one surface,
      * where that is a jump and no slope; 0: 4; below 0: all are */
     double cut;
+    /* [height][width]: 1: pixels that are to be drawn, triangles with none of them are left out. NULL: all
+     * are. Borrowed while it is opened */
+    const uint8_t *own;
 } SurfaceDetail;
 
 typedef struct SurfaceVertex {
@@ -43,9 +46,9 @@ typedef struct DepthSurface {
     double pixel;             /* side of the image's pixels in the world, about */
 } DepthSurface;
 
-/* A light's shadow map, as programs read it. */
+/* The shadow map of a light from without end, as programs read it. */
 typedef struct SurfaceShadow {
-    float map[4][4]; /* to it: u w, v w, depth w, w */
+    float map[3][4]; /* to it: u, v, depth */
     GpTexture texture;
 } SurfaceShadow;
 
@@ -53,6 +56,9 @@ typedef struct SurfaceShadow {
 typedef struct SurfaceSetting {
     uint32_t step;   /* of columns and rows, a power of two; 0: as surface_step has it */
     bool both_sides; /* insides are drawn too; else what turns away is left out */
+    /* For images that are small in the picture: everywhere the level of textures that belongs to the
+     * footprint, and the way to the eye as it is in the middle. Their light is from without end */
+    bool is_distant;
     const SurfaceShadow *shadow; /* of the view's light; NULL: none. Borrowed */
     const char *name;            /* of the pass, borrowed; NULL: "surface" */
 } SurfaceSetting;

@@ -2,7 +2,9 @@
 
 #include "apps/base/bounds.h"
 #include "apps/depth_images/drawing/light.h"
-#include "shaders_c/warp/ground.h"
+#include "apps/depth_images/drawing/shares.h"
+#include "apps/depth_images/drawing/view_planes.h"
+#include "apps/depth_images/drawing/walk_ground.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +13,8 @@ enum { USUAL_MAP = 2048, GRASS = 64 };
 
 static const double spacing = 4;                       /* between objects */
 static const double least_size = 1.2, most_size = 2.4; /* of objects */
-static const double grass_size = 3;                    /* of the ground's texture */
+
+static const double distant = 10; /* radii, from where an object is seen from one direction */
 
 static const WarpLight sun = { .position = { 0.48, 0.8, 0.36 },
                                .directional = true,
@@ -27,13 +30,30 @@ static double next_random(uint64_t *seed)
     return (double)(*seed >> 40) * 0x1p-24;
 }
 
+/* About all balls of its images, which are smaller than what is about their boxes. */
+static void find_ball(const Bounds *box, WalkModel *model)
+{
+    for (int k = 0; k < 3; k++)
+        model->center[k] = (box->low[k] + box->high[k]) / 2;
+    for (uint32_t i = 0; i < model->count; i++) {
+        double away[3];
+        const DepthSurface *surface = &model->surfaces[i];
+        vector_subtract(surface->center, model->center, away);
+        model->radius = fmax(model->radius, sqrt(vector_dot(away, away)) + surface->radius);
+    }
+}
+
 static GpResult open_model(const DepthModel *from, WalkModel *model, GpError *error)
 {
-    static const SurfaceDetail detail = { .tolerance = 1 };
     Bounds box = bounds_of_nothing;
     for (uint32_t i = 0; i < from->count; i++) {
         DepthSurface *surface = &model->surfaces[i];
+        uint8_t *share = NULL;
+        if (shares_find(from, i, &share))
+            return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+        const SurfaceDetail detail = { .tolerance = 1, .own = share };
         const GpResult result = surface_open(&from->images[i], &detail, surface, error);
+        gp_free(share);
         if (result)
             return result;
         model->count++;
@@ -47,7 +67,18 @@ static GpResult open_model(const DepthModel *from, WalkModel *model, GpError *er
     for (int k = 0; k < 3; k++)
         model->base[k] = k == 1 ? box.low[k] : (box.low[k] + box.high[k]) / 2;
     model->size = bounds_longest(&box) > 0 ? bounds_longest(&box) : 1;
+    find_ball(&box, model);
     return GP_OK;
+}
+
+static void place_ball(const WalkModel *model, WalkObject *object)
+{
+    double off[3];
+    vector_subtract(model->center, model->base, off);
+    const double turned[3] = { object->cosine * off[0] + object->sine * off[2], off[1],
+                               object->cosine * off[2] - object->sine * off[0] };
+    vector_add_scaled(object->foot, object->scale, turned, object->center);
+    object->radius = object->scale * model->radius;
 }
 
 static void place_objects(Walk *walk)
@@ -65,6 +96,7 @@ static void place_objects(Walk *walk)
         angle_sincos(360 * next_random(&seed), &object->sine, &object->cosine);
         object->scale = (least_size + (most_size - least_size) * next_random(&seed)) /
                         walk->models[object->model].size;
+        place_ball(&walk->models[object->model], object);
     }
 }
 
@@ -233,13 +265,19 @@ static uint32_t draw_coarsely(const DepthSurface *surface, const WarpView *view,
     return surface_draw_depth(surface, &setting, view, frame);
 }
 
-static uint32_t draw_map(const Walk *walk, const WarpView *view, GpSurface *map, Frame *frame)
+/* Objects whose shadows may be seen, on others or on the ground. */
+static uint32_t draw_map(const Walk *walk, const WarpView *view, const ViewPlanes *seen,
+                         GpSurface *map, Frame *frame)
 {
     uint32_t triangles = 0;
     frame_pass(frame, "map", NULL, map, NULL);
     for (uint32_t i = 0; i < walk->object_count; i++) {
-        const WalkModel *model = &walk->models[walk->objects[i].model];
-        const WarpView own = own_view(walk, &walk->objects[i], view, NULL);
+        const WalkObject *object = &walk->objects[i];
+        const WalkModel *model = &walk->models[object->model];
+        const WalkShadow shadow = walk_shadow(object, &sun, 0);
+        if (!view_planes_may_see_way(seen, object->center, shadow.center, shadow.across))
+            continue;
+        const WarpView own = own_view(walk, object, view, NULL);
         for (uint32_t k = 0; k < model->count; k++)
             triangles += draw_coarsely(&model->surfaces[k], &own, frame);
     }
@@ -274,6 +312,13 @@ static Ordered *order_objects(const Walk *walk, const Camera *camera, Frame *fra
     return order;
 }
 
+static bool is_distant(const WalkObject *object, const Camera *camera)
+{
+    double way[3];
+    vector_subtract(object->center, camera->eye, way);
+    return vector_dot(way, way) > distant * distant * object->radius * object->radius;
+}
+
 /* One object, with the way from its own space to the light's map. returns triangles */
 static uint32_t draw_object(const Walk *walk, const WalkObject *object, const WalkSetting *setting,
                             const WarpView *view, double map[4][4], SurfaceShadow *shadow,
@@ -286,50 +331,15 @@ static uint32_t draw_object(const Walk *walk, const WalkObject *object, const Wa
     uint32_t triangles = 0;
     object_matrix(walk, object, place);
     matrix_multiply(map, place, product);
-    matrix_round(product, shadow->map);
+    float rounded[4][4];
+    matrix_round(product, rounded);
+    memcpy(shadow->map, rounded, sizeof shadow->map);
     const SurfaceSetting drawn = { .step = setting->step,
-                                   .shadow = setting->no_shadows ? NULL : shadow };
+                                   .shadow = setting->no_shadows ? NULL : shadow,
+                                   .is_distant = is_distant(object, &view->camera) };
     for (uint32_t i = 0; i < model->count; i++)
         triangles += surface_draw(&model->surfaces[i], &drawn, &own, true, frame);
     return triangles;
-}
-
-static void draw_ground(const Walk *walk, const WalkSetting *setting, const WarpView *view,
-                        double map[4][4], const SurfaceShadow *shadow, Frame *frame)
-{
-    static const uint16_t indices[6] = { 0, 1, 2, 2, 1, 3 };
-    const GpSampler repeated = { .min = GP_LINEAR, .mag = GP_LINEAR, .mip = GP_MIP_LINEAR };
-    GroundUniforms uniforms;
-    const double reach = 5 * walk->half;
-    float(*corners)[2] = frame_alloc(frame, 4, sizeof *corners);
-    if (!corners)
-        return;
-    for (int i = 0; i < 4; i++) {
-        corners[i][0] = (float)(i & 1 ? reach : -reach);
-        corners[i][1] = (float)(i & 2 ? reach : -reach);
-    }
-    uniforms.repeats = (float)(1 / grass_size);
-    for (int k = 0; k < 3; k++) {
-        static const int columns[3] = { 0, 2, 3 };
-        for (int i = 0; i < 3; i++)
-            uniforms.map[k][i] = (float)map[k][columns[i]];
-        uniforms.ambient[k] = sun.ambient[k];
-        uniforms.direct[k] = sun.color[k] * (float)sun.position[1];
-    }
-    camera_matrix(&view->camera, (double)view->width / view->height, uniforms.mvp);
-    const GpGeometry geometry = {
-        .vertex_count = 4,
-        .indices16 = indices,
-        .index_count = 6,
-        .streams = { [GP_POSITION] = { corners[0], sizeof *corners, 2, GP_FLOAT32 } },
-    };
-    GpDraw *draw =
-        frame_draw_copied(frame, setting->no_shadows ? &ground_program : &ground_shadowed_program,
-                          &uniforms, &geometry);
-    draw->textures[0] = (GpTexture){ walk->grass, repeated };
-    if (!setting->no_shadows)
-        draw->textures[1] = shadow->texture;
-    draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
 }
 
 GpResult walk_add(const Walk *walk, const WalkSetting *setting, const Camera *camera,
@@ -338,6 +348,7 @@ GpResult walk_add(const Walk *walk, const WalkSetting *setting, const Camera *ca
     static const float sky[4] = { 0.56f, 0.7f, 0.88f, 1 };
     const WarpView view = { *camera, width, height, &sun };
     const WarpView from_sun = sun_view(walk, setting->map ? setting->map : USUAL_MAP);
+    const ViewPlanes seen = view_planes(&view);
     const Ordered *order = order_objects(walk, camera, frame);
     WalkCounts drawn = { .objects = 0 };
     SurfaceShadow shadow = { .texture = { NULL, { .min = GP_POINT } } };
@@ -345,7 +356,7 @@ GpResult walk_add(const Walk *walk, const WalkSetting *setting, const Camera *ca
     map_matrix(&from_sun, map);
     if (!setting->no_shadows) {
         GpSurface *surface = frame_surface(frame, GP_D32F, from_sun.width, from_sun.height, 1);
-        drawn.shadow_triangles = draw_map(walk, &from_sun, surface, frame);
+        drawn.shadow_triangles = draw_map(walk, &from_sun, &seen, surface, frame);
         shadow.texture = map_texture(surface);
     }
     frame->color = frame_surface(frame, GP_A8R8G8B8, width, height, 1);
@@ -357,7 +368,12 @@ GpResult walk_add(const Walk *walk, const WalkSetting *setting, const Camera *ca
         drawn.objects += triangles > 0;
         drawn.triangles += triangles;
     }
-    draw_ground(walk, setting, &view, map, &shadow, frame);
+    walk_ground_draw(walk, &view,
+                     &(WalkGround){ .sun = &sun,
+                                    .map = setting->no_shadows ? NULL : map,
+                                    .texture = shadow.texture,
+                                    .texel = 2 * from_sun.camera.height / from_sun.width },
+                     frame);
     if (counts)
         *counts = drawn;
     return frame_result(frame, error);

@@ -12,8 +12,9 @@
 typedef struct WalkModel {
     DepthSurface surfaces[DEPTH_MODEL_IMAGES];
     uint32_t count;
-    double base[3]; /* the middle of its foot, in its own space */
-    double size;    /* of the largest side of its box */
+    double base[3];           /* the middle of its foot, in its own space */
+    double size;              /* of the largest side of its box */
+    double center[3], radius; /* of a ball about it */
 } WalkModel;
 
 /* A model's own space is turned about y, scaled and moved to the world. */
@@ -21,6 +22,7 @@ typedef struct WalkObject {
     uint32_t model;
     double foot[3]; /* where the base is */
     double sine, cosine, scale;
+    double center[3], radius; /* of a ball about it, in the world */
 } WalkObject;
 
 /* Owned by whoever made it, until walk_close; a zeroed one is empty. */
