@@ -36,3 +36,45 @@ fragment_programs(convex_knot, float4, MODEL_2_0)
 {
     return source;
 }
+
+/* --- slabs -------------------------------------------------------------------------------------- */
+
+typedef struct SlabLayer {
+    float4 source, depth;
+} SlabLayer;
+
+fragment_programs(convex_slab, SlabLayer, MODEL_3_0)
+{
+    return (SlabLayer){ source, sp4(depth) };
+}
+
+clip_vertex_shader(convex_slab_join_vs, NoUniforms);
+
+/* Neighbours change places; those of one depth stay in the order of their drawing. */
+pixel_shader(convex_slab_join_ps, NoUniforms, NoVarying)
+{
+    float4 source[SLAB_LAYERS], layers = vec4(0, 0, 0, 1);
+    flt depth[SLAB_LAYERS];
+    for (int i = 0; i < SLAB_LAYERS; i++) {
+        source[i] = gp_load_local(i);
+        depth[i] = gp_load_local(SLAB_LAYERS + i).x;
+    }
+    for (int end = SLAB_LAYERS - 1; end > 0; end--)
+        for (int i = 0; i < end; i++) {
+            msk turned = depth[i] > depth[i + 1];
+            float4 nearer = sel(turned, source[i + 1], source[i]);
+            flt least = sel(turned, depth[i + 1], depth[i]);
+            source[i + 1] = sel(turned, source[i], source[i + 1]);
+            depth[i + 1] = sel(turned, depth[i], depth[i + 1]);
+            source[i] = nearer;
+            depth[i] = least;
+        }
+    for (int i = 0; i < SLAB_LAYERS; i++) {
+        float4 layer = sel(depth[i] <= 1.0f, source[i], vec4(0, 0, 0, 1));
+        layers = rgba(mad(xyz(layer), layers.w, xyz(layers)), layers.w * layer.w);
+    }
+    return layers;
+}
+
+program(convex_slab_join_program, convex_slab_join_vs, convex_slab_join_ps, MODEL_3_0,
+        .inputs = { { GP_POSITION, 3 } }, .local_reads = 0xff)

@@ -13,7 +13,18 @@ extern const GpProgram convex_program, convex_glass_program;
  * is let through. */
 extern const GpProgram convex_join_program;
 
-/* A fragment as it is, likewise. */
+/* A fragment as it is, likewise; knots are sorted by the machine. */
 extern const GpProgram convex_knot_program, convex_knot_glass_program;
+
+/* Of faces in a slab the fragment of a pixel that the stencil lets through: target 0 as it is, target 1, R32F, its
+ * depth. */
+extern const GpProgram convex_slab_program, convex_slab_glass_program;
+
+enum { SLAB_LAYERS = 4 };
+
+#define SLAB_NONE 2.0f /* depth of what is no fragment */
+
+/* Over cells of pixels: slots 0 to 3, in place, such fragments, 4 to 7 their depths: put in order, and together. */
+extern const GpProgram convex_slab_join_program;
 
 #endif

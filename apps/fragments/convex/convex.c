@@ -10,35 +10,95 @@
 
 /* --- for all views ---------------------------------------------------------------------------- */
 
-/* A cache that is not there yet is no fault. */
-static GpResult find_pieces(const FragmentMesh *mesh, const PiecesSetting *setting,
-                            const char *cache, Pieces *pieces, GpError *fault, GpError *error)
+/* What is told of pieces, and of what parts them, as of one work. */
+typedef struct Told {
+    const ConvexSetting *setting;
+    double begin, part;
+} Told;
+
+static bool tell(void *context, double share)
 {
-    const uint64_t key = cache ? pieces_key(mesh->positions, mesh->vertex_count, mesh->indices,
-                                            mesh->triangle_count, setting)
-                               : 0;
-    fault->text[0] = '\0';
-    GpResult result = cache ? pieces_read(cache, key, pieces, fault) : GP_ERROR_IO;
-    if (!result)
-        return GP_OK;
+    const Told *told = context;
+    const ConvexSetting *setting = told->setting;
+    return !setting->progress ||
+           setting->progress(setting->context, told->begin + told->part * share);
+}
+
+/* Reads what there is; a cache that is not there yet is no fault. */
+static GpResult read_cache(const ConvexSetting *setting, uint64_t key, Pieces *pieces,
+                           PiecesBlock *block, GpError *fault)
+{
+    const GpResult result = pieces_read(setting->cache, key, pieces, block, fault);
     if (result == GP_ERROR_IO)
         fault->text[0] = '\0';
-    result = pieces_make(mesh->positions, mesh->vertex_count, mesh->indices, mesh->triangle_count,
-                         setting, NULL, NULL, pieces, error);
-    if (!result && cache)
-        pieces_write(cache, key, pieces, fault);
     return result;
 }
 
-GpResult convex_open(const FragmentMesh *mesh, const PiecesSetting *setting, const char *cache,
-                     ConvexModel *model, GpError *fault, GpError *error)
+static void write_cache(const ConvexModel *model, const ConvexSetting *setting, uint64_t key,
+                        GpError *fault)
+{
+    PiecesBlock block = { NULL, 0 };
+    if (model->partings && partings_pack(model->partings, &block))
+        gp_fail(fault, GP_ERROR_MEMORY, "%s: no memory", setting->cache);
+    else
+        pieces_write(setting->cache, key, model->pieces, &block, fault);
+    gp_free(block.bytes);
+}
+
+/* Those of a block, or new ones. */
+static GpResult find_partings(ConvexModel *model, const ConvexSetting *setting,
+                              const PiecesBlock *block, bool *is_new, GpError *error)
+{
+    Told told = { setting, 0.5, 0.5 };
+    Partings *partings = gp_alloc(1, sizeof *partings);
+    if (!partings)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    GpResult result = block->bytes ? partings_unpack(block, model->pieces, partings) : GP_ERROR_IO;
+    if (result) {
+        *is_new = true;
+        result = partings_make(&model->order, tell, &told, partings, error);
+    }
+    if (result)
+        gp_free(partings);
+    else
+        model->partings = partings;
+    return result;
+}
+
+static GpResult find_all(const ConvexSetting *setting, uint64_t key, ConvexModel *model,
+                         GpError *fault, GpError *error)
+{
+    const FragmentMesh *mesh = model->mesh;
+    Told told = { setting, 0, setting->has_partings ? 0.5 : 1 };
+    PiecesBlock block = { NULL, 0 };
+    bool is_new = !setting->cache || read_cache(setting, key, model->pieces, &block, fault);
+    GpResult result = GP_OK;
+    if (is_new)
+        result =
+            pieces_make(mesh->positions, mesh->vertex_count, mesh->indices, mesh->triangle_count,
+                        &setting->pieces, tell, &told, model->pieces, error);
+    if (!result)
+        result = order_mesh_make(mesh, model->pieces, &model->order, error);
+    if (!result && setting->has_partings)
+        result = find_partings(model, setting, &block, &is_new, error);
+    if (!result && is_new && setting->cache)
+        write_cache(model, setting, key, fault);
+    gp_free(block.bytes);
+    return result;
+}
+
+GpResult convex_open(const FragmentMesh *mesh, const ConvexSetting *setting, ConvexModel *model,
+                     GpError *fault, GpError *error)
 {
     ConvexModel made = { .mesh = mesh, .pieces = gp_alloc(1, sizeof *made.pieces) };
+    fault->text[0] = '\0';
     if (!made.pieces)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    GpResult result = find_pieces(mesh, setting, cache, made.pieces, fault, error);
-    if (!result)
-        result = order_mesh_make(mesh, made.pieces, &made.order, error);
+    const uint64_t key = setting->cache
+                             ? pieces_key(mesh->positions, mesh->vertex_count, mesh->indices,
+                                          mesh->triangle_count, &setting->pieces)
+                             : 0;
+    const GpResult result = find_all(setting, key, &made, fault, error);
     if (result)
         convex_close(&made);
     else
@@ -48,6 +108,9 @@ GpResult convex_open(const FragmentMesh *mesh, const PiecesSetting *setting, con
 
 void convex_close(ConvexModel *model)
 {
+    if (model->partings)
+        partings_free(model->partings);
+    gp_free(model->partings);
     order_mesh_free(&model->order);
     if (model->pieces)
         pieces_free(model->pieces);
@@ -64,6 +127,9 @@ typedef struct Levels {
     const Order *order;
     Cells cells;
     GpSurface *near, *far, *all;
+    GpSurface *layer[SLAB_LAYERS], *layer_depth[SLAB_LAYERS]; /* of slabs, by their places */
+    GpSurface
+        *stencil; /* how many fragments of a pixel there have been; NULL: knots, and no slabs */
     uint32_t *mark, *number; /* of the mesh's vertices: the last draw that has it, and where */
     uint32_t draws;
 } Levels;
@@ -155,6 +221,55 @@ static void draw_knots(Levels *levels, const uint32_t *faces, uint32_t count)
     draw->state.blend[0] = fragment_under;
 }
 
+static void begin_slabs(Levels *levels)
+{
+    const FragmentPasses *passes = &levels->passes;
+    for (int i = 0; i < SLAB_LAYERS; i++) {
+        levels->layer[i] = fragment_surface(passes, GP_A32B32G32R32F);
+        levels->layer_depth[i] = fragment_surface(passes, GP_R32F);
+    }
+    levels->stencil = fragment_surface(passes, GP_D24S8);
+    frame_pass(passes->frame, "slabs", NULL, levels->stencil, fragment_nothing);
+    fragment_begin_depth(passes);
+}
+
+/* Of each pixel the fragment at a place in the order of drawing. */
+static void draw_layer(Levels *levels, const GpGeometry *geometry, uint32_t place)
+{
+    const FragmentPasses *passes = &levels->passes;
+    GpPass *pass =
+        frame_pass(passes->frame, "slab", levels->layer[place], levels->stencil, fragment_nothing);
+    pass->color[1] = (GpColorTarget){ levels->layer_depth[place], true, { SLAB_NONE } };
+    pass->depth.clear_depth = false;
+    pass->depth.clear_stencil = true;
+    pass->clear_rects = cells_rects(&levels->cells, passes->frame, &pass->clear_rect_count);
+    GpDraw *draw = fragment_draw(passes, &convex_slab_program, &convex_slab_glass_program);
+    draw->geometry = *geometry;
+    draw->state.stencil = (GpStencilState){
+        .enable = true,
+        .reference = (uint8_t)place,
+        .front = { .test = GP_EQUAL, .fail = GP_STENCIL_INCR_SAT, .pass = GP_STENCIL_INCR_SAT }
+    };
+}
+
+/* Slabs that share no pixel, by the stencil-routed k-buffer. */
+static void draw_slabs(Levels *levels, const uint32_t *faces, uint32_t count)
+{
+    Frame *frame = levels->passes.frame;
+    const GpGeometry geometry = faces_geometry(levels, faces, count);
+    use_cells(levels, faces, count);
+    for (uint32_t place = 0; place < SLAB_LAYERS; place++)
+        draw_layer(levels, &geometry, place);
+    const GpGeometry cells = cells_geometry(&levels->cells, frame);
+    frame_pass(frame, "join", levels->all, NULL, fragment_nothing)->color[0].clear = false;
+    GpDraw *draw = frame_draw(frame, &convex_slab_join_program, NULL, &cells);
+    for (int i = 0; i < SLAB_LAYERS; i++) {
+        draw->textures[i].surface = levels->layer[i];
+        draw->textures[SLAB_LAYERS + i].surface = levels->layer_depth[i];
+    }
+    draw->state.blend[0] = fragment_under;
+}
+
 static void draw_levels(Levels *levels)
 {
     const Order *order = levels->order;
@@ -168,13 +283,15 @@ static void draw_levels(Levels *levels)
             draw_sides(levels, faces, count);
             join_sides(levels);
         }
-        if (knot_count > 0)
+        if (knot_count > 0 && levels->stencil)
+            draw_slabs(levels, knots, knot_count);
+        else if (knot_count > 0)
             draw_knots(levels, knots, knot_count);
     }
 }
 
-static GpResult add_levels(const ConvexModel *model, FragmentPasses passes, const Screen *screen,
-                           const Order *order)
+static GpResult add_levels(const ConvexModel *model, ConvexOrder by, FragmentPasses passes,
+                           const Screen *screen, const Order *order)
 {
     const FragmentView *view = passes.view;
     Levels levels = { .passes = passes,
@@ -186,6 +303,8 @@ static GpResult add_levels(const ConvexModel *model, FragmentPasses passes, cons
                       .far = fragment_surface(&passes, GP_A32B32G32R32F),
                       .all = fragment_surface(&passes, GP_A32B32G32R32F) };
     frame_pass(passes.frame, "nothing", levels.all, NULL, fragment_nothing);
+    if (by == CONVEX_ORDER_GRID)
+        begin_slabs(&levels);
     levels.mark = gp_alloc(passes.mesh->drawn->vertex_count, sizeof *levels.mark);
     levels.number = gp_alloc(passes.mesh->drawn->vertex_count, sizeof *levels.number);
     const bool has_room = levels.mark && levels.number && levels.cells.is_used;
@@ -208,11 +327,11 @@ GpResult convex_add(const ConvexModel *model, ConvexOrder by, const FragmentView
     GpResult result = screen_make(model->mesh, view, &screen, error);
     if (!result)
         result = by == CONVEX_ORDER_GRID
-                     ? order_by_grid(&model->order, view, &screen, &order, error)
+                     ? order_by_grid(&model->order, model->partings, view, &screen, &order, error)
                      : order_find(&model->order, view, &screen, &order, error);
     if (!result) {
-        result = add_levels(model, fragment_passes(model->mesh, view, color, depth, frame), &screen,
-                            &order);
+        result = add_levels(model, by, fragment_passes(model->mesh, view, color, depth, frame),
+                            &screen, &order);
         if (facts)
             *facts = (ConvexFacts){ model->pieces->count, order.level_count,
                                     order.sides,          order.split_sides,

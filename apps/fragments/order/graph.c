@@ -134,3 +134,90 @@ GpResult graph_components(const Graph *graph, uint32_t *component, uint32_t *com
     gp_free(search.path);
     return done ? GP_OK : GP_ERROR_MEMORY;
 }
+
+/* --- a sequence ------------------------------------------------------------------------------- */
+
+typedef struct Sequence {
+    const Graph *graph;
+    uint32_t *component, components;
+    uint32_t *first; /* [components + 1] of each in members, what comes before the others first */
+    uint32_t *members;
+    uint32_t *before;             /* [count] of its component, that are not in the sequence yet */
+    uint32_t *list, count, taken; /* the sequence; those of it whose turn it was to free others */
+} Sequence;
+
+/* Members of components, as they come in a list. */
+static void list_members(Sequence *s, const uint32_t *nodes)
+{
+    const uint32_t last = s->components - 1;
+    uint32_t *next = s->first + 1; /* counts, then where one goes, then ends */
+    for (uint32_t n = 0; n < s->graph->count; n++)
+        next[last - s->component[n] + 1]++;
+    for (uint32_t c = 0; c < s->components; c++)
+        next[c + 1] += next[c];
+    for (uint32_t i = 0; i < s->graph->count; i++)
+        s->members[next[last - s->component[nodes[i]]]++] = nodes[i];
+    for (uint32_t n = 0; n < s->graph->count; n++)
+        for (size_t i = s->graph->first[n]; i < s->graph->first[n + 1]; i++)
+            s->before[s->graph->after[i]] += s->component[s->graph->after[i]] == s->component[n];
+}
+
+enum { IS_LISTED = UINT32_MAX };
+
+static void list_node(Sequence *s, uint32_t node)
+{
+    s->before[node] = IS_LISTED;
+    s->list[s->count++] = node;
+}
+
+/* Takes nodes from what comes behind them, which is listed where nothing is left before it. */
+static void free_others(Sequence *s)
+{
+    while (s->taken < s->count) {
+        const uint32_t node = s->list[s->taken++];
+        for (size_t i = s->graph->first[node]; i < s->graph->first[node + 1]; i++) {
+            const uint32_t after = s->graph->after[i];
+            if (s->component[after] == s->component[node] && s->before[after] != IS_LISTED &&
+                --s->before[after] == 0)
+                list_node(s, after);
+        }
+    }
+}
+
+/* Every component of more than one is a circle. */
+static uint32_t cut_circles(Sequence *s)
+{
+    uint32_t cuts = 0;
+    for (uint32_t c = 0; c < s->components; c++)
+        for (uint32_t i = s->first[c]; i < s->first[c + 1]; i++)
+            if (s->before[s->members[i]] != IS_LISTED) {
+                cuts += s->before[s->members[i]] > 0;
+                list_node(s, s->members[i]);
+                free_others(s);
+            }
+    return cuts;
+}
+
+GpResult graph_sequence(const Graph *graph, const uint32_t *nodes, uint32_t *sequence,
+                        uint32_t *cuts)
+{
+    const size_t count = (size_t)graph->count + 2;
+    Sequence s = { .graph = graph,
+                   .component = gp_alloc(count, sizeof(uint32_t)),
+                   .first = gp_alloc(count, sizeof(uint32_t)),
+                   .members = gp_alloc(count, sizeof(uint32_t)),
+                   .before = gp_alloc(count, sizeof(uint32_t)),
+                   .list = sequence };
+    GpResult result = s.component && s.first && s.members && s.before
+                          ? graph_components(graph, s.component, &s.components)
+                          : GP_ERROR_MEMORY;
+    if (!result) {
+        list_members(&s, nodes);
+        *cuts = cut_circles(&s);
+    }
+    gp_free(s.component);
+    gp_free(s.first);
+    gp_free(s.members);
+    gp_free(s.before);
+    return result;
+}

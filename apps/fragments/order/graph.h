@@ -32,4 +32,13 @@ void graph_free(Graph *graph);
  * source Tarjan, "Depth-first search and linear graph algorithms", 1972, without recursion */
 GpResult graph_components(const Graph *graph, uint32_t *component, uint32_t *component_count);
 
+/* Puts all nodes into an order in which none comes before what is to be before it, but where nodes come before each
+ * other in a circle: that is cut at the first of them.
+ * in     nodes: [count] all, those first that come first where nothing else is said
+ * out    sequence: [count]; cuts: how often a circle was cut
+ * errors GP_ERROR_MEMORY
+ * source Kahn, "Topological sorting of large networks", Communications of the ACM 5(11), 1962 */
+GpResult graph_sequence(const Graph *graph, const uint32_t *nodes, uint32_t *sequence,
+                        uint32_t *cuts);
+
 #endif

@@ -1,323 +1,305 @@
 #include "apps/fragments/order/grid.h"
 
+#include "apps/fragments/order/graph.h"
+#include "apps/fragments/order/grid_levels.h"
+
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CELLS = 16 /* a side */, PIXELS = 16 /* of a cell of the screen */ };
+/* Of two pieces, whatever shares the screen with them. */
+typedef enum Front { NEITHER, FIRST, SECOND, FIRST_IN_SECOND, SECOND_IN_FIRST } Front;
 
-typedef enum Progress { WAITS, IS_VISITED, IS_DONE } Progress;
-
-/* A piece in a cell. */
-typedef struct Entry {
-    uint32_t cell, piece;
-    double distance;
-} Entry;
-
-/* A cell is in front of its neighbour on the other side than the eye, along each axis. */
+/* Nodes: the near side of piece p is 2 p, its far side 2 p + 1; then slabs. */
 typedef struct Grid {
     const OrderMesh *mesh;
-    double low[3], size[3];   /* of cells */
-    int32_t count[3], eye[3]; /* cells; the eye's, or the end that is nearest to it */
-    Entry *entries;
-    uint32_t entry_count, *first; /* [cells + 1] of each cell in entries */
-    uint8_t *cell_progress, *piece_progress;
-    uint32_t *sequence, drawn, circles; /* pieces in their order */
+    const Partings *partings;
+    double eye[3]; /* the eye; of parallel rays their direction */
+    bool is_parallel;
+    const Screen *screen;
+    ScreenBox *boxes; /* of pieces */
+    Pairs edges;
 } Grid;
 
-/* --- cells ------------------------------------------------------------------------------------ */
+/* --- which is in front -------------------------------------------------------------------------- */
 
-static int32_t cell_along(const Grid *grid, int axis, double at)
+/* Whether the eye is on the lower side of a plane. */
+static bool is_below(const Grid *grid, const double normal[3], double distance)
 {
-    const double cell = (at - grid->low[axis]) / grid->size[axis];
-    return cell <= 0 ? 0 : cell >= grid->count[axis] ? grid->count[axis] - 1 : (int32_t)cell;
+    const double at = vector_dot(normal, grid->eye);
+    return grid->is_parallel ? at > 0 : at < distance;
 }
 
-static void cells_of_piece(const Grid *grid, uint32_t piece, int32_t range[3][2])
+/* By a border between two boxes; NEITHER: there is none. */
+static Front front_by_boxes(const Grid *grid, uint32_t one, uint32_t other)
 {
-    const PieceSpan *span = &grid->mesh->spans[piece];
-    for (int k = 0; k < 3; k++) { /* the first axes of spans are x, y, z */
-        range[k][0] = cell_along(grid, k, span->low[k]);
-        range[k][1] = cell_along(grid, k, span->high[k]);
-    }
-}
-
-static uint32_t cell_number(const Grid *grid, const int32_t at[3])
-{
-    return (uint32_t)((at[2] * grid->count[1] + at[1]) * grid->count[0] + at[0]);
-}
-
-static uint32_t cell_total(const Grid *grid)
-{
-    return (uint32_t)(grid->count[0] * grid->count[1] * grid->count[2]);
-}
-
-/* About as many cells as pieces. */
-static void place_grid(Grid *grid, const Camera *camera)
-{
-    const uint32_t pieces = grid->mesh->pieces->count;
-    double high[3] = { 0 }, volume = 1;
+    const PieceSpan *a = &grid->mesh->spans[one], *b = &grid->mesh->spans[other];
     for (int k = 0; k < 3; k++) {
-        grid->low[k] = pieces ? grid->mesh->spans[0].low[k] : 0;
-        high[k] = pieces ? grid->mesh->spans[0].high[k] : 0;
-        for (uint32_t p = 1; p < pieces; p++) {
-            grid->low[k] = fmin(grid->low[k], grid->mesh->spans[p].low[k]);
-            high[k] = fmax(high[k], grid->mesh->spans[p].high[k]);
+        const bool rises = a->high[k] <= b->low[k];
+        if (!rises && !(b->high[k] <= a->low[k]))
+            continue;
+        const double border = rises ? (a->high[k] + b->low[k]) / 2 : (b->high[k] + a->low[k]) / 2;
+        return is_below(grid, order_axes[k], border) == rises ? FIRST : SECOND;
+    }
+    return NEITHER;
+}
+
+static Front front_by_parting(const Grid *grid, const Parting *parting, uint32_t one)
+{
+    const bool is_low = parting->low == one;
+    if (parting->kind == PARTING_NESTED)
+        return is_low ? SECOND_IN_FIRST : FIRST_IN_SECOND;
+    return is_below(grid, parting->plane, parting->plane[3]) == is_low ? FIRST : SECOND;
+}
+
+static Front front_of(const Grid *grid, uint32_t one, uint32_t other)
+{
+    const Front front = front_by_boxes(grid, one, other);
+    const Parting *parting = front ? NULL : parting_of(grid->partings, one, other);
+    return parting ? front_by_parting(grid, parting, one) : front;
+}
+
+/* --- what waits --------------------------------------------------------------------------------- */
+
+static uint32_t slab_node(const Grid *grid, const Parting *parting)
+{
+    return 2 * grid->mesh->pieces->count + parting->slab;
+}
+
+static uint32_t other_of(const Parting *parting, uint32_t piece)
+{
+    return parting->low == piece ? parting->high : parting->low;
+}
+
+/* By how many the first of two pieces is rather in front: 1, 0 or -1. */
+static int lead_of(const Grid *grid, uint32_t first, uint32_t second)
+{
+    const Front front = first == second ? NEITHER : front_of(grid, first, second);
+    return (front == FIRST) - (front == SECOND);
+}
+
+/* Slabs of two pieces of which the first is in front: each stands with its own piece, unless its other piece is
+ * beyond the other. */
+static void wait_for_slabs(Grid *grid, uint32_t first, uint32_t second)
+{
+    const Partings *partings = grid->partings;
+    const uint32_t *begin = partings->slab_first;
+    for (uint32_t i = begin[second]; i < begin[second + 1]; i++) {
+        const Parting *slab = &partings->list[partings->slabs[i]];
+        const uint32_t other = other_of(slab, second);
+        if (other == first || lead_of(grid, other, first) <= 0)
+            pairs_add(&grid->edges, 2 * first + 1, slab_node(grid, slab));
+    }
+    for (uint32_t i = begin[first]; i < begin[first + 1]; i++) {
+        const Parting *slab = &partings->list[partings->slabs[i]];
+        const uint32_t other = other_of(slab, first);
+        const int lead = lead_of(grid, other, second);
+        if (other == second || lead >= 0)
+            pairs_add(&grid->edges, slab_node(grid, slab), 2 * second);
+        for (uint32_t k = begin[second]; k < begin[second + 1]; k++) {
+            const Parting *next = &partings->list[partings->slabs[k]];
+            const uint32_t beyond = other_of(next, second);
+            const int sum = 1 + lead + lead_of(grid, first, beyond) + lead_of(grid, other, beyond);
+            if (next != slab && sum > 0)
+                pairs_add(&grid->edges, slab_node(grid, slab), slab_node(grid, next));
+            else if (next != slab && sum < 0)
+                pairs_add(&grid->edges, slab_node(grid, next), slab_node(grid, slab));
         }
-        volume *= fmax(high[k] - grid->low[k], 1e-30);
-    }
-    const double side = cbrt(volume / (pieces + 1));
-    const CameraAxes axes = camera_axes(camera, 1);
-    for (int k = 0; k < 3; k++) {
-        const double length = fmax(high[k] - grid->low[k], 1e-30);
-        grid->count[k] = (int32_t)fmin(fmax(ceil(length / side), 1), MOST_CELLS);
-        grid->size[k] = length / grid->count[k];
-        grid->eye[k] = camera->fovy > 0      ? cell_along(grid, k, camera->eye[k])
-                       : axes.forward[k] > 0 ? 0
-                                             : grid->count[k] - 1;
     }
 }
 
-/* --- entries ---------------------------------------------------------------------------------- */
-
-static int compare_entries(const void *a, const void *b)
+static void relate(Grid *grid, uint32_t one, uint32_t other)
 {
-    const Entry *p = a, *q = b;
-    if (p->cell != q->cell)
-        return p->cell < q->cell ? -1 : 1;
-    if (p->distance != q->distance)
-        return p->distance < q->distance ? -1 : 1;
+    switch (front_of(grid, one, other)) {
+    case FIRST:
+        pairs_add(&grid->edges, 2 * one + 1, 2 * other);
+        wait_for_slabs(grid, one, other);
+        break;
+    case SECOND:
+        pairs_add(&grid->edges, 2 * other + 1, 2 * one);
+        wait_for_slabs(grid, other, one);
+        break;
+    case FIRST_IN_SECOND:
+        pairs_add(&grid->edges, 2 * other, 2 * one);
+        pairs_add(&grid->edges, 2 * one + 1, 2 * other + 1);
+        break;
+    case SECOND_IN_FIRST:
+        pairs_add(&grid->edges, 2 * one, 2 * other);
+        pairs_add(&grid->edges, 2 * other + 1, 2 * one + 1);
+        break;
+    case NEITHER:
+        break;
+    }
+}
+
+static void find_boxes(Grid *grid)
+{
+    const Pieces *pieces = grid->mesh->pieces;
+    for (uint32_t p = 0; p < pieces->count; p++) {
+        ScreenBox *box = &grid->boxes[p];
+        *box = (ScreenBox){ INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };
+        for (uint32_t i = pieces->first[p]; i < pieces->first[p + 1]; i++) {
+            const ScreenBox *face = &grid->screen->faces[pieces->faces[i]].box;
+            box->x0 = face->x0 < box->x0 ? face->x0 : box->x0;
+            box->y0 = face->y0 < box->y0 ? face->y0 : box->y0;
+            box->x1 = face->x1 > box->x1 ? face->x1 : box->x1;
+            box->y1 = face->y1 > box->y1 ? face->y1 : box->y1;
+        }
+    }
+}
+
+/* Whether any face of one piece shares a pixel with one of another. */
+static bool share_pixels(const Grid *grid, uint32_t one, uint32_t other)
+{
+    const Pieces *pieces = grid->mesh->pieces;
+    for (uint32_t i = pieces->first[one]; i < pieces->first[one + 1]; i++) {
+        const ScreenFace *a = &grid->screen->faces[pieces->faces[i]];
+        if (!screen_boxes_meet(&a->box, &grid->boxes[other]))
+            continue;
+        for (uint32_t k = pieces->first[other]; k < pieces->first[other + 1]; k++) {
+            const ScreenFace *b = &grid->screen->faces[pieces->faces[k]];
+            if (screen_boxes_meet(&a->box, &b->box) && screen_faces_meet(grid->screen, a, b))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* A piece and where it begins on the screen. */
+typedef struct Begin {
+    int32_t x;
+    uint32_t piece;
+} Begin;
+
+static int compare_begins(const void *a, const void *b)
+{
+    const Begin *p = a, *q = b;
+    if (p->x != q->x)
+        return p->x < q->x ? -1 : 1;
     return (p->piece > q->piece) - (p->piece < q->piece);
 }
 
-static double distance_of(const Grid *grid, uint32_t piece, const Camera *camera)
+/* Goes over the screen from left to right, with all pieces that are there. */
+static bool relate_all(Grid *grid)
+{
+    const uint32_t count = grid->mesh->pieces->count;
+    Begin *begins = gp_alloc(count, sizeof *begins);
+    uint32_t *active = gp_alloc(count, sizeof *active), active_count = 0, seen = 0;
+    for (uint32_t p = 0; p < count && begins && active; p++) {
+        pairs_add(&grid->edges, 2 * p, 2 * p + 1);
+        if (grid->boxes[p].x0 < grid->boxes[p].x1)
+            begins[seen++] = (Begin){ grid->boxes[p].x0, p };
+    }
+    if (seen > 0)
+        qsort(begins, seen, sizeof *begins, compare_begins);
+    for (uint32_t i = 0; i < seen; i++) {
+        const ScreenBox *box = &grid->boxes[begins[i].piece];
+        uint32_t left = 0;
+        for (uint32_t k = 0; k < active_count; k++) {
+            const ScreenBox *other = &grid->boxes[active[k]];
+            if (other->x1 <= box->x0)
+                continue;
+            if (screen_boxes_meet(box, other) && share_pixels(grid, begins[i].piece, active[k]))
+                relate(grid, begins[i].piece, active[k]);
+            active[left++] = active[k];
+        }
+        active[left++] = begins[i].piece;
+        active_count = left;
+    }
+    const bool done = begins && active;
+    gp_free(begins);
+    gp_free(active);
+    return done;
+}
+
+/* --- the sequence ------------------------------------------------------------------------------- */
+
+static double distance_of(const Grid *grid, uint32_t piece)
 {
     const PieceSpan *span = &grid->mesh->spans[piece];
-    const CameraAxes axes = camera_axes(camera, 1);
-    double from[3];
+    double middle[3], from[3];
     for (int k = 0; k < 3; k++)
-        from[k] = (span->low[k] + span->high[k]) / 2 - camera->eye[k];
-    return camera->fovy > 0 ? vector_dot(from, from) : vector_dot(from, axes.forward);
+        middle[k] = (span->low[k] + span->high[k]) / 2;
+    if (grid->is_parallel)
+        return vector_dot(middle, grid->eye);
+    vector_subtract(middle, grid->eye, from);
+    return sqrt(vector_dot(from, from));
 }
 
-/* Lists, or only counts, the pieces of all cells. */
-static uint32_t list_entries(Grid *grid, const Camera *camera)
+/* A node and how far it is. */
+typedef struct Near {
+    double distance;
+    uint32_t node;
+} Near;
+
+static int compare_near(const void *a, const void *b)
 {
-    uint32_t count = 0;
-    for (uint32_t p = 0; p < grid->mesh->pieces->count; p++) {
-        int32_t range[3][2], at[3];
-        const double distance = distance_of(grid, p, camera);
-        cells_of_piece(grid, p, range);
-        for (at[2] = range[2][0]; at[2] <= range[2][1]; at[2]++)
-            for (at[1] = range[1][0]; at[1] <= range[1][1]; at[1]++)
-                for (at[0] = range[0][0]; at[0] <= range[0][1]; at[0]++, count++)
-                    if (grid->entries)
-                        grid->entries[count] = (Entry){ cell_number(grid, at), p, distance };
+    const Near *p = a, *q = b;
+    if (p->distance != q->distance)
+        return p->distance < q->distance ? -1 : 1;
+    return (p->node > q->node) - (p->node < q->node);
+}
+
+/* All nodes, the nearest first. */
+static bool list_nodes(const Grid *grid, uint32_t count, uint32_t *nodes)
+{
+    const Partings *partings = grid->partings;
+    const uint32_t sides = 2 * grid->mesh->pieces->count;
+    Near *near = gp_alloc(count, sizeof *near);
+    for (uint32_t n = 0; n < count && near; n++)
+        near[n] = (Near){ n < sides ? distance_of(grid, n / 2) : 0, n };
+    for (uint32_t i = 0; i < partings->count && near; i++) {
+        const Parting *slab = &partings->list[i];
+        if (slab->slab != NO_SLAB)
+            near[sides + slab->slab].distance =
+                (near[2 * slab->low].distance + near[2 * slab->high].distance) / 2;
     }
-    return count;
+    if (count > 0 && near)
+        qsort(near, count, sizeof *near, compare_near);
+    for (uint32_t n = 0; n < count && near; n++)
+        nodes[n] = near[n].node;
+    gp_free(near);
+    return near;
 }
 
-static bool fill_grid(Grid *grid, const Camera *camera)
+static GpResult find_order(Grid *grid, const FragmentView *view, Order *order)
 {
-    const uint32_t cells = cell_total(grid), pieces = grid->mesh->pieces->count;
-    grid->entry_count = list_entries(grid, camera);
-    grid->entries = gp_alloc(grid->entry_count, sizeof *grid->entries);
-    grid->first = gp_alloc((size_t)cells + 1, sizeof *grid->first);
-    grid->cell_progress = gp_alloc(cells, 1);
-    grid->piece_progress = gp_alloc(pieces, 1);
-    grid->sequence = gp_alloc(pieces, sizeof *grid->sequence);
-    if (!grid->entries || !grid->first || !grid->cell_progress || !grid->piece_progress ||
-        !grid->sequence)
-        return false;
-    list_entries(grid, camera);
-    qsort(grid->entries, grid->entry_count, sizeof *grid->entries, compare_entries);
-    for (uint32_t i = 0; i < grid->entry_count; i++)
-        grid->first[grid->entries[i].cell + 1] = i + 1;
-    for (uint32_t c = 0; c < cells; c++)
-        if (grid->first[c + 1] < grid->first[c])
-            grid->first[c + 1] = grid->first[c];
-    return true;
-}
-
-static void free_grid(Grid *grid)
-{
-    gp_free(grid->entries);
-    gp_free(grid->first);
-    gp_free(grid->cell_progress);
-    gp_free(grid->piece_progress);
-    gp_free(grid->sequence);
-}
-
-/* --- visits ----------------------------------------------------------------------------------- */
-
-static void visit_cell(Grid *grid, const int32_t at[3]);
-
-/* The cell in front of a cell along an axis; false: it is the eye's there. */
-static bool cell_before(const Grid *grid, const int32_t at[3], int axis, int32_t before[3])
-{
-    memcpy(before, at, 3 * sizeof *at);
-    before[axis] += at[axis] > grid->eye[axis] ? -1 : 1;
-    return at[axis] != grid->eye[axis];
-}
-
-static bool is_in_range(const int32_t at[3], int32_t range[3][2])
-{
-    for (int k = 0; k < 3; k++)
-        if (at[k] < range[k][0] || at[k] > range[k][1])
-            return false;
-    return true;
-}
-
-/* Draws a piece after all cells in front of its own. */
-static void visit_piece(Grid *grid, uint32_t piece)
-{
-    int32_t range[3][2], at[3], before[3];
-    if (grid->piece_progress[piece] != WAITS) {
-        grid->circles += grid->piece_progress[piece] == IS_VISITED;
-        return;
+    const uint32_t pieces = grid->mesh->pieces->count;
+    const uint32_t count = 2 * pieces + grid->partings->slab_count;
+    Graph graph = { .count = 0 };
+    uint32_t *nodes = gp_alloc(count, sizeof *nodes), *sequence = gp_alloc(count, sizeof *sequence);
+    grid->boxes = gp_alloc(pieces, sizeof *grid->boxes);
+    GpResult result = GP_ERROR_MEMORY;
+    if (nodes && sequence && grid->boxes && list_nodes(grid, count, nodes)) {
+        find_boxes(grid);
+        result = relate_all(grid) ? graph_make(count, &grid->edges, &graph) : GP_ERROR_MEMORY;
     }
-    grid->piece_progress[piece] = IS_VISITED;
-    cells_of_piece(grid, piece, range);
-    for (at[2] = range[2][0]; at[2] <= range[2][1]; at[2]++)
-        for (at[1] = range[1][0]; at[1] <= range[1][1]; at[1]++)
-            for (at[0] = range[0][0]; at[0] <= range[0][1]; at[0]++)
-                for (int k = 0; k < 3; k++)
-                    if (cell_before(grid, at, k, before) && !is_in_range(before, range))
-                        visit_cell(grid, before);
-    grid->piece_progress[piece] = IS_DONE;
-    grid->sequence[grid->drawn++] = piece;
-}
-
-static void visit_cell(Grid *grid, const int32_t at[3])
-{
-    const uint32_t cell = cell_number(grid, at);
-    int32_t before[3];
-    if (grid->cell_progress[cell] != WAITS)
-        return;
-    grid->cell_progress[cell] = IS_VISITED;
-    for (int k = 0; k < 3; k++)
-        if (cell_before(grid, at, k, before))
-            visit_cell(grid, before);
-    for (uint32_t i = grid->first[cell]; i < grid->first[cell + 1]; i++)
-        visit_piece(grid, grid->entries[i].piece);
-    grid->cell_progress[cell] = IS_DONE;
-}
-
-static void visit_all(Grid *grid)
-{
-    int32_t at[3];
-    for (at[2] = 0; at[2] < grid->count[2]; at[2]++)
-        for (at[1] = 0; at[1] < grid->count[1]; at[1]++)
-            for (at[0] = 0; at[0] < grid->count[0]; at[0]++)
-                visit_cell(grid, at);
-}
-
-/* --- levels ----------------------------------------------------------------------------------- */
-
-/* Pieces in their sequence, each in the first level behind all before it that share a cell of the screen
- * with it. */
-typedef struct Levels {
-    const Screen *screen;
-    uint32_t across, down;
-    uint32_t *used;  /* [down][across] levels */
-    uint32_t *level; /* [pieces] */
-    uint32_t count;
-} Levels;
-
-static int32_t between(int32_t value, uint32_t count)
-{
-    return value < 0 ? 0 : value >= (int32_t)count ? (int32_t)count - 1 : value;
-}
-
-/* The most levels that are used under a face; where `level` is not 0, they become it. */
-static uint32_t used_under(Levels *levels, uint32_t face, uint32_t level)
-{
-    const ScreenBox *box = &levels->screen->faces[face].box;
-    const int32_t side = PIXELS * 256;
-    uint32_t most = 0;
-    for (int32_t y = between(box->y0 / side, levels->down);
-         y <= between(box->y1 / side, levels->down); y++)
-        for (int32_t x = between(box->x0 / side, levels->across);
-             x <= between(box->x1 / side, levels->across); x++) {
-            uint32_t *used = &levels->used[(size_t)y * levels->across + (uint32_t)x];
-            most = *used > most ? *used : most;
-            *used = level ? level : *used;
-        }
-    return most;
-}
-
-static void find_level(Levels *levels, const Pieces *pieces, uint32_t piece)
-{
-    uint32_t level = 0;
-    for (int round = 0; round < 2; round++)
-        for (uint32_t i = pieces->first[piece]; i < pieces->first[piece + 1]; i++) {
-            const uint32_t face = pieces->faces[i];
-            if (levels->screen->faces[face].count == 0)
-                continue;
-            const uint32_t most = used_under(levels, face, round ? level : 0) + 1;
-            level = round == 0 && most > level ? most : level;
-        }
-    levels->level[piece] = level;
-    levels->count = level > levels->count ? level : levels->count;
-}
-
-/* Faces by the levels of their pieces, in the order of pieces. */
-static GpResult list_faces(const Levels *levels, const Pieces *pieces, Order *order)
-{
-    order->level_count = levels->count;
-    order->first = gp_alloc((size_t)levels->count + 2, sizeof *order->first);
-    order->knot_first = gp_alloc((size_t)levels->count + 2, sizeof *order->knot_first);
-    order->knot_most = gp_alloc((size_t)levels->count + 1, sizeof *order->knot_most);
-    order->faces = gp_alloc(pieces->face_count, sizeof *order->faces);
-    if (!order->first || !order->knot_first || !order->knot_most || !order->faces)
-        return GP_ERROR_MEMORY;
-    for (int round = 0; round < 2; round++) {
-        for (uint32_t i = 0; i < pieces->face_count; i++) {
-            const uint32_t face = pieces->faces[i], level = levels->level[pieces->piece_of[face]];
-            if (levels->screen->faces[face].count == 0)
-                continue;
-            if (round == 0)
-                order->first[level + 1]++;
-            else
-                order->faces[order->first[level]++] = face;
-        }
-        for (uint32_t n = 0; n <= levels->count && round == 0; n++)
-            order->first[n + 1] += order->first[n];
-    }
-    return GP_OK;
-}
-
-static GpResult make_levels(const Grid *grid, const FragmentView *view, const Screen *screen,
-                            Order *order)
-{
-    const Pieces *pieces = grid->mesh->pieces;
-    Levels levels = { .screen = screen,
-                      .across = (view->width + PIXELS - 1) / PIXELS,
-                      .down = (view->height + PIXELS - 1) / PIXELS };
-    levels.used = gp_alloc((size_t)levels.across * levels.down, sizeof *levels.used);
-    levels.level = gp_alloc(pieces->count, sizeof *levels.level);
-    GpResult result = levels.used && levels.level ? GP_OK : GP_ERROR_MEMORY;
-    for (uint32_t i = 0; i < grid->drawn && !result; i++)
-        find_level(&levels, pieces, grid->sequence[i]);
     if (!result)
-        result = list_faces(&levels, pieces, order);
-    gp_free(levels.used);
-    gp_free(levels.level);
+        result = graph_sequence(&graph, nodes, sequence, &order->split_sides);
+    if (!result)
+        result = grid_levels(grid->mesh->pieces, grid->partings, view, grid->screen, sequence,
+                             count, order);
+    gp_free(nodes);
+    gp_free(sequence);
+    gp_free(grid->boxes);
+    graph_free(&graph);
     return result;
 }
 
-GpResult order_by_grid(const OrderMesh *mesh, const FragmentView *view, const Screen *screen,
-                       Order *order, GpError *error)
+GpResult order_by_grid(const OrderMesh *mesh, const Partings *partings, const FragmentView *view,
+                       const Screen *screen, Order *order, GpError *error)
 {
-    Grid grid = { .mesh = mesh };
+    Grid grid = {
+        .mesh = mesh, .partings = partings, .screen = screen, .is_parallel = view->camera.fovy <= 0
+    };
     Order made = { .level_count = 0 };
-    place_grid(&grid, &view->camera);
-    GpResult result = fill_grid(&grid, &view->camera) ? GP_OK : GP_ERROR_MEMORY;
-    if (!result) {
-        visit_all(&grid);
-        made.split_sides = grid.circles;
-        result = make_levels(&grid, view, screen, &made);
+    if (grid.is_parallel) {
+        const CameraAxes axes = camera_axes(&view->camera, 1);
+        memcpy(grid.eye, axes.forward, sizeof grid.eye);
+    } else {
+        memcpy(grid.eye, view->camera.eye, sizeof grid.eye);
     }
-    free_grid(&grid);
+    const GpResult result = find_order(&grid, view, &made);
+    pairs_free(&grid.edges);
     if (result) {
         order_free(&made);
         return gp_fail(error, result, "out of memory");

@@ -137,6 +137,8 @@ GpResult fragment_model_open(const TechniqueInput *input, void **made, GpError *
     FragmentModel *model = gp_alloc(1, sizeof *model);
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    model->progress = input->progress;
+    model->user = input->user;
     GpResult result = find_spheres(input->path, &spheres, error);
     if (!result && spheres && spheres_make(spheres, &model->file))
         result = gp_fail(error, GP_ERROR_MEMORY, "%s: no memory", input->path);
@@ -178,21 +180,42 @@ void fragment_model_look(FragmentModel *model, const Camera *camera)
     fragment_truth_free(&model->truth);
 }
 
+static bool tell_pieces(void *context, double share)
+{
+    const FragmentModel *model = context;
+    const uint32_t total = model->mesh.triangle_count, done = (uint32_t)(share * total);
+    if (model->progress)
+        model->progress(model->user, done < total ? done : total - 1, total,
+                        "triangles in convex pieces");
+    return true;
+}
+
 GpResult fragment_model_convex(FragmentModel *model, const FragmentOptions *options, GpError *error)
 {
-    const PiecesSetting wanted = { .tolerance = options->tolerance,
+    const PiecesSetting pieces = { .tolerance = options->tolerance,
                                    .outward = options->pieces == FRAGMENT_PIECES_OUTWARD,
                                    .merge = options->pieces == FRAGMENT_PIECES_MERGED };
-    if (model->convex.pieces && wanted.tolerance == model->made.tolerance &&
-        wanted.outward == model->made.outward && wanted.merge == model->made.merge)
+    const ConvexSetting wanted = { .pieces = pieces,
+                                   .has_partings = options->order == CONVEX_ORDER_GRID,
+                                   .cache = options->cache,
+                                   .progress = tell_pieces,
+                                   .context = model };
+    const PiecesSetting *made = &model->made.pieces;
+    if (model->convex.pieces && pieces.tolerance == made->tolerance &&
+        pieces.outward == made->outward && pieces.merge == made->merge &&
+        (model->convex.partings || !wanted.has_partings))
         return GP_OK;
     convex_close(&model->convex);
     model->made = wanted;
     if (!model->facts)
         model->facts = gp_alloc(1, sizeof *model->facts);
-    return model->facts ? convex_open(&model->mesh, &wanted, options->cache, &model->convex,
-                                      &model->cache_fault, error)
-                        : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    if (!model->facts)
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    const GpResult result =
+        convex_open(&model->mesh, &wanted, &model->convex, &model->cache_fault, error);
+    if (!result && model->progress)
+        model->progress(model->user, model->mesh.triangle_count, model->mesh.triangle_count, "");
+    return result;
 }
 
 GpResult fragment_model_count(FragmentModel *model, GpDevice *device, GpError *error)

@@ -16,12 +16,15 @@ typedef struct FragmentModel {
     FragmentGeometry geometry;
     FragmentMesh mesh;   /* of these three */
     ConvexModel convex;  /* of the mesh; without pieces: not made yet */
-    PiecesSetting made;  /* how it was made */
+    ConvexSetting made;  /* how it was made */
     GpError cache_fault; /* why its cache was of no use; else empty */
     ConvexFacts *facts;  /* of its last picture */
     FragmentView view;
     FragmentCount count; /* of the view; without layers: not counted yet */
     FragmentTruth truth; /* likewise, without a picture */
+    /* Hears how far convex pieces are; NULL: nobody does. */
+    void (*progress)(const void *user, uint32_t done, uint32_t total, const char *text);
+    const void *user;
 } FragmentModel;
 
 /* As a technique's open and close. */

@@ -64,8 +64,8 @@ const SettingField fragment_settings[] = {
       SETTING_NUMBER, OF(tolerance), .low = 0, .high = 1 },
 
     { "order", NULL,
-      "Of convex: exact, of all that share a pixel (default); grid, by the cells of a grid, as the "
-      "paper has it, and sometimes wrong",
+      "Of convex: exact, of all that share a pixel (default); grid, by the cells of a grid and by "
+      "planes and slabs between neighbours, as the paper has it, and sometimes wrong",
       SETTING_NAME, OF(order), .names = orders },
 
     { "alpha", "A", "How much of what is behind it a fragment hides (default: 0.3)", SETTING_NUMBER,
@@ -81,7 +81,8 @@ const SettingField fragment_settings[] = {
       SETTING_NAME, OF(color), .names = colors, .aside = true },
     { "camera", "FILE", "A camera, as scenes have it: eye, at, up, fovy, near, far", SETTING_TEXT,
       OF(camera), .aside = true },
-    { "cache", "FILE", "Of convex: keep the pieces in this file, and read them from there",
+    { "cache", "FILE",
+      "Of convex: keep the pieces in this file, and what parts them, and read them from there",
       SETTING_TEXT, OF(cache), .aside = true },
     { "from", "AZIMUTH ELEVATION",
       "Where the mesh is seen from, in degrees (default: 30 20; 0 0 is in front)", SETTING_VECTOR,

@@ -128,15 +128,17 @@ void fragment_tell_error(const FragmentModel *model, const GpSurface *picture, j
 }
 
 /* Of convex pieces: how they came to be drawn, and what kept them apart. */
-static void say_pieces(const FragmentModel *model, TechniqueReport *report)
+static void say_pieces(const FragmentModel *model, bool by_grid, TechniqueReport *report)
 {
     const ConvexFacts *facts = model->facts;
     char faults[200];
     pieces_faults(model->convex.pieces, faults, sizeof faults);
     text_add(&report->lines, "%u convex pieces in %u levels", facts->pieces, facts->levels);
     if (facts->knots > 0)
-        text_add(&report->lines, "; %u faces in %u knots, sorted by the machine", facts->knot_faces,
-                 facts->knots);
+        text_add(&report->lines, "; %u faces in %u %s", facts->knot_faces, facts->knots,
+                 by_grid ? "slabs of 4 layers" : "knots, sorted by the machine");
+    if (by_grid && facts->split_sides > 0)
+        text_add(&report->lines, "; %u circles cut", facts->split_sides);
     text_add(&report->lines, "\n");
     if (faults[0])
         text_add(&report->lines, "no piece goes on over %s\n", faults);
@@ -151,7 +153,7 @@ GpResult fragment_report(void *made, const void *setting, const Frame *frame, Gp
     const FragmentOptions *options = setting;
     fragment_tell_work(model, frame, report->members);
     if (options->method == FRAGMENTS_CONVEX)
-        say_pieces(model, report);
+        say_pieces(model, options->order == CONVEX_ORDER_GRID, report);
     if (!options->measures)
         return GP_OK;
     const GpResult result = fragment_model_truth(model, gp_device_threads(device), error);

@@ -19,7 +19,8 @@ const TechniqueWord fragment_words[] = {
                        "back; where faces are in front of each other in a circle the machine "
                        "sorts." },
     { "convex pieces, as printed", "The same of pieces that are never turned over, put in order by "
-                                   "the cells of a grid, and that may be "
+                                   "the cells of a grid, by planes between neighbours, and by "
+                                   "slabs where no plane parts them, and that may be "
                                    "concave by a part of the mesh's longest side; then layers are "
                                    "lost." },
     { "peeling", "The nearest fragments, then the nearest behind those, a pass for each layer." },

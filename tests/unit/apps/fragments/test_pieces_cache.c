@@ -13,6 +13,8 @@ static char path[] = "/tmp/test_pieces.XXXXXX";
 static FragmentCase made;
 static Pieces pieces;
 static GpFile written;
+static char bytes[] = "what others have made of them";
+static const PiecesBlock kept = { bytes, sizeof bytes };
 
 static int set_up(void **state)
 {
@@ -24,7 +26,7 @@ static int set_up(void **state)
     made = fragment_case(0);
     return pieces_make((const float(*)[3])made.positions, made.vertex_count, made.indices,
                        made.triangle_count, &(PiecesSetting){ 0 }, NULL, NULL, &pieces, NULL) ||
-           pieces_write(path, KEY, &pieces, NULL) || gp_file_read(path, &written, NULL);
+           pieces_write(path, KEY, &pieces, &kept, NULL) || gp_file_read(path, &written, NULL);
 }
 
 static int tear_down(void **state)
@@ -40,14 +42,18 @@ static void what_is_written_is_read(void **state)
 {
     (void)state;
     Pieces read;
+    PiecesBlock block;
     assert_int_equal(gp_file_write(path, written.data, written.size, NULL), GP_OK);
-    assert_int_equal(pieces_read(path, KEY, &read, NULL), GP_OK);
+    assert_int_equal(pieces_read(path, KEY, &read, &block, NULL), GP_OK);
     assert_int_equal(read.count, pieces.count);
     assert_int_equal(read.face_count, pieces.face_count);
     assert_memory_equal(read.piece_of, pieces.piece_of, pieces.face_count * sizeof(uint32_t));
     assert_memory_equal(read.faces, pieces.faces, pieces.face_count * sizeof(uint32_t));
     assert_memory_equal(read.first, pieces.first, (pieces.count + 1) * sizeof(uint32_t));
     assert_memory_equal(read.inward, pieces.inward, pieces.count);
+    assert_int_equal(block.size, sizeof bytes);
+    assert_memory_equal(block.bytes, bytes, sizeof bytes);
+    gp_free(block.bytes);
     pieces_free(&read);
 }
 
@@ -55,24 +61,27 @@ static void expect_refused(const char *reason)
 {
     GpError error = { "" };
     Pieces read = { .count = 3 };
-    assert_int_equal(pieces_read(path, KEY, &read, &error), GP_ERROR_FORMAT);
+    PiecesBlock block = { NULL, 7 };
+    assert_int_equal(pieces_read(path, KEY, &read, &block, &error), GP_ERROR_FORMAT);
     assert_non_null(strstr(error.text, reason));
     assert_int_equal(read.count, 3);
+    assert_int_equal(block.size, 7);
 }
 
 static void other_files_are_refused(void **state)
 {
     (void)state;
     Pieces read;
+    PiecesBlock block;
     GpError error;
     assert_int_equal(gp_file_write(path, written.data, written.size, NULL), GP_OK);
-    assert_int_equal(pieces_read(path, KEY + 1, &read, &error), GP_ERROR_FORMAT);
+    assert_int_equal(pieces_read(path, KEY + 1, &read, &block, &error), GP_ERROR_FORMAT);
     assert_non_null(strstr(error.text, "another mesh"));
     for (size_t at = 0; at < written.size; at += 97) {
         char was = written.data[at];
         written.data[at] ^= 4;
         assert_int_equal(gp_file_write(path, written.data, written.size, NULL), GP_OK);
-        assert_int_equal(pieces_read(path, KEY, &read, &error), GP_ERROR_FORMAT);
+        assert_int_equal(pieces_read(path, KEY, &read, &block, &error), GP_ERROR_FORMAT);
         written.data[at] = was;
     }
     assert_int_equal(gp_file_write(path, written.data, written.size - 1, NULL), GP_OK);
@@ -87,11 +96,11 @@ static void forged_pieces_are_refused(void **state)
     (void)state;
     const uint32_t was = pieces.piece_of[5];
     pieces.piece_of[5] = pieces.count;
-    assert_int_equal(pieces_write(path, KEY, &pieces, NULL), GP_OK);
+    assert_int_equal(pieces_write(path, KEY, &pieces, &kept, NULL), GP_OK);
     expect_refused("do not fit");
     pieces.piece_of[5] = was;
     pieces.inward[0] ^= 2;
-    assert_int_equal(pieces_write(path, KEY, &pieces, NULL), GP_OK);
+    assert_int_equal(pieces_write(path, KEY, &pieces, &kept, NULL), GP_OK);
     expect_refused("do not fit");
     pieces.inward[0] ^= 2;
 }

@@ -54,8 +54,8 @@ static void what_is_lost_is_seen_and_found_again(void **state)
         { "depth in 16 bits, colour in 16", KNOT, "--method mdt", "beyond edges", 15000, 40000 },
         { "convex pieces that may be concave", KNOT, "--method convex --tolerance 0.05",
           "beyond edges", 10, 1000 },
-        { "convex pieces by a grid", KNOT, "--method convex --order grid", "beyond edges", 10000,
-          40000 },
+        { "convex pieces by a grid", KNOT, "--method convex --order grid", "beyond edges", 3000,
+          20000 },
         { "no order at all", KNOT, "--method weighted", "beyond edges", 30000, 60000 },
     };
     check(rows, GP_COUNT(rows));
