@@ -40,6 +40,61 @@ static DepthCompared compare(const DepthShape *shape, const DepthSurface *surfac
     return compared;
 }
 
+/* How far from its own pixel a triangle takes its colours, in pixels of the image, at most. */
+static double drift_in(const DepthImage *image, const SurfaceVertex *const corner[3])
+{
+    double most = 0;
+    for (int i = 0; i < 64; i++) {
+        const double a = (i % 8) / 7.0, b = (1 - a) * (i / 8) / 7.0, share[3] = { a, b, 1 - a - b };
+        double point[3] = { 0 }, colored[2] = { 0 }, place[2], depth;
+        for (int c = 0; c < 3; c++) {
+            for (int k = 0; k < 3; k++)
+                point[k] += share[c] * (double)corner[c]->position[k];
+            colored[0] += share[c] * (double)corner[c]->texcoord[0] * image->front.width;
+            colored[1] += share[c] * (double)corner[c]->texcoord[1] * image->front.height;
+        }
+        assert_true(depth_plane_place(&image->plane, &image->front, point, place, &depth));
+        most = fmax(most, hypot(place[0] - colored[0], place[1] - colored[1]));
+    }
+    return most;
+}
+
+/* Of a floor to the horizon, where a pixel is wide far away and narrow near by, so that places in the
+ * picture are no linear function of those in a triangle: merging takes both as one no farther than a
+ * pixel. */
+static void colors_of_a_perspective_floor_drift_by_a_pixel_at_most(void **state)
+{
+    (void)state;
+    DepthImage image = { .plane = { .eye = { 0, 1, 0 },
+                                    .right = { 1, 0, 0 },
+                                    .up = { 0, 1, 0 },
+                                    .forward = { 0, 0, -1 },
+                                    .left = -1,
+                                    .bottom = -1,
+                                    .width = 2,
+                                    .height = 2 } };
+    DepthSurface surface;
+    double most = 0;
+    assert_int_equal(depth_pixels_make(IMAGE, IMAGE, false, &image.front), GP_OK);
+    for (size_t y = IMAGE / 2 + 4; y < IMAGE; y++)
+        for (size_t x = 0; x < IMAGE; x++)
+            image.front.depth[y * IMAGE + x] = (float)(1 / ((2 * (double)y + 1) / IMAGE - 1));
+    assert_int_equal(surface_open(&image, NULL, &surface, NULL), GP_OK);
+    const SurfaceLevel *level = &surface.levels[0];
+    for (uint32_t i = 0; i < level->mesh.index_count; i += 3) {
+        const uint32_t *index = level->mesh.indices + i;
+        const SurfaceVertex *v = level->vertices, *const corner[3] = { v + index[0], v + index[1],
+                                                                       v + index[2] };
+        most = fmax(most, drift_in(&image, corner));
+    }
+    print_message("# %u triangles of %d, %.3f pixels at most\n", level->mesh.index_count / 3,
+                  2 * (IMAGE - 1) * (IMAGE / 2 - 5), most);
+    assert_true(level->mesh.index_count / 3 < IMAGE * IMAGE / 4);
+    assert_true(most > 0.01 && most < 1);
+    surface_close(&surface);
+    depth_pixels_free(&image.front);
+}
+
 static void every_side_is_near_the_truth(void **state)
 {
     (void)state;
@@ -244,6 +299,7 @@ static void the_smallest_images_are_drawn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(colors_of_a_perspective_floor_drift_by_a_pixel_at_most),
         cmocka_unit_test(every_side_is_near_the_truth),
         cmocka_unit_test(the_seam_is_closed),
         cmocka_unit_test(caps_close_what_is_seen_from_above),
