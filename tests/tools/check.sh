@@ -121,7 +121,8 @@ for side in 16 32 128; do
 done
 step aarch64-scenes aarch64_scenes
 step one-picture same_hashes
-step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined test
+step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined \
+    GP_TEST_EVERY_BYTE=1 test
 # without WERROR: instrumented, gcc 12 takes vectors that are set lane by lane for unset ones
 step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEEDS=0..299
 step aarch64 aarch64
