@@ -189,6 +189,35 @@ static void open_meshes_from_inside_are_exact(void **state)
         assert_true(wrong_of(walls, 5, exact[i]) == 0);
 }
 
+/* A triangle alone, triangles without area, and the same one twice, once turned over. */
+static void meshes_of_next_to_nothing_are_exact(void **state)
+{
+    (void)state;
+    static const float corners[][3] = { { -1, -1, 0 },   { 1, -1, 0 },   { 0, 1, 0 },
+                                        { 0.5f, 0, 1 },  { 0.5f, 0, 1 }, { 0.5f, 0, 1 },
+                                        { -1, -1, -1 },  { 0, 0, -1 },   { 1, 1, -1 },
+                                        { -1, 0, 0.5f }, { 1, 0, 0.5f }, { 0, 1, 0.5f },
+                                        { 0, 1, 0.5f },  { 1, 0, 0.5f }, { -1, 0, 0.5f } };
+    static const struct {
+        int first;
+        uint32_t count;
+    } meshes[] = { { 0, 1 }, { 1, 1 }, { 1, 2 }, { 3, 2 }, { 0, 5 } };
+    static const char *const exact[] = { "--method sorted",
+                                         "--method convex",
+                                         "--method convex --pieces merged",
+                                         "--method convex --pieces outward --order grid",
+                                         "--method abuffer",
+                                         "--method cpu",
+                                         "--method kbuffer",
+                                         "--method stencil" };
+    for (size_t i = 0; i < GP_COUNT(meshes) * GP_COUNT(exact); i++) {
+        const float(*mesh)[3] = corners + 3 * meshes[i / GP_COUNT(exact)].first;
+        const char *options = exact[i % GP_COUNT(exact)];
+        if (wrong_of(mesh, meshes[i / GP_COUNT(exact)].count, options) > 0)
+            fail_msg("mesh %zu, %s", i / GP_COUNT(exact), options);
+    }
+}
+
 /* Triangles in a heap, most of which the near plane cuts: what is wrong lies at edges, or where two of them cross,
  * within the steps that corners are rounded to. */
 static void a_heap_of_triangles_is_exact_but_for_the_steps_of_corners(void **state)
@@ -255,6 +284,7 @@ int main(void)
         cmocka_unit_test(lists_keep_layers_of_one_plane_in_their_order),
         cmocka_unit_test(close_layers_are_mixed_up_by_buckets_and_packed_depths),
         cmocka_unit_test(open_meshes_from_inside_are_exact),
+        cmocka_unit_test(meshes_of_next_to_nothing_are_exact),
         cmocka_unit_test(a_heap_of_triangles_is_exact_but_for_the_steps_of_corners),
         cmocka_unit_test(light_is_taken_on_its_way_through_a_body),
     };
