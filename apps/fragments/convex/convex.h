@@ -8,7 +8,8 @@
  * DEVIATES: the paper draws piece after piece; here all pieces of a level are, which share no pixel. Knots
  *        are sorted by the machine (GP_ORDER_DEPTH_NEAR_FIRST), however many layers they have. Slabs of
  *        orders by a grid are sorted by the stencil-routed k-buffer as printed, but its 4 layers are surfaces,
- *        drawn one by one, since the machine's pixels have no samples. For translucency it keeps depths in the targets, and here what follows from them. */
+ *        drawn one by one, since the machine's pixels have no samples. For translucency it keeps depths in the
+ *        targets, and here what follows from them. */
 #ifndef APPS_FRAGMENTS_CONVEX_CONVEX_H
 #define APPS_FRAGMENTS_CONVEX_CONVEX_H
 

@@ -86,7 +86,7 @@ FragmentWork fragment_work(const FragmentModel *model, const Frame *frame)
         }
     }
     if (((const FragmentOptions *)frame->made)->method == FRAGMENTS_CONVEX)
-        work.readings = 1; /* in parts */
+        work.readings = 1; /* in parts; slabs by four passes of what hardware does in one */
     work.bytes = surfaces.bytes;
     return work;
 }
