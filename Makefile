@@ -97,7 +97,10 @@ OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
 OPENMESH := pipeline/io/mesh/simplify_openmesh.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
-APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)))
+APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)) apps/inspect/page_files.c)
+# What stands in the program as it is: pages, and the sources that they show.
+PAGE_FILES := $(sort $(call below,apps/inspect/page,*.*) $(wildcard pipeline/units/*.c) pipeline/list/needs.c \
+                $(call below,shaders_c,*.[ch]))
 SUPPORT := $(call object,$(call below,tests/support,*.c))
 TEST_SHADERS := $(call object,$(wildcard tests/shaders/*.c))
 GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
@@ -166,6 +169,12 @@ $(FLAGS_FILE): always | packages
 
 $(BUILD)/obj/%.o: %.c $(FLAGS_FILE) | packages
 	@mkdir -p $(@D)
+	$(call say,CC,$<)$(ALL_C) -c $< -o $@
+
+$(BUILD)/obj/apps/inspect/page_files.c: apps/inspect/page_files.sh $(PAGE_FILES)
+	@mkdir -p $(@D)
+	@sh $< $(PAGE_FILES) >$@
+$(BUILD)/obj/apps/inspect/page_files.o: $(BUILD)/obj/apps/inspect/page_files.c $(FLAGS_FILE)
 	$(call say,CC,$<)$(ALL_C) -c $< -o $@
 
 $(BUILD)/obj/%.o: %.cpp $(FLAGS_FILE) | packages
@@ -277,7 +286,9 @@ PRINTED_RESULT := $(BUILD)/test/printed.tap
 LIBRARY_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/library.tap $(BUILD)/test/headers.tap)
 # What a stranger's compiler says of shaders, and makes of them.
 SNIPPET_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/snippets.tap)
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) \
+# Pages in a browser, where there is one.
+INSPECT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/inspect.tap)
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) \
            $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
@@ -288,6 +299,9 @@ $(GOLDEN_RESULTS): $(GOLDEN_TEST) always
 
 $(PICTURE_RESULT): $(PROGRAM) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/golden_pictures.sh $<
+
+$(BUILD)/test/inspect.tap: $(PROGRAM) always
+	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/inspect_pages.sh $<
 
 # Installed first, since what is printed must run there too.
 TRIED := $(abspath $(BUILD))/test/installed

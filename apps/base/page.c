@@ -32,8 +32,8 @@ void page_end(Text *page)
     text_add(page, "</body>\n</html>\n");
 }
 
-/* RFC 4648, a block of whole groups at a time. */
-static void add_base64(Text *page, const unsigned char *bytes, size_t size)
+/* A block of whole groups at a time. */
+void page_add_base64(Text *page, const unsigned char *bytes, size_t size)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     char block[4096 + 1];
@@ -58,7 +58,7 @@ static void add_base64(Text *page, const unsigned char *bytes, size_t size)
 void page_add_png(Text *page, const GpFile *png, const char *attributes)
 {
     text_add(page, "<img%s src=\"data:image/png;base64,", attributes);
-    add_base64(page, (const unsigned char *)png->data, png->size);
+    page_add_base64(page, (const unsigned char *)png->data, png->size);
     text_add(page, "\">");
 }
 

@@ -10,6 +10,9 @@
 void page_begin(Text *page, const char *title, const char *more_style);
 void page_end(Text *page);
 
+/* Bytes as base64 (RFC 4648), which nothing has to escape. */
+void page_add_base64(Text *page, const unsigned char *bytes, size_t size);
+
 /* An <img> of a PNG file's bytes. in: attributes: as HTML has them, with a blank before, or "" */
 void page_add_png(Text *page, const GpFile *png, const char *attributes);
 

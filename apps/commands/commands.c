@@ -18,6 +18,7 @@ static const Command commands[] = {
     { "test", cmd_test, "DIR [NAME]", "hold scenes against pictures stored beside them" },
     { "explain", cmd_explain, "SCENE.json", "what each draw needs, and its shaders' limits" },
     { "pixel", cmd_pixel, "SCENE.json X Y", "the history of one pixel" },
+    { "inspect", cmd_inspect, "SCENE.json", "a frame, stage by stage, as a page" },
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
     { "shader", cmd_shader, "FILE.c", "draw a model with a shader of your own" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },

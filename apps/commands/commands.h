@@ -20,6 +20,7 @@ CommandFn cmd_compare;
 CommandFn cmd_test;
 CommandFn cmd_explain;
 CommandFn cmd_pixel;
+CommandFn cmd_inspect;
 CommandFn cmd_bench;
 CommandFn cmd_shader;
 CommandFn cmd_chart;

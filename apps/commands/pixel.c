@@ -2,7 +2,9 @@
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
-#include "apps/commands/pixel_json.h"
+#include "apps/inspect/frame_tell.h"
+#include "apps/inspect/trace_json.h"
+#include "apps/inspect/uniforms.h"
 #include "apps/commands/pixel_text.h"
 #include "apps/frame/passes.h"
 
@@ -35,17 +37,19 @@ static const CommandSyntax syntax = {
     .shared = OPTIONS_FRAME,
     .options = options,
     .arguments = "SCENE.json X Y",
-    .help = "Examples:\n"
-            "  glasspipe pixel scenes/default.json 256 200\n"
-            "  glasspipe pixel scenes/default.json 256 200 --json\n"
-            "  glasspipe pixel scenes/mrt.json 10 20 --pass 0\n"
-            "\n"
-            "Tells the history of one pixel: the clear, then every fragment that covers it, in "
-            "order, with "
-            "what each unit of the pipeline saw and decided. X counts from the left, Y from the "
-            "top, both "
-            "from 0.\v"
-            "Text shows six digits; --json shows the same, all floats exactly.",
+    .help =
+        "Examples:\n"
+        "  glasspipe pixel scenes/default.json 256 200\n"
+        "  glasspipe pixel scenes/default.json 256 200 --json\n"
+        "  glasspipe pixel scenes/mrt.json 10 20 --pass 0\n"
+        "\n"
+        "Tells the history of one pixel: the clear, then every fragment that covers it, in "
+        "order, with "
+        "what each unit of the pipeline saw and decided, and triangles that would cover it, but "
+        "were culled or clipped. X counts from the left, Y from the "
+        "top, both "
+        "from 0.\v"
+        "Text shows six digits; --json shows the same, all floats exactly.",
     .offset = offsetof(Pixel, arguments),
     .least = 3,
     .most = 3,
@@ -58,8 +62,22 @@ typedef struct Watch {
     const GpList *list;
     uint32_t width, height; /* of the passes to follow */
     PixelText *text;        /* one of these two */
-    json_t *events;
+    json_t *events, *draws; /* draws: of these events, by "pass/draw" */
 } Watch;
+
+/* A draw's uniforms and textures, by name, once. */
+static void add_draw(const Watch *watch, const GpTraceEvent *event)
+{
+    char key[32];
+    snprintf(key, sizeof key, "%u/%u", event->pass, event->draw);
+    if (event->kind == GP_TRACE_CLEAR || json_object_get(watch->draws, key))
+        return;
+    const GpDraw *draw = &watch->list->passes[event->pass].draws[event->draw];
+    json_object_set_new(watch->draws, key,
+                        json_pack("{s:I, s:I, s:o, s:o}", "pass", (json_int_t)event->pass, "draw",
+                                  (json_int_t)event->draw, "uniforms", uniforms_tell(draw),
+                                  "textures", frame_tell_textures(draw)));
+}
 
 /* A pass of another size has no pixel of the same place: a shadow map's (10, 20) is elsewhere. */
 static void watch_event(void *user, const GpTraceEvent *event)
@@ -71,8 +89,10 @@ static void watch_event(void *user, const GpTraceEvent *event)
         return;
     if (watch->text)
         pixel_text_event(watch->text, event);
-    else
-        json_array_append_new(watch->events, pixel_json_event(event));
+    else {
+        json_array_append_new(watch->events, trace_json(event));
+        add_draw(watch, event);
+    }
 }
 
 /* Runs the list under the trace, and prints. */
@@ -94,9 +114,10 @@ static int tell(const Pixel *pixel, const Watch *watch, GpTrace trace)
     else if (watch->text)
         pixel_text_end(watch->text);
     else
-        output_json(json_pack("{s:I, s:I, s:I, s:I, s:O}", "x", (json_int_t)pixel->x, "y",
+        output_json(json_pack("{s:I, s:I, s:I, s:I, s:O, s:O}", "x", (json_int_t)pixel->x, "y",
                               (json_int_t)pixel->y, "width", (json_int_t)watch->width, "height",
-                              (json_int_t)watch->height, "events", watch->events));
+                              (json_int_t)watch->height, "events", watch->events, "draws",
+                              watch->draws));
     gp_device_destroy(&device);
     return code;
 }
@@ -109,7 +130,9 @@ static int follow(const Pixel *pixel, const Scene *scene)
                     .width = scene->picture->width,
                     .height = scene->picture->height,
                     .text = pixel->options.json ? NULL : &text };
-    GpTrace trace = { .one_pixel = true, .x = (int32_t)pixel->x, .y = (int32_t)pixel->y };
+    GpTrace trace = {
+        .one_pixel = true, .missed = true, .x = (int32_t)pixel->x, .y = (int32_t)pixel->y
+    };
     if (pixel->pass) {
         trace.one_pass = true;
         trace.pass = passes_find(list, pixel->pass);
@@ -124,8 +147,10 @@ static int follow(const Pixel *pixel, const Scene *scene)
         return report(EXIT_USAGE, "pixel (%u, %u) is outside: X is 0 to %u, Y is 0 to %u", pixel->x,
                       pixel->y, watch.width - 1, watch.height - 1);
     watch.events = json_array();
+    watch.draws = json_object();
     int code = tell(pixel, &watch, trace);
     json_decref(watch.events);
+    json_decref(watch.draws);
     return code;
 }
 

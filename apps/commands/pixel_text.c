@@ -1,5 +1,7 @@
 #include "apps/commands/pixel_text.h"
 
+#include "apps/inspect/uniforms.h"
+
 #include <stdarg.h>
 #include <string.h>
 
@@ -124,6 +126,36 @@ static void open_pass(PixelText *history, const GpTraceEvent *event)
     fputc('\n', history->file);
 }
 
+/* The numbers of a vector, or of a matrix's row, at the end of a line. */
+static void print_numbers(FILE *file, const json_t *row)
+{
+    size_t i;
+    const json_t *value;
+    json_array_foreach(row, i, value)
+        fprintf(file, "%s%.6g", i ? ", " : "(", json_number_value(value));
+    fputs(")\n", file);
+}
+
+static void print_uniforms(const PixelText *history, const GpDraw *draw)
+{
+    json_t *uniforms = uniforms_tell(draw);
+    size_t i, row;
+    const json_t *one, *values;
+    json_array_foreach(uniforms, i, one)
+    {
+        const json_t *value = json_object_get(one, "value");
+        const char *name = json_string_value(json_object_get(one, "name"));
+        const bool matrix = json_is_array(json_array_get(value, 0));
+        for (row = 0; row < (matrix ? json_array_size(value) : 1); row++) {
+            values = matrix ? json_array_get(value, row) : value;
+            begin_line(history, i || row ? "" : "uniforms");
+            fprintf(history->file, "%s ", row ? "" : name);
+            print_numbers(history->file, values);
+        }
+    }
+    json_decref(uniforms);
+}
+
 static void open_fragment(PixelText *history, const GpTraceEvent *event)
 {
     close_fragment(history);
@@ -134,6 +166,25 @@ static void open_fragment(PixelText *history, const GpTraceEvent *event)
     print_name(history->file, event->draw_name);
     fprintf(history->file, ", %s %u, program %s\n", points ? "point" : "triangle", event->primitive,
             event->program_name);
+    print_uniforms(history, draw_of(history, event));
+}
+
+/* A triangle that is not here: its own block. */
+static void print_missed(PixelText *history, const GpTraceEvent *event)
+{
+    const GpTraceMissed *missed = &event->missed;
+    const bool facing = strcmp(missed->reason, "facing") == 0;
+    close_fragment(history);
+    history->missed++;
+    fprintf(history->file, "\n  Not here: draw %u", event->draw);
+    print_name(history->file, event->draw_name);
+    fprintf(history->file, ", triangle %u, program %s\n", event->primitive, event->program_name);
+    if (facing)
+        line(history, "culled", "it shows its %s; its depth would be %.9g",
+             missed->front ? "front (clockwise)" : "back (counter-clockwise)",
+             (double)missed->depth);
+    else
+        line(history, "clipped", "only the %s cuts it away here", missed->reason);
 }
 
 /* --- one function a kind ---------------------------------------------------------------------- */
@@ -333,16 +384,19 @@ void pixel_text_event(PixelText *history, const GpTraceEvent *event)
         [GP_TRACE_RASTER] = print_raster,   [GP_TRACE_INTERPOLATE] = print_interpolate,
         [GP_TRACE_TEXTURE] = print_texture, [GP_TRACE_PIXEL] = print_pixel,
         [GP_TRACE_SORT] = print_sort,       [GP_TRACE_TEST] = print_test,
-        [GP_TRACE_OUTPUT] = print_output,
+        [GP_TRACE_OUTPUT] = print_output,   [GP_TRACE_MISSED] = print_missed,
     };
+    if (!print[event->kind])
+        return;
     open_pass(history, event);
     /* A fragment's events begin with the vertices of its primitive. */
-    bool first_vertex = event->kind == GP_TRACE_VERTEX &&
+    bool first_vertex = event->kind == GP_TRACE_VERTEX && history->last != GP_TRACE_MISSED &&
                         (!history->in_fragment || history->last != GP_TRACE_VERTEX);
     if (first_vertex)
         open_fragment(history, event);
     print[event->kind](history, event);
-    history->last = event->kind;
+    if (history->last != GP_TRACE_MISSED || event->kind != GP_TRACE_VERTEX)
+        history->last = event->kind;
 }
 
 void pixel_text_end(PixelText *history)
@@ -353,4 +407,7 @@ void pixel_text_end(PixelText *history)
     else
         fprintf(history->file, "\n%u fragment%s: %u stored, %u rejected.\n", history->fragments,
                 history->fragments == 1 ? "" : "s", history->stored, history->rejected);
+    if (history->missed)
+        fprintf(history->file, "%u triangle%s culled or clipped here.\n", history->missed,
+                history->missed == 1 ? " was" : "s were");
 }

@@ -14,7 +14,7 @@ typedef struct PixelText {
     GpTraceKind last;           /* private from here on: the previous event's kind */
     bool any_pass, in_fragment; /* something was printed; a fragment's block is open */
     uint32_t pass;              /* of the previous event */
-    uint32_t fragments, stored, rejected;
+    uint32_t fragments, stored, rejected, missed;
     bool alive; /* the open fragment has failed no test */
     bool waits; /* and it has its turn later */
 } PixelText;

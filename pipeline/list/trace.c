@@ -7,6 +7,6 @@ const char *gp_trace_ternary(const GpTraceTest *test)
 }
 
 const char *const gp_trace_kind_names[GP_TRACE_KINDS] = {
-    "clear",   "vertex", "clip", "setup", "raster", "interpolate",
-    "texture", "pixel",  "sort", "test",  "output",
+    "clear", "vertex", "clip", "setup", "raster", "interpolate", "texture",
+    "steps", "pixel",  "sort", "test",  "output", "missed",
 };

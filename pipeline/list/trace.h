@@ -8,6 +8,7 @@
 
 #include "pipeline/list/list.h"
 #include "pipeline/resources/sample_report.h"
+#include "pipeline/shader/steps.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,11 +23,15 @@ typedef enum GpTraceKind {
     GP_TRACE_RASTER,      /* a pixel was covered */
     GP_TRACE_INTERPOLATE, /* its depth and interpolants */
     GP_TRACE_TEXTURE,     /* one texture read of its shader */
+    GP_TRACE_STEPS,       /* every instruction of its shader; where GpTrace.steps is set */
     GP_TRACE_PIXEL,       /* what its shader returned */
     GP_TRACE_SORT,   /* its turn among the pixel's, in a pass with an order; of a pass's fragments
                              these come last, each with what follows of its own */
     GP_TRACE_TEST,   /* scissor, alpha test, stencil, depth: one event each, in that order */
     GP_TRACE_OUTPUT, /* blending and the stored value, one event per target */
+    GP_TRACE_MISSED, /* a triangle that was culled or clipped would have covered the pixel; where
+                        GpTrace.missed is set. Its vertices, clipping and set-up follow where one
+                        pixel is watched */
     GP_TRACE_KINDS
 } GpTraceKind;
 
@@ -46,21 +51,32 @@ typedef struct GpTraceVertex {
     float clip[4]; /* clip-space position */
 } GpTraceVertex;
 
+enum { GP_TRACE_CORNERS = 9 }; /* at most, of what is left of a clipped triangle */
+
 /* How a triangle lies in the clip volume, and what is left of it. */
 typedef struct GpTraceClip {
     float clip[3][4];
     unsigned planes; /* bit i: some vertex is outside plane i: left right bottom top (guard band)
                         near far */
     int corners; /* of the polygon that is left; 0: nothing; 3: untouched or cut to a triangle */
+    float corner[GP_TRACE_CORNERS][4]; /* these, in clip space */
+    float band[4]; /* left right bottom top of the guard band: limits of x/w and y/w */
 } GpTraceClip;
 
 /* A triangle on the screen, or why it is not there. */
 typedef struct GpTraceSetup {
+    int part;           /* of the fan that clipping left, from 0 */
+    float place[3][2];  /* x, y in pixels, before they are snapped */
     int32_t x[3], y[3]; /* 24.8 fixed point */
     float z[3], rw[3];  /* depth, 1/w */
     int64_t area2;      /* twice the signed area in 1/65536 pixels; > 0 is clockwise, y down */
     bool culled;
     const char *reason; /* NULL, or why it draws nothing: "facing", "zero area", ... */
+
+    /* unless culled: E_i = a x + b y + c in sub-pixels, opposite corner i, positive inside; and whether a
+     * centre on it is inside, since it is a top or a left edge (R5) */
+    int64_t a[3], b[3], c[3];
+    bool accepts_zero[3];
 } GpTraceSetup;
 
 /* How a covered pixel lies in its triangle. */
@@ -76,6 +92,14 @@ typedef struct GpTraceInterpolate {
     float depth;
     int components;
     const float *varyings;
+
+    /* the same, had it been linear on the screen */
+    float screen[3];
+    const float *screen_varyings;
+
+    /* the quad that the pixel is in, whose differences are derivatives */
+    unsigned mask; /* bit i: pixel i (0 left top, 1 right top, 2, 3 below) is alive; others help */
+    const float *quad; /* [component][pixel] */
 } GpTraceInterpolate;
 
 /* A texture read, and the texels that went into it. */
@@ -86,6 +110,16 @@ typedef struct GpTraceTexture {
     GpSampleReport report;
     float texel[4];
 } GpTraceTexture;
+
+/* Every instruction of a shader, as it was run again for the quad. */
+typedef struct GpTraceSteps {
+    int pixel; /* of the quad: the lane of the values */
+    const GpShaderStep *step;
+    int steps;
+    const GpStepOutput *output;
+    int outputs;
+    bool agrees; /* what the steps give has the bits that were drawn with */
+} GpTraceSteps;
 
 /* What the pixel shader gave. */
 typedef struct GpTracePixel {
@@ -123,8 +157,18 @@ typedef struct GpTraceOutput {
     const GpSurface *surface;
     GpBlend blend;
     float source[4], destination[4]; /* as blended */
+    float factor[2][4];              /* of source and destination; 0 where the operation has none */
+    float blended[4];                /* before it is rounded to the format */
     float result[4];                 /* as read back after the store */
 } GpTraceOutput;
+
+/* Why a triangle is not at a pixel. */
+typedef struct GpTraceMissed {
+    const char *reason; /* "facing"; "near plane", "far plane" where only that cut it away */
+    bool front;         /* clockwise */
+    bool has_depth;
+    float depth; /* that it would have had */
+} GpTraceMissed;
 
 /* One thing that a unit did; `kind` says which member of the union holds. */
 typedef struct GpTraceEvent {
@@ -144,6 +188,8 @@ typedef struct GpTraceEvent {
         GpTraceSort sort;
         GpTraceTest test;
         GpTraceOutput output;
+        GpTraceSteps steps;
+        GpTraceMissed missed;
     };
 } GpTraceEvent;
 
@@ -157,6 +203,10 @@ typedef struct GpTrace {
     int32_t x, y;
     bool one_pass, one_draw, one_primitive;
     uint32_t pass, draw, primitive;
+    bool steps, missed; /* GP_TRACE_STEPS and GP_TRACE_MISSED are sent too */
+    /* Of which pixels events are sent; those of vertices, clipping and set-up come all the same. NULL:
+     * of all */
+    bool (*wants)(void *user, int32_t x, int32_t y);
 } GpTrace;
 
 #ifdef __cplusplus

@@ -100,9 +100,11 @@ static void finish_quad(GpReferenceDraw *d, GpQuad *quad)
     GpCounters *counters = d->reference->counters;
     unsigned before = quad->mask;
     if (d->needs.pixel_shader) {
+        const GpQuad interpolated = *quad;
         d->quad = quad;
         gp_shade_quad(&d->pixel_stage, quad);
         d->quad = NULL;
+        gp_trace_steps(d, &interpolated, quad);
         count_pixels(&counters->fragments_shaded, quad->mask);
         quad->mask &= ~quad->killed;
         gp_trace_pixel(d, quad, before);
@@ -168,6 +170,7 @@ static void draw_triangle(GpReferenceDraw *d)
     gp_trace_clip(d);
 
     GpScreenVertex screen[GP_MAX_CLIPPED];
+    d->corner = NULL;
     for (int i = 0; i < polygon.corners; i++)
         if (!gp_viewport_transform(&d->viewport, &d->draw->state.raster, &polygon.corner[i],
                                    &screen[i]))
@@ -176,11 +179,17 @@ static void draw_triangle(GpReferenceDraw *d)
         GpScreenVertex corner[3] = { screen[0], screen[i - 1], screen[i] };
         GpTriangle triangle;
         d->corner = corner;
+        d->part = i - 2;
         d->setup_result = gp_setup_triangle(corner, &d->draw->state.raster, &d->rect, &triangle);
+        d->triangle = d->setup_result == GP_SETUP_DRAWN ? &triangle : NULL;
         gp_trace_setup(d);
         if (d->setup_result == GP_SETUP_DRAWN)
             fill_triangle(d, &triangle);
+        else
+            gp_trace_missed_part(d);
+        d->triangle = NULL;
     }
+    gp_trace_missed_clip(d);
 }
 
 static void draw_point(GpReferenceDraw *d)

@@ -36,9 +36,11 @@ typedef struct GpReferenceDraw {
     uint32_t corner_numbers[3];
     const GpClipPolygon *polygon;
     const GpScreenVertex *corner;
+    int part; /* of the polygon's fan */
     GpSetupResult setup_result;
-    GpWaiting *waiting; /* fragments of the pass, where they are sorted */
-    const GpQuad *quad; /* in the pixel shader; NULL in the vertex shader */
+    const GpTriangle *triangle; /* that was set up; NULL: none was */
+    GpWaiting *waiting;         /* fragments of the pass, where they are sorted */
+    const GpQuad *quad;         /* in the pixel shader; NULL in the vertex shader */
 } GpReferenceDraw;
 
 /* One call a unit; each looks at the filter by itself. Where one pixel is watched, the events of
@@ -50,6 +52,10 @@ void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad);
 void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad);
 void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
                       const GpSampleReport reports[4]);
+
+/* After the pixel shader ran, and before its quad goes on: runs it again, step by step.
+ * in   shaded: as it came out of the shader; before: as it went in */
+void gp_trace_steps(GpReferenceDraw *d, const GpQuad *before, const GpQuad *shaded);
 void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask);
 
 /* Reports one of the tests that only shrink the mask, after it ran: "scissor", "clip plane",
@@ -60,7 +66,19 @@ void gp_trace_sort(const GpReferenceDraw *d, const GpQuad *quad, uint32_t key, u
                    uint32_t count);
 void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before);
 
-/* After the store: reads back what is there now. source: [channel][pixel], before blending */
+/* After the store: reads back what is there now; quad->color has what was blended.
+ * in   source: [channel][pixel], before blending */
 void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, float source[4][4]);
+
+/* Where a triangle would have been: its part that was culled, and what near or far plane alone cut away
+ * of all of it. For who asks (GpTrace.missed). */
+void gp_trace_missed_part(const GpReferenceDraw *d);
+void gp_trace_missed_clip(const GpReferenceDraw *d);
+
+/* What the files of traces share. */
+bool gp_trace_wants(const GpReferenceDraw *d, int32_t x, int32_t y);
+void gp_trace_send_steps(const GpReferenceDraw *d, int32_t x, int32_t y, const GpTraceSteps *steps);
+void gp_trace_send_missed(const GpReferenceDraw *d, int32_t x, int32_t y,
+                          const GpTraceMissed *missed);
 
 #endif

@@ -1,6 +1,7 @@
 /* How the reference executor reports to a trace. */
 #include "pipeline/reference/reference_draw.h"
 
+#include "pipeline/units/blend.h"
 #include "pipeline/units/fragment_order.h"
 #include "pipeline/units/input_assembly.h"
 
@@ -19,7 +20,13 @@ static bool wants_draw(const GpReferenceDraw *d)
 static bool wants_pixel(const GpReferenceDraw *d, int32_t x, int32_t y)
 {
     const GpTrace *trace = d->reference->trace;
-    return !trace->one_pixel || (trace->x == x && trace->y == y);
+    return (!trace->one_pixel || (trace->x == x && trace->y == y)) &&
+           (!trace->wants || trace->wants(trace->user, x, y));
+}
+
+bool gp_trace_wants(const GpReferenceDraw *d, int32_t x, int32_t y)
+{
+    return wants_draw(d) && wants_pixel(d, x, y);
 }
 
 static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)
@@ -124,7 +131,30 @@ static void send_clip(const GpReferenceDraw *d)
                sizeof event.clip.clip[i]);
     event.clip.planes = d->polygon->planes;
     event.clip.corners = d->polygon->corners;
+    _Static_assert((int)GP_TRACE_CORNERS == (int)GP_MAX_CLIPPED, "all corners have a place");
+    for (int i = 0; i < d->polygon->corners; i++)
+        memcpy(event.clip.corner[i], d->polygon->corner[i].clip, sizeof event.clip.corner[i]);
+    const float band[] = { d->band.left, d->band.right, d->band.bottom, d->band.top };
+    memcpy(event.clip.band, band, sizeof band);
     send(d, &event);
+}
+
+/* The set-up exchanged corners 1 and 2 of a counter-clockwise triangle; traces speak of them in the
+ * order in which they were submitted. */
+static int submitted_corner(bool front, int corner)
+{
+    return front || corner == 0 ? corner : 3 - corner;
+}
+
+static void set_edges(const GpTriangle *triangle, GpTraceSetup *setup)
+{
+    for (int i = 0; i < 3; i++) {
+        const int of = submitted_corner(triangle->front, i);
+        setup->a[i] = triangle->a[of];
+        setup->b[i] = triangle->b[of];
+        setup->c[i] = triangle->c[of];
+        setup->accepts_zero[i] = triangle->accepts_zero[of];
+    }
 }
 
 static void send_setup(const GpReferenceDraw *d)
@@ -136,16 +166,29 @@ static void send_setup(const GpReferenceDraw *d)
     if (!d->corner)
         return;
     GpTraceEvent event = new_event(d, GP_TRACE_SETUP);
+    event.setup.part = d->part;
     for (int i = 0; i < 3; i++) {
+        const int of = i ? d->part + i : 0; /* a fan round the first corner */
         event.setup.x[i] = d->corner[i].x;
         event.setup.y[i] = d->corner[i].y;
         event.setup.z[i] = d->corner[i].z;
         event.setup.rw[i] = d->corner[i].rw;
+        gp_viewport_place(&d->viewport, d->polygon->corner[of].clip, event.setup.place[i]);
     }
     event.setup.area2 = gp_signed_area2(d->corner);
     event.setup.culled = d->setup_result != GP_SETUP_DRAWN;
     event.setup.reason = reasons[d->setup_result];
+    if (d->triangle)
+        set_edges(d->triangle, &event.setup);
     send(d, &event);
+}
+
+/* What a primitive went through before it came to the pixel that is watched. */
+static void send_primitive(const GpReferenceDraw *d)
+{
+    send_vertices(d);
+    send_clip(d);
+    send_setup(d);
 }
 
 void gp_trace_clip(const GpReferenceDraw *d)
@@ -164,43 +207,58 @@ void gp_trace_setup(const GpReferenceDraw *d)
 
 /* --- pixels ----------------------------------------------------------------------------------- */
 
-/* The set-up exchanged corners 1 and 2 of a counter-clockwise triangle; traces speak of them in the
- * order in which they were submitted. */
-static int submitted_corner(const GpQuad *quad, int corner)
-{
-    return quad->front || corner == 0 ? corner : 3 - corner;
-}
-
 void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad)
 {
     for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
          i = next_pixel(d, quad, quad->mask, i + 1)) {
-        if (d->reference->trace->one_pixel) {
-            send_vertices(d);
-            send_clip(d);
-            send_setup(d);
-        }
+        if (d->reference->trace->one_pixel)
+            send_primitive(d);
         GpTraceEvent event = pixel_event(d, GP_TRACE_RASTER, quad, i);
         for (int e = 0; e < 3; e++)
-            event.raster.edge[e] = quad->edge[submitted_corner(quad, e)][i];
+            event.raster.edge[e] = quad->edge[submitted_corner(quad->front, e)][i];
         event.raster.front = quad->front;
         send(d, &event);
     }
 }
 
+/* The quad as it is, and as it would be linear on the screen. */
+typedef struct BothWays {
+    GpQuad screen;
+    float quad[GP_MAX_VARYINGS][4];
+} BothWays;
+
+static void interpolate_both(const GpReferenceDraw *d, const GpQuad *quad, BothWays *both)
+{
+    both->screen = *quad;
+    if (d->triangle)
+        gp_interpolate_on_screen(d->triangle, &d->modes, &both->screen);
+    memcpy(both->quad, quad->varying, sizeof both->quad);
+}
+
 void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad)
 {
-    for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
-         i = next_pixel(d, quad, quad->mask, i + 1)) {
-        float varyings[GP_MAX_VARYINGS];
+    BothWays both;
+    int i = next_pixel(d, quad, quad->mask, 0);
+    if (i < 4)
+        interpolate_both(d, quad, &both);
+    for (; i < 4; i = next_pixel(d, quad, quad->mask, i + 1)) {
+        float varyings[GP_MAX_VARYINGS], screen[GP_MAX_VARYINGS];
         GpTraceEvent event = pixel_event(d, GP_TRACE_INTERPOLATE, quad, i);
-        for (int c = 0; c < d->modes.components; c++)
+        for (int c = 0; c < d->modes.components; c++) {
             varyings[c] = quad->varying[c][i];
-        for (int k = 0; k < 3; k++)
-            event.interpolate.barycentric[k] = quad->barycentric[submitted_corner(quad, k)][i];
+            screen[c] = both.screen.varying[c][i];
+        }
+        for (int k = 0; k < 3; k++) {
+            const int of = submitted_corner(quad->front, k);
+            event.interpolate.barycentric[k] = quad->barycentric[of][i];
+            event.interpolate.screen[k] = both.screen.barycentric[of][i];
+        }
         event.interpolate.depth = quad->depth[i];
         event.interpolate.components = d->modes.components;
         event.interpolate.varyings = varyings;
+        event.interpolate.screen_varyings = screen;
+        event.interpolate.mask = quad->mask;
+        event.interpolate.quad = both.quad[0];
         send(d, &event);
     }
 }
@@ -319,11 +377,35 @@ void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, f
         for (int c = 0; c < 4; c++) {
             event.output.source[c] = source[c][i];
             event.output.destination[c] = quad->destination[target][c][i];
+            event.output.blended[c] = quad->color[target][c][i];
         }
+        gp_blend_factors(&event.output.blend, d->draw->state.blend_constant, surface->format,
+                         event.output.source, event.output.destination, event.output.factor);
         gp_texel_load(surface->format,
                       gp_surface_texel(&surface->level[0], gp_format_info(surface->format)->bytes,
                                        (uint32_t)event.x, (uint32_t)event.y),
                       event.output.result);
         send(d, &event);
     }
+}
+
+void gp_trace_send_missed(const GpReferenceDraw *d, int32_t x, int32_t y,
+                          const GpTraceMissed *missed)
+{
+    GpTraceEvent event = new_event(d, GP_TRACE_MISSED);
+    event.x = x;
+    event.y = y;
+    event.missed = *missed;
+    send(d, &event);
+    if (d->reference->trace->one_pixel)
+        send_primitive(d);
+}
+
+void gp_trace_send_steps(const GpReferenceDraw *d, int32_t x, int32_t y, const GpTraceSteps *steps)
+{
+    GpTraceEvent event = new_event(d, GP_TRACE_STEPS);
+    event.x = x;
+    event.y = y;
+    event.steps = *steps;
+    send(d, &event);
 }

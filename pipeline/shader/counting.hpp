@@ -7,13 +7,14 @@
  *
  *   extern "C" void id_count(const GpProgram *id, GpShaderCounts *vertex, GpShaderCounts *pixel)
  *
- * which the C build of the same file refers to, weakly, as .count; what a program declares is in the
- * C build alone. C++ asks one thing of a shader that C does not: no C++ keyword as a name.
+ * which the C build of the same file refers to, weakly, as .count; and id_step likewise, which runs a
+ * shader step by step. What a program declares is in the C build alone. C++ asks one thing of a shader that C does not: no C++ keyword as a name.
  */
 #ifndef GP_COUNTING_HPP
 #define GP_COUNTING_HPP
 
 #include "pipeline/shader/counting_instructions.hpp"
+#include "pipeline/shader/counting_steps.hpp"
 
 /* A struct is given the fields that matter and zeros in the rest, as C's warnings understand and
  * g++'s do not. */
@@ -141,6 +142,51 @@ GpShaderCounts gp_count_pixel(const GpProgram &declared,
     return counts;
 }
 
+/* The same two bodies, run with values. */
+template <class U, class In, class Out>
+void gp_step_vertex(const GpProgram &declared, const GpStepRun &run,
+                    void (*body)(GpInvocation *, const U *, const In *, float4 *, Out *, flt *))
+{
+    StepRecorder recorder(declared, Recorder::vertex, sizeof(U), run);
+    Recording scope(&recorder);
+    flt unwritten = recorder.leaf(Kind::unwritten, 0), point_size = bcast(1.0f);
+    float4 position = sp4(unwritten);
+    In in;
+    Out out;
+    fill_inputs(&recorder, &in);
+    fill(&out, std::vector<flt>(sizeof out / sizeof(flt), unwritten));
+
+    GpInvocation invocation = { unwritten };
+    body(&invocation, static_cast<const U *>(run.call->uniforms), &in, &position, &out,
+         &point_size);
+
+    recorder.give(parts_of(position), run.call->position);
+    recorder.give(parts_of(out), run.call->varying);
+    recorder.give({ point_size }, run.call->point_size);
+    recorder.tell();
+}
+
+template <class U, class In, class Out>
+void gp_step_pixel(const GpProgram &declared, const GpStepRun &run,
+                   void (*body)(GpInvocation *, const U *, const In *, Out *))
+{
+    StepRecorder recorder(declared, Recorder::pixel, sizeof(U), run);
+    Recording scope(&recorder);
+    flt unwritten = recorder.leaf(Kind::unwritten, 0);
+    In in;
+    Out out;
+    fill_inputs(&recorder, &in);
+    fill(&out, std::vector<flt>(sizeof out / sizeof(flt), unwritten));
+
+    GpInvocation invocation = { unwritten };
+    body(&invocation, static_cast<const U *>(run.call->uniforms), &in, &out);
+
+    recorder.give(parts_of(out), run.call->color);
+    recorder.give({ invocation.depth }, run.call->depth);
+    recorder.give_killed();
+    recorder.tell();
+}
+
 } // namespace
 
 /* --- shader functions and programs ------------------------------------------------------------ */
@@ -166,6 +212,16 @@ GpShaderCounts gp_count_pixel(const GpProgram &declared,
     static float4 name##_color(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                   \
                                GP_UNUSED const IN *in)
 
+#define GP_STEP_OF(id, vertex_steps, pixel_steps)                                                  \
+    extern "C" void id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run);       \
+    extern "C" void id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run)        \
+    {                                                                                              \
+        if (vertex)                                                                                \
+            vertex_steps;                                                                          \
+        else                                                                                       \
+            pixel_steps;                                                                           \
+    }
+
 #define GP_COUNT_OF(id, vertex_counts, pixel_counts)                                               \
     extern "C" void id##_count(const GpProgram *declared, GpShaderCounts *vertex,                  \
                                GpShaderCounts *pixel);                                             \
@@ -182,8 +238,11 @@ GpShaderCounts gp_count_pixel(const GpProgram &declared,
     static_assert(int(vs##_uniforms) == int(ps##_uniforms),                                        \
                   "both shaders share one uniform struct");                                        \
     static_assert(int(vs##_out) == int(ps##_in), "both shaders share one varying struct");         \
-    GP_COUNT_OF(id, gp_count_vertex(*declared, vs), gp_count_pixel(*declared, ps))
+    GP_COUNT_OF(id, gp_count_vertex(*declared, vs), gp_count_pixel(*declared, ps))                 \
+    GP_STEP_OF(id, gp_step_vertex(*declared, *run, vs), gp_step_pixel(*declared, *run, ps))
 
-#define depth_program(id, vs, ...) GP_COUNT_OF(id, gp_count_vertex(*declared, vs), GpShaderCounts{})
+#define depth_program(id, vs, ...)                                                                 \
+    GP_COUNT_OF(id, gp_count_vertex(*declared, vs), GpShaderCounts{})                              \
+    GP_STEP_OF(id, gp_step_vertex(*declared, *run, vs), (void)0)
 
 #endif

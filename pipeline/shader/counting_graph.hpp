@@ -1,7 +1,8 @@
 /* The instruction graph that the counting build of a shader records, and the figures read off it.
  *
  * Every operation of the vocabulary (pipeline/shader/counting.hpp) adds one node: an instruction with its
- * operands, or a leaf: a number, a uniform, an input. Nothing is computed. What reaches no output
+ * operands, or a leaf: a number, a uniform, an input. Nothing is computed, unless the shader is run step by
+ * step (counting_steps.hpp). What reaches no output
  * and kills no pixel is dead and is not counted: Direct3D's compilers removed it. The rest is
  * priced and read as follows.
  *
@@ -42,6 +43,7 @@
 #define GP_COUNTING_GRAPH_HPP
 
 #include "pipeline/shader/counts.h"
+#include "pipeline/shader/steps.h"
 
 #include <array>
 #include <cstring>
@@ -99,11 +101,24 @@ struct Op {
     GpLodMode mode = GP_LOD_IMPLICIT;
 };
 
+/* Where an instruction stands in the shader's text. */
+struct GpPlace {
+    const char *file;
+    int line;
+
+    static constexpr GpPlace here(const char *of = __builtin_FILE(), int at = __builtin_LINE())
+    {
+        return { of, at };
+    }
+};
+
 struct Node {
     Kind kind;
     Op op;
     int index; /* bits of a number, word of a uniform, component, texture slot */
     std::vector<Operand> operands; /* of instructions */
+    GpStepCode code = GP_STEP_CODES;
+    GpPlace written = {};
     int order = 0;                 /* the highest order of the texture reads that went into it */
     unsigned live = 0;             /* bit i: component i reaches an output */
     int place = -1, last_use = -1; /* in the schedule */
@@ -126,9 +141,20 @@ class Recorder
         leaf(Kind::number, 0); /* node 0, which zeroed values name */
     }
 
+    virtual ~Recorder() = default;
+
     bool is_vertex() const
     {
         return stage == vertex;
+    }
+    /* Whether values are computed too, and a mask is true in any lane: unknown, so that it may be. */
+    virtual bool is_stepping() const
+    {
+        return false;
+    }
+    virtual bool holds_anywhere(flt) const
+    {
+        return true;
     }
     bool model2() const
     {
@@ -151,7 +177,7 @@ class Recorder
     }
 
     /* A C number: the tag of a uniform, or a number proper; the sign is a modifier. */
-    flt number(float value)
+    virtual flt number(const float &value)
     {
         uint32_t bits = gp_float_bits(value) & 0x7fffffff;
         bool tagged = bits >= 1 && bits <= uniform_words;
@@ -166,15 +192,17 @@ class Recorder
         }
     }
 
-    int32_t record(const Op &op, std::vector<Operand> operands, int index = 0)
+    int32_t record(const Op &op, GpStepCode code, GpPlace at, std::vector<Operand> operands,
+                   int index = 0)
     {
-        Node node = { op.kind, op, index, std::move(operands) };
+        Node node = { op.kind, op, index, std::move(operands), code, at };
         for (const Operand &operand : node.operands)
             for (int i = 0; i < operand.width; i++)
                 raise(node.order, nodes[size_t(operand.part[size_t(i)].node)].order);
         if (op.kind == Kind::texture && !node.operands.empty()) /* the first is the coordinate */
             node.order = is_interpolant(node.operands[0]) ? 0 : 1 + node.order;
         nodes.push_back(std::move(node));
+        compute(nodes.back());
         return int32_t(nodes.size()) - 1;
     }
 
@@ -222,7 +250,12 @@ class Recorder
         return registers;
     }
 
-  private:
+  protected:
+    /* A node has been added. */
+    virtual void compute(const Node &)
+    {
+    }
+
     static void raise(int &most, int value)
     {
         most = value > most ? value : most;
@@ -342,7 +375,7 @@ class Recorder
             Operand whole(flt{});
             whole.width = int(output.parts.size());
             std::copy(output.parts.begin(), output.parts.end(), whole.part.begin());
-            output.parts = { flt{ record(mov, { whole }), 0, false } };
+            output.parts = { flt{ record(mov, GP_STEP_CODES, {}, { whole }), 0, false } };
             nodes.back().live = 1;
         }
     }

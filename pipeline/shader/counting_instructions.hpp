@@ -38,19 +38,20 @@ template <class T>
 concept Number = std::is_arithmetic_v<T>;
 template <class T>
 concept Scalar = Number<T> || std::is_same_v<T, flt>;
-template <class A, class B>
-concept Infix = Scalar<A> && Scalar<B> && !(Number<A> && Number<B>);
 
 /* --- constants, widening and recording -------------------------------------------------------- */
 
-inline flt bcast(float value)
+/* By reference: where a number stands tells that it is a uniform. */
+inline flt bcast(const float &value)
 {
     return recording->number(value);
 }
 
-template <Scalar A> flt lane(A a)
+template <Scalar A> flt lane(const A &a)
 {
-    if constexpr (Number<A>)
+    if constexpr (std::is_same_v<A, float>)
+        return bcast(a);
+    else if constexpr (Number<A>)
         return bcast(static_cast<float>(a));
     else
         return a;
@@ -94,7 +95,7 @@ concept Value = std::is_same_v<V, flt> || std::is_same_v<V, float2> || std::is_s
     std::is_same_v<V, float4>;
 
 /* b as a V: itself, or one scalar in all components. */
-template <class V, class B> V widen(B b)
+template <class V, class B> V widen(const B &b)
 {
     static_assert(Value<V>, "a must be a flt or a vector");
     static_assert(std::is_same_v<V, B> || Scalar<B>,
@@ -107,9 +108,10 @@ template <class V, class B> V widen(B b)
     }
 }
 
-template <class V, class... Operands> V emit(const Op &op, Operands... operands)
+template <class V, class... Operands>
+V emit(const Op &op, GpStepCode code, GpPlace at, Operands... operands)
 {
-    int32_t node = recording->record(op, { Operand(operands)... });
+    int32_t node = recording->record(op, code, at, { Operand(operands)... });
     return from_parts<V>(
         { flt{ node, 0, false }, { node, 1, false }, { node, 2, false }, { node, 3, false } });
 }
@@ -122,48 +124,62 @@ constexpr Op TEXKILL = { 1, 2, Op::all, Kind::kill };
 
 /* --- arithmetic ------------------------------------------------------------------------------- */
 
-#define GP_TWO_OPERANDS(name)                                                                      \
-    template <class V, class B> V name(V a, B b)                                                   \
+#define GP_TWO_OPERANDS(name, code)                                                                \
+    template <class V, class B> V name(V a, const B &b, GpPlace at = GpPlace::here())              \
     {                                                                                              \
-        return emit<V>(EACH_1, a, widen<V>(b));                                                    \
+        return emit<V>(EACH_1, code, at, a, widen<V>(b));                                          \
     }
-GP_TWO_OPERANDS(add)
-GP_TWO_OPERANDS(sub)
-GP_TWO_OPERANDS(mul)
-GP_TWO_OPERANDS(min)
-GP_TWO_OPERANDS(max)
-GP_TWO_OPERANDS(slt)
-GP_TWO_OPERANDS(sge)
+GP_TWO_OPERANDS(add, GP_STEP_ADD)
+GP_TWO_OPERANDS(sub, GP_STEP_SUB)
+GP_TWO_OPERANDS(mul, GP_STEP_MUL)
+GP_TWO_OPERANDS(min, GP_STEP_MIN)
+GP_TWO_OPERANDS(max, GP_STEP_MAX)
+GP_TWO_OPERANDS(slt, GP_STEP_SLT)
+GP_TWO_OPERANDS(sge, GP_STEP_SGE)
 
-template <class V, class B, class C> V mad(V a, B b, C c)
+template <class V, class B, class C>
+V mad(V a, const B &b, const C &c, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_1, a, widen<V>(b), widen<V>(c));
+    return emit<V>(EACH_1, GP_STEP_MAD, at, a, widen<V>(b), widen<V>(c));
 }
-template <class T, class V, class B> V lrp(T t, V a, B b)
+template <class T, class V, class B>
+V lrp(const T &t, V a, const B &b, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_2, widen<V>(t), a, widen<V>(b));
+    return emit<V>(EACH_2, GP_STEP_LRP, at, widen<V>(t), a, widen<V>(b));
 }
-template <class S, class V, class B> V cmp(S s, V a, B b)
+template <class S, class V, class B>
+V cmp(const S &s, V a, const B &b, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_1, widen<V>(s), a, widen<V>(b));
+    return emit<V>(EACH_1, GP_STEP_CMP, at, widen<V>(s), a, widen<V>(b));
 }
-template <class V, class B> V sel(msk m, V a, B b)
+template <class V, class B> V sel(msk m, V a, const B &b, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_1, widen<V>(m.value), a, widen<V>(b));
+    return emit<V>(EACH_1, GP_STEP_SEL, at, widen<V>(m.value), a, widen<V>(b));
 }
 
 /* A loop that may be left early is counted in full. */
-inline bool any(msk)
+inline bool any(msk m)
 {
-    return true;
+    return recording->holds_anywhere(m.value);
 }
 
-/* rep, break_comp and endrep. */
-inline void gp_begin_loop(msk goes_on)
+/* rep, break_comp and endrep: counted once. */
+inline int gp_turns(int turns)
 {
-    recording->record({ 8, 8, Op::all, Kind::loop }, { Operand(goes_on.value) });
+    return recording->is_stepping() ? turns : 1;
 }
-#define loop_while(turns, m) if (gp_begin_loop(m); true)
+inline bool gp_goes_on(msk m, GpPlace at = GpPlace::here())
+{
+    static constexpr Op LOOP = { 8, 8, Op::all, Kind::loop };
+    recording->record(LOOP, GP_STEP_LOOP, at, { Operand(m.value) });
+    return recording->holds_anywhere(m.value);
+}
+#define loop_while(turns, m)                                                                       \
+    for (int GP_UNIQUE(gp_turn) = 0; GP_UNIQUE(gp_turn) < gp_turns(turns) && gp_goes_on(m);        \
+         GP_UNIQUE(gp_turn)++)
+#define GP_UNIQUE(name)            GP_UNIQUE_LINE(name, __LINE__)
+#define GP_UNIQUE_LINE(name, line) GP_UNIQUE_PASTE(name, line)
+#define GP_UNIQUE_PASTE(a, b)      a##_##b
 
 template <class V> V neg(V a)
 {
@@ -172,182 +188,214 @@ template <class V> V neg(V a)
         part.negated = !part.negated;
     return from_parts<V>(parts.part);
 }
-template <class V> V abs_(V a)
+template <class V> V abs_(V a, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_1, a);
+    return emit<V>(EACH_1, GP_STEP_ABS, at, a);
 }
-template <class V> V frc(V a)
+template <class V> V frc(V a, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_1, a);
+    return emit<V>(EACH_1, GP_STEP_FRC, at, a);
 }
-template <class V> V floor_(V a)
+template <class V> V floor_(V a, GpPlace at = GpPlace::here())
 {
-    return emit<V>(EACH_2, a);
+    return emit<V>(EACH_2, GP_STEP_FLOOR, at, a);
 }
-template <class V> V sat(V a)
+template <class V> V sat(V a, GpPlace at = GpPlace::here())
 {
     static constexpr Op SAT = { 1, 1, Op::each }, MIN_MAX = { 2, 1, Op::each };
+    static constexpr Op FREE = { 0, 0, Op::each };
     if (recording->is_vertex())
-        return recording->model2() ? emit<V>(MIN_MAX, a) : emit<V>(SAT, a);
+        return emit<V>(recording->model2() ? MIN_MAX : SAT, GP_STEP_SAT, at, a);
     bool computed = true;
     Operand parts(a);
     for (int i = 0; i < parts.width; i++) {
         const flt &part = parts.part[size_t(i)];
         computed = computed && recording->kind_of(part) == Kind::arithmetic && !part.negated;
     }
-    return computed ? a : emit<V>(SAT, a);
+    if (computed && !recording->is_stepping())
+        return a;
+    return emit<V>(computed ? FREE : SAT, GP_STEP_SAT, at, a);
 }
 
-inline flt dp2(float2 a, float2 b)
+inline flt dp2(float2 a, float2 b, GpPlace at = GpPlace::here())
 {
-    return emit<flt>(ALL_2, a, b);
+    return emit<flt>(ALL_2, GP_STEP_DP2, at, a, b);
 }
-inline flt dp2add(float2 a, float2 b, flt c)
+inline flt dp2add(float2 a, float2 b, flt c, GpPlace at = GpPlace::here())
 {
-    return emit<flt>(ALL_2, a, b, c);
+    return emit<flt>(ALL_2, GP_STEP_DP2ADD, at, a, b, c);
 }
-inline flt dp3(float3 a, float3 b)
+inline flt dp3(float3 a, float3 b, GpPlace at = GpPlace::here())
 {
-    return emit<flt>(ALL_1, a, b);
+    return emit<flt>(ALL_1, GP_STEP_DP3, at, a, b);
 }
-inline flt dp4(float4 a, float4 b)
+inline flt dp4(float4 a, float4 b, GpPlace at = GpPlace::here())
 {
-    return emit<flt>(ALL_1, a, b);
+    return emit<flt>(ALL_1, GP_STEP_DP4, at, a, b);
 }
-inline float3 crs(float3 a, float3 b)
+inline float3 crs(float3 a, float3 b, GpPlace at = GpPlace::here())
 {
-    return emit<float3>(ALL_2, a, b);
+    return emit<float3>(ALL_2, GP_STEP_CRS, at, a, b);
 }
 
 /* --- infix, on flt and numbers ---------------------------------------------------------------- */
+
+/* A side of an infix operator, with the place of the operator, which has no arguments of its own. */
+struct GpSide {
+    flt value;
+    bool is_number;
+    float number;
+    GpPlace at;
+
+    GpSide(flt a, const char *file = __builtin_FILE(), int line = __builtin_LINE())
+        : value(a), is_number(false), number(0), at{ file, line }
+    {
+    }
+    template <Number A>
+    GpSide(const A &a, const char *file = __builtin_FILE(), int line = __builtin_LINE())
+        : value(lane(a)), is_number(true), number(static_cast<float>(a)), at{ file, line }
+    {
+    }
+    bool is(float other) const
+    {
+        return is_number && number == other;
+    }
+};
 
 inline flt operator-(flt a)
 {
     return neg(a);
 }
 #define GP_INFIX(op, name)                                                                         \
-    template <class A, class B>                                                                    \
-    requires Infix<A, B> flt operator op(A a, B b)                                                 \
+    inline flt operator op(const GpSide &a, const GpSide &b)                                       \
     {                                                                                              \
-        return name(lane(a), b);                                                                   \
+        return name(a.value, b.value, a.at);                                                       \
+    }                                                                                              \
+    inline flt &operator op##=(flt &a, const GpSide &b)                                            \
+    {                                                                                              \
+        return a = name(a, b.value, b.at);                                                         \
     }
+inline flt gp_divide(flt a, flt b, GpPlace at)
+{
+    if (recording->is_stepping())
+        return emit<flt>(ALL_2, GP_STEP_DIV, at, a, b);
+    return mul(a, emit<flt>(ALL_1, GP_STEP_RCP, at, b));
+}
 GP_INFIX(+, add)
 GP_INFIX(-, sub)
 GP_INFIX(*, mul)
-template <class A, class B>
-requires Infix<A, B> flt operator/(A a, B b)
+inline flt operator/(const GpSide &a, const GpSide &b)
 {
-    flt reciprocal = emit<flt>(ALL_1, lane(b));
-    if constexpr (Number<A>)
-        if (a == A(1))
-            return reciprocal;
-    return mul(lane(a), reciprocal);
+    if (a.is(1) && !recording->is_stepping())
+        return emit<flt>(ALL_1, GP_STEP_RCP, a.at, b.value);
+    return gp_divide(a.value, b.value, a.at);
 }
-
-#define GP_ASSIGNMENT(op)                                                                          \
-    template <Scalar B> flt &operator op##=(flt &a, B b)                                           \
-    {                                                                                              \
-        return a = a op b;                                                                         \
-    }
-GP_ASSIGNMENT(+)
-GP_ASSIGNMENT(-)
-GP_ASSIGNMENT(*)
-GP_ASSIGNMENT(/)
+inline flt &operator/=(flt &a, const GpSide &b)
+{
+    return a = gp_divide(a, b.value, b.at);
+}
 
 /* A comparison is the difference of its sides; against 0 that is the side itself. */
-template <class A, class B> flt difference(A a, B b)
+inline flt gp_difference(const GpSide &a, const GpSide &b)
 {
-    if constexpr (Number<B>)
-        if (b == B(0))
-            return a;
-    if constexpr (Number<A>)
-        if (a == A(0))
-            return b;
-    return sub(lane(a), b);
+    return b.is(0) ? a.value : a.is(0) ? b.value : sub(a.value, b.value);
 }
-#define GP_COMPARISON(op, tested)                                                                  \
-    template <class A, class B>                                                                    \
-    requires Infix<A, B> msk operator op(A a, B b)                                                 \
+#define GP_COMPARISON(op, code, tested)                                                            \
+    inline msk operator op(const GpSide &a, const GpSide &b)                                       \
     {                                                                                              \
-        flt d = difference(a, b);                                                                  \
+        static constexpr Op FREE = { 0, 0, Op::each };                                             \
+        if (recording->is_stepping())                                                              \
+            return { emit<flt>(a.is(0) || b.is(0) ? FREE : EACH_1, code, a.at, a.value,            \
+                               b.value) };                                                         \
+        flt d = gp_difference(a, b);                                                               \
         return { tested };                                                                         \
     }
-GP_COMPARISON(<, d)
-GP_COMPARISON(<=, d)
-GP_COMPARISON(>, d)
-GP_COMPARISON(>=, d)
-GP_COMPARISON(==, mul(d, d))
-GP_COMPARISON(!=, mul(d, d))
+GP_COMPARISON(<, GP_STEP_LESS, d)
+GP_COMPARISON(<=, GP_STEP_LESS_EQUAL, d)
+GP_COMPARISON(>, GP_STEP_GREATER, d)
+GP_COMPARISON(>=, GP_STEP_GREATER_EQUAL, d)
+GP_COMPARISON(==, GP_STEP_EQUAL, mul(d, d))
+GP_COMPARISON(!=, GP_STEP_NOT_EQUAL, mul(d, d))
 
-#define GP_MASK_OPERATOR(op)                                                                       \
-    inline msk operator op(msk a, msk b)                                                           \
-    {                                                                                              \
-        return { emit<flt>(EACH_1, a.value, b.value) };                                            \
+/* A side of an operator of masks, likewise. */
+struct GpMaskSide {
+    flt value;
+    GpPlace at;
+
+    GpMaskSide(msk a, const char *file = __builtin_FILE(), int line = __builtin_LINE())
+        : value(a.value), at{ file, line }
+    {
     }
-GP_MASK_OPERATOR(&)
-GP_MASK_OPERATOR(|)
-GP_MASK_OPERATOR(^)
-inline msk operator~(msk a)
+};
+#define GP_MASK_OPERATOR(op, code)                                                                 \
+    inline msk operator op(const GpMaskSide &a, const GpMaskSide &b)                               \
+    {                                                                                              \
+        return { emit<flt>(EACH_1, code, a.at, a.value, b.value) };                                \
+    }
+GP_MASK_OPERATOR(&, GP_STEP_AND)
+GP_MASK_OPERATOR(|, GP_STEP_OR)
+GP_MASK_OPERATOR(^, GP_STEP_XOR)
+inline msk operator~(const GpMaskSide &a)
 {
-    return { emit<flt>(EACH_1, a.value) };
+    return { emit<flt>(EACH_1, GP_STEP_NOT, a.at, a.value) };
 }
 
 /* --- one-argument functions ------------------------------------------------------------------- */
 
-#define GP_FUNCTION(name, op)                                                                      \
-    inline flt name(flt a)                                                                         \
+#define GP_FUNCTION(name, op, code)                                                                \
+    inline flt name(flt a, GpPlace at = GpPlace::here())                                           \
     {                                                                                              \
-        return emit<flt>(op, a);                                                                   \
+        return emit<flt>(op, code, at, a);                                                         \
     }
-GP_FUNCTION(rcp, ALL_1)
-GP_FUNCTION(rsq, ALL_1)
-GP_FUNCTION(exp_, ALL_1)
-GP_FUNCTION(log_, ALL_1)
-GP_FUNCTION(sqrt_, ALL_2)
-GP_FUNCTION(sgn, ALL_3)
-GP_FUNCTION(sin_, SINCOS)
-GP_FUNCTION(cos_, SINCOS)
+GP_FUNCTION(rcp, ALL_1, GP_STEP_RCP)
+GP_FUNCTION(rsq, ALL_1, GP_STEP_RSQ)
+GP_FUNCTION(exp_, ALL_1, GP_STEP_EXP)
+GP_FUNCTION(log_, ALL_1, GP_STEP_LOG)
+GP_FUNCTION(sqrt_, ALL_2, GP_STEP_SQRT)
+GP_FUNCTION(sgn, ALL_3, GP_STEP_SGN)
+GP_FUNCTION(sin_, SINCOS, GP_STEP_SIN)
+GP_FUNCTION(cos_, SINCOS, GP_STEP_COS)
 
-inline float2 sincos_(flt a)
+inline float2 sincos_(flt a, GpPlace at = GpPlace::here())
 {
-    return emit<float2>(SINCOS, a);
+    return emit<float2>(SINCOS, GP_STEP_SINCOS, at, a);
 }
-inline flt pow_(flt a, flt b)
+inline flt pow_(flt a, flt b, GpPlace at = GpPlace::here())
 {
-    return emit<flt>(ALL_3, a, b);
+    return emit<flt>(ALL_3, GP_STEP_POW, at, a, b);
 }
-template <class V> V nrm(V v)
+template <class V> V nrm(V v, GpPlace at = GpPlace::here())
 {
     static_assert(width_of<V> > 1, "nrm takes a vector");
-    return emit<V>(ALL_3, v);
+    return emit<V>(ALL_3, GP_STEP_NRM, at, v);
 }
-inline float4 lit(flt n_l, flt n_h, flt power)
+inline float4 lit(flt n_l, flt n_h, flt power, GpPlace at = GpPlace::here())
 {
-    return emit<float4>(ALL_3, n_l, n_h, power);
+    return emit<float4>(ALL_3, GP_STEP_LIT, at, n_l, n_h, power);
 }
-inline float4 dst(float4 a, float4 b)
+inline float4 dst(float4 a, float4 b, GpPlace at = GpPlace::here())
 {
-    return emit<float4>(EACH_1, a, b);
+    return emit<float4>(EACH_1, GP_STEP_DST, at, a, b);
 }
 
 /* --- matrices: one dot product a row; the w of a point is 1 ----------------------------------- */
 
-template <class V> flt row4(V v, const float row[4])
+template <class V> flt row4(V v, const float row[4], GpPlace at)
 {
     static_assert(width_of<V> >= 3, "a point of three or four components");
-    return emit<flt>(ALL_1, v, u4(row));
+    return emit<flt>(ALL_1, GP_STEP_ROW, at, v, u4(row));
 }
-template <class V> float4 m4x4(V v, const float m[4][4])
+template <class V> float4 m4x4(V v, const float m[4][4], GpPlace at = GpPlace::here())
 {
-    return { row4(v, m[0]), row4(v, m[1]), row4(v, m[2]), row4(v, m[3]) };
+    return { row4(v, m[0], at), row4(v, m[1], at), row4(v, m[2], at), row4(v, m[3], at) };
 }
-template <class V> float3 m4x3(V v, const float m[4][4])
+template <class V> float3 m4x3(V v, const float m[4][4], GpPlace at = GpPlace::here())
 {
-    return { row4(v, m[0]), row4(v, m[1]), row4(v, m[2]) };
+    return { row4(v, m[0], at), row4(v, m[1], at), row4(v, m[2], at) };
 }
-inline float3 m3x3(float3 v, const float m[4][4])
+inline float3 m3x3(float3 v, const float m[4][4], GpPlace at = GpPlace::here())
 {
-    return { dp3(v, u3(m[0])), dp3(v, u3(m[1])), dp3(v, u3(m[2])) };
+    return { dp3(v, u3(m[0]), at), dp3(v, u3(m[1]), at), dp3(v, u3(m[2]), at) };
 }
 
 /* --- building and taking apart ---------------------------------------------------------------- */
@@ -360,60 +408,66 @@ inline float3 xyz(float4 a)
 {
     return { a.x, a.y, a.z };
 }
-template <Scalar A> float4 rgba(float3 color, A alpha)
+template <Scalar A> float4 rgba(float3 color, const A &alpha)
 {
     return { color.x, color.y, color.z, lane(alpha) };
 }
-template <Scalar A, Scalar B> float2 vec2(A a, B b)
+template <Scalar A, Scalar B> float2 vec2(const A &a, const B &b)
 {
     return { lane(a), lane(b) };
 }
-template <Scalar A, Scalar B, Scalar C> float3 vec3(A a, B b, C c)
+template <Scalar A, Scalar B, Scalar C> float3 vec3(const A &a, const B &b, const C &c)
 {
     return { lane(a), lane(b), lane(c) };
 }
-template <Scalar A, Scalar B, Scalar C, Scalar D> float4 vec4(A a, B b, C c, D d)
+template <Scalar A, Scalar B, Scalar C, Scalar D>
+float4 vec4(const A &a, const B &b, const C &c, const D &d)
 {
     return { lane(a), lane(b), lane(c), lane(d) };
 }
 
-template <class V> V slope_x(V a)
+template <class V> V slope_x(V a, GpPlace at = GpPlace::here())
 {
-    return emit<V>(DERIVATIVE, a);
+    return emit<V>(DERIVATIVE, GP_STEP_DSX, at, a);
 }
-template <class V> V slope_y(V a)
+template <class V> V slope_y(V a, GpPlace at = GpPlace::here())
 {
-    return emit<V>(DERIVATIVE, a);
+    return emit<V>(DERIVATIVE, GP_STEP_DSY, at, a);
 }
 
 /* --- textures and pixels: gp, the invocation, is asked for because C needs it ----------------- */
 
-inline float4 gp_read(GpInvocation *, int slot, const Op &op, std::vector<Operand> operands)
+inline float4 gp_read(GpInvocation *, int slot, GpStepCode code, std::vector<Operand> operands,
+                      GpPlace at = GpPlace::here())
 {
-    int32_t node = recording->record(op, std::move(operands), slot);
+    static constexpr Op reads[] = {
+        { 1, 1, Op::all, Kind::texture, false, GP_LOD_IMPLICIT }, /* texld */
+        { 1, 3, Op::all, Kind::texture, false, GP_LOD_IMPLICIT }, /* texldp */
+        { 1, 6, Op::all, Kind::texture, false, GP_LOD_BIAS },     /* texldb */
+        { 2, 2, Op::all, Kind::texture, false, GP_LOD_EXPLICIT }, /* texldl */
+        { 3, 3, Op::all, Kind::texture, true, GP_LOD_GRADIENT },  /* texldd */
+        { 1, 1, Op::all, Kind::texture, false, GP_LOD_IMPLICIT }, /* gp_load_local */
+    };
+    int32_t node =
+        recording->record(reads[code - GP_STEP_TEXLD], code, at, std::move(operands), slot);
     return { { node, 0, false }, { node, 1, false }, { node, 2, false }, { node, 3, false } };
 }
 
-constexpr Op TEXLD = { 1, 1, Op::all, Kind::texture, false, GP_LOD_IMPLICIT };
-constexpr Op TEXLDP = { 1, 3, Op::all, Kind::texture, false, GP_LOD_IMPLICIT };
-constexpr Op TEXLDB = { 1, 6, Op::all, Kind::texture, false, GP_LOD_BIAS };
-constexpr Op TEXLDL = { 2, 2, Op::all, Kind::texture, false, GP_LOD_EXPLICIT };
-constexpr Op TEXLDD = { 3, 3, Op::all, Kind::texture, true, GP_LOD_GRADIENT };
+#define texld(slot, a)  gp_read(gp, slot, GP_STEP_TEXLD, { Operand(a) })
+#define texldp(slot, a) gp_read(gp, slot, GP_STEP_TEXLDP, { Operand(a) })
+#define texldb(slot, a) gp_read(gp, slot, GP_STEP_TEXLDB, { Operand(a) })
+#define texldl(slot, a) gp_read(gp, slot, GP_STEP_TEXLDL, { Operand(a) })
+#define texldd(slot, a, dx, dy)                                                                    \
+    gp_read(gp, slot, GP_STEP_TEXLDD, { Operand(a), Operand(dx), Operand(dy) })
+#define gp_load_local(slot) gp_read(gp, slot, GP_STEP_LOCAL, {})
 
-#define texld(slot, a)          gp_read(gp, slot, TEXLD, { Operand(a) })
-#define texldp(slot, a)         gp_read(gp, slot, TEXLDP, { Operand(a) })
-#define texldb(slot, a)         gp_read(gp, slot, TEXLDB, { Operand(a) })
-#define texldl(slot, a)         gp_read(gp, slot, TEXLDL, { Operand(a) })
-#define texldd(slot, a, dx, dy) gp_read(gp, slot, TEXLDD, { Operand(a), Operand(dx), Operand(dy) })
-#define gp_load_local(slot)     gp_read(gp, slot, TEXLD, {})
-
-template <class V> void gp_kill(GpInvocation *, V a)
+template <class V> void gp_kill(GpInvocation *, V a, GpPlace at = GpPlace::here())
 {
-    emit<flt>(TEXKILL, a);
+    emit<flt>(TEXKILL, GP_STEP_TEXKILL, at, a);
 }
-inline void gp_kill(GpInvocation *, msk a)
+inline void gp_kill(GpInvocation *, msk a, GpPlace at = GpPlace::here())
 {
-    emit<flt>(TEXKILL, a.value);
+    emit<flt>(TEXKILL, GP_STEP_DISCARD, at, a.value);
 }
 #define discard(mask) gp_kill(gp, msk(mask))
 #define texkill(a)    gp_kill(gp, a)

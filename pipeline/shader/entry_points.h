@@ -152,6 +152,7 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)                                            \
     extern const GpProgramCode id##_code8 GP_WEAK, id##_code16 GP_WEAK;                            \
     extern void id##_count(const GpProgram *, GpShaderCounts *, GpShaderCounts *) GP_WEAK;         \
+    extern void id##_step(const GpProgram *, bool, const struct GpStepRun *) GP_WEAK;              \
     extern const GpProgram id;                                                                     \
     const GpProgram id = { .name = #id,                                                            \
                            __VA_ARGS__,                                                            \
@@ -161,7 +162,8 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
                            .pixel_input_components = pixel_in,                                     \
                            .color_components = pixel_out,                                          \
                            .code = { &id##_code4, &id##_code8, &id##_code16 },                     \
-                           .count = id##_count };
+                           .count = id##_count,                                                    \
+                           .step = id##_step };
 #else
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)
 #endif

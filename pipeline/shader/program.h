@@ -144,6 +144,11 @@ typedef struct GpProgram GpProgram;
  * be NULL. */
 typedef void (*GpCountFn)(const GpProgram *program, GpShaderCounts *vertex, GpShaderCounts *pixel);
 
+struct GpStepRun;
+
+/* Runs a shader of the counting build step by step: gp_program_steps (pipeline/shader/steps.h) calls it. */
+typedef void (*GpStepFn)(const GpProgram *program, bool vertex, const struct GpStepRun *run);
+
 enum { GP_CODE_WIDTHS = 3 }; /* lanes 4, 8, 16 */
 
 /* What a program declares, and its code. All that the shaders use must be declared: what is not
@@ -169,6 +174,7 @@ struct GpProgram {
     uint8_t input_components, varying_components, pixel_input_components, color_components;
     const GpProgramCode *code[GP_CODE_WIDTHS]; /* by width 4, 8, 16; NULL where not compiled */
     GpCountFn count;                           /* NULL where the counting build is absent */
+    GpStepFn step;                             /* likewise */
 };
 
 /* Colour targets that a program writes. */

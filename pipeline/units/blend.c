@@ -78,6 +78,37 @@ bool gp_blend_reads_target(const GpBlend *blend)
     return blend->op != GP_BLEND_OFF;
 }
 
+/* How channel c is blended. */
+static GpBlend of_channel(const GpBlend *blend, int c)
+{
+    GpBlend own = *blend;
+    if (c == 3 && blend->alpha_op != GP_BLEND_OFF) {
+        own.op = blend->alpha_op;
+        own.src = blend->alpha_src;
+        own.dst = blend->alpha_dst;
+    }
+    return own;
+}
+
+void gp_blend_factors(const GpBlend *blend, const float constant[4], GpFormat format,
+                      const float source[4], const float destination[4], float factors[2][4])
+{
+    float s[4], k[4];
+    const bool is_float = gp_format_info(format)->is_float;
+    memcpy(s, source, sizeof s);
+    memcpy(k, constant, sizeof k);
+    if (!is_float) {
+        clamp_to_unorm(source, s);
+        clamp_to_unorm(constant, k);
+    }
+    for (int c = 0; c < 4; c++) {
+        const GpBlend own = of_channel(blend, c);
+        const bool has = own.op >= GP_BLEND_ADD && own.op <= GP_BLEND_REV_SUBTRACT;
+        factors[0][c] = has ? factor(own.src, c, s, destination, k) : 0;
+        factors[1][c] = has ? factor(own.dst, c, s, destination, k) : 0;
+    }
+}
+
 void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format, const float source[4],
               const float destination[4], float result[4])
 {
@@ -89,15 +120,13 @@ void gp_blend(const GpBlend *blend, const float constant[4], GpFormat format, co
         clamp_to_unorm(constant, k);
     }
     for (int c = 0; c < 4; c++) {
-        bool separate = c == 3 && blend->alpha_op != GP_BLEND_OFF;
-        GpBlendOp op = separate ? blend->alpha_op : blend->op;
-        GpBlendFactor by_source = separate ? blend->alpha_src : blend->src;
-        GpBlendFactor by_target = separate ? blend->alpha_dst : blend->dst;
-        if (gp_blend_is_logic(op))
-            blended[c] = logic(op, s[c], destination[c]);
+        const GpBlend own = of_channel(blend, c);
+        if (gp_blend_is_logic(own.op))
+            blended[c] = logic(own.op, s[c], destination[c]);
         else
-            blended[c] = operate(op, s[c], destination[c], factor(by_source, c, s, destination, k),
-                                 factor(by_target, c, s, destination, k));
+            blended[c] =
+                operate(own.op, s[c], destination[c], factor(own.src, c, s, destination, k),
+                        factor(own.dst, c, s, destination, k));
     }
     memcpy(result, blended, sizeof blended);
 }

@@ -105,6 +105,17 @@ void gp_interpolate_varyings(const GpTriangle *t, const GpVaryingModes *modes, u
     }
 }
 
+void gp_interpolate_on_screen(const GpTriangle *t, const GpVaryingModes *modes, GpQuad *quad)
+{
+    GpVaryingModes linear = *modes;
+    for (int c = 0; c < modes->components; c++)
+        linear.mode[c] = modes->mode[c] == GP_FLAT ? GP_FLAT : GP_LINEAR_SCREEN;
+    for (int k = 0; k < 3; k++)
+        for (int pixel = 0; pixel < 4; pixel++)
+            quad->barycentric[k][pixel] = screen_share(t, quad, k, pixel);
+    gp_interpolate_varyings(t, &linear, ~(uint64_t)0, quad);
+}
+
 void gp_interpolate_sprite(const GpPointSprite *s, const GpVaryingModes *modes, float min_depth,
                            float max_depth, GpQuad *quad)
 {

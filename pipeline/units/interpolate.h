@@ -31,6 +31,11 @@ void gp_interpolate_depth(const GpTriangle *triangle, float min_depth, float max
 void gp_interpolate_varyings(const GpTriangle *triangle, const GpVaryingModes *modes,
                              uint64_t wanted, GpQuad *quad);
 
+/* The same, and the barycentrics, as if all were linear on the screen but what is flat: to be looked at
+ * beside them. */
+void gp_interpolate_on_screen(const GpTriangle *triangle, const GpVaryingModes *modes,
+                              GpQuad *quad);
+
 /* The same for a point sprite, whose values are constant but for its coordinates: 0..1 from its
  * left top to its right bottom. Fills depth too. */
 void gp_interpolate_sprite(const GpPointSprite *sprite, const GpVaryingModes *modes,

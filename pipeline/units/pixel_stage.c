@@ -14,9 +14,8 @@ typedef struct Packet {
     _Alignas(64) int32_t killed[MAX_LANES];
 } Packet;
 
-static void pack(const GpPixelStage *stage, const GpQuad *quad, Packet *packet)
+static void pack(const GpPixelStage *stage, int lanes, const GpQuad *quad, Packet *packet)
 {
-    int lanes = stage->code->lanes;
     for (int lane = 0; lane < lanes; lane++) {
         int pixel = lane % 4;
         for (int c = 0; c < stage->program->varying_components; c++)
@@ -27,9 +26,8 @@ static void pack(const GpPixelStage *stage, const GpQuad *quad, Packet *packet)
     }
 }
 
-static void unpack(const GpPixelStage *stage, const Packet *packet, GpQuad *quad)
+static void unpack(const GpPixelStage *stage, int lanes, const Packet *packet, GpQuad *quad)
 {
-    int lanes = stage->code->lanes;
     quad->killed = 0;
     for (int pixel = 0; pixel < 4; pixel++) {
         for (int t = 0; t < gp_program_targets(stage->program); t++)
@@ -42,24 +40,40 @@ static void unpack(const GpPixelStage *stage, const Packet *packet, GpQuad *quad
     }
 }
 
-void gp_shade_quad(const GpPixelStage *stage, GpQuad *quad)
+static GpShaderCall call_of(const GpPixelStage *stage, Packet *packet)
 {
-    Packet packet;
-    pack(stage, quad, &packet);
-    GpShaderCall call = {
+    return (GpShaderCall){
         .uniforms = stage->uniforms,
         .packets = 1,
-        .in = packet.in,
+        .in = packet->in,
         .textures = stage->textures,
         .read_texture = stage->read_texture,
         .read_local = stage->read_local,
         .executor = stage->executor,
-        .pixel = packet.pixel,
-        .face = packet.face,
-        .color = packet.color,
-        .depth = stage->program->writes_depth ? packet.depth : NULL,
-        .killed = stage->program->may_discard ? packet.killed : NULL,
+        .pixel = packet->pixel,
+        .face = packet->face,
+        .color = packet->color,
+        .depth = stage->program->writes_depth ? packet->depth : NULL,
+        .killed = stage->program->may_discard ? packet->killed : NULL,
     };
+}
+
+void gp_shade_quad(const GpPixelStage *stage, GpQuad *quad)
+{
+    Packet packet;
+    pack(stage, stage->code->lanes, quad, &packet);
+    const GpShaderCall call = call_of(stage, &packet);
     stage->code->pixel(&call);
-    unpack(stage, &packet, quad);
+    unpack(stage, stage->code->lanes, &packet, quad);
+}
+
+bool gp_step_quad(const GpPixelStage *stage, const GpStepListener *listener, GpQuad *quad)
+{
+    Packet packet;
+    pack(stage, 4, quad, &packet);
+    const GpShaderCall call = call_of(stage, &packet);
+    if (!gp_program_steps(stage->program, false, &call, listener))
+        return false;
+    unpack(stage, 4, &packet, quad);
+    return true;
 }

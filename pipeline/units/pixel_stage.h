@@ -3,7 +3,7 @@
 #define GP_PIXEL_STAGE_H
 
 #include "pipeline/resources/packet.h"
-#include "pipeline/shader/program.h"
+#include "pipeline/shader/steps.h"
 
 typedef struct GpPixelStage {
     const GpProgram *program;
@@ -21,5 +21,9 @@ typedef struct GpPixelStage {
  *      quad->killed. The mask is left to the caller.
  * note on code wider than four lanes the quad is repeated to fill them: same bits, more work */
 void gp_shade_quad(const GpPixelStage *stage, GpQuad *quad);
+
+/* The same step by step, for who listens (gp_program_steps).
+ * returns false, and leaves the quad alone, where the program has no counting build */
+bool gp_step_quad(const GpPixelStage *stage, const GpStepListener *listener, GpQuad *quad);
 
 #endif

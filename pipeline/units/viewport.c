@@ -35,11 +35,18 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
                      floor_within(v.x + v.width, width), floor_within(v.y + v.height, height) };
 }
 
-bool gp_viewport_position(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen)
+void gp_viewport_place(const GpViewport *viewport, const float clip[4], float place[2])
 {
     float rw = 1.0f / clip[3];
-    float x = (clip[0] * rw + 1.0f) * viewport->width * 0.5f + viewport->x;
-    float y = (1.0f - clip[1] * rw) * viewport->height * 0.5f + viewport->y;
+    place[0] = (clip[0] * rw + 1.0f) * viewport->width * 0.5f + viewport->x;
+    place[1] = (1.0f - clip[1] * rw) * viewport->height * 0.5f + viewport->y;
+}
+
+bool gp_viewport_position(const GpViewport *viewport, const float clip[4], GpScreenVertex *screen)
+{
+    float rw = 1.0f / clip[3], place[2];
+    gp_viewport_place(viewport, clip, place);
+    float x = place[0], y = place[1];
     float range = viewport->max_depth - viewport->min_depth;
     screen->z = viewport->min_depth + clip[2] * rw * range;
     screen->rw = rw;

@@ -12,6 +12,9 @@ GpViewport gp_viewport_resolve(const GpViewport *viewport, uint32_t width, uint3
  * target. in: as given in the draw, not resolved */
 GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t height);
 
+/* Where a clip-space position is in pixels, before it is snapped. in: as below; out: x, y */
+void gp_viewport_place(const GpViewport *viewport, const float clip[4], float place[2]);
+
 /* One clip-space vertex to the screen.
  * in   viewport: resolved; clip: w > 0
  * out  x, y, z, rw of screen

@@ -129,7 +129,7 @@ step aarch64 aarch64
 step exhaustive-mathematics exhaustive
 step differential differential
 step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 GP_TEST_BUNNY_WINDOW=1 \
-    GP_TEST_PRINTED=1 GP_TEST_LARGE=1 \
+    GP_TEST_PRINTED=1 GP_TEST_INSPECT=1 GP_TEST_LARGE=1 \
     GP_TEST_PROMISES="$(date +%s)" GP_TEST_FRAGMENT_VIEWS=100 \
     TEST_SECONDS=3600 make BUILD="$out/gcc-O2" CC=gcc CXX=g++ OPT=-O2 WERROR=1 test
 for name in gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 aarch64; do

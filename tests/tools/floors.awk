@@ -31,7 +31,7 @@ BEGIN {
     floor("apps/techniques")
     floor("apps/techniques/*")
     floor("apps/techniques/registry")
-    floor("apps/charts apps/bench apps/golden")
+    floor("apps/charts apps/bench apps/golden apps/inspect")
     floor("apps/commands")
     floor("apps") # main
     # rooms in which no file knows another, but texture and texture_read are one unit

@@ -29,6 +29,8 @@ test libcmocka-dev header cmocka.h
 test qemu-user command qemu-x86_64
 lint clang-format command clang-format
 check clang command clang++
+check chromium command chromium
+check python3 command python3
 check gcc-aarch64-linux-gnu command aarch64-linux-gnu-gcc
 check g++-aarch64-linux-gnu command aarch64-linux-gnu-g++
 check libc6-dev-arm64-cross file /usr/aarch64-linux-gnu/include/stdio.h

@@ -1,4 +1,4 @@
-#include "apps/commands/pixel_json.h"
+#include "apps/inspect/trace_json.h"
 
 #include "apps/base/json.h"
 
@@ -33,20 +33,40 @@ static json_t *clip_event(const GpTraceEvent *event)
 {
     const GpTraceClip *clip = &event->clip;
     json_t *corners = json_array();
+    json_t *left = json_array();
     for (int i = 0; i < 3; i++)
         json_array_append_new(corners, json_floats(clip->clip[i], 4));
-    return json_pack("{s:o, s:i, s:i}", "clip", corners, "planes", (int)clip->planes, "corners",
-                     clip->corners);
+    for (int i = 0; i < clip->corners; i++)
+        json_array_append_new(left, json_floats(clip->corner[i], 4));
+    return json_pack("{s:o, s:i, s:i, s:o, s:o}", "clip", corners, "planes", (int)clip->planes,
+                     "corners", clip->corners, "polygon", left, "band", json_floats(clip->band, 4));
+}
+
+static json_t *edges_json(const GpTraceSetup *setup)
+{
+    json_t *edges = json_array();
+    for (int i = 0; i < 3; i++)
+        json_array_append_new(edges,
+                              json_pack("{s:I, s:I, s:I, s:b}", "a", (json_int_t)setup->a[i], "b",
+                                        (json_int_t)setup->b[i], "c", (json_int_t)setup->c[i],
+                                        "accepts_zero", (int)setup->accepts_zero[i]));
+    return edges;
 }
 
 static json_t *setup_event(const GpTraceEvent *event)
 {
     const GpTraceSetup *setup = &event->setup;
-    return json_pack("{s:[iii], s:[iii], s:o, s:o, s:I, s:b, s:o}", "x", setup->x[0], setup->x[1],
-                     setup->x[2], "y", setup->y[0], setup->y[1], setup->y[2], "z",
-                     json_floats(setup->z, 3), "rw", json_floats(setup->rw, 3), "area2",
-                     (json_int_t)setup->area2, "culled", setup->culled, "reason",
-                     json_text(setup->reason));
+    json_t *places = json_array();
+    for (int i = 0; i < 3; i++)
+        json_array_append_new(places, json_floats(setup->place[i], 2));
+    json_t *object = json_pack(
+        "{s:i, s:o, s:[iii], s:[iii], s:o, s:o, s:I, s:b, s:o}", "part", setup->part, "place",
+        places, "x", setup->x[0], setup->x[1], setup->x[2], "y", setup->y[0], setup->y[1],
+        setup->y[2], "z", json_floats(setup->z, 3), "rw", json_floats(setup->rw, 3), "area2",
+        (json_int_t)setup->area2, "culled", (int)setup->culled, "reason", json_text(setup->reason));
+    if (!setup->culled)
+        json_object_set_new(object, "edges", edges_json(setup));
+    return object;
 }
 
 static json_t *raster_event(const GpTraceEvent *event)
@@ -60,9 +80,17 @@ static json_t *raster_event(const GpTraceEvent *event)
 static json_t *interpolate_event(const GpTraceEvent *event)
 {
     const GpTraceInterpolate *interpolate = &event->interpolate;
-    return json_pack("{s:o, s:o, s:o}", "barycentric", json_floats(interpolate->barycentric, 3),
-                     "depth", json_number((double)interpolate->depth), "varyings",
-                     json_floats(interpolate->varyings, interpolate->components));
+    const int components = interpolate->components;
+    json_t *quad = json_array();
+    for (int c = 0; c < components; c++)
+        json_array_append_new(quad, json_floats(interpolate->quad + 4 * c, 4));
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:i, s:o}", "barycentric",
+                     json_floats(interpolate->barycentric, 3), "depth",
+                     json_number((double)interpolate->depth), "varyings",
+                     json_floats(interpolate->varyings, components), "screen",
+                     json_floats(interpolate->screen, 3), "screen_varyings",
+                     json_floats(interpolate->screen_varyings, components), "mask",
+                     (int)interpolate->mask, "quad", quad);
 }
 
 static json_t *texture_event(const GpTraceEvent *event)
@@ -135,13 +163,29 @@ static json_t *output_event(const GpTraceEvent *event)
         gp_blend_op_names[separate ? blend->alpha_op : blend->op], "alpha_src",
         gp_blend_factor_names[separate ? blend->alpha_src : blend->src], "alpha_dst",
         gp_blend_factor_names[separate ? blend->alpha_dst : blend->dst], "keep", blend->keep);
-    return json_pack("{s:i, s:s, s:o, s:o, s:o, s:o}", "target", output->target, "format",
-                     gp_format_info(output->surface->format)->name, "blend", state, "source",
-                     json_floats(output->source, 4), "destination",
-                     json_floats(output->destination, 4), "result", json_floats(output->result, 4));
+    return json_pack("{s:i, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "target", output->target,
+                     "format", gp_format_info(output->surface->format)->name, "blend", state,
+                     "source", json_floats(output->source, 4), "destination",
+                     json_floats(output->destination, 4), "source_factor",
+                     json_floats(output->factor[0], 4), "destination_factor",
+                     json_floats(output->factor[1], 4), "blended", json_floats(output->blended, 4),
+                     "result", json_floats(output->result, 4));
 }
 
-json_t *pixel_json_event(const GpTraceEvent *event)
+/* The steps themselves have a form of their own: steps_json.h. */
+static json_t *steps_event(const GpTraceEvent *event)
+{
+    return json_pack("{s:i, s:b}", "steps", event->steps.steps, "agrees", (int)event->steps.agrees);
+}
+
+static json_t *missed_event(const GpTraceEvent *event)
+{
+    const GpTraceMissed *missed = &event->missed;
+    return json_pack("{s:s, s:b, s:o}", "reason", missed->reason, "front", (int)missed->front,
+                     "depth", missed->has_depth ? json_number((double)missed->depth) : json_null());
+}
+
+json_t *trace_json(const GpTraceEvent *event)
 {
     static json_t *(*const members[GP_TRACE_KINDS])(const GpTraceEvent *) = {
         [GP_TRACE_CLEAR] = clear_event,     [GP_TRACE_VERTEX] = vertex_event,
@@ -149,7 +193,8 @@ json_t *pixel_json_event(const GpTraceEvent *event)
         [GP_TRACE_RASTER] = raster_event,   [GP_TRACE_INTERPOLATE] = interpolate_event,
         [GP_TRACE_TEXTURE] = texture_event, [GP_TRACE_PIXEL] = pixel_event,
         [GP_TRACE_SORT] = sort_event,       [GP_TRACE_TEST] = test_event,
-        [GP_TRACE_OUTPUT] = output_event,
+        [GP_TRACE_OUTPUT] = output_event,   [GP_TRACE_STEPS] = steps_event,
+        [GP_TRACE_MISSED] = missed_event,
     };
     json_t *object = json_pack("{s:s, s:I, s:o}", "kind", gp_trace_kind_names[event->kind], "pass",
                                (json_int_t)event->pass, "pass_name", json_text(event->pass_name));

@@ -1,0 +1,268 @@
+/* glasspipe inspect: a frame, stage by stage, as one page of HTML. */
+#include "apps/commands/command.h"
+#include "apps/commands/commands.h"
+#include "apps/commands/output.h"
+#include "apps/commands/progress.h"
+#include "apps/inspect/inspect.h"
+#include "apps/techniques/registry.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct InspectCommand {
+    Options options; /* first: see options.h */
+    const char *scene, *output, *technique_name, *against;
+    double region[4]; /* x, y, width, height; width 0: none */
+    uint32_t draw, pixels;
+    bool no_timings;
+    const Technique *technique; /* NULL: the scene as it is */
+    CommandOptions settings;    /* of the technique */
+} InspectCommand;
+
+#define OF(member) offsetof(InspectCommand, member)
+
+static const SettingField options[] = {
+    { "output", "FILE",
+      "Write the page to FILE (default: out/NAME.html where out/ exists, else NAME.html)",
+      SETTING_TEXT, .offset = OF(output), .letter = 'o' },
+    { "region", "X Y WIDTH HEIGHT",
+      "Record every pixel of this part of the picture whole, with every value of every unit",
+      SETTING_VECTOR, .offset = OF(region), .low = 0, .high = 8192, .count = 4 },
+    { "draw", "N", "Record the pixels of draw N of the last pass more densely", SETTING_INTEGER,
+      .offset = OF(draw), .low = 0, .high = INT32_MAX },
+    { "pixels", "N", "Record about N pixels whole, on a grid over the picture (default: 1200)",
+      SETTING_INTEGER, .offset = OF(pixels), .low = 1, .high = 1e6 },
+    { "technique", "NAME",
+      "The frame that a technique draws of the scene; its options may follow, as `glasspipe NAME "
+      "--help' has them",
+      SETTING_TEXT, .offset = OF(technique_name) },
+    { "against", "OTHER",
+      "Compare with another scene or, where it begins with --, with other options of the technique",
+      SETTING_TEXT, .offset = OF(against) },
+    { "no-timings", NULL, "Leave out times: the page is then the same on every machine",
+      SETTING_FLAG, .offset = OF(no_timings) },
+    { .name = NULL },
+};
+
+static const CommandSyntax syntax = {
+    .shared = OPTIONS_FRAME,
+    .options = options,
+    .arguments = "SCENE.json",
+    .help =
+        "Examples:\n"
+        "  glasspipe inspect scenes/stencil_outline.json -o outline.html\n"
+        "  glasspipe inspect scenes/default.json --size 640x360 --region 300 180 16 16\n"
+        "  glasspipe inspect scenes/shadow.json --size 320x240 --technique shadow --method plain\n"
+        "\n"
+        "Draws a scene with everything recorded, and writes one page of HTML that walks "
+        "through the frame: draws, targets, every unit's values, the history of every "
+        "pixel.\v"
+        "The page needs no network. Every fragment of every pixel is in it; all values of "
+        "all units are there of chosen pixels, which the page marks.",
+    .offset = offsetof(InspectCommand, scene),
+    .least = 1,
+    .most = 1,
+    .expected = "a scene file",
+};
+
+/* --- what is drawn ---------------------------------------------------------------------------- */
+
+/* A frame, and what it is made of. */
+typedef struct Drawn {
+    Scene scene;
+    void *opened; /* the technique's */
+    Frame frame;
+    const GpList *list;
+    const GpSurface *picture;
+} Drawn;
+
+static void release(const InspectCommand *command, Drawn *drawn)
+{
+    frame_free(&drawn->frame);
+    if (drawn->opened)
+        command->technique->close(drawn->opened);
+    scene_free(&drawn->scene);
+}
+
+static GpResult build(const InspectCommand *command, const void *setting, GpDevice *device,
+                      Drawn *drawn, GpError *error)
+{
+    const Technique *technique = command->technique;
+    GpResult result = technique->build(drawn->opened, setting, device, &drawn->frame, error);
+    if (!result && technique->show)
+        result = technique->show(drawn->opened, setting, &drawn->frame, error);
+    drawn->list = &drawn->frame.list;
+    drawn->picture = frame_picture(&drawn->frame);
+    return result;
+}
+
+static int open_technique(const InspectCommand *command, const char *path, void *setting,
+                          Drawn *drawn)
+{
+    GpError error = { "" };
+    GpDevice *device = NULL;
+    const Technique *technique = command->technique;
+    const Progress progress = progress_begin(&command->options);
+    const TechniqueInput input = { .path = path,
+                                   .width = command->options.size[0],
+                                   .height = command->options.size[1],
+                                   .setting = setting,
+                                   .progress = progress_tell,
+                                   .user = &progress };
+    if (technique->imply)
+        technique->imply(setting, command->settings.given);
+    if (technique->check && technique->check(setting, command->settings.given, "png", &error))
+        return report(EXIT_USAGE, "%s", error.text);
+    int code = options_device(&command->options, NULL, &device);
+    if (code)
+        return code;
+    GpResult result = technique->open(&input, &drawn->opened, &error);
+    if (!result)
+        result = build(command, setting, device, drawn, &error);
+    gp_device_destroy(&device);
+    return result ? report(exit_of_input(result), "%s: %s", path, error.text) : EXIT_DONE;
+}
+
+static int open_drawn(const InspectCommand *command, const char *path, void *setting, Drawn *drawn)
+{
+    if (command->technique)
+        return open_technique(command, path, setting, drawn);
+    const int code = options_scene(&command->options, path, &drawn->scene);
+    drawn->list = &drawn->scene.list;
+    drawn->picture = drawn->scene.picture;
+    return code;
+}
+
+/* --- the page --------------------------------------------------------------------------------- */
+
+static Inspect inspect_of(const InspectCommand *command, const Drawn *drawn, const char *title,
+                          const Progress *progress)
+{
+    const double *region = command->region;
+    return (Inspect){
+        .title = title,
+        .technique = command->technique ? command->technique->name : NULL,
+        .list = drawn->list,
+        .picture = drawn->picture,
+        .region = { (int32_t)region[0], (int32_t)region[1], (int32_t)(region[0] + region[2]),
+                    (int32_t)(region[1] + region[3]) },
+        .draw = command->draw == UINT32_MAX ? -1 : (int32_t)command->draw,
+        .pixels = command->pixels,
+        .no_timings = command->no_timings,
+        .threads = (int)command->options.threads,
+        .progress = progress_tell,
+        .user = progress,
+    };
+}
+
+static int write_page(const InspectCommand *command, const char *path, const Drawn *drawn,
+                      const Drawn *other)
+{
+    GpError error = { "" };
+    Text page;
+    char name[128], other_name[128];
+    text_stem(command->scene, name, sizeof name);
+    text_stem(command->against ? command->against : "", other_name, sizeof other_name);
+    const Progress progress = progress_begin(&command->options);
+    const Inspect inspect = inspect_of(command, drawn, name, &progress);
+    const bool is_setting = command->against && command->against[0] == '-';
+    const Inspect against =
+        inspect_of(command, other, is_setting ? command->against : other_name, &progress);
+    GpResult result = inspect_page(&inspect, command->against ? &against : NULL, &page, &error);
+    if (result)
+        return report(exit_of_run(result), "%s: %s", command->scene, error.text);
+    const size_t bytes = page.length;
+    result = text_write(path, &page, &error);
+    text_free(&page);
+    if (result)
+        return report(EXIT_INTERNAL, "%s", error.text);
+    if (command->options.json)
+        return output_json(json_pack("{s:s, s:I}", "page", path, "bytes", (json_int_t)bytes));
+    notice(&command->options, "%s: %.1f MB", path, (double)bytes / 1e6);
+    return EXIT_DONE;
+}
+
+/* What --against names: a scene, or options on top of the others. owns: the caller frees *setting */
+static int open_other(const InspectCommand *command, Drawn *other, void **setting)
+{
+    GpError error = { "" };
+    const Technique *technique = command->technique;
+    const bool is_setting = command->against[0] == '-';
+    if (is_setting && !technique)
+        return report(EXIT_USAGE, "--against %s: options are a technique's; see --technique",
+                      command->against);
+    if (technique) {
+        *setting = gp_alloc(1, technique->setting_bytes);
+        if (!*setting)
+            return report(EXIT_INTERNAL, "out of memory");
+        memcpy(*setting, command->settings.object, technique->setting_bytes);
+        if (is_setting && setting_parse(technique->settings, *setting, command->against, &error))
+            return report(EXIT_USAGE, "--against %s", error.text);
+    }
+    return open_drawn(command, is_setting ? command->scene : command->against, *setting, other);
+}
+
+static int inspect_frames(InspectCommand *command, const char *path)
+{
+    Drawn drawn = { .opened = NULL }, other = { .opened = NULL };
+    void *setting = NULL;
+    int code = open_drawn(command, command->scene, command->settings.object, &drawn);
+    if (!code && command->against)
+        code = open_other(command, &other, &setting);
+    if (!code)
+        code = write_page(command, path, &drawn, &other);
+    release(command, &drawn);
+    release(command, &other);
+    gp_free(setting);
+    return code;
+}
+
+/* --- options ---------------------------------------------------------------------------------- */
+
+/* The technique that the arguments name: its options are then theirs. */
+static const char *technique_asked(int argc, char **argv)
+{
+    static const char name[] = "--technique";
+    for (int i = 1; i < argc; i++)
+        if (strncmp(argv[i], name, sizeof name - 1) == 0) {
+            const char *rest = argv[i] + sizeof name - 1;
+            if (*rest == '=')
+                return rest + 1;
+            if (!*rest && i + 1 < argc)
+                return argv[i + 1];
+        }
+    return NULL;
+}
+
+static int parse_technique(InspectCommand *command, const char *name)
+{
+    const Technique *technique = technique_find(technique_registry, name);
+    if (!technique)
+        return report(EXIT_USAGE,
+                      "--technique %s: there is no such technique; see glasspipe --help", name);
+    void *setting = gp_alloc(1, technique->setting_bytes);
+    if (!setting)
+        return report(EXIT_INTERNAL, "out of memory");
+    memcpy(setting, technique->defaults, technique->setting_bytes);
+    command->technique = technique;
+    command->settings = (CommandOptions){ .fields = technique->settings, .object = setting };
+    return EXIT_DONE;
+}
+
+int cmd_inspect(int argc, char **argv)
+{
+    InspectCommand command = { .draw = UINT32_MAX };
+    const char *name = technique_asked(argc, argv);
+    const int code = name ? parse_technique(&command, name) : EXIT_DONE;
+    if (code)
+        return code;
+    CommandSyntax own = syntax;
+    if (command.technique && setting_find(command.technique->settings, "size"))
+        own.shared = OPTIONS_RUN;
+    command_parse(&own, command.technique ? &command.settings : NULL, argc, argv, &command);
+    char path[4096];
+    output_default_path(command.scene, "html", path, sizeof path);
+    const int result = inspect_frames(&command, command.output ? command.output : path);
+    gp_free(command.settings.object);
+    return result;
+}

@@ -1,0 +1,189 @@
+#include "apps/inspect/inspect.h"
+
+#include "apps/base/json.h"
+#include "apps/base/page.h"
+#include "apps/inspect/frame_tell.h"
+#include "apps/inspect/record.h"
+#include "apps/inspect/sources.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_DRAWS = 512 }; /* told, of a pass */
+
+/* --- data ------------------------------------------------------------------------------------- */
+
+/* The fast executor draws the frame over: its bits must be those that were recorded, and its clock is
+ * looked at. */
+static GpResult run_fast(Record *record, json_t **timings, GpError *error)
+{
+    const Inspect *inspect = record->inspect;
+    GpDevice *device = NULL;
+    GpResult result = gp_device_create(
+        &(GpDeviceDesc){ .threads = inspect->threads, .timed = !inspect->no_timings }, &device,
+        error);
+    for (int run = 0; run < (inspect->no_timings ? 1 : 2) && !result; run++) {
+        targets_restore(&record->targets);
+        result = gp_device_run(device, inspect->list, error);
+    }
+    if (!result) {
+        const GpSurface *other = targets_differ(&record->targets);
+        if (other)
+            result =
+                gp_fail(error, GP_ERROR_UNSUPPORTED,
+                        "the fast executor draws other bits than the reference: %s", other->name);
+    }
+    if (!result && !inspect->no_timings) {
+        const GpPhases *phases = gp_device_phases(device);
+        *timings = json_pack(
+            "{s:i, s:s, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "threads", gp_device_threads(device),
+            "isa", gp_device_isa(device), "prepare", json_milliseconds(phases->prepare), "vertices",
+            json_milliseconds(phases->vertices), "bins", json_milliseconds(phases->bins), "tiles",
+            json_milliseconds(phases->tiles), "raster", json_milliseconds(phases->raster),
+            "shading", json_milliseconds(phases->shading), "transfer",
+            json_milliseconds(phases->transfer));
+    }
+    gp_device_destroy(&device);
+    return result;
+}
+
+static json_t *tell_passes(Record *record, Blobs *blobs)
+{
+    const GpList *list = record->inspect->list;
+    json_t *passes = json_array();
+    uint32_t *group = gp_alloc(list->pass_count, sizeof *group);
+    if (group)
+        gp_list_groups(list, group);
+    for (uint32_t p = 0; p < list->pass_count; p++) {
+        RecordPass *pass = &record->passes[p];
+        json_t *told = frame_tell_pass(list, p, group ? group[p] : 0, MOST_DRAWS, &record->targets);
+        json_object_set(told, "stops", pass->stops);
+        json_object_set_new(told, "fragments",
+                            json_integer(fragments_blob(&pass->fragments, blobs)));
+        json_object_set_new(told, "lod", json_integer(fragments_lod_blob(&pass->fragments, blobs)));
+        json_object_set_new(told, "fragments_left_out", json_integer(pass->fragments.left_out));
+        json_object_set_new(told, "histories", histories_tell(&pass->histories, blobs));
+        blobs->failed = blobs->failed || pass->fragments.failed || pass->histories.failed;
+        json_array_append_new(passes, told);
+    }
+    gp_free(group);
+    return passes;
+}
+
+static json_t *tell_frame(Record *record, Blobs *blobs)
+{
+    const Inspect *inspect = record->inspect;
+    json_t *verdicts = json_array();
+    for (int i = 0; i < FRAGMENT_VERDICTS; i++)
+        json_array_append_new(verdicts, json_string(fragment_verdict_names[i]));
+    const GpSurface *picture = inspect->picture;
+    json_t *frame = json_pack("{s:i, s:s, s:o, s:i, s:i, s:i, s:o, s:i, s:[iiii], s:i}", "form", 1,
+                              "title", inspect->title, "about", json_text(inspect->about),
+                              "picture", picture ? targets_number(&record->targets, picture) : -1,
+                              "width", picture ? (int)picture->width : 0, "height",
+                              picture ? (int)picture->height : 0, "verdicts", verdicts, "grid",
+                              (int)record->step, "region", inspect->region.x0, inspect->region.y0,
+                              inspect->region.x1, inspect->region.y1, "dense", (int)inspect->draw);
+    json_object_set_new(frame, "technique", json_text(inspect->technique));
+    json_object_set_new(frame, "passes", tell_passes(record, blobs));
+    json_object_set_new(frame, "surfaces", targets_tell(&record->targets, inspect->list, blobs));
+    json_object_set_new(frame, "sources",
+                        json_integer(blobs_add_json(blobs, sources_tell(inspect->list))));
+    json_object_set_new(frame, "programs", sources_of_programs(inspect->list));
+    return frame;
+}
+
+/* --- the page --------------------------------------------------------------------------------- */
+
+static bool is_page_file(const PageFile *file, const char *extension)
+{
+    const size_t length = strlen(file->path), end = strlen(extension);
+    return strncmp(file->path, "apps/inspect/page/", 18) == 0 &&
+           strcmp(file->path + length - end, extension) == 0;
+}
+
+static void add_files(Text *page, const char *extension)
+{
+    for (const PageFile *file = page_files; file->path; file++)
+        if (is_page_file(file, extension))
+            text_add(page, "%s", file->begin);
+}
+
+/* Modules know each other by their names, "page/main.js": an import map gives each its text. */
+static void add_modules(Text *page)
+{
+    const char *before = "";
+    text_add(page, "<script type=\"importmap\">{\"imports\":{");
+    for (const PageFile *file = page_files; file->path; file++)
+        if (is_page_file(file, ".js")) {
+            text_add(page, "%s\n\"%s\":\"data:text/javascript;base64,", before,
+                     file->path + strlen("apps/inspect/"));
+            page_add_base64(page, (const unsigned char *)file->begin, page_file_size(file));
+            text_add(page, "\"");
+            before = ",";
+        }
+    text_add(page, "\n}}</script>\n");
+}
+
+static void add_page(Text *page, const Inspect *inspect, const Blobs *blobs, const int frame[2],
+                     const json_t *timings)
+{
+    text_add(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                   "<meta name=\"viewport\" content=\"width=device-width\">\n");
+    text_add_escaped(page, "<title>%s - glasspipe inspect</title>\n<style>\n", inspect->title);
+    add_files(page, ".css");
+    text_add(page, "</style>\n");
+    add_modules(page);
+    text_add(page, "</head>\n");
+    add_files(page, ".html");
+    text_add(page, "%s", blobs->text.data);
+    if (timings) {
+        char *text = json_dumps(timings, JSON_COMPACT);
+        text_add(page,
+                 "<!-- Times of one machine and one moment; --no-timings leaves them out. -->\n"
+                 "<script type=\"application/json\" id=\"timings\">%s</script>\n",
+                 text ? text : "null");
+        page->failed = page->failed || !text;
+        free(text);
+    }
+    text_add(
+        page,
+        "<script type=\"module\">import { start } from \"page/main.js\"; start(%d, %d);</script>\n"
+        "</body>\n</html>\n",
+        frame[0], frame[1]);
+}
+
+/* The data of one frame. out: frame: its blob; timings: NULL without */
+static GpResult add_frame(const Inspect *inspect, Blobs *blobs, int *frame, json_t **timings,
+                          GpError *error)
+{
+    Record record;
+    GpResult result = record_frame(inspect, blobs, &record, error);
+    if (!result)
+        result = run_fast(&record, timings, error);
+    if (!result)
+        *frame = blobs_add_json(blobs, tell_frame(&record, blobs));
+    record_free(&record);
+    return result;
+}
+
+GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page, GpError *error)
+{
+    Blobs blobs = { .count = 0 };
+    json_t *timings = NULL, *of_other = NULL;
+    int frame[2] = { BLOB_NONE, BLOB_NONE };
+    *page = (Text){ .data = NULL };
+    GpResult result = add_frame(inspect, &blobs, &frame[0], &timings, error);
+    if (!result && against)
+        result = add_frame(against, &blobs, &frame[1], &of_other, error);
+    if (!result && !blobs.failed)
+        add_page(page, inspect, &blobs, frame, timings);
+    if (!result && (blobs.failed || page->failed))
+        result = gp_fail(error, GP_ERROR_MEMORY, "no memory for the page");
+    if (result)
+        text_free(page);
+    json_decref(timings);
+    json_decref(of_other);
+    blobs_free(&blobs);
+    return result;
+}

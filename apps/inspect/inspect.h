@@ -1,0 +1,50 @@
+/* A frame as one page of HTML, to be walked through stage by stage: what was drawn, what every unit saw
+ * and decided, and the history of every pixel.
+ *
+ * The data of a page are blobs (blobs.h). The last one is the frame, as JSON:
+ *
+ *   title, technique, width, height   of the picture
+ *   picture                number of its surface, or -1
+ *   surfaces               targets_tell
+ *   verdicts               names of FragmentVerdict
+ *   passes[]               pass, name, width, height, order, group
+ *     targets[]            slot ("0" .. "3", "depth"), surface, clear: null, or the values cleared to
+ *     draws[]              draw, name, program, geometry, primitives, vertices; units[] (unit, runs,
+ *                          why); state {words}; uniforms[], textures[]; costs of its shaders
+ *     stops[]              first, count of draws; targets[] (targets_changed); counters {words}
+ *     fragments, lod       blobs (fragments.h); fragments_left_out: how many have no place in it
+ *     histories            histories_tell
+ *   grid, region, dense    what was chosen to be recorded whole
+ *   sources, programs      sources_tell (blob), sources_of_programs
+ *
+ * The element "timings" is beside them: milliseconds by phase of the fast executor, and not there with
+ * no_timings. A page that compares has two frames.
+ */
+#ifndef APPS_INSPECT_INSPECT_H
+#define APPS_INSPECT_INSPECT_H
+
+#include "apps/base/text.h"
+#include <glasspipe/glasspipe.h>
+
+typedef struct Inspect {
+    const char *title, *about; /* about: a sentence or NULL */
+    const char *technique;     /* whose frame it is, for panels of its own; NULL: a scene's */
+    const GpList *list;
+    const GpSurface *picture; /* the target to look at first; NULL: the last pass's */
+    GpRect region;            /* recorded whole, in passes of the picture's size; empty: none */
+    int32_t draw;             /* whose pixels are recorded more densely; -1: none */
+    uint32_t pixels;          /* to be recorded whole, about so many a pass; 0: a default */
+    bool no_timings;
+    int threads;
+    /* Hears how far the work is. NULL: nobody does */
+    void (*progress)(const void *user, uint32_t done, uint32_t total, const char *text);
+    const void *user;
+} Inspect;
+
+/* Makes the page.
+ * in   against: another frame, to be compared with; NULL: none
+ * errors those of gp_device_run; GP_ERROR_UNSUPPORTED: both executors differ; GP_ERROR_MEMORY
+ * owns: the caller, until text_free */
+GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page, GpError *error);
+
+#endif

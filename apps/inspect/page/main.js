@@ -1,0 +1,49 @@
+// The page of a frame: loads it, makes its parts, and starts with what the address asks for.
+
+import { h } from "page/element.js";
+import { make_compare } from "page/compare.js";
+import { make_events } from "page/events.js";
+import { Frame } from "page/frame.js";
+import { make_keys } from "page/keys.js";
+import { make_pixel, pixel } from "page/pixel.js";
+import { choose, from_address, idle, state } from "page/state.js";
+import { make_units, units } from "page/units.js";
+import { Viewer } from "page/viewer.js";
+
+function left_out(frame) {
+    const last = frame.passes.at(-1), lines = [
+        `Every fragment of every pixel is in this page. All values of all units are in it of ${last.histories.pixels.length} pixels of the last pass: on a grid of ${frame.grid} pixels, and some for every fate that a draw's fragments had.`,
+        "For others, make the page again with --region X Y WIDTH HEIGHT, --draw N or --pixels N."];
+    for (const pass of frame.passes)
+        if (pass.fragments_left_out)
+            lines.push(`Pass ${pass.pass}: ${pass.fragments_left_out} fragments have no place in the page.`);
+    return lines.map((line) => h("p", {}, line));
+}
+
+// The picture's pass, after its last draw, at the recorded pixel nearest to its middle.
+function beginning(frame) {
+    const pass = frame.passes.findLast((one) => one.targets.some((target) => target.surface === frame.picture)) ?? frame.passes.at(-1);
+    const [x, y] = frame.nearest(pass.pass, pass.width >> 1, pass.height >> 1) ?? [0, 0];
+    return { pass: pass.pass, draw: Math.max(0, pass.draws.length - 1), surface: frame.picture, x, y, fragment: -1 };
+}
+
+/** number: the frame's blob; other: that of a frame to compare with, or -1. */
+export async function start(number, other) {
+    const frame = await Frame.load(number);
+    const timings = document.getElementById("timings");
+    frame.timings = timings ? JSON.parse(timings.textContent) : null;
+    const part = (id) => document.getElementById(id);
+    part("title").textContent = frame.title;
+    part("about").textContent = frame.about ?? `${frame.width} \u00d7 ${frame.height}, ${frame.passes.length} pass${frame.passes.length > 1 ? "es" : ""}; both executors drew the same bits`;
+    part("left-out").append(...left_out(frame));
+    make_events(frame, part("events"));
+    make_pixel(frame, part("pixel"));
+    const viewer = new Viewer(frame, part("viewer"));
+    if (other >= 0)
+        await make_compare(frame, await Frame.load(other), viewer);
+    make_units(frame, part("strip"), part("panel"));
+    make_keys(frame, part("help"), part("help-button"));
+    await choose({ ...beginning(frame), ...from_address(), first: true });
+    window.inspector = { frame, state, choose, idle, pixel, units: units.map((unit) => unit.id) };
+    document.documentElement.dataset.ready = "true";
+}

@@ -1,0 +1,38 @@
+/* What is recorded of a frame while it is walked through. */
+#ifndef APPS_INSPECT_RECORD_H
+#define APPS_INSPECT_RECORD_H
+
+#include "apps/inspect/fragments.h"
+#include "apps/inspect/histories.h"
+#include "apps/inspect/inspect.h"
+#include "apps/inspect/tally.h"
+#include "apps/inspect/targets.h"
+
+typedef struct RecordPass {
+    Fragments fragments;
+    Histories histories;
+    json_t *stops;
+} RecordPass;
+
+typedef struct Record {
+    const Inspect *inspect;
+    Blobs *blobs;
+    Targets targets;
+    RecordPass *passes;
+    uint32_t pass_count;
+    uint32_t step; /* of the grid of pixels that are recorded whole, in pixels */
+    /* private */
+    Walk walk;
+    Tally tally;
+    bool wholly; /* the second walk */
+    uint32_t done, total;
+} Record;
+
+/* Walks through the frame twice: for every fragment and every target, then for the whole histories of
+ * chosen pixels. The targets end as the frame leaves them.
+ * errors those of gp_device_run, GP_ERROR_MEMORY. owns: the caller, until record_free, also then */
+GpResult record_frame(const Inspect *inspect, Blobs *blobs, Record *record, GpError *error);
+
+void record_free(Record *record);
+
+#endif

@@ -1,0 +1,93 @@
+#include "apps/inspect/record_choice.h"
+
+#include <math.h>
+
+enum {
+    USUAL_PIXELS = 1200, /* on the grid of a pass */
+    MOST_REGION = 4096,  /* pixels of a region or a draw */
+    FATES = 3            /* pixels for every fate of a draw's fragments */
+};
+
+/* Of the fragments of each draw with each verdict, in order of pixels, some evenly among them: the
+ * first, one in the middle and so on. */
+static GpResult choose_fates(const Fragments *fragments, uint32_t draws, Histories *histories,
+                             GpError *error)
+{
+    uint32_t *counts = gp_alloc((size_t)draws * FRAGMENT_VERDICTS * 2, sizeof *counts);
+    if (!counts)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for the fragments of draws");
+    uint32_t *seen = counts + (size_t)draws * FRAGMENT_VERDICTS;
+    for (size_t i = 0; i < fragments->count; i++)
+        counts[fragments->all[i].draw * FRAGMENT_VERDICTS + fragments->all[i].verdict]++;
+    for (size_t i = 0; i < fragments->count; i++) {
+        const Fragment *fragment = &fragments->all[i];
+        const size_t kind = fragment->draw * FRAGMENT_VERDICTS + fragment->verdict;
+        const uint32_t every = counts[kind] / FATES ? counts[kind] / FATES : 1;
+        if (seen[kind]++ % every == every / 2)
+            histories_choose(histories, (int32_t)(fragment->pixel % fragments->width),
+                             (int32_t)(fragment->pixel / fragments->width));
+    }
+    gp_free(counts);
+    return GP_OK;
+}
+
+static void choose_region(const GpRect *region, Histories *histories)
+{
+    const int64_t area = (int64_t)(region->x1 - region->x0) * (region->y1 - region->y0);
+    const int32_t step = area > MOST_REGION ? (int32_t)ceil(sqrt((double)area / MOST_REGION)) : 1;
+    for (int32_t y = region->y0; y < region->y1; y += step)
+        for (int32_t x = region->x0; x < region->x1; x += step)
+            histories_choose(histories, x, y);
+}
+
+static void choose_draw(const Fragments *fragments, uint32_t draw, Histories *histories)
+{
+    size_t count = 0, seen = 0;
+    for (size_t i = 0; i < fragments->count; i++)
+        count += fragments->all[i].draw == draw;
+    const size_t every = count / USUAL_PIXELS + 1;
+    for (size_t i = 0; i < fragments->count; i++)
+        if (fragments->all[i].draw == draw && seen++ % every == 0)
+            histories_choose(histories, (int32_t)(fragments->all[i].pixel % fragments->width),
+                             (int32_t)(fragments->all[i].pixel / fragments->width));
+}
+
+static void choose_grid(uint32_t step, Histories *histories)
+{
+    for (uint32_t y = step / 2; y < histories->height; y += step)
+        for (uint32_t x = step / 2; x < histories->width; x += step)
+            histories_choose(histories, (int32_t)x, (int32_t)y);
+}
+
+/* The least step that leaves so many pixels. */
+static uint32_t grid_step(const Histories *histories, uint32_t pixels)
+{
+    uint32_t step = 1;
+    while ((histories->width / step) * (histories->height / step) > pixels)
+        step++;
+    return step;
+}
+
+GpResult record_choose(Record *record, uint32_t pass, GpError *error)
+{
+    const Inspect *inspect = record->inspect;
+    const GpPass *of = &inspect->list->passes[pass];
+    Histories *histories = &record->passes[pass].histories;
+    const Fragments *fragments = &record->passes[pass].fragments;
+    GpResult result = histories_begin(histories, of, error);
+    if (!result && of->draw_count)
+        result = choose_fates(fragments, of->draw_count, histories, error);
+    if (result)
+        return result;
+    const bool last = pass + 1 == record->pass_count;
+    if (!gp_rect_is_empty(inspect->region))
+        choose_region(&inspect->region, histories);
+    if (inspect->draw >= 0)
+        choose_draw(fragments, (uint32_t)inspect->draw, histories);
+    const uint32_t asked = inspect->pixels ? inspect->pixels : USUAL_PIXELS;
+    const uint32_t step = grid_step(histories, last ? asked : asked / 4 + 1);
+    if (last)
+        record->step = step;
+    choose_grid(step, histories);
+    return GP_OK;
+}

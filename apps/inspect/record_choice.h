@@ -1,0 +1,11 @@
+/* Which pixels of a pass are recorded whole. */
+#ifndef APPS_INSPECT_RECORD_CHOICE_H
+#define APPS_INSPECT_RECORD_CHOICE_H
+
+#include "apps/inspect/record.h"
+
+/* Chooses pixels once the fragments are known: a few for every fate that fragments of a draw had, the
+ * region, the draw's, and a grid over all. errors GP_ERROR_MEMORY */
+GpResult record_choose(Record *record, uint32_t pass, GpError *error);
+
+#endif

@@ -1,0 +1,110 @@
+#include "apps/inspect/steps_json.h"
+
+#include "apps/base/json.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_mask(GpStepCode code)
+{
+    return code >= GP_STEP_LESS && code <= GP_STEP_NOT;
+}
+
+static bool looks_at_quad(GpStepCode code)
+{
+    return code == GP_STEP_DSX || code == GP_STEP_DSY ||
+           (code >= GP_STEP_TEXLD && code <= GP_STEP_TEXLDD);
+}
+
+static json_t *part_json(const GpStepPart *part, bool with_value, int lane)
+{
+    json_t *list = json_pack("[i, i, i, i]", (int)part->source, part->index, part->component,
+                             (int)part->negated);
+    if (part->source == GP_STEP_NUMBER) /* its index is its bits, which nobody needs */
+        json_array_set_new(list, 1, json_integer(0));
+    if (with_value || part->source == GP_STEP_NUMBER || part->source == GP_STEP_UNIFORM)
+        json_array_append_new(list, json_number((double)part->value[lane]));
+    return list;
+}
+
+static json_t *step_json(const GpShaderStep *step)
+{
+    json_t *operands = json_array();
+    for (int i = 0; i < step->operands; i++) {
+        json_t *parts = json_array();
+        for (int c = 0; c < step->operand[i].width; c++)
+            json_array_append_new(parts, part_json(&step->operand[i].part[c], false, 0));
+        json_array_append_new(operands, parts);
+    }
+    const char *file = strncmp(step->file, "./", 2) == 0 ? step->file + 2 : step->file;
+    return json_pack("{s:s, s:s, s:i, s:i, s:i, s:i, s:o}", "op", gp_step_names[step->code], "file",
+                     file, "line", step->line, "slots", step->slots, "slot", step->slot, "width",
+                     step->width, "operands", operands);
+}
+
+/* -1: there is no room. */
+static int listing_number(StepListings *listings, const GpTraceSteps *steps)
+{
+    json_t *listing = json_array();
+    for (int i = 0; i < steps->steps; i++)
+        json_array_append_new(listing, step_json(&steps->step[i]));
+    char *text = json_dumps(listing, JSON_COMPACT | JSON_REAL_PRECISION(9));
+    if (!listings->all) {
+        listings->all = json_array();
+        listings->numbers = json_object();
+    }
+    const json_t *known = text ? json_object_get(listings->numbers, text) : NULL;
+    int number = (int)json_integer_value(known);
+    if (!known && text && listings->steps + steps->steps > STEP_LISTINGS_MOST) {
+        number = -1;
+    } else if (!known && text) {
+        listings->steps += steps->steps;
+        number = (int)json_array_size(listings->all);
+        json_object_set_new(listings->numbers, text, json_integer(number));
+        json_array_append(listings->all, listing);
+    }
+    free(text);
+    json_decref(listing);
+    return number;
+}
+
+static json_t *lanes_json(const GpStepOperand *operand)
+{
+    json_t *components = json_array();
+    for (int c = 0; c < operand->width; c++)
+        json_array_append_new(components, json_floats(operand->part[c].value, 4));
+    return components;
+}
+
+json_t *steps_json(StepListings *listings, const GpTraceSteps *steps)
+{
+    const int number = steps->steps > STEP_LISTINGS_MOST ? -1 : listing_number(listings, steps);
+    if (number < 0)
+        return json_pack("{s:i, s:b}", "left_out", steps->steps, "agrees", (int)steps->agrees);
+    json_t *values = json_array(), *lanes = json_object(), *outputs = json_array();
+    for (int i = 0; i < steps->steps; i++) {
+        const GpShaderStep *step = &steps->step[i];
+        for (int c = 0; c < step->width; c++) {
+            const float value = step->value[c][steps->pixel];
+            json_array_append_new(values, is_mask(step->code)
+                                              ? json_integer(gp_float_bits(value) != 0)
+                                              : json_number((double)value));
+        }
+        if (looks_at_quad(step->code) && step->operands) {
+            char key[16];
+            snprintf(key, sizeof key, "%d", i);
+            json_object_set_new(lanes, key, lanes_json(&step->operand[0]));
+        }
+    }
+    for (int i = 0; i < steps->outputs; i++)
+        json_array_append_new(outputs, part_json(&steps->output[i].part, true, steps->pixel));
+    return json_pack("{s:i, s:b, s:o, s:o, s:o}", "listing", number, "agrees", (int)steps->agrees,
+                     "values", values, "lanes", lanes, "outputs", outputs);
+}
+
+void step_listings_free(StepListings *listings)
+{
+    json_decref(listings->numbers);
+    json_decref(listings->all);
+    *listings = (StepListings){ .all = NULL };
+}
