@@ -9,7 +9,12 @@
 #include "apps/frame/timing.h"
 #include "apps/techniques/technique.h"
 
-enum { CHART_MAX_POINTS = 4096, CHART_MAX_PICTURES = 6, CHART_MAX_PATH = 4096 };
+enum {
+    CHART_MAX_POINTS = 4096,
+    CHART_MAX_PICTURES = 6,
+    CHART_MAX_FAILURES = 18,
+    CHART_MAX_PATH = 4096
+};
 
 typedef struct ChartPoint {
     char method[64], options[SETTING_MAX_TEXT];

@@ -58,8 +58,13 @@ static void find_part(const Seen *seen, uint32_t part[2])
 static void paint(const Seen *seen, uint32_t x, uint32_t y, float off, float color[3])
 {
     static const float over[3] = { 0.86f, 0.33f, 0.0f }, under[3] = { 0.0f, 0.3f, 0.85f };
-    const uint8_t *texel = seen->picture->level[0].texels + 4 * ((size_t)seen->width * y + x);
-    const float grey = 0.55f + 0.4f * (float)(texel[0] + texel[1] + texel[2]) / (3 * 255);
+    const size_t bytes = gp_format_info(seen->picture->format)->bytes;
+    float rgba[4], sum = 0;
+    gp_texel_load(seen->picture->format, gp_surface_texel(&seen->picture->level[0], bytes, x, y),
+                  rgba);
+    for (int k = 0; k < 3; k++)
+        sum += rgba[k] > 1 ? 1 : rgba[k] > 0 ? rgba[k] : 0;
+    const float grey = 0.55f + 0.4f * sum / 3;
     const float share = seen->most > 0 ? fabsf(off) / seen->most : 0;
     for (int k = 0; k < 3; k++)
         color[k] = grey + share * ((off > 0 ? over : under)[k] - grey);

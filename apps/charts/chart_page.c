@@ -135,6 +135,13 @@ static void add_pictures(const char *folder, const Chart *chart, const Experimen
             experiment->over, experiment->under);
     for (uint32_t i = 0; i < count; i++)
         add_picture(folder, chart, best[i], page);
+    if (experiment && experiment->shows_failures)
+        text_add(page,
+                 "<p>Of each method that is beaten, and is not as exact as the best, the setting "
+                 "farthest from the truth.</p>\n");
+    for (uint32_t i = 0; i < chart->count; i++)
+        if (!chart->points[i].best)
+            add_picture(folder, chart, &chart->points[i], page);
     text_add(page, "</div>\n");
 }
 

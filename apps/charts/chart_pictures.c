@@ -80,18 +80,58 @@ static GpResult write_picture(const ChartPictures *job, ChartPoint *point, const
 
 /* --- all of them ------------------------------------------------------------------------------ */
 
+/* Some of the front, its ends among them. */
+static uint32_t list_front(Chart *chart, const ChartPoint **best, ChartPoint *shown[])
+{
+    const uint32_t count = chart_list_best(chart, best);
+    const uint32_t wanted = count < CHART_MAX_PICTURES ? count : CHART_MAX_PICTURES;
+    for (uint32_t i = 0; i < wanted; i++) {
+        const uint32_t place = wanted > 1 ? i * (count - 1) / (wanted - 1) : 0;
+        shown[i] = &chart->points[best[place] - chart->points];
+    }
+    return wanted;
+}
+
+static bool is_farther(const ChartPoint *point, const ChartPoint *other)
+{
+    return point->measured.error > other->measured.error;
+}
+
+/* Of each method the point farthest from the truth, unless it is on the front or, within a tenth, as near
+ * as the nearest of all. */
+static uint32_t list_failures(Chart *chart, ChartPoint *shown[])
+{
+    const ChartPoint *nearest = chart->points;
+    uint32_t count = 0;
+    for (uint32_t i = 1; i < chart->count; i++)
+        nearest = is_farther(nearest, &chart->points[i]) ? &chart->points[i] : nearest;
+    for (uint32_t i = 0; i < chart->count && count < CHART_MAX_FAILURES; i++) {
+        ChartPoint *point = &chart->points[i];
+        bool farthest = point->measured.error > 1.1 * nearest->measured.error && !point->best;
+        for (uint32_t k = 0; k < chart->count && farthest; k++) {
+            const ChartPoint *other = &chart->points[k];
+            farthest = strcmp(other->method, point->method) != 0 || k == i ||
+                       is_farther(point, other) || (k > i && !is_farther(other, point));
+        }
+        if (farthest)
+            shown[count++] = point;
+    }
+    return count;
+}
+
 GpResult chart_write_pictures(const ChartPictures *job, Chart *chart, GpError *error)
 {
     const ChartPoint **best = gp_alloc(chart->count, sizeof(const ChartPoint *));
+    ChartPoint *shown[CHART_MAX_PICTURES + CHART_MAX_FAILURES];
     char name[96], beside[128], path[CHART_MAX_PATH], difference[CHART_MAX_PATH];
     const char *const paths[2] = { path, difference };
     if (!best)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    const uint32_t count = chart_list_best(chart, best);
-    const uint32_t wanted = count < CHART_MAX_PICTURES ? count : CHART_MAX_PICTURES;
+    uint32_t wanted = list_front(chart, best, shown);
+    if (job->experiment->shows_failures)
+        wanted += list_failures(chart, shown + wanted);
     GpResult result = GP_OK;
-    for (uint32_t i = 0; i < CHART_MAX_PICTURES && !result; i++) {
-        const uint32_t place = wanted > 1 ? i * (count - 1) / (wanted - 1) : 0;
+    for (uint32_t i = 0; i < GP_COUNT(shown) && !result; i++) {
         snprintf(name, sizeof name, "%s_%u.png", job->stem, i + 1);
         chart_difference_name(name, beside, sizeof beside);
         snprintf(path, sizeof path, "%s/%s", job->folder, name);
@@ -99,8 +139,7 @@ GpResult chart_write_pictures(const ChartPictures *job, Chart *chart, GpError *e
         unlink(path);
         unlink(difference);
         if (i < wanted)
-            result =
-                write_picture(job, &chart->points[best[place] - chart->points], name, paths, error);
+            result = write_picture(job, shown[i], name, paths, error);
     }
     gp_free(best);
     return result;

@@ -16,7 +16,8 @@ typedef struct ChartPictures {
 void chart_difference_name(const char *picture, char *name, size_t size);
 
 /* Writes STEM_1.png and so on, of at most CHART_MAX_PICTURES points spread over the front, its ends
- * among them, and names them in the chart; of volumes, pictures as the technique shows them. Beside
+ * among them, and, where the experiment shows failures, of each method that is beaten the one farthest from
+ * the truth; and names them in the chart. Of volumes, pictures as the technique shows them. Beside
  * each, where the experiment can tell, is its difference: left, all of the picture in grey, with what
  * is above the truth in orange and what is below in blue; right, four times as large, the part that
  * has most of it, which a frame marks on the left. Full colour is the picture's largest difference.

@@ -39,6 +39,7 @@ static void print_head(const PaperTable *table)
     for (const PaperColumn *column = table->columns; column->name; column++)
         printf("  %*s", column->number == PAPER_BOTH ? PAIR_WIDTH : SINGLE_WIDTH, column->name);
     putchar('\n');
+    fflush(stdout);
 }
 
 /* measured: NULL where there is nothing to measure */
@@ -60,6 +61,13 @@ static void print_text(const PaperTable *table, const PaperRow *row, const doubl
             printf("  %*s", SINGLE_WIDTH, here);
     }
     printf("  %s%s\n", row->scene ? row->scene : "(not at hand)", row->reduced ? " (reduced)" : "");
+    fflush(stdout); /* rows may take long: each is there when it is known */
+}
+
+static void print_reasons(const PaperTable *table)
+{
+    for (const char *const *reason = table->reasons; reason && *reason; reason++)
+        printf("- %s\n", *reason);
 }
 
 static json_t *number(const PaperColumn *column, double value)
@@ -144,6 +152,8 @@ int paper_table_run(const Technique *const *techniques, const char *id, const Op
         print_head(run.table);
     for (const PaperRow *row = run.table->rows; row->name && !code; row++)
         code = run_row(&run, row);
+    if (!code && !options->json)
+        print_reasons(run.table);
     if (run.scene)
         run.technique->close(run.scene);
     gp_free(run.clock.each);

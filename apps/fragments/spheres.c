@@ -1,24 +1,26 @@
 #include "apps/fragments/spheres.h"
 
-enum {
-    COLUMNS = 200,
-    ROWS = 100,
-    VERTICES = COLUMNS * (ROWS - 1) + 2,
-    WALL = 2, /* spheres a side */
-};
-
-_Static_assert(2 * COLUMNS * (ROWS - 1) == SPHERE_TRIANGLES, "a fan at each pole, quads between");
-
 #define RADIUS 0.48
 
-/* Rings from the top to the bottom, then both poles. */
-static void place_vertices(const double centre[3], float *positions)
+enum { WALL = 2 }; /* spheres a side */
+
+_Static_assert(SPHERE_COLUMNS *(SPHERE_COLUMNS - 2) == SPHERE_TRIANGLES,
+               "a fan at each pole, two triangles between rows");
+
+static uint32_t vertices_of(uint32_t columns)
 {
+    return columns * (columns / 2 - 1) + 2;
+}
+
+/* Rings from the top to the bottom, then both poles. */
+static void place_vertices(const double centre[3], uint32_t columns, float *positions)
+{
+    const uint32_t rows = columns / 2;
     double across, up, x, z;
-    for (int row = 1; row < ROWS; row++) {
-        angle_sincos(180.0 * row / ROWS, &across, &up);
-        for (int column = 0; column < COLUMNS; column++, positions += 3) {
-            angle_sincos(360.0 * column / COLUMNS, &z, &x);
+    for (uint32_t row = 1; row < rows; row++) {
+        angle_sincos(180.0 * row / rows, &across, &up);
+        for (uint32_t column = 0; column < columns; column++, positions += 3) {
+            angle_sincos(360.0 * column / columns, &z, &x);
             positions[0] = (float)(centre[0] + RADIUS * across * x);
             positions[1] = (float)(centre[1] + RADIUS * up);
             positions[2] = (float)(centre[2] + RADIUS * across * z);
@@ -37,14 +39,15 @@ static uint32_t *add_triangle(uint32_t *index, uint32_t a, uint32_t b, uint32_t 
     return index + 3;
 }
 
-static uint32_t *join_vertices(uint32_t first, uint32_t *index)
+static uint32_t *join_vertices(uint32_t first, uint32_t columns, uint32_t *index)
 {
-    const uint32_t top = first + VERTICES - 2, bottom = first + VERTICES - 1;
-    for (uint32_t column = 0; column < COLUMNS; column++) {
-        const uint32_t next = (column + 1) % COLUMNS, last = first + COLUMNS * (ROWS - 2);
+    const uint32_t bottom = first + vertices_of(columns) - 1, top = bottom - 1;
+    const uint32_t last = top - columns; /* ring */
+    for (uint32_t column = 0; column < columns; column++) {
+        const uint32_t next = (column + 1) % columns;
         index = add_triangle(index, top, first + next, first + column);
-        for (uint32_t ring = first; ring < last; ring += COLUMNS) {
-            const uint32_t below = ring + COLUMNS;
+        for (uint32_t ring = first; ring < last; ring += columns) {
+            const uint32_t below = ring + columns;
             index = add_triangle(index, ring + column, ring + next, below + next);
             index = add_triangle(index, ring + column, below + next, below + column);
         }
@@ -53,14 +56,15 @@ static uint32_t *join_vertices(uint32_t first, uint32_t *index)
     return index;
 }
 
-GpResult spheres_make(uint32_t layers, GpMesh *mesh)
+GpResult spheres_make(uint32_t layers, uint32_t columns, GpMesh *mesh)
 {
+    const uint32_t vertices = vertices_of(columns), triangles = columns * (columns - 2);
     const uint32_t count = layers / 2 * WALL * WALL;
-    GpMesh made = { .positions = gp_alloc((size_t)count * VERTICES, 3 * sizeof(float)),
-                    .normals = gp_alloc((size_t)count * VERTICES, 3 * sizeof(float)),
-                    .indices = gp_alloc((size_t)count * SPHERE_TRIANGLES, 3 * sizeof(uint32_t)),
-                    .vertex_count = count * VERTICES,
-                    .triangle_count = count * SPHERE_TRIANGLES };
+    GpMesh made = { .positions = gp_alloc((size_t)count * vertices, 3 * sizeof(float)),
+                    .normals = gp_alloc((size_t)count * vertices, 3 * sizeof(float)),
+                    .indices = gp_alloc((size_t)count * triangles, 3 * sizeof(uint32_t)),
+                    .vertex_count = count * vertices,
+                    .triangle_count = count * triangles };
     if (!made.positions || !made.normals || !made.indices) {
         gp_mesh_free(&made);
         return GP_ERROR_MEMORY;
@@ -69,8 +73,8 @@ GpResult spheres_make(uint32_t layers, GpMesh *mesh)
     for (uint32_t i = 0; i < count; i++) {
         const double centre[3] = { i % WALL - 0.5, i / WALL % WALL - 0.5,
                                    -(double)(i / (WALL * WALL)) };
-        place_vertices(centre, made.positions + 3 * (size_t)i * VERTICES);
-        index = join_vertices(i * VERTICES, index);
+        place_vertices(centre, columns, made.positions + 3 * (size_t)i * vertices);
+        index = join_vertices(i * vertices, columns, index);
     }
     *mesh = made;
     return gp_mesh_normals(mesh, true);

@@ -82,6 +82,9 @@ typedef struct Experiment {
     GpResult (*difference)(void *scene, const void *setting, GpDevice *device, Frame *frame,
                            float *off, GpError *error);
     const char *over, *under; /* what that means: "lit where the truth is dark, a leak" */
+    bool
+        shows_failures; /* charts have pictures of methods that are beaten, too: of each the setting
+                            farthest from the truth */
 } Experiment;
 
 /* --- scaling ---------------------------------------------------------------------------------- */

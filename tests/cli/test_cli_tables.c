@@ -97,6 +97,18 @@ static void table_2_1_has_the_steps_beside_the_print(void **state)
     expect_matches(out, "Bunny +69451 +4 .* meshes/bunny.ply");
 }
 
+/* Reasons stand below the rows, whether these are there or not; data has none. */
+static void why_ranks_are_others_than_printed_stands_below_a_table(void **state)
+{
+    (void)state;
+    static const char reason[] = "\n- mdts and abs fall behind the buckets";
+    assert_int_equal(run("bench -q -t 0 --table 002.1"), 0);
+    expect_contains(out, "Table 002.1: ");
+    expect_contains(out, reason);
+    assert_int_equal(run("bench -q --json -t 0 --table 002.1"), 0);
+    assert_null(strstr(out, reason + 1));
+}
+
 static void table_2_2_has_a_row_for_each_size(void **state)
 {
     (void)state;
@@ -151,6 +163,7 @@ int main(void)
         PROGRAM_TEST(rows_without_a_file_are_left_out),
         PROGRAM_TEST(table_2_1_has_the_steps_beside_the_print),
         PROGRAM_TEST(table_2_2_has_a_row_for_each_size),
+        PROGRAM_TEST(why_ranks_are_others_than_printed_stands_below_a_table),
         PROGRAM_TEST(scaling_is_charted_for_the_meshes_that_are_there),
     };
     return cmocka_run_group_tests_name("tables", tests, find_program, NULL);

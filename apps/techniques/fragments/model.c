@@ -13,20 +13,36 @@ enum { DEFAULT_SIDE = 512, DEFAULT_LAYERS = 16 };
 
 /* --- the mesh ----------------------------------------------------------------------------------- */
 
-/* How many layers "builtin:spheres:N" asks for; 0: it is another name. */
-static GpResult find_spheres(const char *path, uint32_t *layers, GpError *error)
+/* An even number from 2 or more on, behind a colon; 0: there is none. Moves on behind it. */
+static uint32_t read_even(const char **text, uint32_t usual, uint32_t least, uint32_t most)
+{
+    if (**text == '\0')
+        return usual;
+    char *end = NULL;
+    const unsigned long number = **text == ':' ? strtoul(*text + 1, &end, 10) : 0;
+    if (!end || end == *text + 1 || number < least || number > most || number % 2)
+        return 0;
+    *text = end;
+    return (uint32_t)number;
+}
+
+/* What "builtin:spheres:N:C" asks for, layers and columns; no layers: it is another name. */
+static GpResult find_spheres(const char *path, uint32_t *layers, uint32_t *columns, GpError *error)
 {
     const char *count = model_after(path, "builtin:spheres");
     *layers = 0;
     if (!count || (*count != '\0' && *count != ':'))
         return GP_OK;
-    char *end = NULL;
-    const unsigned long wanted = *count ? strtoul(count + 1, &end, 10) : DEFAULT_LAYERS;
-    if ((end && (*end || end == count + 1)) || wanted < 2 || wanted > SPHERES_MOST || wanted % 2)
+    *layers = read_even(&count, DEFAULT_LAYERS, 2, SPHERES_MOST);
+    if (*layers == 0)
         return gp_fail(error, GP_ERROR_INVALID,
                        "%s: expected an even number of layers, 2 to %d, behind the colon", path,
                        SPHERES_MOST);
-    *layers = (uint32_t)wanted;
+    *columns = read_even(&count, SPHERE_COLUMNS, 4, SPHERE_COLUMNS);
+    if (*columns == 0 || *count)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "%s: expected an even number of columns, 4 to %d, behind the second colon",
+                       path, SPHERE_COLUMNS);
     return GP_OK;
 }
 
@@ -133,14 +149,14 @@ static GpResult find_view(const TechniqueInput *input, uint32_t spheres, Fragmen
 
 GpResult fragment_model_open(const TechniqueInput *input, void **made, GpError *error)
 {
-    uint32_t spheres;
+    uint32_t spheres, columns;
     FragmentModel *model = gp_alloc(1, sizeof *model);
     if (!model)
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     model->progress = input->progress;
     model->user = input->user;
-    GpResult result = find_spheres(input->path, &spheres, error);
-    if (!result && spheres && spheres_make(spheres, &model->file))
+    GpResult result = find_spheres(input->path, &spheres, &columns, error);
+    if (!result && spheres && spheres_make(spheres, columns, &model->file))
         result = gp_fail(error, GP_ERROR_MEMORY, "%s: no memory", input->path);
     else if (!result && !spheres)
         result = model_mesh(input->path, &model->file, error);

@@ -37,17 +37,26 @@ FragmentError fragment_error(const FragmentModel *model, const GpSurface *pictur
 
 void fragment_difference(const FragmentModel *model, const GpSurface *picture, float *off)
 {
+    const double least = 1.0 / 3, whole = 0.1; /* of the colour; of white, from which it is full */
     const FragmentTruth *truth = &model->truth;
     for (size_t at = 0; at < (size_t)truth->width * truth->height; at++) {
-        double each[3];
+        double each[3], most = 0;
         const bool is_wrong = pixel_off(truth, picture, at, each);
-        off[at] = is_wrong ? (float)((each[0] + each[1] + each[2]) / 3) : 0;
+        for (int k = 0; k < 3; k++)
+            most = fabs(each[k]) > fabs(most) ? each[k] : most;
+        const double share = least + (1 - least) * fmin(fabs(most) / whole, 1);
+        off[at] = is_wrong ? (float)copysign(share, most) : 0;
     }
 }
 
 /* --- work --------------------------------------------------------------------------------------- */
 
-enum { MOST_SURFACES = 1024 };
+enum {
+    MOST_SURFACES = 1024,
+    /* Of a fragment that the machine sorts: its key and its number in the pixel's list, and what was
+     * shaded, four floats and which draw it is of (pipeline/fast/lanes/shade/fragments.h). */
+    BYTES_THAT_WAIT = 4 + 4 + 16 + 4
+};
 
 typedef struct Surfaces {
     const GpSurface *seen[MOST_SURFACES];
@@ -88,6 +97,8 @@ FragmentWork fragment_work(const FragmentModel *model, const Frame *frame)
     if (((const FragmentOptions *)frame->made)->method == FRAGMENTS_CONVEX)
         work.readings = 1; /* in parts; slabs by four passes of what hardware does in one */
     work.bytes = surfaces.bytes;
+    if (((const FragmentOptions *)frame->made)->method == FRAGMENTS_SORTED)
+        work.bytes += model->count.fragments * BYTES_THAT_WAIT;
     return work;
 }
 

@@ -18,7 +18,8 @@ typedef struct FragmentError {
 
 FragmentError fragment_error(const FragmentModel *model, const GpSurface *picture);
 
-/* How much brighter than the truth each pixel is, as the mean of its channels; 0 where none is wrong.
+/* How much brighter than the truth each pixel is in the channel that is most off, as a heat map has it: 0
+ * where none is wrong, else from a third to 1, which is a tenth of white or more.
  * out  off: [height][width] */
 void fragment_difference(const FragmentModel *model, const GpSurface *picture, float *off);
 

@@ -11,7 +11,9 @@ const TechniqueWord fragment_words[] = {
     { "beyond edges", "Wrong pixels with no edge of a triangle within 1/256 pixel of their centre, "
                       "the step to which the machine rounds corners." },
     { "passes", "Passes of the frame, over the mesh or over all pixels." },
-    { "bytes", "Memory of all surfaces that the frame needs beside its picture." },
+    { "bytes",
+      "Memory of all surfaces that the frame needs beside its picture; of fragments that the "
+      "machine sorts, what all of them take that wait in its tiles." },
     { "sorted by the machine",
       "The fragments of a pixel are kept where it is drawn, and sorted by depth before they are "
       "blended: a state of a pass, as tile-based hardware has had." },

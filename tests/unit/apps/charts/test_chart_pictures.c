@@ -1,6 +1,7 @@
 /* Pictures of a chart's best settings, and where they are wrong. */
 #include "apps/charts/chart_difference.h"
 #include "apps/charts/chart_run.h"
+#include "apps/techniques/fragments/technique.h"
 #include "apps/techniques/voxel/technique.h"
 #include "tests/support/folder.h"
 
@@ -75,6 +76,89 @@ static void where_nothing_differs_nothing_has_colour(void **state)
     picture_free(&made);
 }
 
+/* A picture of halves, from black to more than white, has the greys that it has in bytes. */
+static void pictures_of_every_format_are_seen_in_pale_grey(void **state)
+{
+    (void)state;
+    static const GpFormat formats[] = { GP_A8R8G8B8, GP_A16B16G16R16F, GP_A32B32G32R32F };
+    static const float values[] = { 0, 0.2f, 1, 3 };
+    const float off[WIDTH * HEIGHT] = { 0 };
+    for (size_t f = 0; f < GP_COUNT(formats); f++) {
+        GpSurface *picture;
+        Picture made = { .values = NULL };
+        GpError error = { "" };
+        const GpSurfaceDesc desc = { .format = formats[f], .width = WIDTH, .height = HEIGHT };
+        const size_t bytes = gp_format_info(formats[f])->bytes;
+        assert_int_equal(gp_surface_create(&desc, &picture, &error), GP_OK);
+        for (uint32_t y = 0; y < HEIGHT; y++)
+            for (uint32_t x = 0; x < WIDTH; x++) {
+                const float value = values[x % GP_COUNT(values)];
+                gp_texel_store(formats[f], gp_surface_texel(&picture->level[0], bytes, x, y),
+                               (float[4]){ value, value, value, 1 }, 0);
+            }
+        assert_int_equal(chart_difference(picture, off, &made, &error), GP_OK);
+        for (uint32_t x = 0; x < WIDTH; x++) {
+            const float value = fminf(values[x % GP_COUNT(values)], 1);
+            const float *grey = made.values + 3 * (size_t)(5 * 2 * WIDTH + x);
+            assert_true(x < 2 || x > WIDTH - 3 || fabsf(grey[0] - 0.55f - 0.4f * value) < 1e-3f ||
+                        grey[0] == 0); /* the frame */
+        }
+        gp_surface_destroy(&picture);
+        picture_free(&made);
+    }
+}
+
+/* --- what is beaten ------------------------------------------------------------------------------ */
+
+static const ChartPoint *find_point(const Chart *chart, const char *options)
+{
+    for (uint32_t i = 0; i < chart->count; i++)
+        if (strcmp(chart->points[i].options, options) == 0)
+            return &chart->points[i];
+    fail_msg("no point %s", options);
+    return NULL;
+}
+
+/* The k-buffer of 32 is exact, and takes longer than sorting; the worst of it has a picture, as the only
+ * one of the average has. */
+static void methods_that_are_beaten_show_where_they_are_wrong(void **state)
+{
+    (void)state;
+    static const TechniqueSweep sweep[] = { { "sorted", "--method sorted" },
+                                            { "k-buffer", "--method kbuffer --kept 32|2|4" },
+                                            { "peeling", "--method dp" },
+                                            { "weighted", "--method weighted" },
+                                            { .method = NULL } };
+    Experiment experiment = fragment_technique.experiments[0];
+    experiment.sweep = sweep;
+    Chart chart = { .points = NULL };
+    GpError error = { "" };
+    ChartJob job = { .technique = &fragment_technique,
+                     .experiment = &experiment,
+                     .scene = "builtin:knot",
+                     .width = 96,
+                     .height = 96,
+                     .folder = folder,
+                     .name = "a" };
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &job.device, &error), GP_OK);
+    if (chart_run(&job, &chart, &error))
+        fail_msg("%s", error.text);
+    gp_device_destroy(&job.device);
+    const ChartPoint *two = find_point(&chart, "--method kbuffer --kept 2");
+    const ChartPoint *weighted = find_point(&chart, "--method weighted");
+    assert_true(two->measured.error >
+                find_point(&chart, "--method kbuffer --kept 4")->measured.error);
+    assert_true(two->picture[0] && weighted->picture[0]);
+    assert_true(strcmp(two->picture, weighted->picture) != 0);
+    for (uint32_t i = 0; i < chart.count; i++) {
+        const ChartPoint *point = &chart.points[i];
+        const bool shown = point->best || point == two || point == weighted;
+        assert_true((point->picture[0] != '\0') == shown);
+        assert_true(!shown || access(in_folder(point->picture), R_OK) == 0);
+    }
+    chart_free(&chart);
+}
+
 /* --- volumes ------------------------------------------------------------------------------------ */
 
 /* How many pixels have colour in the difference of a chart of one setting. */
@@ -125,6 +209,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_wrong_pixel_is_seen_and_four_times_as_large_beside),
         cmocka_unit_test(where_nothing_differs_nothing_has_colour),
+        cmocka_unit_test(pictures_of_every_format_are_seen_in_pale_grey),
+        IN_FOLDER(methods_that_are_beaten_show_where_they_are_wrong),
         IN_FOLDER(exact_voxels_differ_nowhere_and_others_where_they_are_wrong),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

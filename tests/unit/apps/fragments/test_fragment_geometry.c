@@ -57,18 +57,17 @@ static void every_triangle_keeps_its_corners_and_has_its_colour_and_normal(void 
 }
 
 /* Closed, and every triangle turns counter-clockwise seen from outside. */
-static void spheres_are_as_many_as_layers_ask_for(void **state)
+static void expect_spheres(uint32_t columns, uint32_t triangles)
 {
-    (void)state;
     GpMesh mesh;
-    assert_int_equal(spheres_make(4, &mesh), GP_OK);
-    assert_int_equal(mesh.triangle_count, 2 * 4 * SPHERE_TRIANGLES);
+    assert_int_equal(spheres_make(4, columns, &mesh), GP_OK);
+    assert_int_equal(mesh.triangle_count, 2 * 4 * triangles);
     for (uint32_t i = 0; i < mesh.triangle_count; i++) {
         const float *corner[3];
         double edge[2][3], from[3], normal[3];
         for (int k = 0; k < 3; k++)
             corner[k] = mesh.positions + 3 * (size_t)mesh.indices[3 * i + (uint32_t)k];
-        const uint32_t sphere = i / SPHERE_TRIANGLES;
+        const uint32_t sphere = i / triangles;
         const double centre[3] = { sphere % 2 - 0.5, sphere / 2 % 2 - 0.5, -(double)(sphere / 4) };
         for (int k = 0; k < 3; k++) {
             edge[0][k] = (double)(corner[1][k] - corner[0][k]);
@@ -80,6 +79,14 @@ static void spheres_are_as_many_as_layers_ask_for(void **state)
         assert_true(vector_dot(normal, from) > 0);
     }
     gp_mesh_free(&mesh);
+}
+
+static void spheres_are_as_many_as_layers_ask_for(void **state)
+{
+    (void)state;
+    expect_spheres(SPHERE_COLUMNS, SPHERE_TRIANGLES);
+    expect_spheres(4, 8);
+    expect_spheres(40, 40 * 38);
 }
 
 int main(void)
