@@ -174,6 +174,10 @@ void histories_event(Histories *histories, const GpTraceEvent *event, uint32_t d
     }
     if (!histories_want(histories, event->x, event->y))
         return;
+    if (histories->bytes > HISTORY_MOST) {
+        histories->left_out++;
+        return;
+    }
     json_t *told = bare(event);
     json_object_set_new(told, "draw", json_integer(draw));
     const bool covers = event->kind == GP_TRACE_RASTER || event->kind == GP_TRACE_MISSED;
@@ -182,7 +186,7 @@ void histories_event(Histories *histories, const GpTraceEvent *event, uint32_t d
         json_object_set_new(told, "part", json_integer((json_int_t)setups - 1));
         histories->open_is_asked = true;
     }
-    if (event->kind == GP_TRACE_STEPS && histories->bytes > HISTORY_MOST) {
+    if (event->kind == GP_TRACE_STEPS && histories->bytes > HISTORY_STEPS) {
         histories->left_out++;
         json_object_set_new(told, "left_out", json_integer(event->steps.steps));
     } else if (event->kind == GP_TRACE_STEPS) {
@@ -247,9 +251,10 @@ json_t *histories_tell(const Histories *histories, Blobs *blobs)
     }
     json_t *listings =
         histories->listings.all ? json_incref(histories->listings.all) : json_array();
-    return json_pack("{s:o, s:o, s:O, s:o, s:o}", "pixels", pixels, "blobs", list, "primitives",
-                     histories->primitives, "primitive_blobs", primitive_blobs(histories, blobs),
-                     "listings", json_integer(blobs_add_json(blobs, listings)));
+    return json_pack(
+        "{s:o, s:o, s:O, s:o, s:o, s:I}", "pixels", pixels, "blobs", list, "primitives",
+        histories->primitives, "primitive_blobs", primitive_blobs(histories, blobs), "listings",
+        json_integer(blobs_add_json(blobs, listings)), "left_out", (json_int_t)histories->left_out);
 }
 
 void histories_free(Histories *histories)

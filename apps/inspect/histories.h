@@ -4,7 +4,8 @@
  * pass, draw and program; those of vertices, clipping and set-up are told once for each primitive,
  * {"draw", "primitive", "vertices": [...], "clip", "setup": [...]}, a vertex with its streams' bytes,
  * "raw", and with "reuse", how many elements of the draw name it; and a "raster" event says in
- * "part" which of its set-ups covered the pixel. "steps" are as steps_json.h has them. Pixels and primitives stand HISTORY_CHUNK a blob. */
+ * "part" which of its set-ups covered the pixel. "steps" are as steps_json.h has them. Pixels and
+ * primitives stand HISTORY_CHUNK a blob. */
 #ifndef APPS_INSPECT_HISTORIES_H
 #define APPS_INSPECT_HISTORIES_H
 
@@ -14,8 +15,9 @@
 
 enum {
     HISTORY_CHUNK = 32,
-    HISTORY_MOST = 40 << 20
-}; /* HISTORY_MOST: bytes of a pass's pixels' events */
+    HISTORY_STEPS = 24 << 20, /* bytes of a pass's events, beyond which steps are left out */
+    HISTORY_MOST = 32 << 20,  /* and all that is about pixels */
+};
 
 /* A chosen pixel. */
 typedef struct HistoryPixel {
@@ -31,7 +33,7 @@ typedef struct Histories {
     HistoryPixel *pixel;
     uint32_t count, room;
     size_t bytes;      /* of all their events */
-    uint32_t left_out; /* events of shaders' steps without room */
+    uint32_t left_out; /* events without room */
 
     StepListings listings;
     json_t *primitives; /* "draw/primitive": its number */
@@ -60,7 +62,7 @@ void histories_event(Histories *histories, const GpTraceEvent *event, uint32_t d
 void histories_finish(Histories *histories);
 
 /* {"pixels": [[x, y], ...], "blobs": [...], "primitives": {"0/14": 0, ...}, "primitive_blobs": [...],
- * "listings": blob} */
+ * "listings": blob, "left_out": events} */
 json_t *histories_tell(const Histories *histories, Blobs *blobs);
 
 void histories_free(Histories *histories);

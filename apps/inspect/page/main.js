@@ -15,6 +15,9 @@ function left_out(frame) {
         `Every fragment of every pixel is in this page. All values of all units are in it of ${last.histories.pixels.length} pixels of the last pass: on a grid of ${frame.grid} pixels, and some for every fate that a draw's fragments had.`,
         "For others, make the page again with --region X Y WIDTH HEIGHT, --draw N or --pixels N."];
     for (const pass of frame.passes)
+        if (pass.histories.left_out)
+            lines.push(`Pass ${pass.pass}: the page would have grown too large with ${pass.histories.left_out} more events of its recorded pixels. They are the last ones; --region and a small --pixels have them.`);
+    for (const pass of frame.passes)
         if (pass.fragments_left_out)
             lines.push(`Pass ${pass.pass}: ${pass.fragments_left_out} fragments have no place in the page.`);
     return lines.map((line) => h("p", {}, line));

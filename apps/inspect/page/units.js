@@ -56,6 +56,8 @@ function missing(unit, context) {
         return h("p", { class: "callout" }, "The values of this triangle are not in the page: press n for the nearest pixel that is recorded whole.");
     if (unit.needs === "pixel" && !context.one)
         return h("p", { class: "callout" }, "The values of this pixel are not in the page: press n for the nearest pixel that is recorded whole.");
+    if (["interpolation", "quads", "shader"].includes(unit.id) && !context.one?.interpolate)
+        return h("p", {}, "A clip plane cut this fragment away before it had any values.");
     return null;
 }
 

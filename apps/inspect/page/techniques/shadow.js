@@ -2,9 +2,9 @@
 
 import { h, num, svg, table, value, vec } from "page/element.js";
 
-function is_map(read, draw) {
-    const texture = draw.textures.find((one) => one.slot === read.slot);
-    return /^D(16|24|32)/.test(read.format ?? "") || texture?.compare;
+function is_map(read, { draw, frame }) {
+    const texture = draw.textures.find((one) => one.slot === read.slot), { format } = read;
+    return /^D(16|24|32)/.test(format ?? "") || texture?.compare || (frame.technique === "shadow" && /(32|16)F$/.test(format ?? ""));
 }
 
 // The texels about the place that was asked for: dark where something nearer to the light is stored.
@@ -24,11 +24,21 @@ function picture(read) {
     }));
 }
 
+// The shader compares by itself: what it compares with is among its steps.
+function of_plain_read(read, k, texture) {
+    return [h("h3", {}, `Read of ${read.surface || texture?.name || "the map"}, ${texture?.width} \u00d7 ${texture?.height}, ${read.format}`),
+            h("p", {}, "at ", vec(read.coord.slice(0, 2), `texture.${k}.coord`), " gives ", vec(read.result, `texture.${k}.result`), ", which the shader compares: see its steps."),
+            table(["texel", "weight", "stored"], read.texels.map((texel, i) => [texel.x < 0 ? "border" : h("span", { class: "v" }, `${texel.x}, ${texel.y}`),
+                value(texel.weight, `texture.${k}.texels.${i}.weight`), vec(texel.value, `texture.${k}.texels.${i}.value`)]))];
+}
+
 function of_read(read, k, draw) {
     const texture = draw.textures.find((one) => one.slot === read.slot), reference = read.coord[2];
+    if (!texture?.compare)
+        return of_plain_read(read, k, texture);
     return [h("h3", {}, `Read of ${read.surface || texture?.name || "the map"}, ${texture?.width} \u00d7 ${texture?.height}, ${read.format}`),
-            h("p", {}, "The point is at ", vec(read.coord.slice(0, 2), `texture.${k}.coord`), " of the map, its distance is ", value(reference, `texture.${k}.coord.2`),
-              texture?.compare ? "; the sampler compares it with each texel and weighs the verdicts: " : "; the shader compares by itself what it reads: ", vec(read.result, `texture.${k}.result`)),
+            h("p", {}, "The point is at ", vec(read.coord.slice(0, 2), `texture.${k}.coord`), " of the map, its distance, bias included, is ", value(reference, `texture.${k}.coord.2`),
+              "; the sampler compares it with each texel and weighs the verdicts: ", vec(read.result, `texture.${k}.result`)),
             h("div", { class: "cols" },
               table(["texel", "weight", "stored depth", "stored \u2212 the point's", "verdict"], read.texels.map((texel, i) => [
                   texel.x < 0 ? "border" : h("span", { class: "v" }, `${texel.x}, ${texel.y}`), value(texel.weight, `texture.${k}.texels.${i}.weight`),
@@ -43,6 +53,6 @@ export const shadow = {
            "The map has texels, and a point lies between them: each texel is asked, and the verdicts are weighed.",
            "A bias moves the point towards the light before it is compared, so that a surface does not shade itself."],
     formula: "lit = \u03a3 weight\u1d62 (point + bias \u2264 stored\u1d62 ? 1 : 0)",
-    applies: ({ draw, one }) => Boolean(draw && one?.textures.some((read) => is_map(read, draw))),
-    make: ({ draw, one }) => h("div", {}, one.textures.map((read, k) => is_map(read, draw) ? of_read(read, k, draw) : "")),
+    applies: (context) => Boolean(context.draw && context.one?.textures.some((read) => is_map(read, context))),
+    make: (context) => h("div", {}, context.one.textures.map((read, k) => is_map(read, context) ? of_read(read, k, context.draw) : "")),
 };

@@ -1,0 +1,89 @@
+/* glasspipe inspect: what it writes and what it refuses. What the page shows is looked at in a browser, by
+ * tests/tools/inspect_pages.py. */
+#include "tests/support/program.h"
+
+static char page[1 << 24], again[1 << 24];
+
+#define INSPECT "glasspipe inspect scene.json -q --no-timings --pixels 40 "
+
+static void a_page_holds_all_that_it_needs(void **state)
+{
+    (void)state;
+    assert_int_equal(shell(INSPECT "-o page.html"), 0);
+    expect_files("page.html scene.json");
+    assert_true(read_file("page.html", page, sizeof page) > 100000);
+    expect_contains(page, "<!DOCTYPE html>");
+    expect_contains(page, "\"page/main.js\":\"data:text/javascript;base64,");
+    expect_contains(page, "id=\"blob-0\"");
+    assert_null(strstr(page, "src=\"http"));
+    assert_null(strstr(page, "href=\"http"));
+    assert_null(strstr(page, "@import"));
+    assert_null(strstr(page, "id=\"timings\""));
+}
+
+static void
+a_page_has_the_same_bytes_for_any_threads_and_times_only_where_they_are_wanted(void **state)
+{
+    (void)state;
+    assert_int_equal(shell(INSPECT "-o one.html --threads 1"), 0);
+    assert_int_equal(shell(INSPECT "-o three.html --threads 3"), 0);
+    read_file("one.html", page, sizeof page);
+    read_file("three.html", again, sizeof again);
+    assert_string_equal(page, again);
+    assert_int_equal(shell("glasspipe inspect scene.json -q --pixels 40 -o timed.html"), 0);
+    read_file("timed.html", page, sizeof page);
+    expect_contains(page, "id=\"timings\"");
+}
+
+static void a_region_makes_a_page_larger_and_json_tells_its_bytes(void **state)
+{
+    (void)state;
+    assert_int_equal(shell(INSPECT "-o plain.html --json"), 0);
+    json_t *plain = parse_output();
+    assert_int_equal(shell(INSPECT "-o region.html --json --region 24 16 16 16"), 0);
+    json_t *region = parse_output();
+    assert_true(json_integer_value(json_object_get(region, "bytes")) >
+                json_integer_value(json_object_get(plain, "bytes")) + 1000);
+    assert_int_equal(read_file("plain.html", page, sizeof page),
+                     json_integer_value(json_object_get(plain, "bytes")));
+    json_decref(plain);
+    json_decref(region);
+}
+
+static void techniques_have_their_options_and_frames_are_compared(void **state)
+{
+    (void)state;
+    assert_int_equal(shell(INSPECT "-o plain.html --technique shadow --map 64 --method plain"), 0);
+    assert_int_equal(
+        shell(INSPECT "-o two.html --technique shadow --map 64 --against '--method hardware'"), 0);
+    read_file("two.html", page, sizeof page);
+    assert_null(strstr(page, ", -1);</script>")); /* a second frame is there */
+    read_file("plain.html", page, sizeof page);
+    expect_contains(page, ", -1);</script>");
+}
+
+static void what_cannot_be_is_refused(void **state)
+{
+    (void)state;
+    expect_refused(2, "inspect", "a scene file");
+    expect_refused(2, "inspect scene.json --technique nope", "--technique nope");
+    expect_refused(2, "inspect scene.json --method plain", "--method");
+    expect_refused(2, "inspect scene.json --against '--map 64'", "--technique");
+    expect_refused(2, "inspect scene.json --technique shadow --against '--nope 1'", "--against");
+    expect_refused(3, "inspect nope.json", "nope.json");
+    expect_refused(4, "inspect scene.json -q --pixels 1 -o nope/page.html", "nope/page.html");
+    expect_files("scene.json");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        PROGRAM_TEST(a_page_holds_all_that_it_needs),
+        PROGRAM_TEST(
+            a_page_has_the_same_bytes_for_any_threads_and_times_only_where_they_are_wanted),
+        PROGRAM_TEST(a_region_makes_a_page_larger_and_json_tells_its_bytes),
+        PROGRAM_TEST(techniques_have_their_options_and_frames_are_compared),
+        PROGRAM_TEST(what_cannot_be_is_refused),
+    };
+    return cmocka_run_group_tests_name("inspect", tests, find_program, NULL);
+}
