@@ -43,7 +43,8 @@ export function from_address() {
     for (const key of ["pass", "draw", "x", "y", "fragment", "step"])
         if (asked.has(key))
             changes[key] = Number(asked.get(key));
-    if (asked.has("unit"))
-        changes.unit = asked.get("unit");
+    for (const key of ["unit", "overlay"])
+        if (asked.has(key))
+            changes[key] = asked.get(key);
     return changes;
 }

@@ -110,7 +110,9 @@ export class Viewer {
     }
 
     resize() {
-        const zoom = Number(this.zoom.value), width = zoom ? `${zoom * this.canvas.width / devicePixelRatio}px` : "100%";
+        const zoom = Number(this.zoom.value), { width: across, height: down } = this.canvas;
+        // where it fits, no higher than leaves room for the units below
+        const width = zoom ? `${zoom * across / devicePixelRatio}px` : `min(100%, ${(50 * across / down).toFixed(2)}vh)`;
         for (const one of [this.canvas, this.over, this.cross, ...this.also])
             one.style.width = width;
         this.cross.setAttribute("viewBox", `0 0 ${this.canvas.width} ${this.canvas.height}`);
@@ -119,6 +121,7 @@ export class Viewer {
 
     async lay_over(paint_too) {
         const chosen = overlays[state.overlay] ?? overlays.none;
+        this.overlay.value = state.overlay;
         if (!paint_too && !chosen.follows)
             return;
         this.over.width = this.canvas.width;
