@@ -7,14 +7,15 @@ function half(bits) {
     return sign * (exponent ? 2 ** (exponent - 15) * (1 + fraction / 1024) : 2 ** -14 * (fraction / 1024));
 }
 
-const unorm = (code) => Math.fround(code / 255);
+export const unorm = (code) => Math.fround(code / 255);
 const bgra = (v, at) => [unorm(v.getUint8(at + 2)), unorm(v.getUint8(at + 1)), unorm(v.getUint8(at))];
 
-/** For each format: names of its channels, and a texel's values from a DataView and a place. */
+/** For each format: names of its channels, and a texel's values from a DataView and a place; of those whose
+ * channels are bytes also where each byte is. */
 export const formats = {
-    A8R8G8B8: { channels: "rgba", read: (v, at) => [...bgra(v, at), unorm(v.getUint8(at + 3))] },
-    X8R8G8B8: { channels: "rgb", read: bgra },
-    R8: { channels: "r", read: (v, at) => [unorm(v.getUint8(at))] },
+    A8R8G8B8: { channels: "rgba", bytes: [2, 1, 0, 3], read: (v, at) => [...bgra(v, at), unorm(v.getUint8(at + 3))] },
+    X8R8G8B8: { channels: "rgb", bytes: [2, 1, 0], read: bgra },
+    R8: { channels: "r", bytes: [0], read: (v, at) => [unorm(v.getUint8(at))] },
     G16R16F: { channels: "rg", float: true, read: (v, at) => [0, 2].map((i) => half(v.getUint16(at + i, true))) },
     A16B16G16R16F: {
         channels: "rgba", float: true,

@@ -17,6 +17,17 @@ function odd(pixels, at, x, y) {
 
 const byte = (value) => 255 * (value < 0 ? 0 : value > 1 ? 1 : value) + 0.5;
 
+// Bytes in colour are pixels as they are.
+function copy_bytes(pixels, image, [red, green, blue]) {
+    const { bytes, surface } = image;
+    for (let at = 0, from = 0; at < pixels.length; at += 4, from += surface.bytes) {
+        pixels[at] = bytes[from + red];
+        pixels[at + 1] = bytes[from + (green ?? red)];
+        pixels[at + 2] = bytes[from + (blue ?? red)];
+        pixels[at + 3] = 255;
+    }
+}
+
 /** Paints a surface. way: "" in colour, or a channel, stretched over its range; NaN and infinite values
  * are striped. */
 export function paint(canvas, image, way) {
@@ -24,6 +35,11 @@ export function paint(canvas, image, way) {
     canvas.width = width;
     canvas.height = height;
     const data = new ImageData(width, height), pixels = data.data;
+    if (!way && image.format.bytes) {
+        copy_bytes(pixels, image, image.format.bytes);
+        canvas.getContext("2d").putImageData(data, 0, 0);
+        return null;
+    }
     const channel = way ? image.format.channels.indexOf(way) : -1;
     const range = channel >= 0 ? image.range(channel) : null;
     const scale = range && range.high > range.low ? 1 / (range.high - range.low) : 0;

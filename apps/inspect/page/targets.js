@@ -1,7 +1,7 @@
 // What the targets held after each stop of the frame (apps/inspect/targets.h has the form).
 
 import { blob } from "page/data.js";
-import { formats } from "page/formats.js";
+import { formats, unorm } from "page/formats.js";
 
 /** One surface at one moment. */
 export class Image {
@@ -17,8 +17,21 @@ export class Image {
         return this.format.read(this.view, (y * this.surface.width + x) * this.surface.bytes);
     }
 
+    // The same of bytes, which are counted.
+    range_of_bytes(first) {
+        const counts = new Uint32Array(256), bins = new Uint32Array(64);
+        for (let at = first; at < this.bytes.length; at += this.surface.bytes)
+            counts[this.bytes[at]]++;
+        const low = counts.findIndex((count) => count > 0), high = counts.findLastIndex((count) => count > 0);
+        for (let code = low; code <= high; code++)
+            bins[high > low ? Math.floor((code - low) * 63.999 / (high - low)) : 0] += counts[code];
+        return { low: unorm(low), high: unorm(high), odd: 0, bins };
+    }
+
     /** Least, largest and histogram of a channel, and how many are no finite numbers. */
     range(channel) {
+        if (this.format.bytes)
+            return this.range_of_bytes(this.format.bytes[channel]);
         const { width, height } = this.surface, all = new Float64Array(width * height);
         let low = Infinity, high = -Infinity, odd = 0;
         for (let y = 0, i = 0; y < height; y++)
