@@ -89,7 +89,8 @@ static GroundUniforms uniforms_of(const WarpView *view, const WalkGround *ground
 static GpDraw *draw_part(const Walk *walk, const GpProgram *program, const void *uniforms,
                          const float (*corners)[2], GpGeometry geometry, Frame *frame)
 {
-    const GpSampler repeated = { .min = GP_LINEAR, .mag = GP_LINEAR, .mip = GP_MIP_LINEAR };
+    /* one level: between two of such an even texture no seam is seen, and most of a picture is ground */
+    const GpSampler repeated = { .min = GP_LINEAR, .mag = GP_LINEAR, .mip = GP_MIP_POINT };
     geometry.streams[GP_POSITION] = (GpStream){ corners[0], sizeof *corners, 2, GP_FLOAT32 };
     GpDraw *draw = frame_draw(frame, program, uniforms, &geometry);
     draw->textures[0] = (GpTexture){ walk->grass, repeated };
