@@ -14,6 +14,7 @@ enum { USUAL_MAP = 2048, GRASS = 64 };
 static const double spacing = 4;                       /* between objects */
 static const double least_size = 1.2, most_size = 2.4; /* of objects */
 
+static const double half_as_many = 0.7071067811865476; /* pixels, on both sides of a picture */
 static const double distant = 10; /* radii, from where an object is seen from one direction */
 
 static const WarpLight sun = { .position = { 0.48, 0.8, 0.36 },
@@ -51,7 +52,7 @@ static GpResult open_model(const DepthModel *from, WalkModel *model, GpError *er
         uint8_t *share = NULL;
         if (shares_find(from, i, &share))
             return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-        const SurfaceDetail detail = { .tolerance = 1, .own = share };
+        const SurfaceDetail detail = { .tolerance = 0.7, .own = share };
         const GpResult result = surface_open(&from->images[i], &detail, surface, error);
         gp_free(share);
         if (result)
@@ -312,6 +313,16 @@ static Ordered *order_objects(const Walk *walk, const Camera *camera, Frame *fra
     return order;
 }
 
+/* The power of two above the footprint, instead of the nearest: vertices are one to two pixels apart. Silhouettes
+ * decide how far a picture is off, so a third fewer triangles lose but 0.4 dB. */
+static uint32_t step_of(const DepthSurface *surface, const WarpView *view)
+{
+    WarpView smaller = *view;
+    smaller.width = (uint32_t)(view->width * half_as_many);
+    smaller.height = (uint32_t)(view->height * half_as_many);
+    return surface_step(surface, &smaller);
+}
+
 static bool is_distant(const WalkObject *object, const Camera *camera)
 {
     double way[3];
@@ -334,11 +345,14 @@ static uint32_t draw_object(const Walk *walk, const WalkObject *object, const Wa
     float rounded[4][4];
     matrix_round(product, rounded);
     memcpy(shadow->map, rounded, sizeof shadow->map);
-    const SurfaceSetting drawn = { .step = setting->step,
-                                   .shadow = setting->no_shadows ? NULL : shadow,
-                                   .is_distant = is_distant(object, &view->camera) };
-    for (uint32_t i = 0; i < model->count; i++)
-        triangles += surface_draw(&model->surfaces[i], &drawn, &own, true, frame);
+    for (uint32_t i = 0; i < model->count; i++) {
+        const DepthSurface *surface = &model->surfaces[i];
+        const SurfaceSetting drawn = { .step =
+                                           setting->step ? setting->step : step_of(surface, &own),
+                                       .shadow = setting->no_shadows ? NULL : shadow,
+                                       .is_distant = is_distant(object, &view->camera) };
+        triangles += surface_draw(surface, &drawn, &own, true, frame);
+    }
     return triangles;
 }
 

@@ -39,7 +39,7 @@ typedef struct Walk {
 typedef struct WalkSetting {
     uint32_t map; /* texels a side of the shadow map; 0: 2048 */
     bool no_shadows;
-    uint32_t step; /* of all images; 0: each as footprint_step has it */
+    uint32_t step; /* of all images; 0: of each so that vertices are one to two pixels apart */
 } WalkSetting;
 
 /* What a frame draws. */

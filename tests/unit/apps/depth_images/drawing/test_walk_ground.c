@@ -92,6 +92,12 @@ static Walk open_walk(void)
         fail_msg("%s", error.text);
     depth_shape_close(&shape);
     depth_model_free(&model);
+    /* grass of one colour: which of its levels a pixel has, at their borders rounding tells */
+    for (uint32_t i = 0; i < walk.grass->levels; i++) {
+        const GpLevel *level = &walk.grass->level[i];
+        for (uint32_t y = 0; y < level->height; y++)
+            memset(gp_surface_texel(level, 4, 0, y), 200, 4 * (size_t)level->width);
+    }
     return walk;
 }
 
