@@ -14,7 +14,8 @@ struct GpFast {
     int lanes;              /* that they were made for */
     GpCheckedPrograms programs;
     GpIndexRanges indices; /* of the list, from its check to the end of its run */
-    void **fragments;      /* that wait to be sorted: one a worker, made when first needed */
+    void **
+        fragments; /* that wait to be sorted, or to come again: one a worker, made when first needed */
     size_t fragment_bytes;
     size_t limit, vertex_bytes;
     FastArena arena;   /* draws and shaded vertices of the group */

@@ -41,6 +41,10 @@
  * Those of triangles that have one colour each are there before it is found (raster/fill_one_color.c,
  * shade/one_color.c).
  *
+ * Passes that draw again what an earlier one of their group drew, as peeling does, have its vertices and
+ * bins (draws/repeat.h); and where primitives alone decide on fragments, a tile finds and interpolates
+ * them once and keeps them, as packets that are full (shade/repeated.h).
+ *
  * output/depth.c and output/blend.c are the output end, texture/sample.c is the texture unit.
  *
  * Every value is a function of per-triangle constants and the pixel's position, in the operations

@@ -1,6 +1,6 @@
 /* Draws, passes and groups made ready for the stages: what they need, how fragments go, room. */
 #include "pipeline/fast/executor.h"
-#include "pipeline/fast/draws/group.h"
+#include "pipeline/fast/draws/repeat.h"
 #include "pipeline/fast/draws/sampler.h"
 #include "pipeline/units/input_assembly.h"
 
@@ -93,13 +93,25 @@ static bool has_one_color(const FastDraw *d)
            !d->needs.clip_planes;
 }
 
+/* What covers the screen with what was there, and nothing else. */
+static bool is_even(const FastDraw *d)
+{
+    enum { FEW = 2 };
+    const GpProgram *program = d->draw->program;
+    return d->primitive_count <= FEW && d->draw->geometry.primitive != GP_POINTS &&
+           d->needs.pixel_shader && !d->wants_depth && !d->needs.varyings && !program->samplers &&
+           !program->uses_pixel && !program->uses_face && !d->needs.quads && !d->needs.discard &&
+           !d->needs.alpha_test && !d->needs.clip_planes;
+}
+
 /* To shade twice costs less than to keep what is shaded, where a shader makes much of little.
  * Vertices of a batch are to rise, as those do that no index names. */
 static bool shades_again(const FastDraw *d)
 {
     const int inputs = d->draw->program->input_components;
-    return d->packs_points && only_combines_bits(d) && !d->indices && !d->needs.clip_planes &&
-           inputs > 0 && d->modes.components > inputs;
+    return d->packs_points && only_combines_bits(d) &&
+           !gp_geometry_is_indexed(&d->draw->geometry) && !d->needs.clip_planes && inputs > 0 &&
+           d->modes.components > inputs;
 }
 
 static GpRect cut_to_scissor(GpRect rect, const GpRasterState *raster)
@@ -191,11 +203,33 @@ static bool writes_depth(const GpPass *pass)
     return false;
 }
 
+/* Room for a draw's vertices, unless they are those of an earlier one; false when memory is short. */
+static bool prepare_vertices(FastArena *arena, FastDraw *d)
+{
+    d->stride = (uint32_t)d->modes.components;
+    for (unsigned planes = d->needs.clip_planes; planes; planes &= planes - 1)
+        d->stride++;
+    d->stride = (d->stride + 3) & ~3u;
+    if (d->first) {
+        d->indices = d->first->indices;
+        d->positions = d->first->positions;
+        d->varyings = d->first->varyings;
+        return true;
+    }
+    size_t room = (size_t)d->vertex_count + FAST_WIDEST; /* whole packets are stored */
+    d->block_count = (d->vertex_count + FAST_VERTEX_BLOCK - 1) / FAST_VERTEX_BLOCK;
+    d->positions = fast_arena_take(arena, room * sizeof *d->positions);
+    if (!d->shades_again)
+        d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
+    return prepare_indices(arena, d) && d->positions && (d->varyings || d->shades_again);
+}
+
 /* Appends a draw's work to that of its pass; false when memory is short.
- * in   facts: of the draw's program
+ * in   facts: of the draw's program; first: the draw that this one seems to repeat, or NULL
  * out  d: of the pass's draws, the next */
 static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pass,
-                         const GpDraw *draw, GpPixelFacts facts, int lanes, FastDraw *d)
+                         const GpDraw *draw, GpPixelFacts facts, int lanes, FastDraw *first,
+                         FastDraw *d)
 {
     *d = (FastDraw){
         .pass = pass->pass,
@@ -224,8 +258,6 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
         d->epsilon = gp_depth_code(pass->pass->depth.surface->format, draw->state.depth.epsilon);
     if (d->path == FAST_NOTHING)
         d->primitive_count = 0;
-    if (!prepare_indices(arena, d))
-        return false;
     resolve_blends(d);
     d->only_adds = only_adds(d);
     d->packs_points = packs_points(d);
@@ -239,20 +271,15 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     d->vertex_count = vertices.high - vertices.low + 1;
     if (!d->primitive_count)
         d->vertex_count = 0;
-    d->stride = (uint32_t)d->modes.components;
-    for (unsigned planes = d->needs.clip_planes; planes; planes &= planes - 1)
-        d->stride++;
-    d->stride = (d->stride + 3) & ~3u;
-    size_t room = (size_t)d->vertex_count + FAST_WIDEST; /* whole packets are stored */
-    d->positions = fast_arena_take(arena, room * sizeof *d->positions);
-    if (!d->shades_again)
-        d->varyings = fast_arena_take(arena, room * d->stride * sizeof(float));
-    pass->block_count += fast_draw_blocks(d);
+    d->first = first && fast_has_vertices_of(d, first) ? first : NULL;
+    if (!prepare_vertices(arena, d) || !prepare_samplers(arena, d))
+        return false;
+    pass->block_count += d->block_count;
     pass->primitive_count += d->primitive_count;
-    for (uint64_t left = d->needs.varyings; left; left &= left - 1)
-        d->varyings_by[d->modes.mode[__builtin_ctzll(left)]] |= left & -left;
+    fast_need_varyings(d, d->needs.varyings);
     d->one_color = has_one_color(d);
-    return prepare_samplers(arena, d) && d->positions && (d->varyings || d->shades_again);
+    d->is_even = is_even(d);
+    return true;
 }
 
 /* --- passes and groups ------------------------------------------------------------------------ */
@@ -302,8 +329,10 @@ static bool has_one_blend(const FastPass *p)
 }
 
 /* Prepares a pass from the cursor on, as far as the limit allows, but one draw at least, and all of a
- * pass whose fragments are sorted; moves the cursor behind it. */
-static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
+ * pass whose fragments are sorted; moves the cursor behind it.
+ * in   group: passes before it */
+static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGroup *group,
+                         FastPass *p)
 {
     const GpPass *pass = &at->list->passes[at->pass];
     const bool sorts = pass->order != GP_ORDER_SUBMITTED;
@@ -313,6 +342,8 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
     gp_pass_size(pass, &p->width, &p->height);
     p->tiles_x = (p->width + FAST_TILE - 1) / FAST_TILE;
     p->tiles_y = (p->height + FAST_TILE - 1) / FAST_TILE;
+    const FastPass *repeats = p->starts ? fast_find_repeated(group, pass, lanes) : NULL;
+    bool is_repeated = repeats;
     const uint32_t most = sorts ? pass->draw_count : least(pass->draw_count - at->draw, MOST_DRAWS);
     p->draws = fast_arena_take(&fast->arena, most * sizeof *p->draws);
     if (!p->draws)
@@ -320,15 +351,19 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, FastPass *p)
     while (p->draw_count < most && (p->draw_count == 0 || sorts || has_room(fast))) {
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
+        FastDraw *d = &p->draws[p->draw_count];
         if (!prepare_draw(&fast->arena, &fast->indices, p, draw,
                           gp_checked_facts(&fast->programs, draw->program), lanes,
-                          &p->draws[p->draw_count++]))
+                          repeats ? &repeats->draws[p->draw_count] : NULL, d))
             return false;
+        is_repeated = is_repeated && d->first;
+        p->draw_count++;
         fast->vertex_bytes += fast->arena.taken - taken;
     }
     if (at->draw == pass->draw_count) {
         at->pass++;
         at->draw = 0;
+        p->repeats = is_repeated ? repeats : NULL;
     }
     p->one_blend = sorts && has_one_blend(p);
     p->range_size = range_size(p->primitive_count, gp_pool_threads(fast->pool));
@@ -359,8 +394,9 @@ static bool prepare_ranges(GpFast *fast, FastGroup *group)
             const uint32_t left = group->passes[p].primitive_count - r * size;
             range->budget = &fast->budget;
             range->failed = false;
-            range->first = range->reached = r * size;
+            range->first = r * size;
             range->end = range->first + (left < size ? left : size);
+            range->reached = group->passes[p].repeats ? range->end : range->first;
         }
     return true;
 }
@@ -381,9 +417,10 @@ bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *grou
         return false;
     bool room = true;
     while (room && at->pass < end && fast_slots_add(&group->slots, &at->list->passes[at->pass])) {
-        FastPass *p = &group->passes[group->pass_count++];
-        if (!prepare_pass(fast, at, lanes, p))
+        FastPass *p = &group->passes[group->pass_count];
+        if (!prepare_pass(fast, at, lanes, group, p))
             return false;
+        group->pass_count++;
         group->sorts = group->sorts || p->pass->order != GP_ORDER_SUBMITTED;
         p->first_block = group->block_count;
         p->first_range = group->range_count;
@@ -393,5 +430,6 @@ bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *grou
     }
     for (uint32_t p = 0; p < group->pass_count; p++)
         fast_slots_add_reads(&group->slots, group->passes[p].pass);
+    fast_number_repeated(group);
     return prepare_ranges(fast, group);
 }

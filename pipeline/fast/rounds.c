@@ -35,7 +35,7 @@ static void vertex_item(void *context, uint32_t item, int worker)
     for (left = left < BLOCKS_OF_ITEM ? left : BLOCKS_OF_ITEM; left; left--, block++) {
         for (; block - pass->first_block == pass->block_count; d = pass->draws)
             pass++;
-        while (block - pass->first_block >= d->first_block + fast_draw_blocks(d))
+        while (block - pass->first_block >= d->first_block + d->block_count)
             d++;
         shade_block(job, d, block - pass->first_block);
     }
@@ -91,23 +91,43 @@ static uint32_t bin_ranges(Job *job)
     return stop;
 }
 
+/* The ranges of a pass that repeats another are that one's while all are there: in the first round. */
+static FastRange *ranges_of(const Job *job, const FastPass *p)
+{
+    const bool others = p->repeats && !job->again;
+    return job->fast->ranges + (others ? p->repeats : p)->first_range;
+}
+
 /* Gives each pass what is to be drawn of it: all before range `stop`, and what that one has. */
 static void hand_out(const Job *job, uint32_t stop, GpCounters *counters)
 {
     FastRange *ranges = job->fast->ranges;
     const bool some = stop < job->group->range_count && ranges[stop].reached > ranges[stop].first;
+    job->group->is_whole = !job->again && stop == job->group->range_count;
     for (uint32_t i = 0; i < job->group->pass_count; i++) {
         FastPass *p = &job->group->passes[i];
         uint32_t first = p->first_range, end = first + p->range_count;
         bool is_new = !job->again || first > job->first_range;
         p->clears = p->starts && is_new && first <= stop;
-        first = first > job->first_range ? first : job->first_range;
+        const uint32_t drawn = first > job->first_range ? first : job->first_range;
         end = end < stop + some ? end : stop + some;
-        p->ranges = ranges + first;
-        p->ready_count = first < end ? end - first : 0;
+        p->ranges = ranges_of(job, p) + (drawn - first);
+        p->ready_count = drawn < end ? end - drawn : 0;
+        for (uint32_t r = 0; r < p->ready_count; r++)
+            counters->primitives_clipped += p->ranges[r].clipped;
     }
-    for (uint32_t i = job->first_range; i < stop + some; i++)
-        counters->primitives_clipped += ranges[i].clipped;
+}
+
+/* After the first round, from now on each pass bins for itself. */
+static void part_ranges(const Job *job)
+{
+    for (uint32_t i = 0; i < job->group->pass_count; i++) {
+        const FastPass *p = &job->group->passes[i];
+        for (uint32_t r = 0; p->repeats && r < p->range_count; r++) {
+            FastRange *range = &job->fast->ranges[p->first_range + r];
+            range->reached = range->first;
+        }
+    }
 }
 
 /* After a round that was short of memory: all of it for the rest of the first range that was not
@@ -149,6 +169,8 @@ static bool run_rounds(Job *job, GpCounters *counters, GpPhases *phases)
         phases->tiles += fast_clock_lap(&job->fast->mark);
         if (stop == count)
             return true;
+        if (!job->again)
+            part_ranges(job);
         forget_bins(job->fast, stop);
         job->first_range = stop;
         job->again = true;

@@ -8,7 +8,7 @@
 /* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made. */
 enum { LIMIT = 24 << 20 };
 
-/* Bytes that fragments of one tile may take while they wait to be sorted. No page of it is touched before
+/* Bytes that fragments of one tile may take while they wait to be sorted, or to come again. No page of it is touched before
  * it is needed. */
 enum { FRAGMENT_BYTES = 14 << 20 };
 
@@ -144,8 +144,8 @@ static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stage
         FastGroup group;
         if (!fast_prepare_group(fast, at, stages->lanes, &group))
             return gp_fail(error, GP_ERROR_MEMORY, "no memory for the vertices of a pass");
-        if (group.sorts && !make_fragment_memory(fast, stages))
-            return gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments to be sorted");
+        if ((group.sorts || group.repeated) && !make_fragment_memory(fast, stages))
+            return gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments that wait");
         phases->prepare += fast_clock_lap(&fast->mark);
         if (!fast_run_group(fast, &group, stages, counters, phases))
             return gp_fail(error, GP_ERROR_MEMORY, "no memory for the bins of a pass");

@@ -2,6 +2,9 @@
 
 #include "shaders_c/fragments/fragment_shared.h"
 
+fragment_vertex_shader(fragment_vs);
+glass_vertex_shader(glass_vs);
+
 typedef struct ConvexTargets {
     float4 near, far;
 } ConvexTargets;

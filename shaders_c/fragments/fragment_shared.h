@@ -91,23 +91,21 @@ GP_INLINE float4 glass_source(const FragmentUniforms *c, const GlassVarying *in)
 /* clang-format on */
 
 /* Two programs of one pixel shader, NAME_program and NAME_glass_program: what stands behind `name` is its
- * body, a function of gp, c, the fragment's depth and its source. The rest are declarations. */
+ * body, a function of gp, c, the fragment's depth and its source. The rest are declarations. The vertex
+ * shaders are the file's, fragment_vs and glass_vs: of passes that share them vertices are shaded once. */
 #define fragment_programs(name, Out, ...)                                                          \
     GP_INLINE Out name##_pixel(GpInvocation *gp, const FragmentUniforms *c, flt depth,             \
                                float4 source);                                                     \
-    fragment_vertex_shader(name##_vs);                                                             \
     pixel_shader_targets(name##_ps, FragmentUniforms, FragmentVarying, Out)                        \
     {                                                                                              \
         *out = name##_pixel(gp, c, in->depth, fragment_source(c, in));                             \
     }                                                                                              \
-    program(name##_program, name##_vs, name##_ps, FRAGMENT_DECLARATIONS, __VA_ARGS__)              \
-    glass_vertex_shader(name##_glass_vs);                                                          \
+    program(name##_program, fragment_vs, name##_ps, FRAGMENT_DECLARATIONS, __VA_ARGS__)            \
     pixel_shader_targets(name##_glass_ps, FragmentUniforms, GlassVarying, Out)                     \
     {                                                                                              \
         *out = name##_pixel(gp, c, in->depth, glass_source(c, in));                                \
     }                                                                                              \
-    program(name##_glass_program, name##_glass_vs, name##_glass_ps, GLASS_DECLARATIONS,            \
-            __VA_ARGS__)                                                                           \
+    program(name##_glass_program, glass_vs, name##_glass_ps, GLASS_DECLARATIONS, __VA_ARGS__)      \
     GP_INLINE Out name##_pixel(__attribute__((unused)) GpInvocation *gp,                           \
                                __attribute__((unused)) const FragmentUniforms *c,                  \
                                __attribute__((unused)) flt depth,                                  \

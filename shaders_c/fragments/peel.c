@@ -2,6 +2,9 @@
 
 #include "shaders_c/fragments/fragment_shared.h"
 
+fragment_vertex_shader(fragment_vs);
+glass_vertex_shader(glass_vs);
+
 /* --- one layer ---------------------------------------------------------------------------------- */
 
 /* clang-format off */

@@ -4,14 +4,16 @@
  *   differential A..B     the seeds from A up to and with B (default 0..1999)
  *
  * Odd seeds add variety (random_variety.h), every other pair ternary depth tests (random_ternary.h),
- * every other four passes that sort (random_order.h).
+ * every other four passes that sort (random_order.h), every other eight passes that repeat earlier ones
+ * (random_repeats.h).
  * $GP_ISA forces a lane width. Threads change from seed to seed. Speaks TAP, and ends with
  * "N passed, M failed"; a seed that fails says how to run it alone.
  */
 #include <glasspipe/glasspipe.h>
-#include "tests/support/random_order.h"
-#include "tests/support/random_ternary.h"
-#include "tests/support/random_variety.h"
+#include "tests/support/lists/random_order.h"
+#include "tests/support/lists/random_repeats.h"
+#include "tests/support/lists/random_ternary.h"
+#include "tests/support/lists/random_variety.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -34,6 +36,8 @@ static bool draw(uint64_t seed, const GpDeviceDesc *desc, RandomList *random, Gp
         gp_fail(error, GP_ERROR_MEMORY, "no memory for the scene");
         return false;
     }
+    if (seed % 16 > 7)
+        random_repeats_add(seed, random);
     bool drawn = gp_device_create(desc, &device, error) == GP_OK &&
                  gp_device_run(device, &random->list, error) == GP_OK;
     gp_device_destroy(&device);

@@ -10,9 +10,9 @@
  * random_ternary.h or random_order.h on top), so that between them they use every state, format, primitive and program.
  */
 #include <glasspipe/glasspipe.h>
-#include "tests/support/random_order.h"
-#include "tests/support/random_ternary.h"
-#include "tests/support/random_variety.h"
+#include "tests/support/lists/random_order.h"
+#include "tests/support/lists/random_ternary.h"
+#include "tests/support/lists/random_variety.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -24,6 +24,8 @@ enum {
      * which are read one by one from where they are else; and some more of its group */
     FAST_COLOR_SLOTS = GP_MAX_TARGETS + GP_MAX_SAMPLERS + 4,
     FAST_DEPTH_SLOTS = 2,
+
+    FAST_REPEATED = 64, /* draws of a group whose fragments a tile keeps from pass to pass */
 };
 
 /* Surfaces of so many bytes find no room in a core's own caches: what a tile writes to them, and no
@@ -75,6 +77,14 @@ static inline bool fast_box_is_empty(const FastBox *box)
     return box->x1 < box->x0 || box->y1 < box->y0;
 }
 
+/* Of a draw that others of its group repeat: those whose fragments are found by primitives alone. */
+typedef struct FastRepeats {
+    uint32_t draws;
+    bool depth; /* all of them look at the rasterizer's depth, or none */
+    uint64_t varyings;
+    uint32_t number; /* as FastDraw.repeated */
+} FastRepeats;
+
 typedef struct FastDraw {
     const GpPass *pass;
     const GpDraw *draw;
@@ -90,6 +100,9 @@ typedef struct FastDraw {
                           shade/one_color.c */
     bool nearest_wins; /* ordered, but only equal depths need their order: see sorted_triangles.c */
     uint32_t epsilon;  /* of the ternary test, as a depth code */
+    bool
+        is_even; /* of a few triangles; its colour differs only where what it reads in place does, and
+                       nothing but targets changes: see even_tile.c */
     bool packs_points; /* fragments of several points share packets: see pack_points.c */
     bool only_adds;    /* blending does nothing but add, to targets of floats */
     bool shades_again; /* varyings are not stored, but found where points are packed */
@@ -106,7 +119,8 @@ typedef struct FastDraw {
      * NULL: vertices in order */
     const uint32_t *indices;
     uint32_t first_vertex, vertex_count;
-    uint32_t first_block;     /* of all vertex blocks of the pass */
+    uint32_t first_block; /* of all vertex blocks of the pass */
+    uint32_t block_count;
     uint32_t first_primitive; /* of all primitives of the pass */
     uint32_t primitive_count;
 
@@ -115,11 +129,19 @@ typedef struct FastDraw {
     float *varyings; /* stride floats a vertex: varyings, then clip distances in use; none of points
                          that are not on the screen, or of a draw that shades again */
     uint32_t stride; /* a multiple of 4 */
+
+    /* draws that come again (repeat.h) */
+    struct FastDraw *first; /* whose vertices these are, and primitives; NULL: its own */
+    FastRepeats repeats;
+    uint32_t repeated; /* the number of its fragments, which a tile finds once; 0: none */
 } FastDraw;
 
-static inline uint32_t fast_draw_blocks(const FastDraw *draw)
+/* What is interpolated for the pixel shader. */
+static inline void fast_need_varyings(FastDraw *draw, uint64_t varyings)
 {
-    return (draw->vertex_count + FAST_VERTEX_BLOCK - 1) / FAST_VERTEX_BLOCK;
+    draw->needs.varyings |= varyings;
+    for (uint64_t left = varyings; left; left &= left - 1)
+        draw->varyings_by[draw->modes.mode[__builtin_ctzll(left)]] |= left & -left;
 }
 
 /* Formats whose texels a tile keeps as their words: bytes blue, green, red, and alpha or none. */
@@ -155,6 +177,8 @@ typedef struct FastPass {
         one_blend; /* of a pass that sorts: all draws blend alike, and test nothing in their turn */
     bool writes_depth; /* of a pass that sorts: some draw changes depth or stencil */
     bool starts;       /* with the pass's first draw: targets are cleared before */
+    const struct FastPass
+        *repeats; /* an earlier one of the group, whose bins are its too; or NULL */
 
     /* what the tiles are to draw now */
     bool clears;

@@ -20,6 +20,8 @@ typedef struct FastGroup {
         sorts; /* some pass's fragments are sorted: of these all vertices and bins are made at once */
     FastSlots slots;
     uint32_t block_count, range_count;
+    uint32_t repeated; /* draws whose fragments are kept: repeat.h */
+    bool is_whole;     /* all that the group has is drawn now */
 } FastGroup;
 
 /* Gives slots to the targets of a pass that have none yet; false, with nothing changed, where there

@@ -19,8 +19,8 @@ typedef struct FastStages {
     /* Draws one tile of a group, from clear or load to store. */
     void (*draw_tile)(const FastGroup *group, uint32_t tile, FastTileMemory *memory);
     size_t (*tile_bytes)(void);
-    /* Memory for the fragments of passes that sort, before a group that has some: at least the
-     * least. Borrowed. */
+    /* Memory for the fragments of passes that sort, or repeat others, before a group that has some: at
+     * least the least. Borrowed. */
     size_t (*least_fragment_bytes)(void);
     void (*give_fragments)(FastTileMemory *tile, void *memory, size_t bytes);
     /* What a worker counts, and times where it is asked for: from zero, and added up. */

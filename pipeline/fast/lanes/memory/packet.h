@@ -37,6 +37,7 @@ typedef struct FastPacketBlock {
     const FastPacket *packets;    /* NULL: all are gathered */
     const FastGathered *gathered; /* of the same numbers */
     const float *depths; /* [packet][lane], where tests come late or fragments are sorted */
+    const float *in;     /* [packet][component][lane]; NULL: where the shader block has them */
     int count;
     int layers; /* packets are [layer][pixels], all layers on the same pixels; 0: no layers */
     bool whole; /* every packet is known to be a row that lives in all lanes, to the end */

@@ -105,6 +105,12 @@ void fast_hold_color(Tile *tile, int slot)
     tile->slots->color[slot].cleared = false;
 }
 
+void fast_spell_out_first(Tile *tile, int slot)
+{
+    const FastBox first = { 0, 0, GP_LANES - 1, 0 };
+    spell_out(tile, slot, &first, tile->slots->color[slot].value);
+}
+
 static void clear_color_parts(Tile *tile, int slot, const GpPass *pass, const float color[4])
 {
     float value[4];

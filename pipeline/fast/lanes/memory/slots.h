@@ -32,4 +32,7 @@ void fast_begin_pass(Tile *tile, const FastPass *pass, bool touched);
 void fast_hold_color(Tile *tile, int slot);
 void fast_hold_depth(Tile *tile, int slot);
 
+/* Makes the first pixels of a slot that is cleared hold its colour. */
+void fast_spell_out_first(Tile *tile, int slot);
+
 #endif

@@ -44,6 +44,8 @@ typedef struct Tile {
     double mark, times[FAST_PHASES];
     uint64_t fragments_shaded;
 
+    bool is_group_whole; /* no pass of the tile's group is drawn in parts */
+
     int32_t x0, y0, width, height; /* pixels; width and height of what the target has of it */
 
     /* the pass at work, and its targets, in their slots */
@@ -57,6 +59,7 @@ typedef struct Tile {
     /* the draw at work, and its number */
     const FastDraw *draw;
     uint32_t draw_number;
+    bool is_drawn; /* whatever primitives of it are still to come */
 
     struct FastTileSlots *slots;                      /* memory/slots.h */
     struct FastRecords *records;                      /* shade/records.h */
@@ -68,6 +71,7 @@ typedef struct Tile {
     struct FastHierarchicalDepth *hierarchical_depth; /* raster/hierarchical_depth.h */
     struct FastSortedTriangles *sorted;               /* raster/sorted_triangles.h */
     struct FastFragments *fragments;                  /* shade/fragments.h */
+    struct FastRepeated *repeated;                    /* shade/repeated.h */
 } Tile;
 
 GP_INLINE itg lane_numbers(void)

@@ -254,11 +254,27 @@ static const GpBlend replace = { .op = GP_BLEND_OFF };
 static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 static const GpBlend under = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
+static const GpBlend most = { .op = GP_BLEND_MAX };
+static const GpBlend through = { .op = GP_BLEND_ADD,
+                                 .src = GP_DEST_ALPHA,
+                                 .dst = GP_ONE,
+                                 .alpha_op = GP_BLEND_ADD,
+                                 .alpha_src = GP_ZERO,
+                                 .alpha_dst = GP_SRC_ALPHA };
+static const GpBlend before = { .op = GP_BLEND_ADD,
+                                .src = GP_ONE,
+                                .dst = GP_SRC_ALPHA,
+                                .alpha_op = GP_BLEND_ADD,
+                                .alpha_src = GP_ZERO,
+                                .alpha_dst = GP_SRC_ALPHA };
 
 static bool is_blend(const GpBlend *blend, const GpBlend *known)
 {
-    return blend->op == known->op && blend->alpha_op == GP_BLEND_OFF && !(blend->keep & 15) &&
-           (blend->op == GP_BLEND_OFF || (blend->src == known->src && blend->dst == known->dst));
+    const bool weighs = blend->op != GP_BLEND_OFF && blend->op != GP_BLEND_MAX;
+    return blend->op == known->op && blend->alpha_op == known->alpha_op && !(blend->keep & 15) &&
+           (!weighs || (blend->src == known->src && blend->dst == known->dst)) &&
+           (blend->alpha_op == GP_BLEND_OFF ||
+            (blend->alpha_src == known->alpha_src && blend->alpha_dst == known->alpha_dst));
 }
 
 static void blend_layers_by(const GpBlend *blend, const BlendBlock *m)
@@ -295,9 +311,31 @@ GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const Bl
         blend_channels(blend, format, m, whole);
 }
 
+/* What peeled layers are drawn and put together by, one layer at a time: an eighth of the time of peeling
+ * and of dual peeling.
+ * returns whether it was one of these */
+GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
+{
+    if (format == GP_A16B16G16R16F && is_blend(blend, &replace))
+        blend_channels(&replace, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A16B16G16R16F && is_blend(blend, &through))
+        blend_channels(&through, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A16B16G16R16F && is_blend(blend, &before))
+        blend_channels(&before, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A16B16G16R16F && is_blend(blend, &most))
+        blend_channels(&most, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_R32F && is_blend(blend, &most))
+        blend_channels(&most, GP_R32F, m, whole);
+    else
+        return false;
+    return true;
+}
+
 GP_INLINE void blend_channels_by(const GpBlend *blend, GpFormat format, const BlendBlock *m,
                                  bool whole)
 {
+    if (m->layers <= 1 && blend_peeled(blend, format, m, whole))
+        return;
     if (format == GP_A16B16G16R16F && is_blend(blend, &add))
         blend_channels_of(&add, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A16B16G16R16F && is_blend(blend, &under))

@@ -67,11 +67,8 @@ msk fast_test_depth_stencil(Tile *tile, const FastDraw *d, uint32_t at, bool qua
                             bool front, msk *replaced)
 {
     const GpState *state = &d->draw->state;
-    const flt low = flt_set(d->viewport.min_depth), high = flt_set(d->viewport.max_depth);
-    z = flt_select((msk)(z < low), low, z);
-    z = flt_select((msk)(z > high), high, z);
     itg stored = load_lanes(tile->depth + at, quads);
-    itg incoming = depth_codes(tile->depth_format, z);
+    itg incoming = coming_codes(tile, d, z);
     itg written = incoming;
     msk passed, nearer = itg_set(0);
     if (d->needs.ternary) {

@@ -26,6 +26,15 @@ GP_INLINE msk compare_codes(GpCompare test, itg a, itg b)
     return accepted_lanes(test, less, equal, ~(less | equal));
 }
 
+/* Codes of depths that come, clamped to the viewport's range. */
+GP_INLINE itg coming_codes(const Tile *tile, const FastDraw *d, flt z)
+{
+    const flt low = flt_set(d->viewport.min_depth), high = flt_set(d->viewport.max_depth);
+    z = flt_select((msk)(z < low), low, z);
+    z = flt_select((msk)(z > high), high, z);
+    return depth_codes(tile->depth_format, z);
+}
+
 /* As gp_depth_put_back. */
 GP_INLINE itg put_back(const Tile *tile, const FastDraw *d, itg codes)
 {

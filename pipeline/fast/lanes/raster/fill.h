@@ -13,6 +13,10 @@ void fast_fill_small(const Filler *filler, const TriangleBatch *batch, unsigned 
 /* The same of small triangles whose fragments are sorted, and have one colour. */
 void fast_fill_one_color(const Filler *filler, const TriangleBatch *batch, unsigned lanes);
 
+/* How much of the tile a set-up triangle covers. */
+typedef enum FastCover { FAST_COVERS_NONE, FAST_COVERS_SOME, FAST_COVERS_ALL } FastCover;
+FastCover fast_cover(const Tile *tile, const GpTriangle *triangle);
+
 /* One set-up triangle of any size, by the path of its draw. Nearest: no depth's code is below. */
 void fast_fill_large(Tile *tile, const GpTriangle *triangle, int32_t nearest);
 

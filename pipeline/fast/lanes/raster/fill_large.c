@@ -206,7 +206,7 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
     const EarlyTest early = early_test(f, t);
     if (early == EARLY_NONE && d->path == FAST_ORDERED && !quads && !d->needs.clip_planes) {
         const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
-        if (coverage->whole)
+        if (coverage->whole && !d->repeated)
             fast_queue_box(f->tile, f->number, &box);
         else
             queue_rows(f, coverage);
@@ -231,12 +231,25 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
     }
 }
 
+static bool covers_tile(const Tile *tile, const Coverage *coverage)
+{
+    return coverage->whole && coverage->x0 == 0 && coverage->y0 == 0 &&
+           coverage->x1 == tile->width - 1 && coverage->y1 == tile->height - 1;
+}
+
+FastCover fast_cover(const Tile *tile, const GpTriangle *t)
+{
+    Coverage coverage;
+    if (!find_coverage(tile, t, &coverage))
+        return FAST_COVERS_NONE;
+    return covers_tile(tile, &coverage) ? FAST_COVERS_ALL : FAST_COVERS_SOME;
+}
+
 /* Nothing that was visible in the tile is so any more: all shows one record. */
 static bool hides_tile(const Filler *f, const Coverage *coverage)
 {
-    return coverage->whole && f->d->path == FAST_VISIBLE && f->early == EARLY_NONE &&
-           !f->d->needs.clip_planes && coverage->x0 == 0 && coverage->y0 == 0 &&
-           coverage->x1 == f->tile->width - 1 && coverage->y1 == f->tile->height - 1;
+    return f->d->path == FAST_VISIBLE && f->early == EARLY_NONE && !f->d->needs.clip_planes &&
+           covers_tile(f->tile, coverage);
 }
 
 static void write_record(Tile *tile, const GpTriangle *t, FastTriangleRecord *record)

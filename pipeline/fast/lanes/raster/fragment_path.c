@@ -6,7 +6,7 @@ static EarlyTest early_test(const Tile *tile, const FastDraw *d)
     const GpDepthState *depth = &d->draw->state.depth;
     if (!d->wants_depth)
         return EARLY_NONE;
-    if (d->tests_last)
+    if (d->tests_last || d->repeated)
         return EARLY_ANY;
     const bool nearer = depth->test == GP_LESS || depth->test == GP_LESS_EQUAL;
     if (!nearer || !(depth->write || d->path == FAST_ORDERED) || d->needs.stencil ||

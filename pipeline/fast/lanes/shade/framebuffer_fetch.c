@@ -37,6 +37,8 @@ void fast_begin_fetch(Tile *tile, const GpTexture *textures, int number)
         fetch->plane[0] = tile->slots->depth_planes[depth].depth;
     } else
         fetch->format = GP_FORMAT_NONE;
+    fetch->is_float = !(fast_is_packed(fetch->format) && fetch->plane[0]) &&
+                      fetch->format != GP_D16 && fetch->format != GP_D24S8;
 }
 
 /* Where a packet's pixels are in the tile. */
@@ -54,8 +56,15 @@ GP_INLINE itg load_places(const uint32_t *plane, const Places *places)
 
 GP_INLINE void read_planes(const FastFetch *fetch, const Places *places, flt rgba[4])
 {
+    if (fetch->is_float) {
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            rgba[c] = fetch->plane[c] ? (flt)load_places(fetch->plane[c], places)
+                                      : flt_set(fetch->same[c]);
+        return;
+    }
     static const int byte[4] = { RED_BYTE, GREEN_BYTE, BLUE_BYTE, ALPHA_BYTE };
-    if (fast_is_packed(fetch->format) && fetch->plane[0]) {
+    if (fast_is_packed(fetch->format)) {
         const itg words = load_places(fetch->plane[0], places);
         GP_UNROLL
         for (int c = 0; c < 4; c++)
@@ -64,11 +73,10 @@ GP_INLINE void read_planes(const FastFetch *fetch, const Places *places, flt rgb
             rgba[3] = flt_set(1);
         return;
     }
+    rgba[0] = depth_from_codes(fetch->format, load_places(fetch->plane[0], places));
     GP_UNROLL
-    for (int c = 0; c < 4; c++)
-        rgba[c] = fetch->plane[c]
-                      ? depth_from_codes(fetch->format, load_places(fetch->plane[c], places))
-                      : flt_set(fetch->same[c]);
+    for (int c = 1; c < 4; c++)
+        rgba[c] = flt_set(fetch->same[c]);
 }
 
 /* Rows and quads of which no pixel lies past the surface's edge. */

@@ -20,12 +20,25 @@ static msk compare_lanes(GpCompare test, flt a, float b)
     return accepted;
 }
 
-/* Depths that are known to be clamped, of which the nearer is stored. */
+/* The nearer depth is stored. */
 static bool is_usual(const FastDraw *d)
 {
     const GpCompare test = d->draw->state.depth.test;
     return (test == GP_LESS || test == GP_LESS_EQUAL) && d->draw->state.depth.write &&
-           !d->needs.stencil && !d->needs.shader_depth;
+           !d->needs.stencil;
+}
+
+/* The usual test of a packet that is a row: fast_test_packet, with less to ask.
+ * returns those that pass */
+GP_INLINE unsigned test_row(Tile *tile, const FastDraw *d, const FastPacket *packet, unsigned live,
+                            flt z)
+{
+    uint32_t *row = tile->depth + fast_at(packet->x, packet->y);
+    const itg stored = load_lanes(row, false), coming = coming_codes(tile, d, z);
+    const itg reach = stored + (d->draw->state.depth.test == GP_LESS_EQUAL);
+    const msk passed = mask_of(live) & (msk)(coming < reach);
+    store_lanes(row, false, itg_select(passed, coming, stored));
+    return msk_bits(passed);
 }
 
 /* The usual test, or the ternary one, of a run of a packet's lanes, from `at` on.
@@ -51,7 +64,7 @@ GP_INLINE msk test_run(const Tile *tile, const FastDraw *d, uint32_t *at, msk al
 static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered *gathered,
                               unsigned live, flt z, unsigned *replaced)
 {
-    const bool usual = is_usual(d);
+    const bool usual = is_usual(d) && !d->needs.shader_depth; /* of the rasterizer, and clamped */
     const itg codes = usual ? depth_codes(tile->depth_format, z) : (itg)z;
     uint32_t place[GP_LANES], depth[2 * GP_LANES]; /* codes, or still floats */
     unsigned passed = 0;
@@ -104,6 +117,8 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock 
         flt z = flt_load((by_shader ? tile->block->shader_depth : block->depths) + p * GP_LANES);
         if (d->packs_points)
             return test_gathered(tile, d, &block->gathered[p], live, z, replaced);
+        if (packet->wide == GP_LANES && !packet->gathered && is_usual(d) && !d->needs.ternary)
+            return test_row(tile, d, packet, live, z);
         live = fast_test_packet(tile, d, packet, tile->records->record[packet->record].face > 0,
                                 live, z, replaced);
     }

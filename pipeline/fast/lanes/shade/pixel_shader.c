@@ -39,7 +39,7 @@ void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock 
     GpShaderCall call = {
         .uniforms = d->draw->uniforms,
         .packets = packets->count,
-        .in = block->in,
+        .in = packets->in ? packets->in : block->in,
         .textures = d->draw->textures,
         .read_texture = fast_read_texture,
         .executor = (void *)d->samplers, /* only read */

@@ -2,6 +2,7 @@
 
 #include "pipeline/fast/lanes/shade/one_color.h"
 #include "pipeline/fast/lanes/shade/packets.h"
+#include "pipeline/fast/lanes/shade/repeated.h"
 
 FastPacket *fast_new_packet(Tile *tile)
 {
@@ -65,6 +66,8 @@ void fast_flush_packets(Tile *tile)
         fast_shade_layers(tile, &q->layers, q->packets);
     else if (tile->draw->draw->geometry.primitive == GP_POINTS) /* come with their inputs */
         fast_shade_inputs(tile, tile->draw, &block);
+    else if (tile->repeated->finds)
+        fast_keep_repeated(tile, &block);
     else
         fast_shade_packets(tile, tile->draw, &block);
     q->count = q->layers.count = 0;

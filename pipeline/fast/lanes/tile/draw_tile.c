@@ -6,6 +6,7 @@
 #include "pipeline/fast/lanes/geometry/vertices.h"
 #include "pipeline/fast/lanes/memory/slots.h"
 #include "pipeline/fast/lanes/output/blend_add.h"
+#include "pipeline/fast/lanes/raster/even_tile.h"
 #include "pipeline/fast/lanes/raster/fill_triangles.h"
 #include "pipeline/fast/lanes/raster/hierarchical_depth.h"
 #include "pipeline/fast/lanes/raster/sorted_triangles.h"
@@ -13,6 +14,7 @@
 #include "pipeline/fast/lanes/shade/fragments.h"
 #include "pipeline/fast/lanes/shade/interpolate_gathered.h"
 #include "pipeline/fast/lanes/shade/queue.h"
+#include "pipeline/fast/lanes/shade/repeated.h"
 #include "pipeline/fast/lanes/shade/shader_block.h"
 #include "pipeline/fast/lanes/shade/visibility.h"
 #include "pipeline/fast/lanes/stages.h"
@@ -37,6 +39,7 @@ static void flush_draw(Tile *tile)
 {
     fast_fill_sorted(tile);
     fast_flush_packets(tile);
+    fast_end_repeated(tile);
 }
 
 static void end_draw(Tile *tile)
@@ -59,6 +62,7 @@ static void begin_draw(Tile *tile, uint32_t number)
 {
     flush_draw(tile);
     tile->draw = &tile->pass->draws[number];
+    tile->is_drawn = false;
     const bool adds = adds_to_sums(tile, tile->draw);
     if (!adds)
         fast_end_sums(tile);
@@ -68,6 +72,8 @@ static void begin_draw(Tile *tile, uint32_t number)
         fast_flush_visibility(tile);
     if (!adds && tile->draw->only_adds && tile->draw->packs_points)
         fast_begin_sums(tile, tile->draw);
+    if (tile->draw->repeated && tile->is_group_whole)
+        tile->is_drawn = !fast_find_repeated_fragments(tile);
 }
 
 /* Primitives that wait for their draw to have enough of them. */
@@ -135,6 +141,8 @@ static void draw_other(Tile *tile, const FastRange *range, const FastPrimitiveMa
     draw_waiting(tile, waiting);
     if (!tile->draw || primitive - tile->draw->first_primitive >= tile->draw->primitive_count)
         begin_draw(tile, fast_find_draw(tile->pass, primitive));
+    if (tile->is_drawn)
+        return;
     if (mask->first & FAST_CLIPPED_FLAG)
         draw_polygon(tile, range, primitive);
     else
@@ -160,10 +168,10 @@ static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Wait
         if (chunk->next) /* that one has been asked for: now the one after it */
             prefetch_chunk(&range->chunks[range->chunks[chunk->next].next]);
         for (uint32_t i = 0; i < chunk->count; i++) {
-            if (is_of(tile->draw, &chunk->group[i]))
-                let_wait(tile, &chunk->group[i], waiting);
-            else
+            if (!is_of(tile->draw, &chunk->group[i]))
                 draw_other(tile, range, &chunk->group[i], waiting);
+            else if (!tile->is_drawn)
+                let_wait(tile, &chunk->group[i], waiting);
         }
     }
 }
@@ -222,6 +230,7 @@ static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
 static void draw_slice(Tile *tile, const FastPass *pass, uint32_t number)
 {
     tile->draw = NULL;
+    tile->is_drawn = false;
     fast_keep_hierarchical_depth(tile, NULL);
     tile->queue->count = tile->queue->layers.count = tile->queue->colors = 0;
     tile->sorted->count = 0;
@@ -237,9 +246,12 @@ static void draw_pass(Tile *tile, const FastPass *pass, uint32_t number)
 {
     const bool touched = is_touched(pass, number);
     const bool sorts = pass->pass->order != GP_ORDER_SUBMITTED;
-    fast_begin_pass(tile, pass, touched);
-    if (!touched)
+    const bool may_be_even = touched && pass->draw_count == 1 && pass->draws[0].is_even;
+    fast_begin_pass(tile, pass, touched && !may_be_even);
+    if (!touched || (may_be_even && fast_draw_even(tile, pass)))
         return;
+    if (may_be_even)
+        fast_begin_pass(tile, pass, true);
     if (sorts)
         fast_begin_fragments(tile);
     do
@@ -271,6 +283,7 @@ struct FastTileMemory {
     FastHierarchicalDepth hierarchical_depth;
     FastSortedTriangles sorted;
     FastFragments fragments;
+    FastRepeated repeated;
 };
 
 static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t number)
@@ -291,6 +304,7 @@ static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t nu
     tile->hierarchical_depth = &memory->hierarchical_depth;
     tile->sorted = &memory->sorted;
     tile->fragments = &memory->fragments;
+    tile->repeated = &memory->repeated;
     if (tile->timed)
         tile->mark = fast_clock_ms();
     tile->phase = FAST_TRANSFER;
@@ -308,6 +322,8 @@ static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *m
         return;
     }
     fast_begin_slots(tile, &group->slots);
+    fast_begin_repeated(tile);
+    tile->is_group_whole = group->is_whole;
     for (uint32_t p = 0; p < group->pass_count; p++) {
         prefetch_bins(group, p + 1, number);
         draw_pass(tile, &group->passes[p], number);
@@ -323,8 +339,8 @@ static size_t tile_bytes(void)
 
 static void give_fragments(FastTileMemory *memory, void *room, size_t bytes)
 {
-    memory->fragments.memory = room;
-    memory->fragments.bytes = bytes;
+    memory->fragments.memory = memory->repeated.memory = room;
+    memory->fragments.bytes = memory->repeated.bytes = bytes;
 }
 
 static void start_counting(FastTileMemory *memory, bool timed)

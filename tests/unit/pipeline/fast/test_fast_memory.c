@@ -1,8 +1,9 @@
 /* The fast executor with next to no memory for vertices and bins: what is there is drawn before more
  * is made, and the bits stay the same; so with next to none for fragments to be sorted, where tiles
- * come in slices. */
+ * come in slices, and in passes that repeat earlier ones. */
 #include "pipeline/fast/fast.h"
-#include "tests/support/random_order.h"
+#include "tests/support/lists/random_order.h"
+#include "tests/support/lists/random_repeats.h"
 #include "tests/support/unit.h"
 
 #include "pipeline/base/fpcontrol.h"
@@ -16,6 +17,8 @@ static uint64_t draw(uint64_t seed, bool sorted, int threads, size_t limit, Rand
     GpPhases phases = { 0 };
     assert_true(random_list_create(seed, SIZE, random));
     assert_true(!sorted || random_order_add(seed, random));
+    if (seed % 2 && !sorted)
+        random_repeats_add(seed, random);
     assert_int_equal(gp_fast_create(threads, &fast, NULL), GP_OK);
     if (limit)
         gp_fast_set_limit(fast, limit);

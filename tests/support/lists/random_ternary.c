@@ -1,4 +1,4 @@
-#include "tests/support/random_ternary.h"
+#include "tests/support/lists/random_ternary.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_geometry.h"

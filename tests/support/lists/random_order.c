@@ -1,4 +1,4 @@
-#include "tests/support/random_order.h"
+#include "tests/support/lists/random_order.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_geometry.h"
