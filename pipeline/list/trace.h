@@ -76,7 +76,7 @@ typedef struct GpTraceSetup {
     /* unless culled: E_i = a x + b y + c in sub-pixels, opposite corner i, positive inside; and whether a
      * centre on it is inside, since it is a top or a left edge (R5) */
     int64_t a[3], b[3], c[3];
-    bool accepts_zero[3];
+    bool accepts_zero[3]; /* of each edge */
 } GpTraceSetup;
 
 /* How a covered pixel lies in its triangle. */
