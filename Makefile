@@ -97,6 +97,7 @@ OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
 OPENMESH := pipeline/io/mesh/simplify_openmesh.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
+MAIN    := $(BUILD)/obj/apps/main.o $(BUILD)/obj/apps/no_memory.o
 APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)) apps/inspect/page_files.c)
 # What stands in the program as it is: pages, and the sources that they show.
 PAGE_FILES := $(sort $(call below,apps/inspect/page,*.*) $(wildcard pipeline/units/*.c) pipeline/list/needs.c \
@@ -130,7 +131,7 @@ GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
 DIFFERENTIAL_TEST := $(BUILD)/test/differential
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
 
-.PHONY: all program run deps test lint check check-peer docs format install uninstall help clean bless
+.PHONY: all program run deps faults test lint check check-peer docs format install uninstall help clean bless
 all: program $(CORE_SO) $(CORE_A) $(STAGED)
 program: $(PROGRAM)
 
@@ -214,7 +215,7 @@ $(OPENMESH_SO): $(call object,$(OPENMESH) pipeline/base/base.c)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenMeshCore -o $@
 
-$(PROGRAM): $(BUILD)/obj/apps/main.o $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(LOADED) $(STAGED)
+$(PROGRAM): $(MAIN) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(LOADED) $(STAGED)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
 
@@ -340,6 +341,17 @@ $(DIFFERENTIAL_TEST).tap: $(DIFFERENTIAL_TEST) always
 differential: $(DIFFERENTIAL_TEST)
 	@$(EMULATOR) $< $(SEEDS)
 
+FAULTS  := $(BUILD)/test/faults
+FAIL_SO := $(BUILD)/test/libfail_calls.so
+$(FAULTS): $(BUILD)/obj/tests/faults/faults.o
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(CC) $(LDFLAGS) $^ -o $@
+$(FAIL_SO): $(BUILD)/obj/tests/faults/fail_calls.o
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(CC) -shared $(LDFLAGS) $^ -ldl -o $@
+faults: $(PROGRAM) $(FAULTS) $(FAIL_SO)
+	@$(FAULTS) $(PROGRAM) $(FAIL_SO) $(if $(MOST),--most $(MOST)) $(COMMANDS)
+
 test-golden: $(GOLDEN_RESULTS)
 	@awk -f tests/tools/summary.awk $^
 
@@ -360,7 +372,7 @@ format:
 	@find pipeline shaders_c apps tests -name '*.[ch]' -o -name '*.[ch]pp' | xargs clang-format -i
 
 # Circles show in the objects, which everything else needs as well.
-LINT_OBJECTS = $(CORE) $(IO) $(APPS) $(SHADERS) $(BUILD)/obj/apps/main.o
+LINT_OBJECTS = $(CORE) $(IO) $(APPS) $(SHADERS) $(MAIN)
 lint: $(LINT_OBJECTS)
 	@CC='$(CC)' sh tests/tools/lint.sh $(BUILD) $^
 
@@ -458,7 +470,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(call object,$(OIIO) $(OPENMESH)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(BUILD)/obj/apps/main.o \
+OBJECTS := $(call object,$(OIIO) $(OPENMESH) $(wildcard tests/faults/*.c)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(MAIN) \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d)

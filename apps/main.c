@@ -1,9 +1,12 @@
 /* The program `glasspipe`: runs the subcommand and makes sure that its output arrived. */
 #include "apps/commands/commands.h"
 #include "apps/commands/options.h"
+#include "apps/no_memory.h"
+#include "pipeline/io/file.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <jansson.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,6 +44,22 @@ static void close_stdout(void)
     }
 }
 
+/* Nothing is half written where this is called from. */
+static void end_without_memory(void)
+{
+    _exit(report(EXIT_INTERNAL, "no memory"));
+}
+
+/* Objects of JSON are made member by member in many places; one that lacks members must never pass for
+ * whole. */
+static void *json_memory(size_t size)
+{
+    void *memory = malloc(size);
+    if (!memory)
+        end_without_memory();
+    return memory;
+}
+
 /* Where a caller closed descriptor 0, 1 or 2, the next file opened would take its number and
  * receive our messages. They are filled here with ones that refuse the operation. */
 static void reserve_standard_files(void)
@@ -50,11 +69,34 @@ static void reserve_standard_files(void)
             (void)!open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/* Ends the program as the signal would have, with no file left half made. */
+static void end_by_signal(int number)
+{
+    gp_file_abandon();
+    raise(number); /* its default, since it was handled once */
+}
+
+/* What is ignored stays so: nohup asked for it. */
+static void handle_signals(void)
+{
+    static const int ends[] = { SIGINT, SIGTERM, SIGHUP };
+    const struct sigaction handle = { .sa_handler = end_by_signal,
+                                      .sa_flags = (int)SA_RESETHAND | SA_NODEFER };
+    for (size_t i = 0; i < GP_COUNT(ends); i++) {
+        struct sigaction old;
+        if (sigaction(ends[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)
+            sigaction(ends[i], &handle, NULL);
+    }
+}
+
 int main(int argc, char **argv)
 {
     reserve_standard_files();
+    handle_signals();
     signal(SIGPIPE, SIG_IGN); /* write errors like any other, for close_stdout and the writers */
     signal(SIGXFSZ, SIG_IGN);
+    call_without_memory(end_without_memory);
+    json_set_alloc_funcs(json_memory, free);
     atexit(close_stdout);
     if (argc < 2) {
         commands_help(stderr);

@@ -75,9 +75,19 @@ static GpResult read_text(Reader *reader, FILE *file)
     return GP_OK;
 }
 
+/* A byte-order mark is allowed before JSON, and nothing that one would see (RFC 8259, section 8.1). */
+static void skip_byte_order_mark(Reader *reader)
+{
+    if (reader->length < 3 || memcmp(reader->text, "\xef\xbb\xbf", 3) != 0)
+        return;
+    reader->length -= 3;
+    memmove(reader->text, reader->text + 3, reader->length);
+}
+
 static GpResult parse_text(Reader *reader)
 {
     json_error_t problem;
+    skip_byte_order_mark(reader);
     reader->root = json_loadb(reader->text, reader->length, JSON_REJECT_DUPLICATES, &problem);
     if (!reader->root && json_error_code(&problem) == json_error_out_of_memory)
         return gp_fail(reader->error, GP_ERROR_MEMORY, "%.200s: no memory", reader->file);

@@ -13,7 +13,23 @@ enum {
     FIRST_KEY = 0x200, /* and SETTING_MAX_FIELDS for each table */
 };
 
+/* Negative numbers are arguments, which their commands know what to say of. */
+#define DIGIT(digit)                                                                               \
+    {                                                                                              \
+        .key = digit, .arg = "", .flags = OPTION_HIDDEN | OPTION_ARG_OPTIONAL                      \
+    }
+
 static const struct argp_option help_options[] = {
+    DIGIT('0'),
+    DIGIT('1'),
+    DIGIT('2'),
+    DIGIT('3'),
+    DIGIT('4'),
+    DIGIT('5'),
+    DIGIT('6'),
+    DIGIT('7'),
+    DIGIT('8'),
+    DIGIT('9'),
     { "help", 'h', NULL, 0, "Show this help", -1 },
     { "usage", KEY_USAGE, NULL, 0, "Show a short usage line", -1 },
     { "version", KEY_VERSION, NULL, 0, "Show the version", -1 },
@@ -122,6 +138,9 @@ static error_t parse_key(int key, char *text, struct argp_state *state)
     case KEY_VERSION:
         puts("glasspipe " GP_VERSION);
         exit(EXIT_DONE);
+    case '0' ... '9':
+        take_positional(state, parse, state->argv[state->next - 1]);
+        return 0;
     case ARGP_KEY_ARG:
         take_positional(state, parse, text);
         return 0;
@@ -167,8 +186,8 @@ void command_parse(const CommandSyntax *syntax, CommandOptions *more, int argc, 
                                  .doc = syntax->help,
                                  .help_filter = filter_help };
     argp_err_exit_status = EXIT_USAGE;
-    /* argp's own help has no -h, hence ARGP_NO_HELP. */
-    if (argp_parse(&parser, argc, argv, ARGP_NO_HELP, NULL, &parse))
+    /* argp's own help has no -h, hence ARGP_NO_HELP; negative numbers keep their place among arguments. */
+    if (argp_parse(&parser, argc, argv, ARGP_NO_HELP | ARGP_IN_ORDER, NULL, &parse))
         exit(report(EXIT_INTERNAL, "out of memory"));
 }
 

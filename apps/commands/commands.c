@@ -22,14 +22,16 @@ static const Command commands[] = {
     { "bench", cmd_bench, "[CASE...]", "draw workloads against the clock" },
     { "shader", cmd_shader, "FILE.c", "draw a model with a shader of your own" },
     { "chart", cmd_chart, "TECHNIQUE", "speed against accuracy of a technique's settings" },
-    { "warp walk", cmd_warp_walk, "[MESH...]    ", "a way among depth images, frame by frame" },
-    { "warp capture", cmd_warp_capture, "MESH      ", "a depth image, to be warped, as a file" },
+    { "warp walk", cmd_warp_walk, "[MESH...]", "a way among depth images, frame by frame" },
+    { "warp capture", cmd_warp_capture, "MESH", "a depth image, to be warped, as a file" },
 };
 
 static void print_line(FILE *file, const char *name, const char *arguments, const char *summary)
 {
-    const int room = strchr(name, ' ') ? 0 : 15; /* two words are longer than the first column */
-    fprintf(file, "  %-8s %-*s %s\n", name, room, arguments, summary);
+    const int room = strchr(name, ' ') ? 0 : 9; /* two words are longer than the first column */
+    char call[64];
+    snprintf(call, sizeof call, "%-*s %s", room, name, arguments);
+    fprintf(file, "  %-25s %s\n", call, summary);
 }
 
 void commands_help(FILE *file)
@@ -50,8 +52,8 @@ void commands_help(FILE *file)
         print_line(file, commands[i].name, commands[i].arguments, commands[i].summary);
     for (const Technique *const *one = technique_registry; *one; one++)
         print_line(file, (*one)->name, (*one)->arguments, (*one)->summary);
-    fputs("  help     [COMMAND]       this help, or a command's\n"
-          "\n"
+    print_line(file, "help", "[COMMAND]", "this help, or a command's");
+    fputs("\n"
           "  -h, --help                 this help; after a command, its options\n"
           "      --version              the version\n"
           "\n"

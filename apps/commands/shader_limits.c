@@ -47,9 +47,8 @@ static json_t *limits_json(GpProfile profile, const GpShaderCounts *counts)
 void shader_limits_add(json_t *object, const GpProgram *program)
 {
     GpShaderCounts vertex = { 0 }, pixel = { 0 };
-    if (!program->count)
+    if (!program->count || !program->count(program, &vertex, &pixel))
         return;
-    program->count(program, &vertex, &pixel);
     json_object_set_new(object, "vertex_shader", limits_json(program->vertex_profile, &vertex));
     if (program->code[0]->pixel)
         json_object_set_new(object, "pixel_shader", limits_json(program->pixel_profile, &pixel));

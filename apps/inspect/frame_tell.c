@@ -182,9 +182,8 @@ static json_t *tell_varyings(const GpProgram *program)
 static json_t *tell_costs(const GpProgram *program, bool pixel)
 {
     GpShaderCounts counts[2] = { { 0 }, { 0 } };
-    if (!program->count)
+    if (!program->count || !program->count(program, &counts[0], &counts[1]))
         return json_null();
-    program->count(program, &counts[0], &counts[1]);
     const GpShaderCounts *of = &counts[pixel];
     return json_pack("{s:s, s:i, s:i, s:i, s:i}", "profile",
                      gp_profile_name(pixel ? program->pixel_profile : program->vertex_profile),

@@ -10,6 +10,7 @@
 typedef struct Worker {
     GpPool *pool;
     int number;
+    unsigned seen; /* the last round it knows of */
     pthread_t thread;
 } Worker;
 
@@ -20,6 +21,8 @@ enum { LOOKS = 4000, LOOKS_IF_CROWDED = 200 };
 
 struct GpPool {
     int threads;
+    int started;     /* of them, worker 0 included */
+    int invited;     /* to the round: those with a lower number */
     int looks;       /* of a worker, before it sleeps */
     Worker *workers; /* number 0 has no thread of its own */
     pthread_mutex_t mutex;
@@ -61,7 +64,7 @@ static void *work(void *argument)
 {
     Worker *worker = argument;
     GpPool *pool = worker->pool;
-    unsigned seen = 0;
+    unsigned seen = worker->seen;
     for (;;) {
         for (int look = 0; look < pool->looks && atomic_load(&pool->called) == seen; look++)
             pause_briefly();
@@ -69,7 +72,7 @@ static void *work(void *argument)
         while (pool->round == seen && !pool->stop)
             pthread_cond_wait(&pool->work_came, &pool->mutex);
         seen = pool->round;
-        bool join = pool->open, stop = pool->stop;
+        bool join = pool->open && worker->number < pool->invited, stop = pool->stop;
         if (join)
             atomic_fetch_add(&pool->inside, 1);
         pthread_mutex_unlock(&pool->mutex);
@@ -86,13 +89,13 @@ static void *work(void *argument)
     }
 }
 
-static void stop_workers(GpPool *pool, int started)
+static void stop_workers(GpPool *pool)
 {
     pthread_mutex_lock(&pool->mutex);
     pool->stop = true;
     pthread_cond_broadcast(&pool->work_came);
     pthread_mutex_unlock(&pool->mutex);
-    for (int i = 1; i < started; i++)
+    for (int i = 1; i < pool->started; i++)
         pthread_join(pool->workers[i].thread, NULL);
     pthread_cond_destroy(&pool->work_came);
     pthread_cond_destroy(&pool->work_done);
@@ -112,19 +115,12 @@ GpResult gp_pool_create(int threads, GpPool **pool, GpError *error)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %d threads", threads);
     }
     p->threads = threads;
+    p->started = 1;
     p->looks = threads <= sysconf(_SC_NPROCESSORS_ONLN) ? LOOKS : LOOKS_IF_CROWDED;
     p->workers = workers;
     pthread_mutex_init(&p->mutex, NULL);
     pthread_cond_init(&p->work_came, NULL);
     pthread_cond_init(&p->work_done, NULL);
-    for (int i = 1; i < threads; i++) {
-        workers[i].pool = p;
-        workers[i].number = i;
-        if (pthread_create(&workers[i].thread, NULL, work, &workers[i])) {
-            stop_workers(p, i);
-            return gp_fail(error, GP_ERROR_MEMORY, "the system gives no more than %d threads", i);
-        }
-    }
     *pool = p;
     return GP_OK;
 }
@@ -132,13 +128,23 @@ GpResult gp_pool_create(int threads, GpPool **pool, GpError *error)
 void gp_pool_destroy(GpPool **pool)
 {
     if (*pool)
-        stop_workers(*pool, (*pool)->threads);
+        stop_workers(*pool);
     *pool = NULL;
 }
 
 int gp_pool_threads(const GpPool *pool)
 {
     return pool->threads;
+}
+
+static void start_workers(GpPool *pool, int wanted)
+{
+    for (; pool->started < wanted; pool->started++) {
+        Worker *worker = &pool->workers[pool->started];
+        *worker = (Worker){ .pool = pool, .number = pool->started, .seen = pool->round };
+        if (pthread_create(&worker->thread, NULL, work, worker))
+            return;
+    }
 }
 
 static void open_round(GpPool *pool)
@@ -169,7 +175,10 @@ static void close_round(GpPool *pool)
 void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
 {
     GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
-    bool alone = pool->threads == 1 || count <= 1;
+    const int wanted = count < (uint32_t)pool->threads ? (int)count : pool->threads;
+    start_workers(pool, wanted);
+    pool->invited = wanted < pool->started ? wanted : pool->started;
+    bool alone = pool->invited <= 1;
     pool->function = function;
     pool->context = context;
     pool->count = count;

@@ -6,11 +6,14 @@
 
 typedef struct GpPool GpPool;
 
-/* Does one item. worker: 0..threads-1, the same for all items that one thread does in a call. */
+/* Does one item. worker: below the pool's threads and below the call's items, the same for all items that
+ * one thread does in a call. */
 typedef void (*GpPoolFn)(void *context, uint32_t item, int worker);
 
-/* Creates a pool of `threads` workers, 1..1024; the thread that calls gp_pool_run is worker 0.
- * errors GP_ERROR_MEMORY, also where the system refuses a thread */
+/* Creates a pool of `threads` workers, 1..1024; the thread that calls gp_pool_run is worker 0. The others
+ * are started by the first call that has an item for each; where the system refuses a thread, those that
+ * are there do its work.
+ * errors GP_ERROR_MEMORY */
 GpResult gp_pool_create(int threads, GpPool **pool, GpError *error);
 void gp_pool_destroy(GpPool **pool); /* NULL-safe, sets NULL */
 

@@ -12,6 +12,7 @@ struct GpFast {
     GpPool *pool;
     FastTileMemory **tiles; /* one a worker, made when first needed */
     int lanes;              /* that they were made for */
+    bool timed;             /* the list that runs */
     GpCheckedPrograms programs;
     GpIndexRanges indices; /* of the list, from its check to the end of its run */
     void **

@@ -27,6 +27,7 @@ GpResult gp_fast_create(int threads, GpFast **fast, GpError *error)
     if (result) {
         gp_pool_destroy(&f->pool);
         gp_free(f->tiles);
+        gp_free(f->fragments);
         gp_free(f);
         return result;
     }
@@ -93,18 +94,40 @@ static const FastStages *find_stages(int lanes)
     return all_stages[i];
 }
 
-static GpResult make_tile_memory(GpFast *fast, const FastStages *stages, GpError *error)
+/* What earlier lists left behind: nothing of it where they ran in another width. */
+static void start_workers(GpFast *fast, const FastStages *stages, bool timed)
 {
-    for (int i = 0; i < gp_pool_threads(fast->pool); i++) {
-        if (fast->tiles[i] && fast->lanes == stages->lanes)
-            continue;
-        gp_free(fast->tiles[i]);
-        fast->tiles[i] = gp_alloc(1, stages->tile_bytes());
-        if (!fast->tiles[i])
-            return gp_fail(error, GP_ERROR_MEMORY, "no memory for a tile");
+    for (int i = 0; i < gp_pool_threads(fast->pool) && fast->tiles[i]; i++) {
+        if (fast->lanes == stages->lanes) {
+            stages->start_counting(fast->tiles[i], timed);
+        } else {
+            gp_free(fast->tiles[i]);
+            fast->tiles[i] = NULL;
+        }
     }
     fast->lanes = stages->lanes;
-    return GP_OK;
+    fast->timed = timed;
+}
+
+/* The workers that a group's tiles keep busy. */
+static int workers_of(const GpFast *fast, const FastGroup *group)
+{
+    const uint32_t tiles = group->passes[0].tiles_x * group->passes[0].tiles_y;
+    const int threads = gp_pool_threads(fast->pool);
+    return tiles < (uint32_t)threads ? (int)tiles : threads;
+}
+
+static bool make_tile_memory(GpFast *fast, int workers, const FastStages *stages)
+{
+    for (int i = 0; i < workers; i++) {
+        if (fast->tiles[i])
+            continue;
+        fast->tiles[i] = gp_alloc(1, stages->tile_bytes());
+        if (!fast->tiles[i])
+            return false;
+        stages->start_counting(fast->tiles[i], fast->timed);
+    }
+    return true;
 }
 
 /* Arrays may have changed since the last list. */
@@ -120,14 +143,14 @@ GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error)
 }
 
 /* Room for the fragments of one tile a worker; false when memory is short. */
-static bool make_fragment_memory(GpFast *fast, const FastStages *stages)
+static bool make_fragment_memory(GpFast *fast, int workers, const FastStages *stages)
 {
     const size_t least = stages->least_fragment_bytes(), most = FRAGMENT_BYTES;
     const size_t bytes = fast->limit < least ? least : fast->limit > most ? most : fast->limit;
     if (bytes != fast->fragment_bytes)
         free_fragments(fast);
     fast->fragment_bytes = bytes;
-    for (int i = 0; i < gp_pool_threads(fast->pool); i++) {
+    for (int i = 0; i < workers; i++) {
         if (!fast->fragments[i])
             fast->fragments[i] = gp_alloc_unset(bytes);
         if (!fast->fragments[i])
@@ -144,7 +167,10 @@ static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stage
         FastGroup group;
         if (!fast_prepare_group(fast, at, stages->lanes, &group))
             return gp_fail(error, GP_ERROR_MEMORY, "no memory for the vertices of a pass");
-        if ((group.sorts || group.repeated) && !make_fragment_memory(fast, stages))
+        const int workers = workers_of(fast, &group);
+        if (!make_tile_memory(fast, workers, stages))
+            return gp_fail(error, GP_ERROR_MEMORY, "no memory for a tile");
+        if ((group.sorts || group.repeated) && !make_fragment_memory(fast, workers, stages))
             return gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments that wait");
         phases->prepare += fast_clock_lap(&fast->mark);
         if (!fast_run_group(fast, &group, stages, counters, phases))
@@ -158,19 +184,15 @@ GpResult gp_fast_run(GpFast *fast, const GpList *list, int lanes, bool timed, Gp
 {
     const FastStages *stages = find_stages(lanes);
     fast->mark = fast_clock_ms();
-    GpResult result = make_tile_memory(fast, stages, error);
     uint32_t *group_of = gp_alloc(list->pass_count, sizeof *group_of);
-    if (!result && !group_of)
-        result = gp_fail(error, GP_ERROR_MEMORY, "no memory for groups of passes");
-    if (!result) {
-        gp_list_groups(list, group_of);
-        FastCursor at = { .list = list, .group_of = group_of };
-        for (int i = 0; i < gp_pool_threads(fast->pool); i++)
-            stages->start_counting(fast->tiles[i], timed);
-        result = run_groups(fast, &at, stages, counters, phases, error);
-        for (int i = 0; i < gp_pool_threads(fast->pool); i++)
-            stages->add_counts(fast->tiles[i], counters, phases);
-    }
+    if (!group_of)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for groups of passes");
+    gp_list_groups(list, group_of);
+    FastCursor at = { .list = list, .group_of = group_of };
+    start_workers(fast, stages, timed);
+    GpResult result = run_groups(fast, &at, stages, counters, phases, error);
+    for (int i = 0; i < gp_pool_threads(fast->pool) && fast->tiles[i]; i++)
+        stages->add_counts(fast->tiles[i], counters, phases);
     gp_free(group_of);
     forget_indices(fast);
     return result;

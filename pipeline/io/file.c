@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,6 +86,28 @@ static int write_and_close(int handle, const char *data, size_t size)
     return problem;
 }
 
+/* Temporary files that are there, by name, for gp_file_abandon. Where more are written at once than there
+ * are places, the others are not known here. */
+static _Atomic(const char *) unfinished[16];
+
+static void set_unfinished(const char *old, const char *name)
+{
+    for (size_t i = 0; i < GP_COUNT(unfinished); i++) {
+        const char *expected = old;
+        if (atomic_compare_exchange_strong(&unfinished[i], &expected, name))
+            return;
+    }
+}
+
+void gp_file_abandon(void)
+{
+    for (size_t i = 0; i < GP_COUNT(unfinished); i++) {
+        const char *name = atomic_load(&unfinished[i]);
+        if (name)
+            unlink(name);
+    }
+}
+
 /* Creates a new file in the folder of path. The name is short and does not depend on the target's,
  * so it fits wherever the target fits; the process number keeps two programs apart, O_EXCL two
  * threads. */
@@ -108,16 +131,39 @@ static int create_beside(const char *path, char temporary[PATH_MAX])
 
 static int replace_file(const char *path, const void *data, size_t size)
 {
-    char temporary[PATH_MAX];
+    char temporary[PATH_MAX] = "";
+    set_unfinished(NULL, temporary); /* before it is there: "" is no file */
     int handle = create_beside(path, temporary);
-    if (handle < 0)
-        return errno;
-    int problem = write_and_close(handle, data, size);
+    int problem = handle < 0 ? errno : write_and_close(handle, data, size);
     if (problem == 0 && rename(temporary, path) != 0)
         problem = errno;
-    if (problem != 0)
+    if (problem != 0 && handle >= 0)
         unlink(temporary);
+    set_unfinished(temporary, NULL);
     return problem;
+}
+
+/* Where a path leads, its last links followed though nothing may be there; false: in a circle, or too
+ * long. */
+static bool follow_links(const char *path, char end[PATH_MAX])
+{
+    if (realpath(path, end))
+        return true;
+    if (snprintf(end, PATH_MAX, "%s", path) >= PATH_MAX)
+        return false;
+    for (int links = 0; links < 40; links++) { /* as many as Linux follows */
+        char target[PATH_MAX];
+        const ssize_t length = readlink(end, target, sizeof target - 1);
+        if (length < 0)
+            return true;
+        target[length] = '\0';
+        const char *slash = target[0] == '/' ? NULL : strrchr(end, '/');
+        const size_t folder = slash ? (size_t)(slash + 1 - end) : 0;
+        if (folder + (size_t)length >= PATH_MAX)
+            return false;
+        memcpy(end + folder, target, (size_t)length + 1);
+    }
+    return false;
 }
 
 GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error)
@@ -129,8 +175,8 @@ GpResult gp_file_write(const char *path, const void *data, size_t size, GpError 
         int handle = open(path, O_WRONLY | O_CLOEXEC);
         problem = handle < 0 ? errno : write_and_close(handle, data, size);
     } else {
-        char resolved[PATH_MAX];
-        problem = replace_file(realpath(path, resolved) ? resolved : path, data, size);
+        char end[PATH_MAX];
+        problem = follow_links(path, end) ? replace_file(end, data, size) : ELOOP;
     }
     if (problem != 0)
         return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));

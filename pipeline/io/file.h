@@ -28,11 +28,15 @@ GpResult gp_file_read(const char *path, GpFile *file, GpError *error);
 void gp_file_free(GpFile *file);
 
 /* Writes a file beside its place under a temporary name and renames it, so that path has either its
- * old or its new content and never a part. A symbolic link is followed; a device or a pipe (there
- * is nothing to replace) is written straight.
+ * old or its new content and never a part. A symbolic link is followed, also to what is not there yet; a
+ * device or a pipe (there is nothing to replace) is written straight.
  * in     data: size bytes, NULL allowed where size is 0
  * errors GP_ERROR_IO (no such folder, not writable, disk full); nothing is left behind */
 GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error);
+
+/* Removes what gp_file_write has begun, in whatever thread: for a signal handler that ends the program,
+ * where it may be called at any moment. */
+void gp_file_abandon(void);
 
 /* Finds a data file: the path as given, then in $GLASSPIPE_DATA, then in ../shared/data, then in
  * ../share/glasspipe as seen from the program's folder. An absolute path is only looked for as it is.

@@ -170,7 +170,10 @@ static GpResult check_program(const Place *place)
         return refuse(place, "program", "NULL");
     GpError reason;
     const bool known = find_checked(place->programs, program) >= 0;
-    if (!known && gp_program_check(program, &reason))
+    const GpResult checked = known ? GP_OK : gp_program_check(program, &reason);
+    if (checked == GP_ERROR_MEMORY)
+        return gp_fail(place->error, checked, "%s", reason.text);
+    if (checked)
         return refuse(place, "program", "%s", reason.text);
     if (program->uniform_bytes && !draw_at(place)->uniforms)
         return refuse(place, "uniforms", "NULL, but %s has %zu bytes of them", program->name,

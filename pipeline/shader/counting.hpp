@@ -5,7 +5,7 @@
  * what it costs. pipeline/shader/counting_graph.hpp says what is counted and how. The types and names are
  * those of the C vocabulary, widening included; `program(id, ...)` emits
  *
- *   extern "C" void id_count(const GpProgram *id, GpShaderCounts *vertex, GpShaderCounts *pixel)
+ *   extern "C" bool id_count(const GpProgram *id, GpShaderCounts *vertex, GpShaderCounts *pixel)
  *
  * which the C build of the same file refers to, weakly, as .count; and id_step likewise, which runs a
  * shader step by step. What a program declares is in the C build alone. C++ asks one thing of a shader that C does not: no C++ keyword as a name.
@@ -222,16 +222,20 @@ void gp_step_pixel(const GpProgram &declared, const GpStepRun &run,
             pixel_steps;                                                                           \
     }
 
+/* The callers are C, which no exception may reach. */
 #define GP_COUNT_OF(id, vertex_counts, pixel_counts)                                               \
-    extern "C" void id##_count(const GpProgram *declared, GpShaderCounts *vertex,                  \
+    extern "C" bool id##_count(const GpProgram *declared, GpShaderCounts *vertex,                  \
                                GpShaderCounts *pixel);                                             \
-    extern "C" void id##_count(GP_UNUSED const GpProgram *declared, GpShaderCounts *vertex,        \
+    extern "C" bool id##_count(GP_UNUSED const GpProgram *declared, GpShaderCounts *vertex,        \
                                GpShaderCounts *pixel)                                              \
-    {                                                                                              \
+    try {                                                                                          \
         if (vertex)                                                                                \
             *vertex = vertex_counts;                                                               \
         if (pixel)                                                                                 \
             *pixel = pixel_counts;                                                                 \
+        return true;                                                                               \
+    } catch (const std::bad_alloc &) {                                                             \
+        return false;                                                                              \
     }
 
 #define program(id, vs, ps, ...)                                                                   \

@@ -9,9 +9,8 @@ static uint64_t all_components(int count)
 GpPixelFacts gp_pixel_facts(const GpProgram *program)
 {
     uint64_t all = all_components(program->varying_components);
-    if (!program->count || !program->code[0]->pixel)
+    GpShaderCounts pixel;
+    if (!program->count || !program->code[0]->pixel || !program->count(program, NULL, &pixel))
         return (GpPixelFacts){ all, 0 };
-    GpShaderCounts vertex, pixel;
-    program->count(program, &vertex, &pixel);
     return (GpPixelFacts){ all & pixel.inputs_read, pixel.copied_slot };
 }

@@ -40,7 +40,8 @@ struct GpShaderCounts {
 
 /* What counting a pixel shader tells of it. */
 typedef struct GpPixelFacts {
-    uint64_t varyings_read; /* bit i: component i; all where the counting build is not there */
+    uint64_t varyings_read; /* bit i: component i; all where the counting build is not there, or
+                               had no memory */
     int copied_slot;        /* GpShaderCounts.copied_slot */
 } GpPixelFacts;
 

@@ -151,7 +151,7 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
 #if GP_LANES == 4
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)                                            \
     extern const GpProgramCode id##_code8 GP_WEAK, id##_code16 GP_WEAK;                            \
-    extern void id##_count(const GpProgram *, GpShaderCounts *, GpShaderCounts *) GP_WEAK;         \
+    extern bool id##_count(const GpProgram *, GpShaderCounts *, GpShaderCounts *) GP_WEAK;         \
     extern void id##_step(const GpProgram *, bool, const struct GpStepRun *) GP_WEAK;              \
     extern const GpProgram id;                                                                     \
     const GpProgram id = { .name = #id,                                                            \

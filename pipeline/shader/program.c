@@ -291,7 +291,9 @@ GpResult gp_program_check(const GpProgram *program, GpError *error)
         return GP_OK;
 
     GpShaderCounts vertex, pixel;
-    program->count(program, &vertex, &pixel);
+    if (!program->count(program, &vertex, &pixel))
+        return gp_fail(error, GP_ERROR_MEMORY, "program %s: no memory to count its instructions",
+                       program->name);
     GpResult result = check_named_inputs(program, &vertex, error);
     if (!result)
         result = check_uses(program, &vertex, &pixel, error);

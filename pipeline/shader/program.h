@@ -141,8 +141,9 @@ typedef struct GpShaderCounts GpShaderCounts;
 typedef struct GpProgram GpProgram;
 
 /* Runs the counting build of a program once, by its profiles, inputs and varyings; vertex and pixel may
- * be NULL. */
-typedef void (*GpCountFn)(const GpProgram *program, GpShaderCounts *vertex, GpShaderCounts *pixel);
+ * be NULL.
+ * returns false where memory ran out */
+typedef bool (*GpCountFn)(const GpProgram *program, GpShaderCounts *vertex, GpShaderCounts *pixel);
 
 struct GpStepRun;
 

@@ -128,6 +128,7 @@ step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEED
 step aarch64 aarch64
 step exhaustive-mathematics exhaustive
 step differential differential
+step faults configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 faults MOST=100
 step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 GP_TEST_BUNNY_WINDOW=1 \
     GP_TEST_PRINTED=1 GP_TEST_INSPECT=1 GP_TEST_LARGE=1 \
     GP_TEST_PROMISES="$(date +%s)" GP_TEST_FRAGMENT_VIEWS=100 \

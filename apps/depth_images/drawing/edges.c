@@ -177,8 +177,7 @@ GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,
                 made.neighbour[i] |= EDGE_DOWN;
             made.away[i] = pixels->normal && is_away(plane, pixels, x, y);
         }
-    if (!result)
-        *lattice = made;
+    *lattice = made;
     return result;
 }
 
@@ -226,8 +225,7 @@ GpResult depth_lattice_thin(const DepthLattice *pixels, uint32_t step, DepthLatt
             if (down && is_joined(pixels, from, pixels->width, down, EDGE_DOWN))
                 made.neighbour[i] |= EDGE_DOWN;
         }
-    if (!result)
-        *lattice = made;
+    *lattice = made;
     return result;
 }
 

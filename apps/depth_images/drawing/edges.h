@@ -56,7 +56,7 @@ const char *depth_level_warning(const DepthPlane *plane, const DepthPixels *pixe
 /* Finds where surfaces end: every pixel is a vertex. A pixel at the eye itself, of perspective images, is
  * nothing.
  * in     pixels: at least one
- * errors GP_ERROR_MEMORY
+ * errors GP_ERROR_MEMORY; *lattice is then empty
  * owns   the caller, until depth_lattice_free
  * source ours */
 GpResult depth_lattice_make(const DepthPlane *plane, const DepthPixels *pixels,

@@ -167,9 +167,8 @@ static GpResult measure_depth(const PaperTable *table, const PaperRow *row,
 }
 
 static const char *const deep_reasons[] = {
-    "As in the paper's text convex pieces leave peeling behind by the more, the deeper the scene "
-    "is: "
-    "they read the mesh once, peeling once a layer, dual peeling once for two.",
+    "Convex pieces read the mesh once, peeling once a layer, dual peeling once for two: they leave "
+    "peeling behind by the more, the deeper the scene is.",
     NULL
 };
 

@@ -37,12 +37,12 @@ static GpResult measure_slots(const PaperTable *table, const PaperRow *row,
 {
     static const GpProgram *const volumes[] = { &voxel_ewa_program, &voxel_reconstruction_program,
                                                 &voxel_low_pass_program };
-    (void)technique, (void)scene, (void)clock, (void)error;
+    (void)technique, (void)scene, (void)clock;
     for (int i = 0; i < 3; i++) {
         const GpProgram *program = row == table->rows ? volumes[i] : &splat_color_program;
         GpShaderCounts vertex = { 0 }, pixel = { 0 };
-        if (program->count)
-            program->count(program, &vertex, &pixel);
+        if (program->count && !program->count(program, &vertex, &pixel))
+            return gp_fail(error, GP_ERROR_MEMORY, "no memory to count instructions");
         measured[i] = vertex.slots;
         measured[3 + i] = pixel.slots;
     }

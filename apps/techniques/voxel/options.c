@@ -114,6 +114,8 @@ GpResult voxel_options_check(const void *setting, uint32_t given, const char *ex
         bool is_wrong;
         const char *reason;
     } rules[] = {
+        { options->voxels.bits != 1 && options->voxels.bits != 8 && options->voxels.bits != 16,
+          "--bits: expected 1, 8 or 16" },
         { placed && !(options->box[0] > 0),
           "--xform: expected four numbers, the first above 0: the scale" },
         { alone && setting_is_given(voxel_settings, given, "combine"),

@@ -62,11 +62,26 @@ typedef struct Stream {
     const char *path;
     GpError *error;
     GpResult result;
+    bool no_memory; /* libpng tells of it in words only, which differ */
     const GpFile *from;
     size_t at; /* in `from` */
     GpBytes to;
     GpImage image;
 } Stream;
+
+static void *png_memory(png_structp png, png_alloc_size_t size)
+{
+    void *memory = gp_alloc_unset(size);
+    if (!memory)
+        ((Stream *)png_get_mem_ptr(png))->no_memory = true;
+    return memory;
+}
+
+static void png_release(png_structp png, void *memory)
+{
+    (void)png;
+    gp_free(memory);
+}
 
 static void on_error(png_structp png, const char *reason)
 {
@@ -153,6 +168,8 @@ static void write_picture(png_structp png, png_infop info, Stream *stream)
 /* What a stream came to; without libpng's structures, or for want of room, it is at GP_ERROR_MEMORY. */
 static GpResult finish(Stream *stream)
 {
+    if (stream->result && stream->no_memory)
+        stream->result = GP_ERROR_MEMORY;
     if (stream->result == GP_ERROR_MEMORY)
         gp_fail(stream->error, GP_ERROR_MEMORY, "%s: no memory for the picture", stream->path);
     return stream->result;
@@ -164,7 +181,8 @@ GpResult gp_image_decode_png(const GpImageSource *source, GpImage *image)
                       .error = source->error,
                       .result = GP_ERROR_MEMORY,
                       .from = &source->file };
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &stream, on_error, on_warning);
+    png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &stream, on_error, on_warning,
+                                               &stream, png_memory, png_release);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     if (info && !setjmp(png_jmpbuf(png)))
         read_picture(png, info, &stream);
@@ -181,7 +199,8 @@ GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpIma
 {
     (void)format;
     Stream stream = { .path = path, .error = error, .result = GP_ERROR_MEMORY, .image = *image };
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &stream, on_error, on_warning);
+    png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &stream, on_error, on_warning,
+                                                &stream, png_memory, png_release);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     if (info && !setjmp(png_jmpbuf(png)))
         write_picture(png, info, &stream);

@@ -60,7 +60,14 @@ static GpResult inflate_all(const GpVolumeSource *source, z_stream *stream, char
             return refuse(source, source->body + used,
                           stream->msg ? stream->msg : "damaged gzip data", error);
     }
-    return have == size && stream->total_out == 0 ? GP_OK : refuse_short(source, have, size, error);
+    if (have < size)
+        return refuse_short(source, have, size, error);
+    if (stream->total_in == 0) /* since the last member's end */
+        return GP_OK;
+    return refuse(source, source->file.size,
+                  stream->total_out ? "ends before the checksum of its gzip data"
+                                    : "ends with bytes that are no gzip data",
+                  error);
 }
 
 GpResult gp_gzip_unpack(const GpVolumeSource *source, void *data, size_t size, GpError *error)
