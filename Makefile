@@ -460,6 +460,7 @@ help:
 	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
+	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, COMMANDS=...'
 	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
 	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'
 	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'
