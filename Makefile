@@ -97,7 +97,7 @@ OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
 OPENMESH := pipeline/io/mesh/simplify_openmesh.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
-MAIN    := $(BUILD)/obj/apps/main.o $(BUILD)/obj/apps/no_memory.o
+MAIN    := $(BUILD)/obj/apps/main.o $(BUILD)/obj/pipeline/io/no_memory.o
 APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)) apps/inspect/page_files.c)
 # What stands in the program as it is: pages, and the sources that they show.
 PAGE_FILES := $(sort $(call below,apps/inspect/page,*.*) $(wildcard pipeline/units/*.c) pipeline/list/needs.c \

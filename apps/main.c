@@ -1,8 +1,8 @@
 /* The program `glasspipe`: runs the subcommand and makes sure that its output arrived. */
 #include "apps/commands/commands.h"
 #include "apps/commands/options.h"
-#include "apps/no_memory.h"
 #include "pipeline/io/file.h"
+#include "pipeline/io/no_memory.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -95,7 +95,7 @@ int main(int argc, char **argv)
     handle_signals();
     signal(SIGPIPE, SIG_IGN); /* write errors like any other, for close_stdout and the writers */
     signal(SIGXFSZ, SIG_IGN);
-    call_without_memory(end_without_memory);
+    gp_call_without_memory(end_without_memory);
     json_set_alloc_funcs(json_memory, free);
     atexit(close_stdout);
     if (argc < 2) {

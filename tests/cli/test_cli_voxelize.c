@@ -83,7 +83,7 @@ static void wrong_meshes_and_settings_are_input_errors(void **state)
     expect_refused(3, "voxelize closed.off --method xor", "--kind solid");
     expect_refused(3, "voxelize closed.off --kind solid --method thin", "not solids");
     expect_refused(3, "voxelize closed.off --bits 8", "only --method sheets");
-    expect_refused(3, "voxelize closed.off --bits 3 --method sheets", "expected 1, 8 or 16");
+    expect_refused(2, "voxelize closed.off --bits 3 --method sheets", "expected 1, 8 or 16");
     expect_refused(3, "voxelize closed.off --axes 2", "--axes 2");
     expect_refused(3, "voxelize closed.off --error 5 --trust-chart",
                    "`glasspipe chart voxelize' makes a chart");

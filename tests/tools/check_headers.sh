@@ -67,7 +67,7 @@ names() {
                 t = token[i]
                 if (t == "{") { in_enum[++depth] = kind == "enum"; fresh = in_enum[depth] }
                 else if (t == "}") depth--
-                else if (t == "(") { if (!depth && !nested && word != "void" && word) print word; nested++ }
+                else if (t == "(") { if (!depth && !nested && word !~ /^(void|_Bool)$/ && word) print word; nested++ }
                 else if (t == ")") nested--
                 else if (t == ";" || t == "[" || t == "=") { if (!depth && !nested && word) print word }
                 if (depth && in_enum[depth] && fresh && t ~ /^[A-Za-z_]/) { print t; fresh = 0 }

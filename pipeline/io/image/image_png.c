@@ -199,8 +199,8 @@ GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpIma
 {
     (void)format;
     Stream stream = { .path = path, .error = error, .result = GP_ERROR_MEMORY, .image = *image };
-    png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &stream, on_error, on_warning,
-                                                &stream, png_memory, png_release);
+    png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &stream, on_error,
+                                                on_warning, &stream, png_memory, png_release);
     png_infop info = png ? png_create_info_struct(png) : NULL;
     if (info && !setjmp(png_jmpbuf(png)))
         write_picture(png, info, &stream);

@@ -230,7 +230,7 @@ static void pictures_are_of_the_front_and_older_ones_go(void **state)
     Chart chart = { .points = NULL };
     GpError error = { "" };
     put_text("light_bulb_6.png", "old");
-    put_text("light_bulb_7.png", "not ours");
+    put_text("light_bulb_99.png", "not ours");
     if (run("some/bulb.json", 5, 3, folder, &chart, &error))
         fail_msg("%s", error.text);
     assert_int_equal(chart.width, 5);
