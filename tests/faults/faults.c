@@ -87,13 +87,13 @@ typedef struct Sweep {
 typedef struct Run {
     int status; /* as waitpid says */
     char says[4096];
-    unsigned long long printed, written; /* hashes of stdout and the output file; 0: no file */
-    char left[NAME_MAX + 1];             /* a file that should not be there; "": none */
+    unsigned long long printed;         /* hash of stdout */
+    unsigned long long before, written; /* of the output file, before and after; 0: no file */
+    char left[NAME_MAX + 1];            /* a file that should not be there; "": none */
     unsigned long calls[FAIL_KINDS];
 } Run;
 
 enum { SECONDS = 60 };
-static const char old_content[] = "what was there before";
 
 /* FNV-1a of a file; 0 where there is none. */
 static unsigned long long hash_of(const char *path)
@@ -163,7 +163,8 @@ static void run_command(const Sweep *sweep, const Command *command, const char *
 {
     memset(run, 0, sizeof *run);
     if (command->output)
-        write_text(command->output, old_content);
+        write_text(command->output, "what was there before");
+    run->before = command->output ? hash_of(command->output) : 0;
     const int handle = open("counts", O_RDWR | O_CREAT | O_TRUNC, 0666);
     if (handle < 0 || ftruncate(handle, sizeof(FailCounts)) != 0) {
         perror("counts");
@@ -202,15 +203,11 @@ static bool is_one_line(const char *text)
 /* What is wrong with a run whose call failed; NULL: nothing. */
 static const char *fault_of(const Command *command, FailKind kind, const Run *good, const Run *run)
 {
-    static const unsigned long long seed = 14695981039346656037u;
     static const int signals[] = { SIGINT, SIGTERM, SIGHUP };
     const bool stopped = kind >= FAIL_INTERRUPT;
-    unsigned long long before = seed;
-    for (const char *c = old_content; *c; c++)
-        before = (before ^ (unsigned char)*c) * 1099511628211u;
     if (run->left[0])
         return "leaves a file";
-    if (command->output && run->written != before && run->written != good->written)
+    if (command->output && run->written != run->before && run->written != good->written)
         return "leaves half an output";
     if (stopped)
         return WIFSIGNALED(run->status) && WTERMSIG(run->status) == signals[kind - FAIL_INTERRUPT]

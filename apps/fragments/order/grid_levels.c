@@ -113,14 +113,8 @@ static void list_faces(const Levels *levels, bool slabs, uint32_t level_count, u
 
 static GpResult make_levels(const Levels *levels, Order *order)
 {
-    const size_t faces = levels->pieces->face_count;
     order->level_count = (levels->latest + TURNS - 1) / TURNS;
-    order->first = gp_alloc((size_t)order->level_count + 2, sizeof *order->first);
-    order->knot_first = gp_alloc((size_t)order->level_count + 2, sizeof *order->knot_first);
-    order->knot_most = gp_alloc((size_t)order->level_count + 1, sizeof *order->knot_most);
-    order->faces = gp_alloc(faces, sizeof *order->faces);
-    order->knots = gp_alloc(faces, sizeof *order->knots);
-    if (!order->first || !order->knot_first || !order->knot_most || !order->faces || !order->knots)
+    if (order_make_room(order, levels->pieces->face_count))
         return GP_ERROR_MEMORY;
     list_faces(levels, false, order->level_count, order->first, order->faces);
     list_faces(levels, true, order->level_count, order->knot_first, order->knots);

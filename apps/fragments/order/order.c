@@ -192,6 +192,18 @@ static void list_levels(const Work *work, const Kind *kinds, bool knots, uint32_
     }
 }
 
+GpResult order_make_room(Order *order, size_t faces)
+{
+    order->first = gp_alloc((size_t)order->level_count + 2, sizeof *order->first);
+    order->knot_first = gp_alloc((size_t)order->level_count + 2, sizeof *order->knot_first);
+    order->knot_most = gp_alloc((size_t)order->level_count + 1, sizeof *order->knot_most);
+    order->faces = gp_alloc(faces, sizeof *order->faces);
+    order->knots = gp_alloc(faces, sizeof *order->knots);
+    const bool has_room =
+        order->first && order->knot_first && order->knot_most && order->faces && order->knots;
+    return has_room ? GP_OK : GP_ERROR_MEMORY;
+}
+
 static GpResult make_levels(Work *work, const Kind *kinds)
 {
     Order *order = &work->order;
@@ -199,12 +211,7 @@ static GpResult make_levels(Work *work, const Kind *kinds)
     for (uint32_t f = 0; f < faces; f++)
         if (is_drawn(work, f) && level_of(work, f) >= order->level_count)
             order->level_count = level_of(work, f) + 1;
-    order->first = gp_alloc((size_t)order->level_count + 2, sizeof *order->first);
-    order->knot_first = gp_alloc((size_t)order->level_count + 2, sizeof *order->knot_first);
-    order->knot_most = gp_alloc((size_t)order->level_count + 1, sizeof *order->knot_most);
-    order->faces = gp_alloc(faces, sizeof *order->faces);
-    order->knots = gp_alloc(faces, sizeof *order->knots);
-    if (!order->first || !order->knot_first || !order->knot_most || !order->faces || !order->knots)
+    if (order_make_room(order, faces))
         return GP_ERROR_MEMORY;
     list_levels(work, kinds, false, order->first, order->faces);
     list_levels(work, kinds, true, order->knot_first, order->knots);

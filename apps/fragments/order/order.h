@@ -42,4 +42,7 @@ GpResult order_find(const OrderMesh *mesh, const FragmentView *view, const Scree
                     Order *order, GpError *error);
 void order_free(Order *order);
 
+/* Room for the lists of order->level_count levels and so many faces, all zero. errors GP_ERROR_MEMORY */
+GpResult order_make_room(Order *order, size_t faces);
+
 #endif

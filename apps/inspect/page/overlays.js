@@ -1,6 +1,6 @@
 // What can be laid over a target: from the fragments of every pixel, which are all recorded.
 
-import { h, svg } from "page/element.js";
+import { h } from "page/element.js";
 
 // Blue to yellow by even steps of lightness, so that it is read without colour too.
 const ramp = ["#000000", "#16245c", "#2b4f9e", "#2f7fb5", "#3faaa0", "#7fca74", "#cfe05a", "#fff7a8", "#ffffff"];

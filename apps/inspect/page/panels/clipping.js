@@ -3,7 +3,6 @@
 import { h, svg, table, value, vec } from "page/element.js";
 
 const planes = ["left", "right", "bottom", "top", "near", "far"];
-const distances = [([x, , , w], b) => `x \u2212 (${b[0].toPrecision(4)}) w`, ([x], b) => "", () => "", () => "", () => "z", () => "w \u2212 z"];
 
 function picture(clip) {
     const known = clip.clip.filter((p) => p[3] > 0), w = 420, hh = 236;

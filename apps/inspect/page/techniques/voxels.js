@@ -1,6 +1,6 @@
 // Voxelization: targets whose texels are worksheets, columns of voxels with a bit each.
 
-import { h, num, table } from "page/element.js";
+import { h, table } from "page/element.js";
 import { state } from "page/state.js";
 
 const names = ["red", "green", "blue", "alpha"];

@@ -249,10 +249,9 @@ GP_INLINE void blend_channel_layers(const GpBlend *blend, GpFormat format, const
 
 /* --- targets of any format -------------------------------------------------------------------- */
 
-/* The blends of nearly all draws. */
+/* The blends of nearly all draws, beside those of blend_lanes.h. */
 static const GpBlend replace = { .op = GP_BLEND_OFF };
 static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
-static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 static const GpBlend under = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
 static const GpBlend most = { .op = GP_BLEND_MAX };
 static const GpBlend through = { .op = GP_BLEND_ADD,
@@ -261,21 +260,6 @@ static const GpBlend through = { .op = GP_BLEND_ADD,
                                  .alpha_op = GP_BLEND_ADD,
                                  .alpha_src = GP_ZERO,
                                  .alpha_dst = GP_SRC_ALPHA };
-static const GpBlend before = { .op = GP_BLEND_ADD,
-                                .src = GP_ONE,
-                                .dst = GP_SRC_ALPHA,
-                                .alpha_op = GP_BLEND_ADD,
-                                .alpha_src = GP_ZERO,
-                                .alpha_dst = GP_SRC_ALPHA };
-
-static bool is_blend(const GpBlend *blend, const GpBlend *known)
-{
-    const bool weighs = blend->op != GP_BLEND_OFF && blend->op != GP_BLEND_MAX;
-    return blend->op == known->op && blend->alpha_op == known->alpha_op && !(blend->keep & 15) &&
-           (!weighs || (blend->src == known->src && blend->dst == known->dst)) &&
-           (blend->alpha_op == GP_BLEND_OFF ||
-            (blend->alpha_src == known->alpha_src && blend->alpha_dst == known->alpha_dst));
-}
 
 static void blend_layers_by(const GpBlend *blend, const BlendBlock *m)
 {
@@ -320,8 +304,8 @@ GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBl
         blend_channels(&replace, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A16B16G16R16F && is_blend(blend, &through))
         blend_channels(&through, GP_A16B16G16R16F, m, whole);
-    else if (format == GP_A16B16G16R16F && is_blend(blend, &before))
-        blend_channels(&before, GP_A16B16G16R16F, m, whole);
+    else if (format == GP_A16B16G16R16F && is_blend(blend, &in_front))
+        blend_channels(&in_front, GP_A16B16G16R16F, m, whole);
     else if (format == GP_A16B16G16R16F && is_blend(blend, &most))
         blend_channels(&most, GP_A16B16G16R16F, m, whole);
     else if (format == GP_R32F && is_blend(blend, &most))

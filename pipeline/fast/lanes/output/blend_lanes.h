@@ -132,4 +132,23 @@ GP_INLINE void set_constant(const GpState *state, GpFormat format, float constan
     }
 }
 
+/* Blends that are known where pixels are blended as they come, and where they were sorted before. */
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
+static const GpBlend in_front = { .op = GP_BLEND_ADD,
+                                  .src = GP_ONE,
+                                  .dst = GP_SRC_ALPHA,
+                                  .alpha_op = GP_BLEND_ADD,
+                                  .alpha_src = GP_ZERO,
+                                  .alpha_dst = GP_SRC_ALPHA };
+
+/* Whether a blend does what a known one does; what it leaves alone does not count. */
+GP_INLINE bool is_blend(const GpBlend *blend, const GpBlend *known)
+{
+    const bool weighs = blend->op != GP_BLEND_OFF && blend->op != GP_BLEND_MAX;
+    return blend->op == known->op && blend->alpha_op == known->alpha_op && !(blend->keep & 15) &&
+           (!weighs || (blend->src == known->src && blend->dst == known->dst)) &&
+           (blend->alpha_op == GP_BLEND_OFF ||
+            (blend->alpha_src == known->alpha_src && blend->alpha_dst == known->alpha_dst));
+}
+
 #endif

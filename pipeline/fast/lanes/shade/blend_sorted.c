@@ -161,26 +161,11 @@ GP_INLINE void blend_column_of(const Tile *tile, const Column *column, int t, co
         blend_column(tile, column, t, blend, format, constant);
 }
 
-/* The blends of nearly all passes that sort: "over", and the same of colours that are multiplied by alpha,
+/* One more of nearly all passes that sort: "over" of colours that are multiplied by alpha,
  * which is then what hides or what is let through. */
-static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 static const GpBlend over_multiplied = { .op = GP_BLEND_ADD,
                                          .src = GP_ONE,
                                          .dst = GP_INV_SRC_ALPHA };
-static const GpBlend before = { .op = GP_BLEND_ADD,
-                                .src = GP_ONE,
-                                .dst = GP_SRC_ALPHA,
-                                .alpha_op = GP_BLEND_ADD,
-                                .alpha_src = GP_ZERO,
-                                .alpha_dst = GP_SRC_ALPHA };
-
-static bool is_blend(const GpBlend *blend, const GpBlend *known)
-{
-    return blend->op == known->op && blend->src == known->src && blend->dst == known->dst &&
-           blend->alpha_op == known->alpha_op && !(blend->keep & 15) &&
-           (!known->alpha_op ||
-            (blend->alpha_src == known->alpha_src && blend->alpha_dst == known->alpha_dst));
-}
 
 static void blend_layers(const Tile *tile, const Column *column)
 {
@@ -194,8 +179,8 @@ static void blend_layers(const Tile *tile, const Column *column)
             blend_column_of(tile, column, t, &over, constant);
         else if (is_blend(blend, &over_multiplied))
             blend_column_of(tile, column, t, &over_multiplied, constant);
-        else if (is_blend(blend, &before))
-            blend_column_of(tile, column, t, &before, constant);
+        else if (is_blend(blend, &in_front))
+            blend_column_of(tile, column, t, &in_front, constant);
         else
             blend_column_of(tile, column, t, blend, constant);
     }
