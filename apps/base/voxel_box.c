@@ -1,6 +1,8 @@
 /* The box of a volume around a model. */
 #include "apps/base/voxel_box.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 VoxelBox voxel_box_of(const Bounds *bounds, uint32_t size)
@@ -17,6 +19,14 @@ VoxelBox voxel_box(const float *positions, const uint32_t *indices, uint32_t cou
 {
     const Bounds bounds = bounds_of(positions, 3 * sizeof(float), indices, count);
     return voxel_box_of(&bounds, size);
+}
+
+bool voxel_box_is_usable(const VoxelBox *box)
+{
+    bool usable = box->scale >= (double)FLT_MIN && box->scale <= (double)FLT_MAX;
+    for (int k = 0; k < 3; k++)
+        usable &= fabs(box->offset[k]) <= (double)FLT_MAX;
+    return usable;
 }
 
 void voxel_box_matrix(const VoxelBox *box, float matrix[4][4])

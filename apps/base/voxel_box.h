@@ -4,6 +4,8 @@
 
 #include "apps/base/bounds.h"
 
+#include <stdbool.h>
+
 /* From the model's space to voxels: q = scale * p + offset; voxel (x, y, z) is the cube from
  * (x, y, z) to (x+1, y+1, z+1). */
 typedef struct VoxelBox {
@@ -20,6 +22,9 @@ VoxelBox voxel_box_of(const Bounds *bounds, uint32_t size);
 
 /* That of vertices; see bounds_of. */
 VoxelBox voxel_box(const float *positions, const uint32_t *indices, uint32_t count, uint32_t size);
+
+/* Whether shaders can have the map: its scale is a normal float, and its offset one at all. */
+bool voxel_box_is_usable(const VoxelBox *box);
 
 /* The same map as a matrix of rows, for shaders. */
 void voxel_box_matrix(const VoxelBox *box, float matrix[4][4]);

@@ -138,24 +138,34 @@ static void store_sample(const GpImage *image, size_t index, float value)
     }
 }
 
-/* The samples that a file of this name would have. errors GP_ERROR_MEMORY */
+/* An image of the samples that a file of this name would have, without data.
+ * in channels: of the picture. errors GP_ERROR_MEMORY */
+static GpResult begin_image(const char *path, uint32_t width, uint32_t height, int channels,
+                            GpImageType source, GpImage *image, GpError *error)
+{
+    *image = (GpImage){ .width = width, .height = height, .channels = (uint32_t)channels };
+    choose_samples(path, source, image);
+    return gp_image_alloc(image, path, error);
+}
+
+/* A row of pixels of `had` channels. */
+static void store_row(const GpImage *image, uint32_t y, const float *values, int had)
+{
+    const int channels = (int)image->channels;
+    size_t index = (size_t)y * image->width * image->channels;
+    for (uint32_t x = 0; x < image->width; x++)
+        for (int c = 0; c < channels; c++)
+            store_sample(image, index++, channel_of(values + x * (size_t)had, had, c, channels));
+}
+
 static GpResult sample_picture(const char *path, const Picture *picture, GpImageType source,
                                GpImage *image, GpError *error)
 {
-    *image = (GpImage){ .width = picture->width,
-                        .height = picture->height,
-                        .channels = (uint32_t)picture->channels };
-    choose_samples(path, source, image);
-    size_t pixels = (size_t)image->width * image->height;
-    image->data = gp_alloc(pixels, image->channels * gp_image_sample_size(image->type));
-    if (!image->data)
-        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
-    int had = picture->channels, channels = (int)image->channels;
-    for (size_t i = 0; i < pixels; i++)
-        for (int c = 0; c < channels; c++)
-            store_sample(image, i * (size_t)channels + (size_t)c,
-                         channel_of(picture->values + i * (size_t)had, had, c, channels));
-    return GP_OK;
+    const int had = picture->channels;
+    GpResult result = begin_image(path, picture->width, picture->height, had, source, image, error);
+    for (uint32_t y = 0; y < picture->height && !result; y++)
+        store_row(image, y, picture->values + (size_t)y * picture->width * (size_t)had, had);
+    return result;
 }
 
 static GpResult write_picture(const char *path, const Picture *picture, GpImageType source,
@@ -165,7 +175,7 @@ static GpResult write_picture(const char *path, const Picture *picture, GpImageT
     GpResult result = sample_picture(path, picture, source, &image, error);
     if (!result)
         result = gp_image_write(path, &image, error);
-    gp_free(image.data);
+    gp_image_free(&image);
     return result;
 }
 
@@ -175,7 +185,7 @@ GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error
     GpResult result = sample_picture("picture.png", picture, GP_IMAGE_U8, &image, error);
     if (!result)
         result = gp_image_encode("picture.png", &image, file, error);
-    gp_free(image.data);
+    gp_image_free(&image);
     return result;
 }
 
@@ -233,31 +243,33 @@ GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface 
     return result;
 }
 
-/* Level 0 as floats. Codes survive: dividing by the largest and rounding back is exact (R23, R24).
- * Two channels become red and green of three, since a picture's two are grey and alpha. */
-static GpResult picture_of_surface(const GpSurface *surface, bool opaque, Picture *picture,
-                                   GpError *error)
+/* What is taken of a surface's colours. */
+typedef enum Part { PART_ALL, PART_OPAQUE, PART_ALPHA } Part;
+
+/* Channels of the picture of a part. Two channels become red and green of three, since a picture's two
+ * are grey and alpha. */
+static int part_channels(const GpSurface *surface, Part part)
 {
     const GpFormatInfo *info = gp_format_info(surface->format);
-    const bool three = info->channels == 2 || (opaque && info->channels == 4);
-    int channels = info->is_depth ? 1 : three ? 3 : info->channels;
-    size_t pixels = (size_t)surface->width * surface->height;
-    float *values = gp_alloc(pixels, (size_t)channels * sizeof *values);
-    if (!values)
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    for (size_t i = 0; i < pixels; i++) {
+    const bool three = info->channels == 2 || (part == PART_OPAQUE && info->channels == 4);
+    return info->is_depth || part == PART_ALPHA ? 1 : three ? 3 : info->channels;
+}
+
+/* A row of level 0 as floats. Codes survive: dividing by the largest and rounding back is exact (R23,
+ * R24). */
+static void load_row(const GpSurface *surface, Part part, uint32_t y, float *values)
+{
+    const GpFormatInfo *info = gp_format_info(surface->format);
+    const size_t channels = (size_t)part_channels(surface, part);
+    for (uint32_t x = 0; x < surface->width; x++) {
         float rgba[4];
-        gp_texel_load(surface->format,
-                      gp_surface_texel(&surface->level[0], info->bytes,
-                                       (uint32_t)(i % surface->width),
-                                       (uint32_t)(i / surface->width)),
+        gp_texel_load(surface->format, gp_surface_texel(&surface->level[0], info->bytes, x, y),
                       rgba);
         if (info->channels == 2)
             rgba[2] = 0;
-        memcpy(values + i * (size_t)channels, rgba, (size_t)channels * sizeof *values);
+        memcpy(values + x * channels, part == PART_ALPHA ? rgba + 3 : rgba,
+               channels * sizeof *values);
     }
-    *picture = (Picture){ surface->width, surface->height, channels, values };
-    return GP_OK;
 }
 
 /* The samples that hold a format's values without loss, or with the least of the integers. */
@@ -269,31 +281,62 @@ static GpImageType samples_of(GpFormat format)
     return info->is_float && info->bytes == 2 * info->channels ? GP_IMAGE_F16 : GP_IMAGE_U8;
 }
 
+/* A row of bytes as bytes, which is what floats between them come to. */
+static void copy_row(const GpSurface *surface, Part part, uint32_t y, const GpImage *image)
+{
+    const GpFormatInfo *info = gp_format_info(surface->format);
+    uint8_t *to = (uint8_t *)image->data + (size_t)y * image->width * image->channels;
+    for (uint32_t x = 0; x < image->width; x++) {
+        const uint8_t *texel = gp_surface_texel(&surface->level[0], info->bytes, x, y);
+        for (uint32_t c = 0; c < image->channels; c++)
+            *to++ = texel[info->first_byte[part == PART_ALPHA ? 3 : c]];
+    }
+}
+
+/* Row by row, since a whole picture of floats is four times as large as most surfaces. */
+static GpResult sample_surface(const char *path, const GpSurface *surface, Part part,
+                               GpImage *image, GpError *error)
+{
+    const int channels = part_channels(surface, part);
+    float *row = gp_alloc(surface->width, (size_t)channels * sizeof *row);
+    if (!row)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+    GpResult result = begin_image(path, surface->width, surface->height, channels,
+                                  samples_of(surface->format), image, error);
+    const bool bytes = image->type == GP_IMAGE_U8 &&
+                       (surface->format == GP_A8R8G8B8 || surface->format == GP_X8R8G8B8);
+    for (uint32_t y = 0; y < surface->height && !result; y++) {
+        if (bytes) {
+            copy_row(surface, part, y, image);
+            continue;
+        }
+        load_row(surface, part, y, row);
+        store_row(image, y, row, channels);
+    }
+    gp_free(row);
+    return result;
+}
+
+static GpResult write_part(const char *path, const GpSurface *surface, Part part, GpError *error)
+{
+    GpImage image = { .data = NULL };
+    GpResult result = sample_surface(path, surface, part, &image, error);
+    if (!result)
+        result = gp_image_write(path, &image, error);
+    gp_image_free(&image);
+    return result;
+}
+
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
                                GpError *error)
 {
-    Picture picture = { .values = NULL };
-    GpResult result = picture_of_surface(surface, opaque, &picture, error);
-    if (!result)
-        result = write_picture(path, &picture, samples_of(surface->format), error);
-    picture_free(&picture);
-    return result;
+    return write_part(path, surface, opaque ? PART_OPAQUE : PART_ALL, error);
 }
 
 GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError *error)
 {
-    Picture picture = { .values = NULL };
-    GpResult result = picture_of_surface(surface, false, &picture, error);
-    if (result)
-        return result;
-    GP_ASSERT(picture.channels == 4);
-    const size_t pixels = (size_t)picture.width * picture.height;
-    for (size_t i = 0; i < pixels; i++)
-        picture.values[i] = picture.values[4 * i + 3];
-    picture.channels = 1;
-    result = write_picture(path, &picture, samples_of(surface->format), error);
-    picture_free(&picture);
-    return result;
+    GP_ASSERT(gp_format_info(surface->format)->channels == 4);
+    return write_part(path, surface, PART_ALPHA, error);
 }
 
 void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE])
@@ -306,14 +349,10 @@ void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE])
 GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,
                          GpError *error)
 {
-    Picture whole = { .values = NULL };
-    GpResult result = picture_of_surface(surface, false, &whole, error);
     GpImage image = { .data = NULL };
-    if (!result)
-        result = sample_picture(path, &whole, samples_of(surface->format), &image, error);
+    GpResult result = sample_surface(path, surface, PART_ALL, &image, error);
     if (!result)
         result = picture_of_image(&image, path, picture, error);
-    gp_free(image.data);
-    picture_free(&whole);
+    gp_image_free(&image);
     return result;
 }

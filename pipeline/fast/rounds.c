@@ -111,8 +111,8 @@ static void hand_out(const Job *job, uint32_t stop, GpCounters *counters)
         p->clears = p->starts && is_new && first <= stop;
         const uint32_t drawn = first > job->first_range ? first : job->first_range;
         end = end < stop + some ? end : stop + some;
-        p->ranges = ranges_of(job, p) + (drawn - first);
         p->ready_count = drawn < end ? end - drawn : 0;
+        p->ranges = p->ready_count ? ranges_of(job, p) + (drawn - first) : NULL;
         for (uint32_t r = 0; r < p->ready_count; r++)
             counters->primitives_clipped += p->ranges[r].clipped;
     }

@@ -3,6 +3,7 @@
 #include "tests/support/program.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 static const char *const commands[] = { "bench",   "chart",     "render",    "compare",
@@ -222,6 +223,8 @@ static void bad_scenes_are_input_errors_that_name_the_file(void **state)
     write_file("text.json", "this is no JSON\n");
     write_file("empty.json", "");
     write_file("cut.json", "{ \"size\": [64, 48], \"camera\": {");
+    write_file("mark.json", "\xef\xbb\xbf{ \"objects\": [ { \"mesh\": \"builtin:cube\" } ] }");
+    assert_int_equal(shell("glasspipe render -q mark.json --size 8x8 -o a.ppm"), 0);
     write_file("array.json", "[1, 2]");
     write_file("unknown.json", "{ \"size\": [64, 48],\n \"frobnicate\": 1 }");
     static const char *const files[] = { "missing.json", "text.json",    "empty.json", "cut.json",
@@ -454,6 +457,26 @@ static void a_failed_write_keeps_the_old_file_and_leaves_no_other(void **state)
     expect_files("a.exr scene.json");
 }
 
+/* Kilobytes at the most that any program had that has ended, and was waited for. */
+static long most_memory(void)
+{
+    struct rusage usage;
+    assert_int_equal(getrusage(RUSAGE_CHILDREN, &usage), 0);
+    return usage.ru_maxrss;
+}
+
+/* Two targets of 64 MB and the bytes of the file; as floats the picture alone was 256. */
+static void a_large_picture_takes_little_more_than_its_targets(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe render scene.json --size 4096x4096 -o a.ppm"), 0);
+#ifndef __SANITIZE_ADDRESS__ /* which has memory of its own, as an emulator has */
+    const char *emulator = getenv("EMULATOR");
+    if (!(emulator && *emulator) && most_memory() > 300 << 10)
+        fail_msg("%ld KB", most_memory());
+#endif
+}
+
 /* --- stdout ----------------------------------------------------------------------------------- */
 
 static void a_full_or_closed_stdout_is_an_internal_error_with_a_message(void **state)
@@ -516,6 +539,7 @@ int main(void)
         PROGRAM_TEST(render_json_has_the_members_of_its_man_page_and_no_other),
         PROGRAM_TEST(passes_can_be_listed_and_dumped),
         PROGRAM_TEST(a_failed_write_keeps_the_old_file_and_leaves_no_other),
+        PROGRAM_TEST(a_large_picture_takes_little_more_than_its_targets),
         PROGRAM_TEST(a_full_or_closed_stdout_is_an_internal_error_with_a_message),
         PROGRAM_TEST(a_reader_that_left_is_an_error_and_no_signal),
     };

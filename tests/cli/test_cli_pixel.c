@@ -41,6 +41,8 @@ static void a_pixel_outside_is_a_usage_error_with_the_valid_range(void **state)
     expect_refused(2, "pixel scene.json 0 48", "X is 0 to 63, Y is 0 to 47");
     expect_refused(2, "pixel scene.json 100 0 --size 100x10", "X is 0 to 99, Y is 0 to 9");
     expect_refused(2, "pixel scene.json -- -1 0", "X: '-1'");
+    expect_refused(2, "pixel scene.json -1 0", "'-1'");
+    assert_null(strstr(err, "invalid option"));
     expect_refused(2, "pixel scene.json a 0", "X: 'a'");
     expect_refused(2, "pixel scene.json 0", "expected a scene file, X and Y");
     expect_refused(2, "pixel scene.json 0 0 --pass nothing", "--pass nothing");

@@ -104,6 +104,40 @@ static void wrong_meshes_and_settings_are_input_errors(void **state)
     expect_files("closed.off empty.off open.off points.off scan.json scan.raw text.ply turned.off");
 }
 
+/* A tetrahedron of a size, at a place along x. */
+static void write_tetrahedron(const char *path, double side, double place)
+{
+    char text[400];
+    snprintf(text, sizeof text,
+             "OFF\n4 4 0\n%g 0 0\n%g 0 0\n%g %g 0\n%g 0 %g\n"
+             "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+             place, place + side, place, side, place, side);
+    write_file(path, text);
+}
+
+/* What has the right voxels has those of any other size. */
+static void sizes_beyond_floats_are_refused_and_others_are_right(void **state)
+{
+    (void)state;
+    static const double sides[] = { 1e-35, 1e-20, 1e20, 1e38 };
+    write_tetrahedron("a.off", 1, 0);
+    assert_int_equal(shell("glasspipe voxelize a.off -n 64 --kind solid"), 0);
+    static char first[sizeof out];
+    strcpy(first, out);
+    expect_matches(out, "voxels [1-9]");
+    for (size_t i = 0; i < GP_COUNT(sides); i++) {
+        write_tetrahedron("b.off", sides[i], 0);
+        assert_int_equal(shell("glasspipe voxelize b.off -n 64 --kind solid"), 0);
+        assert_string_equal(out, first);
+    }
+    write_tetrahedron("c.off", 1e-37, 0);
+    expect_refused(3, "voxelize c.off", "c.off: 1e-37 is no longest side for voxels of ");
+    expect_refused(3, "voxelize c.off --kind solid", "c.off: 1e-37");
+    expect_refused(3, "voxelize c.off --points", "c.off: 1e-37");
+    expect_refused(3, "voxelize a.off --with c.off --fit 1", "c.off: 1e-37");
+    expect_refused(3, "voxelize a.off --xform 1e-42 0 0 0", "a.off: 1 is no longest side");
+}
+
 /* --- what is made ------------------------------------------------------------------------------ */
 
 static void volumes_are_written_and_hashed(void **state)
@@ -362,6 +396,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         PROGRAM_TEST(wrong_arguments_are_usage_errors),
         PROGRAM_TEST(wrong_meshes_and_settings_are_input_errors),
+        PROGRAM_TEST(sizes_beyond_floats_are_refused_and_others_are_right),
         PROGRAM_TEST(an_error_chooses_the_size),
         PROGRAM_TEST(an_error_is_kept_whatever_the_chart_says),
         PROGRAM_TEST(the_chart_of_solids_serves_too),

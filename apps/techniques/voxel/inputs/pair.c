@@ -74,6 +74,19 @@ static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpErro
     return flat_texture_check(setting->size, setting->bits, error);
 }
 
+/* What is too small or too large for its volume, or too far from it, has no matrix. */
+static GpResult check_box(const VoxelPair *pair, int which, const VoxelBox *box, GpError *error)
+{
+    if (voxel_box_is_usable(box))
+        return GP_OK;
+    const Bounds bounds = voxel_scene_bounds(pair->scenes[which]);
+    return gp_fail(
+        error, GP_ERROR_INVALID,
+        "%.100s: %g is no longest side for voxels of %g: a voxel in units of the model, and "
+        "the model's place in voxels, have to be 32-bit floats",
+        pair->names[which], bounds_longest(&bounds), 1 / box->scale);
+}
+
 /* Whoever draws the first names it; the second is named here. */
 static GpResult draw_model(const VoxelPair *pair, int which, const VoxelSetting *setting,
                            const VoxelBox *box, Frame *frame, VoxelPairMade *made, GpError *error)
@@ -126,6 +139,10 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Fr
         place_two(pair, setting->size, boxes);
     else
         boxes[0] = place_one(pair, setting->size);
+    for (int i = 0; i <= two && !result; i++)
+        result = check_box(pair, i, &boxes[i], error);
+    if (result)
+        return result;
     for (int i = 0; i <= two; i++)
         made->volumes[i] = flat_texture_make(frame, setting->size, setting->bits);
     VoxelRange ranges[2];

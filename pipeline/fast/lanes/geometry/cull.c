@@ -30,7 +30,7 @@ GP_INLINE itg most(const itg a[3])
 /* Corners of triangles of a draw, counted from its first; beyond `count` the first stands in. */
 GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, ScreenTriangles *b)
 {
-    const uint32_t *indices = d->indices, *number = indices + 3 * first;
+    const uint32_t *indices = d->indices, *number;
     uint32_t made[3 * GP_LANES];
     if (!indices || count < GP_LANES) {
         for (uint32_t i = 0; i < 3 * GP_LANES; i++) {
@@ -38,6 +38,8 @@ GP_INLINE void load_corners(const FastDraw *d, uint32_t first, uint32_t count, S
             made[i] = indices ? indices[at] : at;
         }
         number = made;
+    } else {
+        number = indices + 3 * first;
     }
     for (int k = 0; k < 3; k++) {
         const void *record[GP_LANES];

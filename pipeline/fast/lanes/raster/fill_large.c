@@ -145,23 +145,67 @@ static EarlyTest early_test(const Filler *f, const GpTriangle *t)
 
 /* --- user clip planes ------------------------------------------------------------------------- */
 
-/* The slow way, pixel by pixel: the reference's own units on a quad. */
-static msk inside_clip_planes(const Tile *tile, const GpTriangle *t, itg x, itg y, msk live)
+/* Whether a plane leaves nothing of a triangle: all corners are farther outside than the rounding of
+ * what is interpolated between them can bring back, which is some 2^-21 of their distances where no
+ * share overflows. */
+static bool is_cut_away(const FastDraw *d, const GpTriangle *t)
 {
-    for (int lane = 0; lane < GP_LANES; lane++) {
-        if (!live[lane])
-            continue;
-        int64_t center_x = (int64_t)(tile->x0 + x[lane]) * GP_SUBPIXELS + GP_SUBPIXELS / 2;
-        int64_t center_y = (int64_t)(tile->y0 + y[lane]) * GP_SUBPIXELS + GP_SUBPIXELS / 2;
-        GpQuad quad = { .mask = 1 };
-        for (int i = 0; i < 3; i++)
-            quad.edge[i][0] = t->a[i] * center_x + t->b[i] * center_y + t->c[i];
-        gp_interpolate_barycentrics(t, &quad);
-        gp_interpolate_clip(t, tile->draw->needs.clip_planes, &quad);
-        if (!quad.mask)
-            live[lane] = 0;
+    if (!(t->rw_ratio[0] > 0x1p-100f && t->rw_ratio[1] > 0x1p-100f))
+        return false;
+    for (unsigned left = d->needs.clip_planes; left; left &= left - 1) {
+        float least = 0, sum = 0;
+        for (int k = 0; k < 3; k++) {
+            const float outside = -t->corner[k].clip_distance[__builtin_ctz(left)];
+            least = k == 0 || outside < least ? outside : least;
+            sum += outside < 0 ? -outside : outside;
+        }
+        if (least > sum * 0x1p-18f) /* not where one is no number */
+            return true;
     }
-    return live;
+    return false;
+}
+
+/* Shares of a triangle's second and third corner, from its nearest on, at the centres of pixels from
+ * (x, y) in the tile on: gp_interpolate_barycentrics in lanes. Edges are integers below 2^53. */
+static void find_shares(const Tile *tile, const GpTriangle *t, const LaneSteps *steps, int32_t x,
+                        int32_t y, flt share[2])
+{
+    flt edge[3];
+    for (int i = 0; i < 3; i++) {
+        const int k = (t->nearest + i) % 3;
+        const double right = (double)(t->a[k] * GP_SUBPIXELS),
+                     down = (double)(t->b[k] * GP_SUBPIXELS);
+        const double first = (double)edge_at_origin(tile, t, k) + right * x + down * y;
+        edge[i] = __builtin_convertvector(
+            first + (dbl_from_itg(steps->column) * right + dbl_from_itg(steps->row) * down), flt);
+    }
+    if (t->rw_ratio[0] == 1.0f && t->rw_ratio[1] == 1.0f) {
+        share[0] = edge[1] * t->inverse_area;
+        share[1] = edge[2] * t->inverse_area;
+        return;
+    }
+    const flt part1 = edge[1] * t->rw_ratio[0], part2 = edge[2] * t->rw_ratio[1];
+    const flt w = 1.0f / (edge[0] + (part1 + part2));
+    share[0] = part1 * w;
+    share[1] = part2 * w;
+}
+
+/* Of lanes from (x, y) in the tile on, those that no plane cuts (gp_interpolate_clip). */
+static msk inside_clip_planes(const Tile *tile, const GpTriangle *t, const LaneSteps *steps,
+                              int32_t x, int32_t y)
+{
+    const int first = t->nearest, second = (first + 1) % 3, third = (first + 2) % 3;
+    flt share[2];
+    msk inside = (msk)itg_set(-1);
+    find_shares(tile, t, steps, x, y, share);
+    for (unsigned left = tile->draw->needs.clip_planes; left; left &= left - 1) {
+        const int plane = __builtin_ctz(left);
+        const float at = t->corner[first].clip_distance[plane];
+        const float along[2] = { t->corner[second].clip_distance[plane] - at,
+                                 t->corner[third].clip_distance[plane] - at };
+        inside &= (msk)(at + (share[0] * along[0] + share[1] * along[1]) >= 0.0f);
+    }
+    return inside;
 }
 
 /* --- filling ---------------------------------------------------------------------------------- */
@@ -224,7 +268,7 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
             if (!msk_bits(live))
                 continue;
             if (d->needs.clip_planes)
-                live = inside_clip_planes(f->tile, t, steps.column + x, steps.row + y, live);
+                live &= inside_clip_planes(f->tile, t, &steps, x, y);
             flt z = early == EARLY_NONE ? flt_set(0) : depth_at(&plane, &steps, x, y);
             send_lanes(f, early, d->path, quads, x, y, live, z);
         }
@@ -274,7 +318,7 @@ void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
 {
     const FastDraw *d = tile->draw;
     Coverage coverage;
-    if (!find_coverage(tile, t, &coverage))
+    if (!find_coverage(tile, t, &coverage) || is_cut_away(d, t))
         return;
     Filler filler = fast_filler(tile);
     filler.front = t->front;

@@ -268,7 +268,11 @@ static void samples_that_are_too_few_or_too_many_are_refused(void **state)
     assert_refused(put_both("v.nrrd", gzip, packed, size), GP_ERROR_FORMAT, "more than 8 bytes");
     size = pack(little, 8, packed, sizeof packed);
     for (size_t cut = 0; cut < size; cut++)
-        assert_refused(put_both("v.nrrd", gzip, packed, cut), GP_ERROR_FORMAT, "byte ");
+        assert_refused(put_both("v.nrrd", gzip, packed, cut), GP_ERROR_FORMAT,
+                       cut < size - 8 ? "byte " : "before the checksum of its gzip data");
+    memcpy(packed + size, "PK", 2);
+    assert_refused(put_both("v.nrrd", gzip, packed, size + 1), GP_ERROR_FORMAT, "no gzip data");
+    assert_refused(put_both("v.nrrd", gzip, packed, size + 2), GP_ERROR_FORMAT, "header check");
     packed[size - 5] ^= 1; /* of the checksum */
     assert_refused(put_both("v.nrrd", gzip, packed, size), GP_ERROR_FORMAT, "data check");
     assert_refused(put_both("v.nrrd", gzip, "no gzip!", 8), GP_ERROR_FORMAT, "header check");

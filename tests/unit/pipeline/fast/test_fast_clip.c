@@ -1,0 +1,122 @@
+/* User clip planes on the fast executor: the reference's bits at distances of any size, and little work
+ * for what they cut away. */
+#include "pipeline/base/clock.h"
+#include "shaders_c/materials/unlit.h"
+#include "tests/support/devices.h"
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
+
+#include <math.h>
+
+enum { SIDE = 256, TRIANGLES = 60, PLANES = 3 };
+
+typedef struct Clipped {
+    float corners[TRIANGLES][3][3];
+    UnlitUniforms uniforms;
+    GpSurface *target;
+    GpDraw draw;
+    GpPass pass;
+} Clipped;
+
+static void open_case(Random *random, Clipped *c)
+{
+    const GpSurfaceDesc desc = { .format = GP_A8R8G8B8, .width = SIDE, .height = SIDE };
+    GpError error;
+    *c = (Clipped){ .uniforms = { .color = { 0.3f, 0.2f, 0.1f, 1 } } };
+    assert_int_equal(gp_surface_create(&desc, &c->target, &error), GP_OK);
+    for (int t = 0; t < TRIANGLES; t++)
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 3; k++)
+                c->corners[t][i][k] = random_float(random, -1, 1);
+    for (int k = 0; k < 4; k++)
+        c->uniforms.mvp[k][k] = 1;
+    c->uniforms.mvp[2][2] = 0.25f;
+    c->uniforms.mvp[2][3] = 0.5f;
+    c->draw = (GpDraw){ .program = &unlit_program, .uniforms = &c->uniforms };
+    c->draw.geometry.streams[GP_POSITION] = (GpStream){ .data = c->corners, .components = 3 };
+    c->draw.geometry.vertex_count = 3 * TRIANGLES;
+    c->draw.state.raster.cull = GP_CULL_NONE;
+    c->draw.state.blend[0].op = GP_BLEND_LOGIC_XOR;
+}
+
+static void set_pass(Clipped *c)
+{
+    c->pass = (GpPass){ .name = "clipped",
+                        .color = { { .surface = c->target, .clear = true } },
+                        .draws = &c->draw,
+                        .draw_count = 1 };
+}
+
+/* From the least denormal to what overflows in the next step. */
+static float any_size(Random *random)
+{
+    const float mantissa = random_float(random, -2, 2);
+    return mantissa * (float)ldexp(1, random_int(random, 0, 3) ? random_int(random, -3, 3)
+                                                               : random_int(random, -149, 126));
+}
+
+static void planes_of_any_size_cut_as_the_reference_does(void **state)
+{
+    (void)state;
+    Random random = { 5 };
+    for (int seed = 0; seed < 40; seed++) {
+        Clipped c;
+        open_case(&random, &c);
+        c.draw.state.raster.clip_planes = (1u << PLANES) - 1;
+        for (int p = 0; p < PLANES; p++)
+            for (int k = 0; k < 4; k++)
+                c.draw.state.raster.clip_plane[p][k] = any_size(&random);
+        if (seed % 2) /* seen in perspective, w from denormal to large */
+            for (int k = 0; k < 3; k++)
+                c.uniforms.mvp[3][k] = any_size(&random);
+        set_pass(&c);
+        run_seed_everywhere(&c.pass, seed);
+        gp_surface_destroy(&c.target);
+    }
+}
+
+/* The shortest of some runs on one thread, in milliseconds. */
+static double shortest(const GpPass *pass)
+{
+    GpDevice *device = device_open(&(GpDeviceDesc){ .threads = 1 });
+    double least = 1e9;
+    GpError error;
+    for (int i = 0; i < 7; i++) {
+        const double start = fast_clock_ms();
+        assert_int_equal(gp_device_run(device, &(GpList){ pass, 1 }, &error), GP_OK);
+        const double time = fast_clock_ms() - start;
+        least = time < least ? time : least;
+    }
+    gp_device_destroy(&device);
+    return least;
+}
+
+/* Slices of a soup were cut pixel by pixel: forty times as long as without planes, drawn or not. */
+static void what_planes_cut_away_takes_no_longer_than_drawing_it(void **state)
+{
+    (void)state;
+    static const float away[4] = { 0, 0, 0, -1 }, through[4] = { 0, 1, 0, 0.01f };
+    Random random = { 6 };
+    Clipped c;
+    open_case(&random, &c);
+    set_pass(&c);
+    const double whole = shortest(&c.pass);
+    c.draw.state.raster.clip_planes = 1;
+    memcpy(c.draw.state.raster.clip_plane[0], away, sizeof away);
+    const double none = shortest(&c.pass);
+    memcpy(c.draw.state.raster.clip_plane[0], through, sizeof through);
+    const double half = shortest(&c.pass);
+    print_message("# whole %.3f ms, cut away %.3f, cut in half %.3f\n", whole, none, half);
+    assert_true(none < 2 * whole);
+    assert_true(half < 12 * whole);
+    gp_surface_destroy(&c.target);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(planes_of_any_size_cut_as_the_reference_does),
+        cmocka_unit_test(what_planes_cut_away_takes_no_longer_than_drawing_it),
+    };
+    return cmocka_run_group_tests_name("clip planes, fast", tests, NULL, NULL);
+}
