@@ -1,5 +1,6 @@
 /* glasspipe bench: frames that other renderers can draw too, against the clock. */
 #include "apps/bench/cases.h"
+#include "apps/bench/floor.h"
 #include "apps/commands/paper_tables.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
@@ -23,7 +24,7 @@ typedef struct Bench {
     size_t case_count;
     const char *images; /* NULL: none written */
     double seconds;     /* for each case, after the first frame */
-    bool list;
+    bool list, floor;
     const char *table; /* number; NULL: cases are drawn */
 } Bench;
 
@@ -39,6 +40,8 @@ static const SettingField options[] = {
     { "images", "DIR", "Write each case's picture to DIR/CASE.png", SETTING_TEXT,
       .offset = offsetof(Bench, images) },
     { "table", "NUMBER", table_help, SETTING_TEXT, .offset = offsetof(Bench, table) },
+    { "floor", NULL, "Add the time below which this machine cannot draw it", SETTING_FLAG,
+      .offset = offsetof(Bench, floor) },
     { "phases", NULL, "Look at the clock inside tiles too: costs some time", SETTING_FLAG,
       .offset = offsetof(Bench, options.timed) },
     { .name = NULL },
@@ -82,6 +85,7 @@ static const CommandSyntax syntax = {
         "  glasspipe bench\n"
         "  glasspipe bench -l\n"
         "  glasspipe bench clear points -t 0.1 --threads 2\n"
+        "  glasspipe bench fill_blend bunny_phong --floor\n"
         "  glasspipe bench --images pictures\n"
         "  glasspipe bench --table 4.1 -t 0.1\n"
         "\n"
@@ -94,9 +98,10 @@ static const CommandSyntax syntax = {
 
 typedef struct Times {
     double setup_ms;
-    Timing frames;  /* after the first */
-    double others;  /* processors that other processes kept busy; negative: unknown */
-    double peak_mb; /* memory in use at most, less what was before the case: its data count */
+    Timing frames;    /* after the first */
+    double others;    /* processors that other processes kept busy; negative: unknown */
+    BenchFloor floor; /* ms 0: not asked for */
+    double peak_mb;   /* memory in use at most, less what was before the case: its data count */
 } Times;
 
 /* --- results ------------------------------------------------------------------------------------- */
@@ -147,6 +152,15 @@ static json_t *phases_json(const Bench *bench, const Times *times)
     return object;
 }
 
+/* What cannot be undercut, and how far above it the frame is. */
+static json_t *floor_json(const Times *times)
+{
+    const BenchFloor *floor = &times->floor;
+    return json_pack("{s:f, s:f, s:f, s:f, s:f}", "ms", floor->ms, "operations_ms",
+                     floor->operations_ms, "triangles_ms", floor->triangles_ms, "traffic_ms",
+                     floor->traffic_ms, "ratio", times->frames.ms / floor->ms);
+}
+
 static void print_result(const Bench *bench, const BenchCase *drawn, const Frame *frame,
                          const Times *times, const RunStatistics *statistics, uint32_t width,
                          uint32_t height, uint32_t hash)
@@ -173,6 +187,9 @@ static void print_result(const Bench *bench, const BenchCase *drawn, const Frame
     run_add_counters(statistics, object);
     if (drawn->tell)
         drawn->tell(frame, times->frames.ms, statistics->threads, bench->seconds > 0, object);
+    json_object_set_new(object, "idle_ms", json_real(times->frames.idle_ms));
+    if (times->floor.ms > 0)
+        json_object_set_new(object, "floor", floor_json(times));
     if (!reference)
         json_object_set_new(object, "phases", phases_json(bench, times));
     json_object_set_new(object, "isa", json_string(statistics->isa));
@@ -198,6 +215,16 @@ static int show_picture(const Bench *bench, const BenchCase *drawn, const Frame 
                      bench_picture_hash(rgba, width, height));
     gp_free(rgba);
     return result ? report(EXIT_INTERNAL, "%s", error.text) : EXIT_DONE;
+}
+
+/* Before the picture is looked at, since `tell` measures it: so the list is run once more behind it. */
+static GpResult find_floor(GpDevice *device, const GpList *list, BenchFloor *floor, GpError *error)
+{
+    BenchRates rates;
+    GpResult result = bench_rates_measure(device, &rates, error);
+    if (!result)
+        result = bench_floor_find(device, &rates, list, floor, error);
+    return result ? result : gp_device_run(device, list, error);
 }
 
 /* One device for each case, so that cases do not inherit memory from each other. Draws the first frame,
@@ -227,6 +254,8 @@ static int run_case(const Bench *bench, const BenchCase *drawn, double *each)
                 timing_run(device, &frame.list, &plan, each, &statistics, &times.frames, &error);
         times.others = machine_others(&load);
         times.peak_mb = machine_peak_mb() - before_mb;
+        if (!result && bench->floor)
+            result = find_floor(device, &frame.list, &times.floor, &error);
         code = result ? report(exit_of_run(result), "%s: %s", drawn->name, error.text)
                       : show_picture(bench, drawn, &frame, &times, &statistics);
     }

@@ -20,6 +20,7 @@ static void add_frame(Timing *timing, double *each, double ms, double cpu_ms,
                       const GpPhases *phases)
 {
     each[timing->frames++] = ms;
+    timing->idle_ms += ms; /* of which the threads' work is taken at the end */
     timing->cpu_ms += cpu_ms;
     timing->phases.prepare += phases->prepare;
     timing->phases.vertices += phases->vertices;
@@ -58,6 +59,8 @@ GpResult timing_run(GpDevice *device, const GpList *list, const TimingPlan *plan
     sums.high_ms = each[last - last / 4];
     sums.max_ms = each[last];
     sums.cpu_ms /= sums.frames;
+    const double idle_ms = sums.idle_ms / sums.frames * statistics->threads - sums.cpu_ms;
+    sums.idle_ms = idle_ms > 0 ? idle_ms : 0;
     *timing = sums;
     return GP_OK;
 }

@@ -18,6 +18,7 @@ typedef struct Timing {
     double ms, min_ms, max_ms; /* median, least and greatest wall time */
     double low_ms, high_ms;    /* quartiles: between them lies the middle half of the frames */
     double cpu_ms;             /* mean processor time */
+    double idle_ms;            /* mean time that threads had nothing to do, of all together */
     GpPhases phases;           /* sum over the frames */
     uint32_t frames;           /* at least 1 */
 } Timing;

@@ -38,6 +38,8 @@ function remember(who, what,    run)
     min_ms[who, what, run] = field($0, "min_ms") + 0
     cpu_ms[who, what, run] = field($0, "cpu_ms") + 0
     first_ms[who, what, run] = field($0, "first_ms") + 0
+    if (match($0, /"floor":/))
+        floor[what] = field(substr($0, RSTART), "ms") + 0
     quiet[who, what, run] = field($0, "others") + 0 <= 0.15
     quiet_runs[who, what] += quiet[who, what, run]
     size = field($0, "width") "x" field($0, "height")
@@ -109,7 +111,7 @@ function write_header()
 }
 
 # One line of the table and one of the file.
-function report(what,    ours, theirs, ratio, result, note, separator)
+function report(what,    ours, theirs, ratio, result, note, separator, above)
 {
     theirs = median(ms, "llvmpipe", what)
     ours = median(ms, "glasspipe", what)
@@ -121,12 +123,14 @@ function report(what,    ours, theirs, ratio, result, note, separator)
     counted++
     note = !quiet_runs["llvmpipe", what] || !quiet_runs["glasspipe", what] ? "disturbed" : ""
     disturbed += note != ""
-    printf "%-18s%10s%10s%9s%8s  %-7s %s\n", what, short(theirs), short(ours), short(ratio),
-           target[what], result, note
+    above = floor[what] ? short(ours / floor[what]) : ""
+    printf "%-18s%10s%10s%9s%8s  %-7s%9s %s\n", what, short(theirs), short(ours), short(ratio),
+           target[what], result, above, note
     separator = counted > 1 ? "," : ""
     printf "%s\n    { \"case\": \"%s\", \"ratio\": %.3f, %s, \"about\": \"%s\",\n" \
-           "      \"llvmpipe\": %s,\n      \"glasspipe\": %s }", separator, what, ratio,
-           outcome(ratio, target[what]), about[what], times("llvmpipe", what),
+           "      \"floor_ms\": %s,\n      \"llvmpipe\": %s,\n      \"glasspipe\": %s }",
+           separator, what, ratio, outcome(ratio, target[what]), about[what],
+           floor[what] ? sprintf("%.3f", floor[what]) : "null", times("llvmpipe", what),
            times("glasspipe", what) >json
 }
 
@@ -160,7 +164,8 @@ END {
     for (who in fewer)
         print who " used " fewer[who] " threads, not " threads
     print ""
-    printf "%-18s%10s%10s%9s%8s\n", "ms a frame", "llvmpipe", "glasspipe", "ratio", "target"
+    printf "%-18s%10s%10s%9s%8s  %-7s%9s\n", "ms a frame", "llvmpipe", "glasspipe", "ratio",
+           "target", "", "of floor"
     write_header()
     for (i = 1; i <= cases; i++) {
         what = order[i]

@@ -79,11 +79,14 @@ rm -f "$folder/peers.json" "$folder/peers.svg"
 round=0
 while [ "$round" -lt "$rounds" ]; do
     round=$((round + 1))
+    floor= # found in the last round
+    [ "$round" -lt "$rounds" ] || floor=--floor
     for case in $cases; do
         [ ! -t 2 ] || printf '\r%d of %d: %-20s' "$round" "$rounds" "$case" >&2
         run "$folder/llvmpipe.jsonl" "$peer" --threads "$threads" -t "$seconds" "$case"
+        # shellcheck disable=SC2086 # floor is a word, or none
         run "$folder/glasspipe.jsonl" "$glasspipe" bench --threads "$threads" \
-            -t "$seconds" "$case"
+            -t "$seconds" $floor "$case"
     done
 done
 [ ! -t 2 ] || printf '\r%40s\r' '' >&2
