@@ -7,6 +7,10 @@
 #include <string.h>
 #include <zlib.h>
 
+/* Half the time of libpng's own choice, for pictures like the default scene's, and 4 % more bytes: trying
+ * all filters takes as long as it saves. */
+enum { FILTER = PNG_FILTER_PAETH, LEVEL = 5 };
+
 enum { LITTLE_ENDIAN_MACHINE = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };
 
 /* --- the header ----------------------------------------------------------------------------------- */
@@ -155,6 +159,8 @@ static void write_picture(png_structp png, png_infop info, Stream *stream)
     png_set_IHDR(png, info, image->width, image->height, image->type == GP_IMAGE_U16 ? 16 : 8,
                  colors[image->channels], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, FILTER);
+    png_set_compression_level(png, LEVEL);
     png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
     png_write_info(png, info);
     if (LITTLE_ENDIAN_MACHINE)
