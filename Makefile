@@ -242,6 +242,14 @@ run: all
 	@echo "picture: out/together.png"
 	@echo "report:  out/together.txt (what each draw needed, and what its shaders cost)"
 
+# --- lessons --------------------------------------------------------------------------------------
+
+.PHONY: lessons
+lessons: $(PROGRAM)
+	@mkdir -p out/lessons
+	@$(PROGRAM) inspect -q --no-timings --lesson scenes/lessons -o out/lessons
+	@echo "lessons: out/lessons/index.html"
+
 # --- tests
 
 # All that tests look at, in one shared library: a change relinks in a moment.
@@ -409,7 +417,7 @@ bench-peers: $(PEER_BENCH) $(PROGRAM)
 INSTALLED := $(DESTDIR)$(PREFIX)
 MAN_PAGES := $(wildcard apps/man/*.[15])
 man_place  = man$(subst .,,$(suffix $(1)))/$(notdir $(1))
-SHIPPED   := $(wildcard scenes/*.json scenes/models/* scenes/shaders/*)
+SHIPPED   := $(wildcard scenes/*.json scenes/models/* scenes/shaders/* scenes/lessons/*.json)
 COMPLETION := $(wildcard apps/completion/*)
 # What debuggers need, nine tenths of the bytes, is not installed; out/ keeps it.
 STRIP := $(shell $(CC) -print-prog-name=strip)
@@ -461,6 +469,7 @@ help:
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
 	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, COMMANDS=...'
+	@echo 'make lessons     twelve questions about the pipeline, as pages in out/lessons'
 	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
 	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'
 	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'

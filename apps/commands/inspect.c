@@ -4,19 +4,24 @@
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"
 #include "apps/inspect/inspect.h"
+#include "apps/inspect/lesson_course.h"
 #include "apps/techniques/registry.h"
+#include "pipeline/io/file.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 typedef struct InspectCommand {
     Options options; /* first: see options.h */
-    const char *scene, *output, *technique_name, *against;
+    const char *scene, *output, *technique_name, *against, *lesson_path;
     double region[4]; /* x, y, width, height; width 0: none */
     uint32_t draw, pixels;
     bool no_timings;
     const Technique *technique; /* NULL: the scene as it is */
     CommandOptions settings;    /* of the technique */
+    const Lesson *lesson;       /* NULL: the page asks nothing */
 } InspectCommand;
 
 #define OF(member) offsetof(InspectCommand, member)
@@ -39,20 +44,40 @@ static const SettingField options[] = {
     { "against", "OTHER",
       "Compare with another scene or, where it begins with --, with other options of the technique",
       SETTING_TEXT, .offset = OF(against) },
+    { "lesson", "PATH",
+      "Instead of a scene: ask the question of NAME.lesson.json about the scene NAME.json beside "
+      "it; or, "
+      "of a folder, all of its lessons, into the folder that -o names (default: out/lessons where "
+      "out/ "
+      "exists, else lessons), with an index",
+      SETTING_TEXT, .offset = OF(lesson_path) },
     { "no-timings", NULL, "Leave out times: the page is then the same on every machine",
       SETTING_FLAG, .offset = OF(no_timings) },
     { .name = NULL },
 };
 
+/* A scene or lessons. */
+static void check_arguments(struct argp_state *state, void *args)
+{
+    const InspectCommand *command = args;
+    if (!command->scene == !command->lesson_path)
+        argp_error(state, command->scene ? "--lesson names its scene: expected no other"
+                                         : "expected a scene file, or --lesson");
+    if (command->lesson_path && (command->technique_name || command->against))
+        argp_error(state, "--lesson asks of a scene as it is: expected neither --technique nor "
+                          "--against");
+}
+
 static const CommandSyntax syntax = {
     .shared = OPTIONS_FRAME,
     .options = options,
-    .arguments = "SCENE.json",
+    .arguments = "SCENE.json\n--lesson=PATH",
     .help =
         "Examples:\n"
         "  glasspipe inspect scenes/stencil_outline.json -o outline.html\n"
         "  glasspipe inspect scenes/default.json --size 640x360 --region 300 180 16 16\n"
         "  glasspipe inspect scenes/shadow.json --size 320x240 --technique shadow --method plain\n"
+        "  glasspipe inspect --lesson scenes/lessons/03_clipping.lesson.json\n"
         "\n"
         "Draws a scene with everything recorded, and writes one page of HTML that walks "
         "through the frame: draws, targets, every unit's values, the history of every "
@@ -60,9 +85,8 @@ static const CommandSyntax syntax = {
         "The page needs no network. Every fragment of every pixel is in it; all values of "
         "all units are there of chosen pixels, which the page marks.",
     .offset = offsetof(InspectCommand, scene),
-    .least = 1,
     .most = 1,
-    .expected = "a scene file",
+    .check = check_arguments,
 };
 
 /* --- what is drawn ---------------------------------------------------------------------------- */
@@ -139,13 +163,18 @@ static Inspect inspect_of(const InspectCommand *command, const Drawn *drawn, con
                           const Progress *progress)
 {
     const double *region = command->region;
+    const Lesson *lesson = command->lesson;
     return (Inspect){
         .title = title,
         .technique = command->technique ? command->technique->name : NULL,
         .list = drawn->list,
         .picture = drawn->picture,
-        .region = { (int32_t)region[0], (int32_t)region[1], (int32_t)(region[0] + region[2]),
-                    (int32_t)(region[1] + region[3]) },
+        .region =
+            lesson && region[2] == 0
+                ? (GpRect){ lesson->x, lesson->y, lesson->x + 1, lesson->y + 1 }
+                : (GpRect){ (int32_t)region[0], (int32_t)region[1],
+                            (int32_t)(region[0] + region[2]), (int32_t)(region[1] + region[3]) },
+        .lesson = lesson,
         .draw = command->draw == UINT32_MAX ? -1 : (int32_t)command->draw,
         .pixels = command->pixels,
         .no_timings = command->no_timings,
@@ -217,6 +246,109 @@ static int inspect_frames(InspectCommand *command, const char *path)
     return code;
 }
 
+/* --- lessons ---------------------------------------------------------------------------------- */
+
+/* A lesson's page; course: which it is one of, or NULL */
+static int inspect_lesson(const InspectCommand *command, Lesson *lesson, const char *path,
+                          Course *course)
+{
+    GpError error = { "" };
+    InspectCommand own = *command;
+    Drawn drawn = { .opened = NULL };
+    own.scene = lesson->scene;
+    own.lesson = lesson;
+    int code = open_drawn(&own, own.scene, NULL, &drawn);
+    if (!code)
+        code = write_page(&own, path, &drawn, &drawn);
+    if (!code && course && course_add(course, lesson, drawn.picture, &error))
+        code = report(EXIT_INTERNAL, "%s", error.text);
+    release(&own, &drawn);
+    return code;
+}
+
+static int inspect_one(const InspectCommand *command)
+{
+    GpError error = { "" };
+    Lesson lesson;
+    GpResult result = lesson_open(command->lesson_path, &lesson, &error);
+    if (result)
+        return report(exit_of_input(result), "%s", error.text);
+    char path[4096];
+    output_default_path(lesson.scene, "html", path, sizeof path);
+    const int code =
+        inspect_lesson(command, &lesson, command->output ? command->output : path, NULL);
+    lesson_close(&lesson);
+    return code;
+}
+
+static int inspect_of_course(const InspectCommand *command, Course *course, uint32_t number,
+                             const char *folder)
+{
+    GpError error = { "" };
+    Lesson lesson;
+    GpResult result = lesson_open(course->path[number], &lesson, &error);
+    if (result)
+        return report(exit_of_input(result), "%s", error.text);
+    char name[256], previous[256], next[256], path[4096];
+    course_page_name(course, number, name, sizeof name);
+    course_page_name(course, number - 1, previous, sizeof previous);
+    course_page_name(course, number + 1, next, sizeof next);
+    lesson.previous = previous[0] ? previous : NULL;
+    lesson.next = next[0] ? next : NULL;
+    lesson.index = "index.html";
+    snprintf(path, sizeof path, "%.3800s/%s", folder, name);
+    const int code = inspect_lesson(command, &lesson, path, course);
+    lesson_close(&lesson);
+    return code;
+}
+
+static int write_index(const InspectCommand *command, const Course *course, const char *folder)
+{
+    GpError error = { "" };
+    Text page = { .data = NULL };
+    char path[4096];
+    course_index(course, folder, &page);
+    snprintf(path, sizeof path, "%.4000s/index.html", folder);
+    const GpResult result = text_write(path, &page, &error);
+    text_free(&page);
+    if (result)
+        return report(EXIT_INTERNAL, "%s", error.text);
+    notice(&command->options, "%s: %u lessons", path, course->count);
+    return EXIT_DONE;
+}
+
+static int inspect_course(const InspectCommand *command)
+{
+    GpError error = { "" };
+    Course course;
+    const char *folder = command->output            ? command->output
+                         : gp_path_is_folder("out") ? "out/lessons"
+                                                    : "lessons";
+    const GpResult result = course_open(command->lesson_path, &course, &error);
+    if (result)
+        return report(exit_of_input(result), "%s", error.text);
+    int code = EXIT_DONE;
+    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+        code = report(EXIT_INTERNAL, "%s: %s", folder, strerror(errno));
+    for (uint32_t i = 0; i < course.count && !code; i++)
+        code = inspect_of_course(command, &course, i, folder);
+    if (!code)
+        code = write_index(command, &course, folder);
+    course_free(&course);
+    return code;
+}
+
+/* A lesson or a folder of them, where data is found. */
+static int inspect_lessons(InspectCommand *command)
+{
+    GpError error = { "" };
+    char path[4096];
+    if (gp_data_find(command->lesson_path, path, sizeof path, &error))
+        return report(EXIT_INPUT, "%s", error.text);
+    command->lesson_path = path;
+    return gp_path_is_folder(path) ? inspect_course(command) : inspect_one(command);
+}
+
 /* --- options ---------------------------------------------------------------------------------- */
 
 /* The technique that the arguments name: its options are then theirs. */
@@ -260,6 +392,8 @@ int cmd_inspect(int argc, char **argv)
     if (command.technique && setting_find(command.technique->settings, "size"))
         own.shared = OPTIONS_RUN;
     command_parse(&own, command.technique ? &command.settings : NULL, argc, argv, &command);
+    if (command.lesson_path)
+        return inspect_lessons(&command);
     char path[4096];
     output_default_path(command.scene, "html", path, sizeof path);
     const int result = inspect_frames(&command, command.output ? command.output : path);

@@ -3,6 +3,7 @@
 #include "apps/base/json.h"
 #include "apps/base/page.h"
 #include "apps/inspect/frame_tell.h"
+#include "apps/inspect/lesson_answer.h"
 #include "apps/inspect/record.h"
 #include "apps/inspect/sources.h"
 
@@ -126,11 +127,12 @@ static void add_modules(Text *page)
 }
 
 static void add_page(Text *page, const Inspect *inspect, const Blobs *blobs, const int frame[2],
-                     const json_t *timings)
+                     int lesson, const json_t *timings)
 {
+    const char *title = inspect->lesson ? inspect->lesson->title : inspect->title;
     text_add(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                    "<meta name=\"viewport\" content=\"width=device-width\">\n");
-    text_add_escaped(page, "<title>%s - glasspipe inspect</title>\n<style>\n", inspect->title);
+    text_add_escaped(page, "<title>%s - glasspipe inspect</title>\n<style>\n", title);
     add_files(page, ".css");
     text_add(page, "</style>\n");
     add_modules(page);
@@ -146,21 +148,34 @@ static void add_page(Text *page, const Inspect *inspect, const Blobs *blobs, con
         page->failed = page->failed || !text;
         free(text);
     }
-    text_add(
-        page,
-        "<script type=\"module\">import { start } from \"page/main.js\"; start(%d, %d);</script>\n"
-        "</body>\n</html>\n",
-        frame[0], frame[1]);
+    text_add(page,
+             "<script type=\"module\">import { start } from \"page/main.js\"; start(%d, %d, "
+             "%d);</script>\n</body>\n</html>\n",
+             frame[0], frame[1], lesson);
 }
 
-/* The data of one frame. out: frame: its blob; timings: NULL without */
-static GpResult add_frame(const Inspect *inspect, Blobs *blobs, int *frame, json_t **timings,
-                          GpError *error)
+/* out: lesson: its blob; stays as it is without */
+static GpResult add_lesson(const Record *record, Blobs *blobs, int *lesson, GpError *error)
+{
+    json_t *told = NULL;
+    if (!record->inspect->lesson)
+        return GP_OK;
+    const GpResult result = lesson_tell(record->inspect->lesson, record, blobs, &told, error);
+    if (!result)
+        *lesson = blobs_add_json(blobs, told);
+    return result;
+}
+
+/* The data of one frame. out: frame, lesson: blobs; timings: NULL without */
+static GpResult add_frame(const Inspect *inspect, Blobs *blobs, int *frame, int *lesson,
+                          json_t **timings, GpError *error)
 {
     Record record;
     GpResult result = record_frame(inspect, blobs, &record, error);
     if (!result)
         result = run_fast(&record, timings, error);
+    if (!result)
+        result = add_lesson(&record, blobs, lesson, error);
     if (!result)
         *frame = blobs_add_json(blobs, tell_frame(&record, blobs));
     record_free(&record);
@@ -171,13 +186,13 @@ GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page
 {
     Blobs blobs = { .count = 0 };
     json_t *timings = NULL, *of_other = NULL;
-    int frame[2] = { BLOB_NONE, BLOB_NONE };
+    int frame[2] = { BLOB_NONE, BLOB_NONE }, lesson = BLOB_NONE;
     *page = (Text){ .data = NULL };
-    GpResult result = add_frame(inspect, &blobs, &frame[0], &timings, error);
+    GpResult result = add_frame(inspect, &blobs, &frame[0], &lesson, &timings, error);
     if (!result && against)
-        result = add_frame(against, &blobs, &frame[1], &of_other, error);
+        result = add_frame(against, &blobs, &frame[1], &lesson, &of_other, error);
     if (!result && !blobs.failed)
-        add_page(page, inspect, &blobs, frame, timings);
+        add_page(page, inspect, &blobs, frame, lesson, timings);
     if (!result && (blobs.failed || page->failed))
         result = gp_fail(error, GP_ERROR_MEMORY, "no memory for the page");
     if (result)

@@ -17,6 +17,8 @@
  *   grid, region, dense    what was chosen to be recorded whole
  *   sources, programs      sources_tell (blob), sources_of_programs
  *
+ * A lesson has one more blob, lesson_tell's.
+ *
  * The element "timings" is beside them: milliseconds by phase of the fast executor, and not there with
  * no_timings. A page that compares has two frames.
  */
@@ -24,6 +26,7 @@
 #define APPS_INSPECT_INSPECT_H
 
 #include "apps/base/text.h"
+#include "apps/inspect/lesson.h"
 #include <glasspipe/glasspipe.h>
 
 typedef struct Inspect {
@@ -34,6 +37,8 @@ typedef struct Inspect {
     GpRect region;            /* recorded whole, in passes of the picture's size; empty: none */
     int32_t draw;             /* whose pixels are recorded more densely; -1: none */
     uint32_t pixels;          /* to be recorded whole, about so many a pass; 0: a default */
+    const Lesson
+        *lesson; /* a question to be answered before the page shows its value; NULL: none */
     bool no_timings;
     int threads;
     /* Hears how far the work is. NULL: nobody does */
@@ -43,7 +48,7 @@ typedef struct Inspect {
 
 /* Makes the page.
  * in   against: another frame, to be compared with; NULL: none
- * errors those of gp_device_run; GP_ERROR_UNSUPPORTED: both executors differ; GP_ERROR_MEMORY
+ * errors those of gp_device_run and lesson_tell; GP_ERROR_UNSUPPORTED: both executors differ; GP_ERROR_MEMORY
  * owns: the caller, until text_free */
 GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page, GpError *error);
 

@@ -57,15 +57,63 @@ static void techniques_have_their_options_and_frames_are_compared(void **state)
     assert_int_equal(
         shell(INSPECT "-o two.html --technique shadow --map 64 --against '--method hardware'"), 0);
     read_file("two.html", page, sizeof page);
-    assert_null(strstr(page, ", -1);</script>")); /* a second frame is there */
+    assert_null(strstr(page, ", -1, -1);</script>")); /* a second frame is there */
     read_file("plain.html", page, sizeof page);
-    expect_contains(page, ", -1);</script>");
+    expect_contains(page, ", -1, -1);</script>");
+}
+
+#define LESSON(rest)                                                                               \
+    "{\"title\": \"T\", \"learn\": \"L\", \"unit\": \"clipping\", \"question\": \"Q\", \"why\": "  \
+    "\"WHY?\",\n"                                                                                  \
+    "\"pixel\": [32, 24], " rest "}\n"
+
+static void a_lesson_has_its_question_and_neither_answer_nor_reason_in_clear(void **state)
+{
+    (void)state;
+    write_file("scene.lesson.json",
+               LESSON("\"answer\": {\"from\": \"clip.corners\", \"form\": \"whole\"}"));
+    assert_int_equal(
+        shell("glasspipe inspect --lesson scene.lesson.json -q --no-timings -o a.html"), 0);
+    read_file("a.html", page, sizeof page);
+    assert_null(strstr(page, ", -1);</script>"));
+    assert_null(strstr(page, "WHY?"));
+    expect_contains(page, "<title>T - glasspipe inspect</title>");
+    assert_int_equal(shell("glasspipe inspect --lesson . -q --no-timings -o course"), 0);
+    assert_int_equal(shell("ls course"), 0);
+    assert_string_equal(out, "index.html\nscene.html\n");
+    read_file("course/index.html", page, sizeof page);
+    expect_contains(page, "href=\"scene.html\"");
+}
+
+static void a_lesson_that_asks_for_nothing_is_refused(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        { LESSON("\"answer\": {\"from\": \"clip.nothing\", \"form\": \"whole\"}"), "clip.nothing" },
+        { LESSON("\"answer\": {\"from\": \"clip.corners\", \"form\": \"odd\"}"), "answer.form" },
+        { LESSON("\"answer\": {\"from\": \"clip.corners\", \"form\": \"choice\"}"), "answer" },
+        { LESSON("\"triangle\": 99, \"answer\": {\"from\": \"clip.corners\"}"), "no fragment" },
+        { LESSON("\"pass\": 3, \"answer\": {\"from\": \"clip.corners\"}"), "no pass 3" },
+        { LESSON("\"ask\": 1, \"answer\": {\"from\": \"clip.corners\"}"),
+          "scene.lesson.json:2: ask" },
+        { LESSON("\"hint\": \"H\""), "answer" },
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        write_file("scene.lesson.json", rows[i][0]);
+        expect_refused(3, "inspect --lesson scene.lesson.json -q -o page.html", rows[i][1]);
+    }
+    expect_files("scene.json scene.lesson.json");
 }
 
 static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
     expect_refused(2, "inspect", "a scene file");
+    expect_refused(2, "inspect scene.json --lesson scene.lesson.json", "expected no other");
+    expect_refused(2, "inspect --lesson scene.lesson.json --technique shadow", "--technique");
+    expect_refused(3, "inspect --lesson scene.json", "NAME.lesson.json");
+    expect_refused(3, "inspect --lesson nope.lesson.json", "nope.lesson.json");
+    expect_refused(3, "inspect --lesson .", "there is no NAME.lesson.json");
     expect_refused(2, "inspect scene.json --technique nope", "--technique nope");
     expect_refused(2, "inspect scene.json --method plain", "--method");
     expect_refused(2, "inspect scene.json --against '--map 64'", "--technique");
@@ -83,6 +131,8 @@ int main(void)
             a_page_has_the_same_bytes_for_any_threads_and_times_only_where_they_are_wanted),
         PROGRAM_TEST(a_region_makes_a_page_larger_and_json_tells_its_bytes),
         PROGRAM_TEST(techniques_have_their_options_and_frames_are_compared),
+        PROGRAM_TEST(a_lesson_has_its_question_and_neither_answer_nor_reason_in_clear),
+        PROGRAM_TEST(a_lesson_that_asks_for_nothing_is_refused),
         PROGRAM_TEST(what_cannot_be_is_refused),
     };
     return cmocka_run_group_tests_name("inspect", tests, find_program, NULL);

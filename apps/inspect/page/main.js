@@ -5,6 +5,7 @@ import { make_compare } from "page/compare.js";
 import { make_events } from "page/events.js";
 import { Frame } from "page/frame.js";
 import { make_keys } from "page/keys.js";
+import { begin_lesson, load_lesson, make_lesson } from "page/lesson.js";
 import { make_pixel, pixel } from "page/pixel.js";
 import { choose, from_address, idle, state } from "page/state.js";
 import { make_units, units } from "page/units.js";
@@ -30,14 +31,14 @@ function beginning(frame) {
     return { pass: pass.pass, draw: Math.max(0, pass.draws.length - 1), surface: frame.picture, x, y, fragment: -1 };
 }
 
-/** number: the frame's blob; other: that of a frame to compare with, or -1. */
-export async function start(number, other) {
-    const frame = await Frame.load(number);
+/** number: the frame's blob; other: that of a frame to compare with, lesson: of a question, or -1. */
+export async function start(number, other, lesson_number) {
+    const frame = await Frame.load(number), lesson = await load_lesson(lesson_number);
     const timings = document.getElementById("timings");
     frame.timings = timings ? JSON.parse(timings.textContent) : null;
     const part = (id) => document.getElementById(id);
-    part("title").textContent = frame.title;
-    part("about").textContent = frame.about ?? `${frame.width} \u00d7 ${frame.height}, ${frame.passes.length} pass${frame.passes.length > 1 ? "es" : ""}; both executors drew the same bits`;
+    part("title").textContent = lesson?.title ?? frame.title;
+    part("about").textContent = lesson?.learn ?? frame.about ?? `${frame.width} \u00d7 ${frame.height}, ${frame.passes.length} pass${frame.passes.length > 1 ? "es" : ""}; both executors drew the same bits`;
     part("left-out").append(...left_out(frame));
     make_events(frame, part("events"));
     make_pixel(frame, part("pixel"));
@@ -46,7 +47,8 @@ export async function start(number, other) {
         await make_compare(frame, await Frame.load(other), viewer);
     make_units(frame, part("strip"), part("panel"));
     make_keys(frame, part("help"), part("help-button"));
-    await choose({ ...beginning(frame), ...from_address(), first: true });
+    await choose({ ...beginning(frame), ...begin_lesson(frame, lesson), ...from_address(), first: true });
+    await make_lesson(lesson, part("lesson"));
     window.inspector = { frame, state, choose, idle, pixel, units: units.map((unit) => unit.id) };
     document.documentElement.dataset.ready = "true";
 }

@@ -132,7 +132,7 @@ export class Viewer {
     // The chosen pixel, and those that are recorded whole.
     mark() {
         const { width, height } = this.canvas, pass = this.frame.passes[state.pass];
-        const unit = Math.max(1, width / Math.max(1, this.canvas.clientWidth));
+        const unit = width / (this.canvas.clientWidth || width); // a pixel of the screen
         const line = (d, stroke, size) => svg("path", { d, stroke, "stroke-width": size * unit, fill: "none" });
         const { x, y } = state, gap = 7 * unit;
         const rays = `M${x + .5} ${y - gap}v${-3 * gap}M${x + .5} ${y + 1 + gap}v${3 * gap}M${x - gap} ${y + .5}h${-3 * gap}M${x + 1 + gap} ${y + .5}h${3 * gap}M${x} ${y}h1v1h-1z`;

@@ -42,7 +42,7 @@ function read_of(draw, read, k) {
               read.magnified ? ", magnified" : ", minified", ", gives ", vec(read.result, `texture.${k}.result`)),
             h("div", { class: "cols" },
               table(["texel", "level", "weight", "value"], read.texels.map((texel, i) => [
-                  texel.x < 0 ? "border" : h("span", { class: "v" }, `${texel.x}, ${texel.y}`), String(texel.level),
+                  texel.x < 0 ? "border" : h("span", { class: "v" }, `${texel.x}, ${texel.y}`), value(texel.level, `texture.${k}.texels.${i}.level`),
                   value(texel.weight, `texture.${k}.texels.${i}.weight`), vec(texel.value, `texture.${k}.texels.${i}.value`)])),
               h("div", {}, texels(read, k)))];
 }
