@@ -244,9 +244,22 @@ run: all
 
 # --- lessons --------------------------------------------------------------------------------------
 
+# "Break it": programs of which one line of a unit is another, by a patch. Linked before the library,
+# the changed unit stands for its own.
+BREAKS := $(patsubst scenes/lessons/break/%.patch,$(BUILD)/break/%,$(wildcard scenes/lessons/break/*.patch))
+$(BUILD)/break/%.c: scenes/lessons/break/%.patch $(wildcard pipeline/units/*.c)
+	@mkdir -p $(@D)
+	@patch -s -f -F0 -r - -o $@ "$$(sed -n 's,^+++ b/,,p' $<)" $< || \
+	    { echo "$<: does not apply to the present source" >&2; exit 1; }
+$(BREAKS:=.o): %.o: %.c $(FLAGS_FILE)
+	$(call say,CC,$<)$(ALL_C) -c $< -o $@
+$(BREAKS): %: %.o $(MAIN) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A)
+	$(call say,LINK,$@)$(LINK) -Wl,-s $^ $(LIBS) -o $@
+
 .PHONY: lessons
-lessons: $(PROGRAM)
+lessons: $(PROGRAM) $(BREAKS)
 	@mkdir -p out/lessons
+	@sh tests/tools/break_it.sh page $(PROGRAM) $(BUILD)/break out/lessons/break_it.html
 	@$(PROGRAM) inspect -q --no-timings --lesson scenes/lessons -o out/lessons
 	@echo "lessons: out/lessons/index.html"
 
@@ -295,9 +308,11 @@ PRINTED_RESULT := $(BUILD)/test/printed.tap
 LIBRARY_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/library.tap $(BUILD)/test/headers.tap)
 # What a stranger's compiler says of shaders, and makes of them.
 SNIPPET_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/snippets.tap)
+# Changed units still apply, and change the picture.
+BREAK_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/break_it.tap)
 # Pages in a browser, where there is one.
 INSPECT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/inspect.tap)
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) \
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) $(BREAK_RESULT) \
            $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
@@ -311,6 +326,9 @@ $(PICTURE_RESULT): $(PROGRAM) always
 
 $(BUILD)/test/inspect.tap: $(PROGRAM) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/inspect_pages.sh $<
+
+$(BUILD)/test/break_it.tap: $(PROGRAM) $(BREAKS) always
+	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/break_it.sh test $< $(BUILD)/break
 
 # Installed first, since what is printed must run there too.
 TRIED := $(abspath $(BUILD))/test/installed
@@ -456,7 +474,7 @@ uninstall:
 # --- the rest -------------------------------------------------------------------------------------
 
 clean:
-	rm -rf $(addprefix $(BUILD)/,bin lib include share obj test check)
+	rm -rf $(addprefix $(BUILD)/,bin lib include share obj test check break)
 
 help:
 	@echo 'make             build out/bin/glasspipe and out/lib/libglasspipe.{a,so}'
@@ -469,7 +487,7 @@ help:
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
 	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, COMMANDS=...'
-	@echo 'make lessons     twelve questions about the pipeline, as pages in out/lessons'
+	@echo 'make lessons     twelve questions about the pipeline, and eight ways to break it: out/lessons'
 	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
 	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'
 	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'
@@ -483,4 +501,4 @@ help:
 OBJECTS := $(call object,$(OIIO) $(OPENMESH) $(wildcard tests/faults/*.c)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(MAIN) \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
--include $(OBJECTS:.o=.d)
+-include $(OBJECTS:.o=.d) $(BREAKS:=.d)

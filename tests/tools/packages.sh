@@ -27,6 +27,7 @@ build libopenimageio-dev header OpenImageIO/imageio.h
 build libopenmesh-dev header OpenMesh/Core/Mesh/Traits.hh
 test libcmocka-dev header cmocka.h
 test qemu-user command qemu-x86_64
+test patch command patch
 lint clang-format command clang-format
 check clang command clang++
 check chromium command chromium

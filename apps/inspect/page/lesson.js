@@ -141,6 +141,7 @@ function make_question(lesson, section, veil) {
     section.append(h("div", { class: "ask" }, h("h2", {}, "Question"), h("p", { class: "question" }, lesson.question), form),
         h("div", { class: "look" }, links(lesson), lesson.look.length ? [h("h2", {}, "Look at"), h("ul", {}, lesson.look.map((one) => h("li", {}, one)))] : ""));
     section.hidden = false;
+    document.body.classList.add("asks");
 }
 
 /** The lesson of a page; null: it has none. */
