@@ -104,6 +104,7 @@ PAGE_FILES := $(sort $(call below,apps/inspect/page,*.*) $(wildcard pipeline/uni
                 $(call below,shaders_c,*.[ch]))
 SUPPORT := $(call object,$(call below,tests/support,*.c))
 TEST_SHADERS := $(call object,$(wildcard tests/shaders/*.c))
+FUZZ    := $(call object,$(filter-out tests/fuzz/libfuzzer.c,$(wildcard tests/fuzz/*.c)))
 GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
 DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
 
@@ -267,7 +268,7 @@ lessons: $(PROGRAM) $(BREAKS)
 
 # All that tests look at, in one shared library: a change relinks in a moment.
 TESTED_SO := $(BUILD)/test/libtested.so
-$(TESTED_SO): $(SUPPORT) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE) | $(LOADED)
+$(TESTED_SO): $(SUPPORT) $(FUZZ) $(TEST_SHADERS) $(APPS) $(SHADERS) $(IO) $(CORE) | $(LOADED)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) -shared $^ $(LIBS) -o $@
 
@@ -378,6 +379,16 @@ $(FAIL_SO): $(BUILD)/obj/tests/faults/fail_calls.o
 faults: $(PROGRAM) $(FAULTS) $(FAIL_SO)
 	@$(FAULTS) $(PROGRAM) $(FAIL_SO) $(if $(MOST),--most $(MOST)) $(COMMANDS)
 
+# Readers under libFuzzer and the sanitizers: FUZZ_S seconds for each of TARGETS, or of all.
+FUZZER := $(BUILD)/test/fuzz
+$(FUZZER): $(BUILD)/obj/tests/fuzz/libfuzzer.o $(FUZZ) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) \
+           | $(LOADED)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) -fsanitize=fuzzer $^ -lcmocka $(LIBS) -o $@
+.PHONY: fuzz
+fuzz:
+	+@sh tests/tools/fuzz.sh $(BUILD)/fuzz '$(FUZZ_S)' $(TARGETS)
+
 test-golden: $(GOLDEN_RESULTS)
 	@awk -f tests/tools/summary.awk $^
 
@@ -486,6 +497,7 @@ help:
 	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
+	@echo 'make fuzz        reads anything, under clang and its sanitizers; FUZZ_S= seconds a target, TARGETS=...'
 	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, COMMANDS=...'
 	@echo 'make lessons     twelve questions about the pipeline, and eight ways to break it: out/lessons'
 	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
@@ -498,7 +510,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(call object,$(OIIO) $(OPENMESH) $(wildcard tests/faults/*.c)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(MAIN) \
+OBJECTS := $(call object,$(OIIO) $(OPENMESH) $(wildcard tests/faults/*.c tests/fuzz/*.c)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(MAIN) \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d) $(BREAKS:=.d)

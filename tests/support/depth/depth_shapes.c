@@ -202,7 +202,7 @@ DepthModel depth_shape_capture(const DepthShape *shape, uint32_t width, uint32_t
     for (uint32_t i = 1; i < model.count; i++) {
         model.images[i].plane = cap_of(shape, i == 1 ? 1 : -1);
         assert_int_equal(depth_pixels_make(caps, caps, normals, &model.images[i].front), GP_OK);
-        capture(shape, &model.images[i], INFINITY);
+        capture(shape, &model.images[i], HUGE_VAL);
     }
     return model;
 }

@@ -8,7 +8,7 @@ static double meet_plane(const double normal[3], double offset, const double fro
                          const double direction[3])
 {
     const double t = (offset - vector_dot(normal, from)) / vector_dot(normal, direction);
-    return t > 0 ? t : (double)INFINITY;
+    return t > 0 ? t : HUGE_VAL;
 }
 
 static double meet_ball(const double from[3], const double direction[3])
@@ -16,15 +16,15 @@ static double meet_ball(const double from[3], const double direction[3])
     const double a = vector_dot(direction, direction), b = vector_dot(from, direction);
     const double c = vector_dot(from, from) - 1, root = b * b - a * c;
     if (root < 0)
-        return INFINITY;
+        return HUGE_VAL;
     const double near = (-b - sqrt(root)) / a, far = (-b + sqrt(root)) / a;
-    return near > 0 ? near : far > 0 ? far : (double)INFINITY;
+    return near > 0 ? near : far > 0 ? far : HUGE_VAL;
 }
 
 static double meet_step(const double from[3], const double direction[3])
 {
     static const double forward[3] = { 0, 0, 1 };
-    double nearest = INFINITY;
+    double nearest = HUGE_VAL;
     for (int side = 0; side < 2; side++) {
         const double t = meet_plane(forward, side ? -0.5 : 0.5, from, direction);
         if ((from[0] + t * direction[0] >= 0) == side)
@@ -145,7 +145,7 @@ static double see(Formula formula, const Camera *camera, double x, double y, dou
     const double t = formula_meet(formula, from, direction);
     for (int k = 0; k < 3; k++)
         point[k] = from[k] + t * direction[k];
-    return t > camera->near && t < camera->far ? t : (double)INFINITY;
+    return t > camera->near && t < camera->far ? t : HUGE_VAL;
 }
 
 static double distance_of(const Camera *camera, double z)

@@ -106,7 +106,7 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
         store_lanes(tile->visibility->record + at, quads,
                     itg_select(live, itg_set((int32_t)f->number), shown));
     } else if (path == FAST_ORDERED && f->d->one_color) {
-        live = list_lanes(f, fast_at(x, y) + lane_numbers(), live, z);
+        live = list_lanes(f, (int32_t)fast_at(x, y) + lane_numbers(), live, z);
     } else if (path == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);
         if (lanes) {
