@@ -106,7 +106,7 @@ static double shader_operations(const GpDraw *draw, bool vertex)
                                 .depth = quad.depth,
                                 .killed = quad.killed };
     gp_program_steps(draw->program, vertex, &call,
-                     &(GpStepListener){ add_step, take_output, &sum });
+                     &(GpStepListener){ .step = add_step, .output = take_output, .user = &sum });
     return sum;
 }
 

@@ -18,7 +18,7 @@ typedef struct InspectCommand {
     const char *scene, *output, *technique_name, *against, *lesson_path;
     double region[4]; /* x, y, width, height; width 0: none */
     uint32_t draw, pixels;
-    bool no_timings;
+    bool no_timings, truth;
     const Technique *technique; /* NULL: the scene as it is */
     CommandOptions settings;    /* of the technique */
     const Lesson *lesson;       /* NULL: the page asks nothing */
@@ -41,6 +41,10 @@ static const SettingField options[] = {
       "The frame that a technique draws of the scene; its options may follow, as `glasspipe NAME "
       "--help' has them",
       SETTING_TEXT, .offset = OF(technique_name) },
+    { "truth", NULL,
+      "Find the exact picture of the technique's scene too, and say of each pixel how far it is "
+      "off",
+      SETTING_FLAG, .offset = OF(truth) },
     { "against", "OTHER",
       "Compare with another scene or, where it begins with --, with other options of the technique",
       SETTING_TEXT, .offset = OF(against) },
@@ -98,10 +102,13 @@ typedef struct Drawn {
     Frame frame;
     const GpList *list;
     const GpSurface *picture;
+    const Experiment *experiment; /* that knows how far the picture is off */
+    float *off;                   /* [height][width]; NULL: unknown */
 } Drawn;
 
 static void release(const InspectCommand *command, Drawn *drawn)
 {
+    gp_free(drawn->off);
     frame_free(&drawn->frame);
     if (drawn->opened)
         command->technique->close(drawn->opened);
@@ -118,6 +125,47 @@ static GpResult build(const InspectCommand *command, const void *setting, GpDevi
     drawn->list = &drawn->frame.list;
     drawn->picture = frame_picture(&drawn->frame);
     return result;
+}
+
+static const Experiment *experiment_of(const Technique *technique)
+{
+    for (const Experiment *one = technique->experiments; one && one->name; one++)
+        if (one->find_truth && one->difference)
+            return one;
+    return NULL;
+}
+
+/* Holds a frame of its own against the truth, since passes may be appended to it. */
+static GpResult find_off(const InspectCommand *command, const void *setting, GpDevice *device,
+                         Drawn *drawn, GpError *error)
+{
+    const Technique *technique = command->technique;
+    const Experiment *experiment = experiment_of(technique);
+    Frame frame = { .color = NULL };
+    if (!experiment)
+        return gp_fail(error, GP_ERROR_INVALID, "--truth: %s does not know the exact picture",
+                       technique->name);
+    GpResult result = experiment->find_truth(drawn->opened, gp_device_threads(device), error);
+    if (!result)
+        result = technique->build(drawn->opened, setting, device, &frame, error);
+    if (!result && technique->show)
+        result = technique->show(drawn->opened, setting, &frame, error);
+    if (!result)
+        result = gp_device_run(device, &frame.list, error);
+    const GpSurface *picture = result ? NULL : frame_picture(&frame);
+    float *off = picture ? gp_alloc((size_t)picture->width * picture->height, sizeof *off) : NULL;
+    if (picture && !off)
+        result = gp_fail(error, GP_ERROR_MEMORY, "no memory for a picture's truth");
+    if (!result)
+        result = experiment->difference(drawn->opened, setting, device, &frame, off, error);
+    frame_free(&frame);
+    if (result) {
+        gp_free(off);
+        return result;
+    }
+    drawn->off = off;
+    drawn->experiment = experiment;
+    return GP_OK;
 }
 
 static int open_technique(const InspectCommand *command, const char *path, void *setting,
@@ -143,6 +191,10 @@ static int open_technique(const InspectCommand *command, const char *path, void 
     GpResult result = technique->open(&input, &drawn->opened, &error);
     if (!result)
         result = build(command, setting, device, drawn, &error);
+    if (!result && command->truth)
+        result = find_off(command, setting, device, drawn, &error);
+    else if (!result && technique->quick_truth) /* a scene without one is shown without it */
+        find_off(command, setting, device, drawn, &(GpError){ "" });
     gp_device_destroy(&device);
     return result ? report(exit_of_input(result), "%s: %s", path, error.text) : EXIT_DONE;
 }
@@ -151,6 +203,8 @@ static int open_drawn(const InspectCommand *command, const char *path, void *set
 {
     if (command->technique)
         return open_technique(command, path, setting, drawn);
+    if (command->truth)
+        return report(EXIT_USAGE, "--truth: exact pictures are a technique's; see --technique");
     const int code = options_scene(&command->options, path, &drawn->scene);
     drawn->list = &drawn->scene.list;
     drawn->picture = drawn->scene.picture;
@@ -169,6 +223,9 @@ static Inspect inspect_of(const InspectCommand *command, const Drawn *drawn, con
         .technique = command->technique ? command->technique->name : NULL,
         .list = drawn->list,
         .picture = drawn->picture,
+        .truth = drawn->off ? (InspectTruth){ drawn->off, drawn->experiment->over,
+                                              drawn->experiment->under, drawn->experiment->truth }
+                            : (InspectTruth){ .off = NULL },
         .region =
             lesson && region[2] == 0
                 ? (GpRect){ lesson->x, lesson->y, lesson->x + 1, lesson->y + 1 }

@@ -3,6 +3,7 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 #include "apps/inspect/frame_tell.h"
+#include "apps/inspect/steps_json.h"
 #include "apps/inspect/trace_json.h"
 #include "apps/inspect/uniforms.h"
 #include "apps/commands/pixel_text.h"
@@ -15,6 +16,7 @@ typedef struct Pixel {
     Options options;          /* first: see options.h */
     const char *arguments[3]; /* scene, x, y */
     const char *pass;         /* --pass, or NULL */
+    bool steps;
     uint32_t x, y;
 } Pixel;
 
@@ -23,6 +25,8 @@ static const SettingField options[] = {
       "Follow the pixel through pass PASS (name or number) only "
       "(default: through all passes of the picture's size)",
       SETTING_TEXT, .offset = offsetof(Pixel, pass) },
+    { "steps", NULL, "Tell every instruction of the vertex and pixel shaders too, with its result",
+      SETTING_FLAG, .offset = offsetof(Pixel, steps) },
     { .name = NULL },
 };
 
@@ -42,6 +46,7 @@ static const CommandSyntax syntax = {
         "  glasspipe pixel scenes/default.json 256 200\n"
         "  glasspipe pixel scenes/default.json 256 200 --json\n"
         "  glasspipe pixel scenes/mrt.json 10 20 --pass 0\n"
+        "  glasspipe pixel scenes/mrt.json 10 20 --steps\n"
         "\n"
         "Tells the history of one pixel: the clear, then every fragment that covers it, in "
         "order, with "
@@ -63,6 +68,7 @@ typedef struct Watch {
     uint32_t width, height; /* of the passes to follow */
     PixelText *text;        /* one of these two */
     json_t *events, *draws; /* draws: of these events, by "pass/draw" */
+    StepListings *listings;
 } Watch;
 
 /* A draw's uniforms and textures, by name, once. */
@@ -90,7 +96,13 @@ static void watch_event(void *user, const GpTraceEvent *event)
     if (watch->text)
         pixel_text_event(watch->text, event);
     else {
-        json_array_append_new(watch->events, trace_json(event));
+        json_t *told = trace_json(event);
+        if (event->kind == GP_TRACE_STEPS) {
+            json_t *steps = steps_json(watch->listings, &event->steps);
+            json_object_update(told, steps);
+            json_decref(steps);
+        }
+        json_array_append_new(watch->events, told);
         add_draw(watch, event);
     }
 }
@@ -114,10 +126,10 @@ static int tell(const Pixel *pixel, const Watch *watch, GpTrace trace)
     else if (watch->text)
         pixel_text_end(watch->text);
     else
-        output_json(json_pack("{s:I, s:I, s:I, s:I, s:O, s:O}", "x", (json_int_t)pixel->x, "y",
-                              (json_int_t)pixel->y, "width", (json_int_t)watch->width, "height",
-                              (json_int_t)watch->height, "events", watch->events, "draws",
-                              watch->draws));
+        output_json(json_pack("{s:I, s:I, s:I, s:I, s:O, s:O, s:O*}", "x", (json_int_t)pixel->x,
+                              "y", (json_int_t)pixel->y, "width", (json_int_t)watch->width,
+                              "height", (json_int_t)watch->height, "events", watch->events, "draws",
+                              watch->draws, "listings", watch->listings->all));
     gp_device_destroy(&device);
     return code;
 }
@@ -126,13 +138,17 @@ static int follow(const Pixel *pixel, const Scene *scene)
 {
     const GpList *list = &scene->list;
     PixelText text = { .file = stdout, .color = stdout_wants_color(), .list = list };
+    StepListings listings = { .all = NULL };
     Watch watch = { .list = list,
+                    .listings = &listings,
                     .width = scene->picture->width,
                     .height = scene->picture->height,
                     .text = pixel->options.json ? NULL : &text };
-    GpTrace trace = {
-        .one_pixel = true, .missed = true, .x = (int32_t)pixel->x, .y = (int32_t)pixel->y
-    };
+    GpTrace trace = { .one_pixel = true,
+                      .missed = true,
+                      .steps = pixel->steps,
+                      .x = (int32_t)pixel->x,
+                      .y = (int32_t)pixel->y };
     if (pixel->pass) {
         trace.one_pass = true;
         trace.pass = passes_find(list, pixel->pass);
@@ -149,6 +165,7 @@ static int follow(const Pixel *pixel, const Scene *scene)
     watch.events = json_array();
     watch.draws = json_object();
     int code = tell(pixel, &watch, trace);
+    step_listings_free(&listings);
     json_decref(watch.events);
     json_decref(watch.draws);
     return code;

@@ -306,6 +306,30 @@ static void print_texture(PixelText *history, const GpTraceEvent *event)
     line(history, "  result", "%s", vector(texture->texel, 4).text);
 }
 
+/* Every instruction with its result; of masks all bits of a lane are set, or none. */
+static void print_steps(PixelText *history, const GpTraceEvent *event)
+{
+    const GpTraceSteps *steps = &event->steps;
+    for (int i = 0; i < steps->steps; i++) {
+        const GpShaderStep *step = &steps->step[i];
+        const bool is_mask = step->code >= GP_STEP_LESS && step->code <= GP_STEP_NOT;
+        float value[4];
+        Piece numbers;
+        for (int c = 0; c < step->width; c++)
+            value[c] = step->value[c][steps->lane];
+        const char *said = !step->width ? "" : gp_float_bits(value[0]) ? "true" : "false";
+        if (!is_mask && step->width) {
+            numbers = vector(value, step->width);
+            said = numbers.text;
+        }
+        line(history,
+             i                  ? ""
+             : steps->of_vertex ? "vertex steps"
+                                : "steps",
+             "%3d %-10s %s", i, gp_step_names[step->code], said);
+    }
+}
+
 static void print_pixel(PixelText *history, const GpTraceEvent *event)
 {
     const GpTracePixel *pixel = &event->pixel;
@@ -385,6 +409,7 @@ void pixel_text_event(PixelText *history, const GpTraceEvent *event)
         [GP_TRACE_TEXTURE] = print_texture, [GP_TRACE_PIXEL] = print_pixel,
         [GP_TRACE_SORT] = print_sort,       [GP_TRACE_TEST] = print_test,
         [GP_TRACE_OUTPUT] = print_output,   [GP_TRACE_MISSED] = print_missed,
+        [GP_TRACE_STEPS] = print_steps,
     };
     if (!print[event->kind])
         return;

@@ -36,6 +36,14 @@ int blobs_add_json(Blobs *blobs, json_t *value)
     return number;
 }
 
+void blobs_cut(Blobs *blobs, const Blobs *before)
+{
+    blobs->text.length = before->text.length;
+    blobs->count = before->count;
+    if (blobs->text.data)
+        blobs->text.data[blobs->text.length] = 0;
+}
+
 void blobs_free(Blobs *blobs)
 {
     text_free(&blobs->text);

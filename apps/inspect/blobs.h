@@ -22,6 +22,9 @@ int blobs_add(Blobs *blobs, const void *bytes, size_t size);
 /* Adds a value as JSON, floats with nine digits, and releases it. returns as blobs_add */
 int blobs_add_json(Blobs *blobs, json_t *value);
 
+/* Takes away what was added since a copy of them was made. */
+void blobs_cut(Blobs *blobs, const Blobs *before);
+
 void blobs_free(Blobs *blobs); /* zeroes it */
 
 #endif

@@ -132,6 +132,17 @@ static bool is_open(const Histories *histories, const GpTraceEvent *event, uint3
            json_integer_value(json_object_get(histories->open, "primitive")) == event->primitive;
 }
 
+/* The steps of a corner's vertex shader, beside what else is known of the vertex. */
+static void add_vertex_steps(Histories *histories, const GpTraceSteps *steps)
+{
+    json_t *vertex =
+        json_array_get(json_object_get(histories->open, "vertices"), (size_t)steps->lane);
+    if (!vertex || !histories_want_steps(histories))
+        return;
+    json_object_set_new(vertex, "steps", steps_json(&histories->listings, steps));
+    histories->bytes += 12 * (size_t)steps->steps; /* about what it takes */
+}
+
 static void primitive_event(Histories *histories, const GpTraceEvent *event, uint32_t draw)
 {
     if (!is_open(histories, event, draw)) {
@@ -139,6 +150,10 @@ static void primitive_event(Histories *histories, const GpTraceEvent *event, uin
         histories->open =
             json_pack("{s:I, s:I, s:[], s:n, s:[]}", "draw", (json_int_t)draw, "primitive",
                       (json_int_t)event->primitive, "vertices", "clip", "setup");
+    }
+    if (event->kind == GP_TRACE_STEPS) {
+        add_vertex_steps(histories, &event->steps);
+        return;
     }
     json_t *told = bare_of_primitive(event);
     if (event->kind == GP_TRACE_VERTEX)
@@ -186,14 +201,12 @@ void histories_event(Histories *histories, const GpTraceEvent *event, uint32_t d
         json_object_set_new(told, "part", json_integer((json_int_t)setups - 1));
         histories->open_is_asked = true;
     }
-    if (event->kind == GP_TRACE_STEPS && histories->bytes > HISTORY_STEPS) {
-        histories->left_out++;
-        json_object_set_new(told, "left_out", json_integer(event->steps.steps));
-    } else if (event->kind == GP_TRACE_STEPS) {
+    if (event->kind == GP_TRACE_STEPS) {
         json_t *steps = steps_json(&histories->listings, &event->steps);
         json_object_update(told, steps);
         json_decref(steps);
     }
+    histories->left_out += event->kind == GP_TRACE_PIXEL && !histories_want_steps(histories);
     const uint32_t number =
         histories->number[(uint32_t)event->y * histories->width + (uint32_t)event->x];
     add_event(histories, &histories->pixel[number - 1], told);

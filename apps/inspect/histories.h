@@ -3,7 +3,7 @@
  * A pixel is {"x", "y", "events": [...]}, an event what trace_json makes of it, without the names of
  * pass, draw and program; those of vertices, clipping and set-up are told once for each primitive,
  * {"draw", "primitive", "vertices": [...], "clip", "setup": [...]}, a vertex with its streams' bytes,
- * "raw", and with "reuse", how many elements of the draw name it; and a "raster" event says in
+ * "raw", with "reuse", how many elements of the draw name it, and its shader's "steps"; and a "raster" event says in
  * "part" which of its set-ups covered the pixel. "steps" are as steps_json.h has them. Pixels and
  * primitives stand HISTORY_CHUNK a blob. */
 #ifndef APPS_INSPECT_HISTORIES_H
@@ -53,6 +53,12 @@ void histories_choose(Histories *histories, int32_t x, int32_t y);
 static inline bool histories_want(const Histories *histories, int32_t x, int32_t y)
 {
     return histories->number && histories->number[(uint32_t)y * histories->width + (uint32_t)x];
+}
+
+/* Whether there is room for steps. */
+static inline bool histories_want_steps(const Histories *histories)
+{
+    return histories->bytes <= HISTORY_STEPS;
 }
 
 /* Takes an event. in: draw: its number in the pass */

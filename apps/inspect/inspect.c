@@ -10,7 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_DRAWS = 512 }; /* told, of a pass */
+enum {
+    MOST_DRAWS = 512,    /* told, of a pass */
+    MOST_BYTES = 8600000 /* of targets and histories; what else is in a page is about a megabyte */
+};
 
 /* --- data ------------------------------------------------------------------------------------- */
 
@@ -63,12 +66,24 @@ static json_t *tell_passes(Record *record, Blobs *blobs)
                             json_integer(fragments_blob(&pass->fragments, blobs)));
         json_object_set_new(told, "lod", json_integer(fragments_lod_blob(&pass->fragments, blobs)));
         json_object_set_new(told, "fragments_left_out", json_integer(pass->fragments.left_out));
-        json_object_set_new(told, "histories", histories_tell(&pass->histories, blobs));
+        json_object_set(told, "histories", pass->told);
         blobs->failed = blobs->failed || pass->fragments.failed || pass->histories.failed;
         json_array_append_new(passes, told);
     }
     gp_free(group);
     return passes;
+}
+
+static json_t *tell_truth(const Inspect *inspect, Blobs *blobs)
+{
+    const InspectTruth *truth = &inspect->truth;
+    if (!truth->off || !inspect->picture)
+        return json_null();
+    const size_t pixels = (size_t)inspect->picture->width * inspect->picture->height;
+    return json_pack("{s:i, s:o, s:o, s:o}", "off",
+                     blobs_add(blobs, truth->off, pixels * sizeof *truth->off), "over",
+                     json_text(truth->over), "under", json_text(truth->under), "how",
+                     json_text(truth->how));
 }
 
 static json_t *tell_frame(Record *record, Blobs *blobs)
@@ -85,7 +100,9 @@ static json_t *tell_frame(Record *record, Blobs *blobs)
                               picture ? (int)picture->height : 0, "verdicts", verdicts, "grid",
                               (int)record->step, "region", inspect->region.x0, inspect->region.y0,
                               inspect->region.x1, inspect->region.y1, "dense", (int)inspect->draw);
+    json_object_set_new(frame, "share", json_real(record->share));
     json_object_set_new(frame, "technique", json_text(inspect->technique));
+    json_object_set_new(frame, "truth", tell_truth(inspect, blobs));
     json_object_set_new(frame, "passes", tell_passes(record, blobs));
     json_object_set_new(frame, "surfaces", targets_tell(&record->targets, inspect->list, blobs));
     json_object_set_new(frame, "sources",
@@ -166,12 +183,40 @@ static GpResult add_lesson(const Record *record, Blobs *blobs, int *lesson, GpEr
     return result;
 }
 
-/* The data of one frame. out: frame, lesson: blobs; timings: NULL without */
-static GpResult add_frame(const Inspect *inspect, Blobs *blobs, int *frame, int *lesson,
-                          json_t **timings, GpError *error)
+static void tell_histories(Record *record, Blobs *blobs)
+{
+    for (uint32_t p = 0; p < record->pass_count; p++) {
+        json_decref(record->passes[p].told);
+        record->passes[p].told = histories_tell(&record->passes[p].histories, blobs);
+    }
+}
+
+/* Tells the pixels' histories, of as many as leave the blobs within so many bytes; of no fewer than a few. */
+static GpResult fit_histories(Record *record, Blobs *blobs, size_t most, GpError *error)
+{
+    enum { TURNS = 3 };
+    const Blobs before = *blobs;
+    GpResult result = GP_OK;
+    for (int turn = 0; !result; turn++) {
+        tell_histories(record, blobs);
+        const size_t now = blobs->text.length, length = before.text.length;
+        if (turn == TURNS || now <= most || length >= most)
+            break;
+        blobs_cut(blobs, &before);
+        const double fits = 0.9 * (double)(most - length) / (double)(now - length);
+        result = record_fewer(record, record->share * fits, error);
+    }
+    return result;
+}
+
+/* The data of one frame, in so many bytes if that can be. out: frame, lesson: blobs; timings: NULL without */
+static GpResult add_frame(const Inspect *inspect, size_t most, Blobs *blobs, int *frame,
+                          int *lesson, json_t **timings, GpError *error)
 {
     Record record;
     GpResult result = record_frame(inspect, blobs, &record, error);
+    if (!result)
+        result = fit_histories(&record, blobs, blobs->text.length + most, error);
     if (!result)
         result = run_fast(&record, timings, error);
     if (!result)
@@ -187,10 +232,11 @@ GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page
     Blobs blobs = { .count = 0 };
     json_t *timings = NULL, *of_other = NULL;
     int frame[2] = { BLOB_NONE, BLOB_NONE }, lesson = BLOB_NONE;
+    const size_t most = against ? MOST_BYTES / 2 : MOST_BYTES;
     *page = (Text){ .data = NULL };
-    GpResult result = add_frame(inspect, &blobs, &frame[0], &lesson, &timings, error);
+    GpResult result = add_frame(inspect, most, &blobs, &frame[0], &lesson, &timings, error);
     if (!result && against)
-        result = add_frame(against, &blobs, &frame[1], &lesson, &of_other, error);
+        result = add_frame(against, most, &blobs, &frame[1], &lesson, &of_other, error);
     if (!result && !blobs.failed)
         add_page(page, inspect, &blobs, frame, lesson, timings);
     if (!result && (blobs.failed || page->failed))

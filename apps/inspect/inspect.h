@@ -14,7 +14,8 @@
  *     stops[]              first, count of draws; targets[] (targets_changed); counters {words}
  *     fragments, lod       blobs (fragments.h); fragments_left_out: how many have no place in it
  *     histories            histories_tell
- *   grid, region, dense    what was chosen to be recorded whole
+ *   truth                  null, or off (blob of floats, InspectTruth.off), over, under, how
+ *   grid, region, dense    what was chosen to be recorded whole; share: the part of it that had room
  *   sources, programs      sources_tell (blob), sources_of_programs
  *
  * A lesson has one more blob, lesson_tell's.
@@ -29,14 +30,23 @@
 #include "apps/inspect/lesson.h"
 #include <glasspipe/glasspipe.h>
 
+/* How far a picture is from the exact one. */
+typedef struct InspectTruth {
+    const float *
+        off; /* [height][width] of the picture: above it, or below; 0: as it should be. NULL: unknown */
+    const char *over, *under; /* what that means: "lit where the truth is dark, a leak" */
+    const char *how;          /* the exact one was found: sentences */
+} InspectTruth;
+
 typedef struct Inspect {
     const char *title, *about; /* about: a sentence or NULL */
     const char *technique;     /* whose frame it is, for panels of its own; NULL: a scene's */
     const GpList *list;
     const GpSurface *picture; /* the target to look at first; NULL: the last pass's */
-    GpRect region;            /* recorded whole, in passes of the picture's size; empty: none */
-    int32_t draw;             /* whose pixels are recorded more densely; -1: none */
-    uint32_t pixels;          /* to be recorded whole, about so many a pass; 0: a default */
+    InspectTruth truth;
+    GpRect region;   /* recorded whole, in passes of the picture's size; empty: none */
+    int32_t draw;    /* whose pixels are recorded more densely; -1: none */
+    uint32_t pixels; /* to be recorded whole, about so many a pass; 0: a default */
     const Lesson
         *lesson; /* a question to be answered before the page shows its value; NULL: none */
     bool no_timings;

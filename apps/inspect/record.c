@@ -38,6 +38,12 @@ static bool wants(void *user, int32_t x, int32_t y)
            histories_want(&record->passes[record->walk.now->pass].histories, x, y);
 }
 
+static bool wants_steps(void *user)
+{
+    const Record *record = user;
+    return histories_want_steps(&record->passes[record->walk.now->pass].histories);
+}
+
 static GpResult after_stop(void *user, const WalkStop *stop, uint32_t number, uint32_t total,
                            GpError *error)
 {
@@ -77,10 +83,10 @@ static GpResult begin_passes(Record *record, GpError *error)
 static GpResult choose_pixels(Record *record, GpError *error)
 {
     GpResult result = GP_OK;
-    for (uint32_t p = 0; p < record->pass_count && !result; p++) {
-        fragments_finish(&record->passes[p].fragments);
+    for (uint32_t p = 0; p < record->pass_count && !result; p++)
         result = record_choose(record, p, error);
-    }
+    if (!result)
+        record_choose_alike(record);
     return result;
 }
 
@@ -92,6 +98,7 @@ static GpResult walk_once(Record *record, bool wholly, GpError *error)
         .trace = { .event = take_event,
                    .user = record,
                    .wants = wants,
+                   .wants_steps = wants_steps,
                    .missed = true,
                    .steps = wholly },
     };
@@ -109,11 +116,10 @@ static GpResult walk_once(Record *record, bool wholly, GpError *error)
     return result;
 }
 
-static GpResult walk_twice(Record *record, GpError *error)
+/* The histories of chosen pixels. */
+static GpResult walk_wholly(Record *record, GpError *error)
 {
-    GpResult result = walk_once(record, false, error);
-    if (!result)
-        result = choose_pixels(record, error);
+    GpResult result = choose_pixels(record, error);
     if (result)
         return result;
     targets_restore(&record->targets);
@@ -125,12 +131,25 @@ static GpResult walk_twice(Record *record, GpError *error)
 
 GpResult record_frame(const Inspect *inspect, Blobs *blobs, Record *record, GpError *error)
 {
-    *record = (Record){ .inspect = inspect, .blobs = blobs };
+    *record = (Record){ .inspect = inspect, .blobs = blobs, .share = 1 };
     record->total = 2 * walk_stops(inspect->list, NULL);
     GpResult result = gp_list_check(inspect->list, error);
     if (!result)
         result = begin_passes(record, error);
-    return result ? result : walk_twice(record, error);
+    if (!result)
+        result = walk_once(record, false, error);
+    for (uint32_t p = 0; p < record->pass_count && !result; p++)
+        fragments_finish(&record->passes[p].fragments);
+    return result ? result : walk_wholly(record, error);
+}
+
+GpResult record_fewer(Record *record, double share, GpError *error)
+{
+    record->share = share;
+    record->total += walk_stops(record->inspect->list, NULL);
+    for (uint32_t p = 0; p < record->pass_count; p++)
+        histories_free(&record->passes[p].histories);
+    return walk_wholly(record, error);
 }
 
 void record_free(Record *record)
@@ -139,6 +158,7 @@ void record_free(Record *record)
         fragments_free(&record->passes[p].fragments);
         histories_free(&record->passes[p].histories);
         json_decref(record->passes[p].stops);
+        json_decref(record->passes[p].told);
     }
     gp_free(record->passes);
     targets_free(&record->targets);

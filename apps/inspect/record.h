@@ -11,7 +11,7 @@
 typedef struct RecordPass {
     Fragments fragments;
     Histories histories;
-    json_t *stops;
+    json_t *stops, *told; /* told: histories_tell; NULL: not yet */
 } RecordPass;
 
 typedef struct Record {
@@ -21,6 +21,7 @@ typedef struct Record {
     RecordPass *passes;
     uint32_t pass_count;
     uint32_t step; /* of the grid of pixels that are recorded whole, in pixels */
+    double share;  /* of the pixels that would be chosen, were there room; 1: all */
     /* private */
     Walk walk;
     Tally tally;
@@ -32,6 +33,9 @@ typedef struct Record {
  * chosen pixels. The targets end as the frame leaves them.
  * errors those of gp_device_run, GP_ERROR_MEMORY. owns: the caller, until record_free, also then */
 GpResult record_frame(const Inspect *inspect, Blobs *blobs, Record *record, GpError *error);
+
+/* Chooses pixels and records their histories once more, of such a share of them. errors as above */
+GpResult record_fewer(Record *record, double share, GpError *error);
 
 void record_free(Record *record);
 

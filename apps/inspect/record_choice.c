@@ -3,15 +3,16 @@
 #include <math.h>
 
 enum {
-    USUAL_PIXELS = 1200, /* on the grid of a pass */
-    MOST_REGION = 4096,  /* pixels of a region or a draw */
-    FATES = 3            /* pixels for every fate of a draw's fragments */
+    USUAL_PIXELS = 1200,    /* on the grid of a pass */
+    TECHNIQUE_PIXELS = 300, /* the same of techniques, whose pixels are recorded in many passes */
+    MOST_REGION = 4096,     /* pixels of a region or a draw */
+    MOST_FATES = 3          /* pixels for every fate of a draw's fragments */
 };
 
 /* Of the fragments of each draw with each verdict, in order of pixels, some evenly among them: the
  * first, one in the middle and so on. */
-static GpResult choose_fates(const Fragments *fragments, uint32_t draws, Histories *histories,
-                             GpError *error)
+static GpResult choose_fates(const Fragments *fragments, uint32_t draws, uint32_t each,
+                             Histories *histories, GpError *error)
 {
     uint32_t *counts = gp_alloc((size_t)draws * FRAGMENT_VERDICTS * 2, sizeof *counts);
     if (!counts)
@@ -22,7 +23,7 @@ static GpResult choose_fates(const Fragments *fragments, uint32_t draws, Histori
     for (size_t i = 0; i < fragments->count; i++) {
         const Fragment *fragment = &fragments->all[i];
         const size_t kind = fragment->draw * FRAGMENT_VERDICTS + fragment->verdict;
-        const uint32_t every = counts[kind] / FATES ? counts[kind] / FATES : 1;
+        const uint32_t every = counts[kind] / each ? counts[kind] / each : 1;
         if (seen[kind]++ % every == every / 2)
             histories_choose(histories, (int32_t)(fragment->pixel % fragments->width),
                              (int32_t)(fragment->pixel / fragments->width));
@@ -76,18 +77,32 @@ GpResult record_choose(Record *record, uint32_t pass, GpError *error)
     const Fragments *fragments = &record->passes[pass].fragments;
     GpResult result = histories_begin(histories, of, error);
     if (!result && of->draw_count)
-        result = choose_fates(fragments, of->draw_count, histories, error);
+        result = choose_fates(fragments, of->draw_count, record->share < 0.5 ? 1 : MOST_FATES,
+                              histories, error);
     if (result)
         return result;
     const bool last = pass + 1 == record->pass_count;
+    const uint32_t usual = inspect->technique ? TECHNIQUE_PIXELS : USUAL_PIXELS;
     if (!gp_rect_is_empty(inspect->region))
         choose_region(&inspect->region, histories);
     if (inspect->draw >= 0)
         choose_draw(fragments, (uint32_t)inspect->draw, histories);
-    const uint32_t asked = inspect->pixels ? inspect->pixels : USUAL_PIXELS;
-    const uint32_t step = grid_step(histories, last ? asked : asked / 4 + 1);
+    const uint32_t asked = inspect->pixels ? inspect->pixels : usual;
+    const uint32_t room = (uint32_t)fmax(record->share * asked, 4);
+    const uint32_t step = grid_step(histories, last ? room : room / 4 + 1);
     if (last)
         record->step = step;
     choose_grid(step, histories);
     return GP_OK;
+}
+
+void record_choose_alike(Record *record)
+{
+    const Histories *last = &record->passes[record->pass_count - 1].histories;
+    for (uint32_t p = 0; record->inspect->technique && p + 1 < record->pass_count; p++) {
+        Histories *histories = &record->passes[p].histories;
+        const bool same = histories->width == last->width && histories->height == last->height;
+        for (uint32_t i = 0; same && i < last->count; i++)
+            histories_choose(histories, last->pixel[i].x, last->pixel[i].y);
+    }
 }

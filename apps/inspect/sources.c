@@ -11,6 +11,37 @@ const PageFile *source_find(const char *path)
     return NULL;
 }
 
+/* Where a line ends but for its comment and white space; its first character where it is nothing else. */
+static const char *code_end(const char *begin, const char *end)
+{
+    for (const char *at = begin; at + 1 < end; at++)
+        if (at[0] == '/' && (at[1] == '*' || at[1] == '/'))
+            end = at;
+    while (end > begin && strchr(" \t\n\\", end[-1]))
+        end--;
+    return end;
+}
+
+int source_statement_line(const PageFile *file, int line)
+{
+    if (!file)
+        return line;
+    const char *begin = file->begin;
+    for (int i = 1; i < line && begin; i++)
+        begin = strchr(begin, '\n') ? strchr(begin, '\n') + 1 : NULL;
+    while (begin && begin > file->begin && line > 1) {
+        const char *before = begin - 1; /* the line above, which ends here */
+        while (before > file->begin && before[-1] != '\n')
+            before--;
+        const char *end = code_end(before, begin - 1);
+        if (end == before || strchr(";{}:", end[-1]))
+            break;
+        begin = before;
+        line--;
+    }
+    return line;
+}
+
 /* Whether a header declares a program: "extern const GpProgram one, two;" */
 static bool declares(const PageFile *header, const char *program)
 {

@@ -10,6 +10,9 @@
 /* The file of a path among those in the program, or NULL. */
 const PageFile *source_find(const char *path);
 
+/* The first line of the statement that a line is in; file: NULL: the line itself. */
+int source_statement_line(const PageFile *file, int line);
+
 /* The file of a program, or NULL: shaders of the user's own are not in the program. */
 const PageFile *source_of_program(const char *program);
 

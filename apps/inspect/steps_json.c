@@ -1,6 +1,7 @@
 #include "apps/inspect/steps_json.h"
 
 #include "apps/base/json.h"
+#include "apps/inspect/sources.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,16 +39,30 @@ static json_t *step_json(const GpShaderStep *step)
     }
     const char *file = strncmp(step->file, "./", 2) == 0 ? step->file + 2 : step->file;
     return json_pack("{s:s, s:s, s:i, s:i, s:i, s:i, s:o}", "op", gp_step_names[step->code], "file",
-                     file, "line", step->line, "slots", step->slots, "slot", step->slot, "width",
-                     step->width, "operands", operands);
+                     file, "line", source_statement_line(source_find(file), step->line), "slots",
+                     step->slots, "slot", step->slot, "width", step->width, "operands", operands);
+}
+
+/* Names of what is watched, and which step each is where one is. */
+static json_t *watches_json(const GpTraceSteps *steps)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < steps->watches; i++) {
+        const GpStepOperand *value = &steps->watch[i].value;
+        const bool is_step = value->part[0].source == GP_STEP_RESULT;
+        json_array_append_new(list, json_pack("[s, i, i]", steps->watch[i].name, value->width,
+                                              is_step ? value->part[0].index : -1));
+    }
+    return list;
 }
 
 /* -1: there is no room. */
 static int listing_number(StepListings *listings, const GpTraceSteps *steps)
 {
-    json_t *listing = json_array();
+    json_t *all = json_array();
     for (int i = 0; i < steps->steps; i++)
-        json_array_append_new(listing, step_json(&steps->step[i]));
+        json_array_append_new(all, step_json(&steps->step[i]));
+    json_t *listing = json_pack("{s:o, s:o}", "steps", all, "watches", watches_json(steps));
     char *text = json_dumps(listing, JSON_COMPACT | JSON_REAL_PRECISION(9));
     if (!listings->all) {
         listings->all = json_array();
@@ -76,16 +91,29 @@ static json_t *lanes_json(const GpStepOperand *operand)
     return components;
 }
 
+static json_t *watched_json(const GpTraceSteps *steps)
+{
+    json_t *watched = json_array();
+    for (int i = 0; i < steps->watches; i++)
+        for (int c = 0; c < steps->watch[i].value.width; c++) {
+            const float value = steps->watch[i].value.part[c].value[steps->lane];
+            json_array_append_new(watched, json_number((double)value));
+        }
+    return watched;
+}
+
 json_t *steps_json(StepListings *listings, const GpTraceSteps *steps)
 {
     const int number = steps->steps > STEP_LISTINGS_MOST ? -1 : listing_number(listings, steps);
     if (number < 0)
-        return json_pack("{s:i, s:b}", "left_out", steps->steps, "agrees", (int)steps->agrees);
+        return json_pack("{s:i, s:b, s:o, s:o}", "left_out", steps->steps, "agrees",
+                         (int)steps->agrees, "watches", watches_json(steps), "watched",
+                         watched_json(steps));
     json_t *values = json_array(), *lanes = json_object(), *outputs = json_array();
     for (int i = 0; i < steps->steps; i++) {
         const GpShaderStep *step = &steps->step[i];
         for (int c = 0; c < step->width; c++) {
-            const float value = step->value[c][steps->pixel];
+            const float value = step->value[c][steps->lane];
             json_array_append_new(values, is_mask(step->code)
                                               ? json_integer(gp_float_bits(value) != 0)
                                               : json_number((double)value));
@@ -97,9 +125,10 @@ json_t *steps_json(StepListings *listings, const GpTraceSteps *steps)
         }
     }
     for (int i = 0; i < steps->outputs; i++)
-        json_array_append_new(outputs, part_json(&steps->output[i].part, true, steps->pixel));
-    return json_pack("{s:i, s:b, s:o, s:o, s:o}", "listing", number, "agrees", (int)steps->agrees,
-                     "values", values, "lanes", lanes, "outputs", outputs);
+        json_array_append_new(outputs, part_json(&steps->output[i].part, true, steps->lane));
+    return json_pack("{s:i, s:b, s:o, s:o, s:o, s:o}", "listing", number, "agrees",
+                     (int)steps->agrees, "values", values, "lanes", lanes, "outputs", outputs,
+                     "watched", watched_json(steps));
 }
 
 void step_listings_free(StepListings *listings)

@@ -1,6 +1,7 @@
 #include "apps/inspect/targets.h"
 
 #include "apps/base/json.h"
+#include "apps/inspect/ranges.h"
 
 #include <string.h>
 
@@ -95,8 +96,9 @@ static json_t *changed(TargetState *state, int number, Blobs *blobs)
         return NULL;
     difference(state);
     memcpy(state->before, state->now, bytes);
-    return json_pack("{s:i, s:i}", "surface", number, "blob",
-                     blobs_add(blobs, state->planes, bytes));
+    return json_pack("{s:i, s:i, s:o}", "surface", number, "blob",
+                     blobs_add(blobs, state->planes, bytes), "ranges",
+                     ranges_tell(state->surface, state->now));
 }
 
 json_t *targets_changed(Targets *targets, const GpPass *pass, Blobs *blobs)
@@ -170,11 +172,12 @@ json_t *targets_tell(const Targets *targets, const GpList *list, Blobs *blobs)
         const GpSurface *surface = targets->state[i].surface;
         const GpFormatInfo *info = gp_format_info(surface->format);
         json_array_append_new(told,
-                              json_pack("{s:o, s:s, s:i, s:i, s:i, s:b, s:o}", "name",
+                              json_pack("{s:o, s:s, s:i, s:i, s:i, s:b, s:o, s:o}", "name",
                                         name_of(surface, list), "format", info->name, "width",
                                         (int)surface->width, "height", (int)surface->height,
                                         "bytes", (int)info->bytes, "depth", (int)info->is_depth,
-                                        "initial", initial_blob(&targets->state[i], blobs)));
+                                        "initial", initial_blob(&targets->state[i], blobs),
+                                        "ranges", ranges_tell(surface, targets->state[i].initial)));
     }
     return told;
 }

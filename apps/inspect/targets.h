@@ -31,12 +31,12 @@ void targets_free(Targets *targets);
 /* The number of a surface among them, or -1. */
 int targets_number(const Targets *targets, const GpSurface *surface);
 
-/* [{"surface": 0, "blob": 3}, ...] of the surfaces of a pass that have changed since they were last
+/* [{"surface": 0, "blob": 3, "ranges": ranges_tell}, ...] of the surfaces of a pass that have changed since they were last
  * asked for. The caller owns it. */
 json_t *targets_changed(Targets *targets, const GpPass *pass, Blobs *blobs);
 
-/* [{"name", "format", "width", "height", "bytes" (of a texel), "depth", "initial"}, ...] of all, by
- * number. initial: the blob of what they held before the frame, against zeros; null: zeros. */
+/* [{"name", "format", "width", "height", "bytes" (of a texel), "depth", "initial", "ranges"}, ...] of
+ * all, by number. initial: the blob of what they held before the frame, against zeros; null: zeros. */
 json_t *targets_tell(const Targets *targets, const GpList *list, Blobs *blobs);
 
 /* Puts back what the surfaces held before the frame. */

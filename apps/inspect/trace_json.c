@@ -56,14 +56,19 @@ static json_t *edges_json(const GpTraceSetup *setup)
 static json_t *setup_event(const GpTraceEvent *event)
 {
     const GpTraceSetup *setup = &event->setup;
-    json_t *places = json_array();
-    for (int i = 0; i < 3; i++)
+    json_t *places = json_array(), *moved = json_array();
+    for (int i = 0; i < 3; i++) {
+        const double by[2] = { setup->x[i] / 256.0 - (double)setup->place[i][0],
+                               setup->y[i] / 256.0 - (double)setup->place[i][1] };
         json_array_append_new(places, json_floats(setup->place[i], 2));
-    json_t *object = json_pack(
-        "{s:i, s:o, s:[iii], s:[iii], s:o, s:o, s:I, s:b, s:o}", "part", setup->part, "place",
-        places, "x", setup->x[0], setup->x[1], setup->x[2], "y", setup->y[0], setup->y[1],
-        setup->y[2], "z", json_floats(setup->z, 3), "rw", json_floats(setup->rw, 3), "area2",
-        (json_int_t)setup->area2, "culled", (int)setup->culled, "reason", json_text(setup->reason));
+        json_array_append_new(moved, json_pack("[o, o]", json_number(by[0]), json_number(by[1])));
+    }
+    json_t *object =
+        json_pack("{s:i, s:o, s:o, s:[iii], s:[iii], s:o, s:o, s:I, s:b, s:o}", "part", setup->part,
+                  "place", places, "moved", moved, "x", setup->x[0], setup->x[1], setup->x[2], "y",
+                  setup->y[0], setup->y[1], setup->y[2], "z", json_floats(setup->z, 3), "rw",
+                  json_floats(setup->rw, 3), "area2", (json_int_t)setup->area2, "culled",
+                  (int)setup->culled, "reason", json_text(setup->reason));
     if (!setup->culled)
         json_object_set_new(object, "edges", edges_json(setup));
     return object;
@@ -77,15 +82,24 @@ static json_t *raster_event(const GpTraceEvent *event)
                      raster->front);
 }
 
+/* Beside the values, their differences: to the right and downward in the quad, as dsx and dsy have them, and
+ * of what is linear on the screen to what is drawn. */
 static json_t *interpolate_event(const GpTraceEvent *event)
 {
     const GpTraceInterpolate *interpolate = &event->interpolate;
-    const int components = interpolate->components;
-    json_t *quad = json_array();
-    for (int c = 0; c < components; c++)
-        json_array_append_new(quad, json_floats(interpolate->quad + 4 * c, 4));
-    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:i, s:o}", "barycentric",
-                     json_floats(interpolate->barycentric, 3), "depth",
+    const int components = interpolate->components, right = event->x & 1, low = event->y & 1;
+    json_t *quad = json_array(), *steps = json_array(), *gap = json_array();
+    for (int c = 0; c < components; c++) {
+        const float *value = interpolate->quad + 4 * c;
+        const float step[2] = { value[2 * low + 1] - value[2 * low],
+                                value[2 + right] - value[right] };
+        json_array_append_new(quad, json_floats(value, 4));
+        json_array_append_new(steps, json_floats(step, 2));
+        json_array_append_new(gap, json_number((double)interpolate->screen_varyings[c] -
+                                               (double)interpolate->varyings[c]));
+    }
+    return json_pack("{s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:i, s:o}", "differences", steps, "gap",
+                     gap, "barycentric", json_floats(interpolate->barycentric, 3), "depth",
                      json_number((double)interpolate->depth), "varyings",
                      json_floats(interpolate->varyings, components), "screen",
                      json_floats(interpolate->screen, 3), "screen_varyings",
@@ -99,19 +113,24 @@ static json_t *texture_event(const GpTraceEvent *event)
     json_t *texels = json_array();
     for (int i = 0; i < texture->report.count; i++) {
         const GpTexelUse *texel = &texture->report.texel[i];
-        json_array_append_new(texels, json_pack("{s:i, s:i, s:i, s:o, s:o}", "level", texel->level,
-                                                "x", texel->x, "y", texel->y, "weight",
-                                                json_number((double)texel->weight), "value",
-                                                json_floats(texel->value, 4)));
+        json_t *told = json_pack("{s:i, s:i, s:i, s:o, s:o}", "level", texel->level, "x", texel->x,
+                                 "y", texel->y, "weight", json_number((double)texel->weight),
+                                 "value", json_floats(texel->value, 4));
+        if (texture->report.compares) {
+            const float ahead = texel->value[0] - texture->coord[2];
+            json_object_set_new(told, "passes", json_boolean(texel->passes));
+            json_object_set_new(told, "ahead", json_number((double)ahead));
+        }
+        json_array_append_new(texels, told);
     }
     const GpSurface *surface = texture->surface;
-    return json_pack("{s:i, s:o, s:o, s:o, s:o, s:b, s:o, s:o}", "slot", texture->slot, "surface",
-                     json_text(surface ? surface->name : NULL), "format",
+    return json_pack("{s:i, s:o, s:o, s:o, s:o, s:b, s:b, s:o, s:o}", "slot", texture->slot,
+                     "surface", json_text(surface ? surface->name : NULL), "format",
                      json_text(surface ? gp_format_info(surface->format)->name : NULL), "coord",
                      json_floats(texture->coord, 4), "lod",
                      json_number((double)texture->report.lod), "magnified",
-                     texture->report.magnified, "texels", texels, "result",
-                     json_floats(texture->texel, 4));
+                     texture->report.magnified, "compares", texture->report.compares, "texels",
+                     texels, "result", json_floats(texture->texel, 4));
 }
 
 static json_t *pixel_event(const GpTraceEvent *event)
@@ -175,7 +194,11 @@ static json_t *output_event(const GpTraceEvent *event)
 /* The steps themselves have a form of their own: steps_json.h. */
 static json_t *steps_event(const GpTraceEvent *event)
 {
-    return json_pack("{s:i, s:b}", "steps", event->steps.steps, "agrees", (int)event->steps.agrees);
+    json_t *object =
+        json_pack("{s:i, s:b}", "steps", event->steps.steps, "agrees", (int)event->steps.agrees);
+    if (event->steps.of_vertex)
+        json_object_set_new(object, "corner", json_integer(event->steps.lane));
+    return object;
 }
 
 static json_t *missed_event(const GpTraceEvent *event)

@@ -198,6 +198,10 @@ typedef struct Technique {
      * errors GP_ERROR_MEMORY; owns: the caller, until gp_volume_free. NULL: the result is a picture */
     GpResult (*volume)(const Frame *frame, GpVolume *volume, GpError *error);
 
+    bool
+        quick_truth; /* the first experiment's truth is found in about the time of a picture, and so that a
+                         page of a frame may have it unasked */
+
     /* Appends the passes that draw a picture of such a volume into frame->color.
      * errors as those of build, but the frame is not emptied. NULL: there is none */
     GpResult (*show)(void *scene, const void *setting, Frame *frame, GpError *error);

@@ -23,8 +23,9 @@ typedef enum GpTraceKind {
     GP_TRACE_RASTER,      /* a pixel was covered */
     GP_TRACE_INTERPOLATE, /* its depth and interpolants */
     GP_TRACE_TEXTURE,     /* one texture read of its shader */
-    GP_TRACE_STEPS,       /* every instruction of its shader; where GpTrace.steps is set */
-    GP_TRACE_PIXEL,       /* what its shader returned */
+    GP_TRACE_STEPS, /* every instruction of its shader; where GpTrace.steps is set. Those of the vertex
+                             shader come after the first pixel of a primitive, one event a corner */
+    GP_TRACE_PIXEL,  /* what its shader returned */
     GP_TRACE_SORT,   /* its turn among the pixel's, in a pass with an order; of a pass's fragments
                              these come last, each with what follows of its own */
     GP_TRACE_TEST,   /* scissor, alpha test, stencil, depth: one event each, in that order */
@@ -111,13 +112,16 @@ typedef struct GpTraceTexture {
     float texel[4];
 } GpTraceTexture;
 
-/* Every instruction of a shader, as it was run again for the quad. */
+/* Every instruction of a shader, as it was run again for a quad, or a primitive's vertices. */
 typedef struct GpTraceSteps {
-    int pixel; /* of the quad: the lane of the values */
+    bool of_vertex;
+    int lane; /* of the values: the pixel of the quad, or the corner */
     const GpShaderStep *step;
     int steps;
     const GpStepOutput *output;
     int outputs;
+    const GpStepWatch *watch;
+    int watches;
     bool agrees; /* what the steps give has the bits that were drawn with */
 } GpTraceSteps;
 
@@ -207,6 +211,7 @@ typedef struct GpTrace {
     /* Of which pixels events are sent; those of vertices, clipping and set-up come all the same. NULL:
      * of all */
     bool (*wants)(void *user, int32_t x, int32_t y);
+    bool (*wants_steps)(void *user); /* whether steps are, from now on; NULL: always */
 } GpTrace;
 
 #ifdef __cplusplus

@@ -138,6 +138,7 @@ static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
         drawn = true;
         count_pixels(&d->reference->counters->fragments, quad.mask);
         gp_trace_raster(d, &quad);
+        gp_trace_vertex_steps(d, &quad);
         gp_interpolate_barycentrics(triangle, &quad);
         unsigned before = quad.mask;
         if (d->needs.clip_planes) {
@@ -214,6 +215,7 @@ static void draw_point(GpReferenceDraw *d)
     while (gp_raster_next(&walk, &quad)) {
         count_pixels(&d->reference->counters->fragments, quad.mask);
         gp_trace_raster(d, &quad);
+        gp_trace_vertex_steps(d, &quad);
         gp_interpolate_sprite(&sprite, &d->modes, d->viewport.min_depth, d->viewport.max_depth,
                               &quad);
         gp_trace_interpolate(d, &quad);

@@ -32,7 +32,7 @@ typedef struct GpReferenceDraw {
     uint32_t first_vertex;
 
     /* the primitive on its way; polygon and corner stay NULL for points */
-    uint32_t primitive;
+    uint32_t primitive, stepped; /* stepped: 1 + the one whose vertices' steps were told last */
     uint32_t corner_numbers[3];
     const GpClipPolygon *polygon;
     const GpScreenVertex *corner;
@@ -58,6 +58,10 @@ void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
 void gp_trace_steps(GpReferenceDraw *d, const GpQuad *before, const GpQuad *shaded);
 void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask);
 
+/* The same of the vertex shader, for the primitive's corners; once, after the first of its pixels that is
+ * wanted was told of. in: quad: NULL: a pixel that the primitive missed was */
+void gp_trace_vertex_steps(GpReferenceDraw *d, const GpQuad *quad);
+
 /* Reports one of the tests that only shrink the mask, after it ran: "scissor", "clip plane",
  * "alpha test". */
 void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *unit,
@@ -72,8 +76,8 @@ void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, f
 
 /* Where a triangle would have been: its part that was culled, and what near or far plane alone cut away
  * of all of it. For who asks (GpTrace.missed). */
-void gp_trace_missed_part(const GpReferenceDraw *d);
-void gp_trace_missed_clip(const GpReferenceDraw *d);
+void gp_trace_missed_part(GpReferenceDraw *d);
+void gp_trace_missed_clip(GpReferenceDraw *d);
 
 /* What the files of traces share. */
 bool gp_trace_wants(const GpReferenceDraw *d, int32_t x, int32_t y);

@@ -53,8 +53,8 @@ static bool is_drawn_at(const GpReferenceDraw *d, int32_t x, int32_t y)
 }
 
 /* Tells of the pixels that a triangle would cover. */
-static void tell(const GpReferenceDraw *d, const GpScreenVertex corner[3],
-                 const GpRasterState *state, const GpTraceMissed *missed, bool but_drawn)
+static void tell(GpReferenceDraw *d, const GpScreenVertex corner[3], const GpRasterState *state,
+                 const GpTraceMissed *missed, bool but_drawn)
 {
     const GpRect rect = rect_of(d);
     GpTriangle triangle;
@@ -74,11 +74,12 @@ static void tell(const GpReferenceDraw *d, const GpScreenVertex corner[3],
             own.front = triangle.front;
             own.depth = own.has_depth ? quad.depth[i] : 0;
             gp_trace_send_missed(d, x, y, &own);
+            gp_trace_vertex_steps(d, NULL);
         }
     }
 }
 
-void gp_trace_missed_part(const GpReferenceDraw *d)
+void gp_trace_missed_part(GpReferenceDraw *d)
 {
     if (!is_asked(d) || d->setup_result != GP_SETUP_CULLED)
         return;
@@ -92,7 +93,7 @@ static float greatest(float a, float b)
     return fabsf(a) > b ? fabsf(a) : b;
 }
 
-void gp_trace_missed_clip(const GpReferenceDraw *d)
+void gp_trace_missed_clip(GpReferenceDraw *d)
 {
     const unsigned near = 1u << GP_CLIP_NEAR, far = 1u << GP_CLIP_FAR;
     const unsigned cut = d->polygon->planes & (near | far);

@@ -14,13 +14,15 @@ typedef struct GpTexelUse {
     uint8_t level;
     float weight;   /* share in the result, exact and not 0; all of a sample's sum to exactly 1 */
     float value[4]; /* as loaded: r g b a */
+    bool passes;    /* of samplers that compare: it is not in front of the reference */
 } GpTexelUse;
 
 /* Which texels went into a texture read. */
 typedef struct GpSampleReport {
     float lod; /* after bias and clamp, as an 8.8 fixed-point value */
     bool magnified;
-    int count; /* texels used, at most 8 */
+    bool compares; /* the sampler compares depth */
+    int count;     /* texels used, at most 8 */
     GpTexelUse texel[8];
 } GpSampleReport;
 

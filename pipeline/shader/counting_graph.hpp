@@ -156,6 +156,10 @@ class Recorder
     {
         return true;
     }
+    /* The shader names a value. */
+    virtual void watch_value(const char *, const Operand &)
+    {
+    }
     bool model2() const
     {
         GpProfile p = is_vertex() ? declared.vertex_profile : declared.pixel_profile;

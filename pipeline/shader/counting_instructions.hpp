@@ -481,6 +481,13 @@ inline flt gp_vface(const GpInvocation *)
 {
     return recording->leaf(Kind::face, 0);
 }
+template <class V> void gp_watch(const char *name, const V &value)
+{
+    if (recording->is_stepping())
+        recording->watch_value(name, Operand(value));
+}
+#define watch(name, value) gp_watch(name, value)
+
 #define dsx(a)  ((void)gp, slope_x(a))
 #define dsy(a)  ((void)gp, slope_y(a))
 #define vpos()  gp_vpos(gp)

@@ -35,6 +35,11 @@ class StepRecorder : public Recorder
         return false;
     }
 
+    void watch_value(const char *name, const Operand &value) override
+    {
+        watches.emplace_back(name, value);
+    }
+
     /* A member of the uniforms is known by where it stands. */
     flt number(const float &value) override
     {
@@ -73,6 +78,9 @@ class StepRecorder : public Recorder
             const GpStepOutput output = { int(i), part_of(outputs[i].parts[0]) };
             run.listener->output(run.listener->user, &output);
         }
+        for (const auto &[name, value] : watches)
+            if (run.listener->watched)
+                tell_watch(name, value);
     }
 
   protected:
@@ -231,10 +239,19 @@ class StepRecorder : public Recorder
         run.listener->step(run.listener->user, &step);
     }
 
+    void tell_watch(const char *name, const Operand &value) const
+    {
+        GpStepWatch told = { name, { value.width, {} } };
+        for (int c = 0; c < value.width; c++)
+            told.value.part[c] = part_of(value.part[size_t(c)]);
+        run.listener->watched(run.listener->user, &told);
+    }
+
     const GpStepRun &run;
     const size_t uniform_bytes;
     std::vector<Value> values; /* by node; of leaves nothing */
     std::vector<Register> outputs;
+    std::vector<std::pair<const char *, Operand>> watches;
     bool killed[4] = {};
 };
 

@@ -334,4 +334,10 @@ GP_INLINE float4 gp_rgba(float3 color, flt alpha)
     return (float4){ color.x, color.y, color.z, alpha };
 }
 
+/* --- being looked at -------------------------------------------------------------------------- */
+
+/* Names a value, a flt or a vector, for who looks at a shader's steps (steps.h); in a loop once a turn.
+ * Where pixels are drawn it computes nothing. */
+#define watch(name, value) ((void)sizeof(value))
+
 #endif

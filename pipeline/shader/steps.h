@@ -125,11 +125,20 @@ typedef struct GpStepOutput {
     GpStepPart part;
 } GpStepOutput;
 
+/* A value that the shader names, watch("opacity", alpha). Its parts have values, and are of steps that are told
+ * where anything needs them, else of step -1. */
+typedef struct GpStepWatch {
+    const char *name;
+    GpStepOperand value;
+} GpStepWatch;
+
 /* Who is told. Steps come in an order that follows from the shader alone: discards and loops first, as
- * they were met, then outputs, each after what it needs; what nothing needs is left out. */
+ * they were met, then outputs, each after what it needs; what nothing needs is left out. Then the outputs
+ * are told, and what the shader watches, as it was met; watched: NULL, nobody asks. */
 typedef struct GpStepListener {
     void (*step)(void *user, const GpShaderStep *step);
     void (*output)(void *user, const GpStepOutput *output);
+    void (*watched)(void *user, const GpStepWatch *watch);
     void *user;
 } GpStepListener;
 

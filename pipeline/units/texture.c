@@ -139,32 +139,36 @@ static void filter_codes(GpFormat format, const Footprint *f, float rgba[4])
         rgba[c] = (float)sum[c] / (float)(255 * ONE * ONE);
 }
 
-/* Share of the texels that are not in front of the reference depth (R49). Both sides are converted:
- * the reference is clamped and rounded to the stored format before it is compared, or a surface
- * could not pass the test against its own depth. D32F codes are floats and compared as such. */
-static void filter_compare(GpFormat format, const Footprint *f, float reference, float rgba[4])
+/* Whether a texel is not in front of the reference depth (R49). Both sides are converted: the reference is
+ * clamped and rounded to the stored format before it is compared, or a surface could not pass the test
+ * against its own depth. D32F codes are floats and compared as such. */
+static bool passes(GpFormat format, float reference, const void *texel)
 {
     float clamped = reference < 0.0f ? 0.0f : reference > 1.0f ? 1.0f : reference;
-    uint32_t code = gp_depth_code(format, clamped);
-    bool is_float = gp_format_info(format)->depth_bits == 32;
-    uint32_t passed = 0;
+    uint32_t code = gp_depth_code(format, clamped), stored;
+    uint8_t stencil;
+    gp_depth_load(format, texel, &stored, &stencil);
+    return gp_format_info(format)->depth_bits == 32 ? gp_bits_float(code) <= gp_bits_float(stored)
+                                                    : code <= stored;
+}
 
-    for (int i = 0; i < 4; i++) {
-        uint32_t stored;
-        uint8_t stencil;
-        gp_depth_load(format, f->tap[i].texel, &stored, &stencil);
-        if (is_float ? gp_bits_float(code) <= gp_bits_float(stored) : code <= stored)
+/* The share of the texels that pass. */
+static void filter_compare(GpFormat format, const Footprint *f, float reference, float rgba[4])
+{
+    uint32_t passed = 0;
+    for (int i = 0; i < 4; i++)
+        if (passes(format, reference, f->tap[i].texel))
             passed += f->tap[i].weight;
-    }
     for (int c = 0; c < 4; c++)
         rgba[c] = (float)passed / (float)(ONE * ONE);
 }
 
 /* --- sampling --------------------------------------------------------------------------------- */
 
-/* Appends the texels that have a part in the result; part: of this level, in 256ths. */
+/* Appends the texels that have a part in the result; part: of this level, in 256ths; reference: of samplers
+ * that compare. */
 static void report_texels(GpFormat format, uint32_t level, uint32_t part, const Footprint *f,
-                          GpSampleReport *report)
+                          float reference, GpSampleReport *report)
 {
     for (int i = 0; i < 4; i++) {
         const Tap *tap = &f->tap[i];
@@ -176,6 +180,7 @@ static void report_texels(GpFormat format, uint32_t level, uint32_t part, const 
         use->level = (uint8_t)level;
         use->weight = (float)(tap->weight * part) * 0x1p-24f; /* at most 2^24: exact */
         gp_texel_load(format, tap->texel, use->value);
+        use->passes = report->compares && passes(format, reference, tap->texel);
     }
 }
 
@@ -195,7 +200,7 @@ static void sample_level(const GpTexture *texture, uint32_t number, uint32_t par
     else
         filter_floats(format, &f, rgba);
     if (report)
-        report_texels(format, number, part, &f, report);
+        report_texels(format, number, part, &f, uvr[2], report);
 }
 
 void gp_texture_sample(const GpTexture *texture, const float uvr[3], float lod, float rgba[4],
@@ -215,6 +220,7 @@ void gp_texture_sample(const GpTexture *texture, const float uvr[3], float lod, 
     if (report) {
         report->lod = levels.lod;
         report->magnified = levels.magnified;
+        report->compares = sampler->compare;
     }
 
     sample_level(texture, levels.first, ONE - levels.share, filter, uvr, rgba, report);

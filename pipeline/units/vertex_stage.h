@@ -3,7 +3,7 @@
 #define GP_VERTEX_STAGE_H
 
 #include "pipeline/resources/packet.h"
-#include "pipeline/shader/program.h"
+#include "pipeline/shader/steps.h"
 
 typedef struct GpVertexStage {
     const GpProgram *program;
@@ -20,5 +20,10 @@ typedef struct GpVertexStage {
  * note lanes beyond count repeat the last vertex, so they cannot raise surprises of their own */
 void gp_shade_vertices(const GpVertexStage *stage, const float *inputs, int count,
                        GpVertex *vertices);
+
+/* The same of up to four vertices step by step, for who listens (gp_program_steps).
+ * returns false, and leaves the vertices alone, where the program has no counting build */
+bool gp_step_vertices(const GpVertexStage *stage, const float *inputs, int count,
+                      const GpStepListener *listener, GpVertex *vertices);
 
 #endif

@@ -193,6 +193,15 @@ GP_INLINE void splat_disc_vertex(const SplatUniforms *c, const DiscVertex *in, f
 
 /* --- attributes ------------------------------------------------------------------------------- */
 
+/* For who looks at a splat's filter. */
+GP_INLINE void watch_splat(const EyeSurfel *eye, const Splat *splat, flt height)
+{
+    watch("facing", eye->facing);
+    watch("radius", eye->radius);
+    watch("V", vec3(splat->xx, splat->xy, splat->yy));
+    watch("height", height);
+}
+
 /* What a splat's weight is in its centre. */
 GP_INLINE flt splat_height(flt share, const EyeSurfel *eye, const Splat *splat)
 {
@@ -214,6 +223,7 @@ GP_INLINE void splat_color_vertex(const SplatUniforms *c, const SurfelVertex *in
 {
     Splat splat = surfel_filtered(c, eye, in->color.w);
     flt height = splat_height(in->color.w, eye, &splat);
+    watch_splat(eye, &splat, height);
     *point_size = splat_side(&splat, c->cut);
     out->conic = splat_conic(&splat);
     out->place = surfel_pixel(c, eye);
@@ -233,9 +243,11 @@ GP_INLINE void splat_color_point(const SplatUniforms *c, const SurfelVertex *in,
 #define splat_weight(c, conic, place) splat_weight_at(gp, c, conic, place)
 GP_INLINE flt splat_weight_at(GpInvocation *gp, const SplatUniforms *c, float3 conic, float2 place)
 {
-    flt exponent = splat_exponent(conic, place, vpos());
+    flt exponent = splat_exponent(conic, place, vpos()), weight = exp_(-exponent);
+    watch("exponent", exponent);
+    watch("weight", weight);
     discard(exponent > c->cut * c->cut * HALF_LOG2_E);
-    return exp_(-exponent);
+    return weight;
 }
 
 typedef struct SplatSurfaceVarying {
@@ -254,6 +266,7 @@ GP_INLINE void splat_surface_vertex(const SplatUniforms *c, const SurfelVertex *
 {
     Splat splat = surfel_filtered(c, eye, in->color.w);
     flt height = splat_height(in->color.w, eye, &splat);
+    watch_splat(eye, &splat, height);
     /* two-sided surfels are lit from the side that is seen */
     flt turned = sel(eye->facing < 0.0f, -height, height);
     *point_size = splat_side(&splat, c->cut);

@@ -69,6 +69,8 @@ GP_INLINE flt close_gaps(GpInvocation *gp, const NormalizeUniforms *c, int surfa
         sums->surface = sel(empty, best.surface, sums->surface);
         alpha = sel(drawn, max(alpha, most), alpha);
     }
+    watch("sums", sums->color);
+    watch("coverage", alpha);
     return alpha;
 }
 

@@ -124,6 +124,11 @@ GP_INLINE float4 walk(GpInvocation *gp, const RaycastUniforms *c, const Ray *ray
             flt light = sel((msk)(k < whole) & (msk)(seen > c->least), seen, 0);
             color = mad(xyz(met), light, color);
             seen = seen - light * met.w;
+            watch("step", k);
+            watch("met", met);
+            watch("light", light);
+            watch("color", color);
+            watch("seen", seen);
             k = k + 1.0f;
         }
     }
@@ -136,6 +141,11 @@ GP_INLINE float4 walk(GpInvocation *gp, const RaycastUniforms *c, const Ray *ray
                         seen * share, 0);
         color = mad(xyz(met), light, color);
         seen = seen - light * met.w;
+        watch("step", whole);
+        watch("met", met);
+        watch("light", light);
+        watch("color", color);
+        watch("seen", seen);
     }
     return rgba(color, 1.0f - seen);
 }

@@ -33,6 +33,8 @@ GP_INLINE float4 met_in_slab(GpInvocation *gp, const VolumeSliceUniforms *c, con
     float4 met = texld(2, vec2(mad(value, bcast(c->table[0]), c->table[1]), 0.5f));
     flt square = dp3(in->way, in->way);
     flt length = square * rsq(square) * rcp(max(abs_(in->way.z), 1e-6f)) * c->thickness;
+    watch("value", value);
+    watch("length", length);
     return rgba(xyz(met), 1.0f - exp_(met.w * length));
 }
 

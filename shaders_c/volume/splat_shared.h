@@ -140,7 +140,10 @@ GP_INLINE flt voxel_weight(const VoxelUniforms *c, float3 conic, float2 place, f
 {
     flt x = pixel.x - place.x, y = pixel.y - place.y;
     flt exponent = mad(x, mad(conic.x, x, conic.y * y), conic.z * (y * y));
-    return sel(exponent > c->farthest, bcast(0), exp_(-exponent));
+    flt weight = sel(exponent > c->farthest, bcast(0), exp_(-exponent));
+    watch("exponent", exponent);
+    watch("weight", weight);
+    return weight;
 }
 
 /* --- light ------------------------------------------------------------------------------------ */

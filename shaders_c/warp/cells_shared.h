@@ -27,8 +27,12 @@ GP_INLINE flt cell_behind(GpInvocation *gp, const CellUniforms *c, const CellPat
     float4 z = texldl(
         0, vec4((at.x - right + 0.5f) * c->texel[0], (at.y - down + 0.5f) * c->texel[1], 0, 0));
     flt upper = mad(z.y - z.x, right, z.x), lower = mad(z.w - z.z, right, z.z);
+    flt behind = at.z - mad(lower - upper, down, upper);
     *deep = at.z - min(min(z.x, z.y), min(z.z, z.w));
-    return at.z - mad(lower - upper, down, upper);
+    watch("at", at);
+    watch("behind", behind);
+    watch("deep", *deep);
+    return behind;
 }
 
 /* Two places of a path, and how far behind the surface each is. */

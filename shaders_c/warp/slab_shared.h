@@ -127,6 +127,8 @@ GP_INLINE float4 slab_lit(GpInvocation *gp, const SlabUniforms *c, float4 place,
         discard(t < 0.0f);                                                                         \
         flt inside = sat(t);                                                                       \
         *share = slab_share(&path, inside);                                                        \
+        watch("t", t);                                                                             \
+        watch("place", mad(path.way, inside, path.first));                                         \
         odepth(slab_depth(&c->slab, *share));                                                      \
         return slab_place(&c->slab, mad(path.way, inside, path.first));                            \
     }                                                                                              \

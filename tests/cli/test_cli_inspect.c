@@ -118,6 +118,7 @@ static void what_cannot_be_is_refused(void **state)
     expect_refused(2, "inspect scene.json --method plain", "--method");
     expect_refused(2, "inspect scene.json --against '--map 64'", "--technique");
     expect_refused(2, "inspect scene.json --technique shadow --against '--nope 1'", "--against");
+    expect_refused(2, "inspect scene.json --truth", "--truth");
     expect_refused(3, "inspect nope.json", "nope.json");
     expect_refused(4, "inspect scene.json -q --pixels 1 -o nope/page.html", "nope/page.html");
     expect_files("scene.json");

@@ -62,6 +62,52 @@ static void the_history_of_a_covered_pixel_names_every_stage(void **state)
 }
 
 /* Bytes of the picture against the last value that the history says was stored. */
+static void expect_steps(const json_t *event, const json_t *listings)
+{
+    const json_t *listing =
+        json_array_get(listings, (size_t)json_integer_value(json_object_get(event, "listing")));
+    size_t i;
+    json_int_t values = 0;
+    const json_t *step;
+    assert_non_null(json_object_get(event, "listing"));
+    json_array_foreach(json_object_get(listing, "steps"), i, step) values +=
+        json_integer_value(json_object_get(step, "width"));
+    assert_true(i > 0);
+    assert_int_equal(values, json_array_size(json_object_get(event, "values")));
+    assert_true(json_is_true(json_object_get(event, "agrees")));
+}
+
+/* Those of the vertex shader are told for each corner, those of the pixel shader once. */
+static void steps_of_both_shaders_are_told_where_they_are_asked_for(void **state)
+{
+    (void)state;
+    assert_int_equal(shell("glasspipe pixel scene.json 32 24 --steps"), 0);
+    expect_matches(out, "\n    vertex steps   0 ");
+    expect_matches(out, "\n    steps          0 ");
+    assert_int_equal(shell("glasspipe pixel scene.json 32 24 --json"), 0);
+    assert_null(strstr(out, "listings"));
+    assert_int_equal(shell("glasspipe pixel scene.json 32 24 --steps --json"), 0);
+    json_t *object = parse_output();
+    size_t i, corners = 0, pixels = 0, fragments = 0;
+    const json_t *event;
+    json_array_foreach(json_object_get(object, "events"), i, event)
+    {
+        const char *kind = json_string_value(json_object_get(event, "kind"));
+        fragments += strcmp(kind, "raster") == 0;
+        if (strcmp(kind, "steps") != 0)
+            continue;
+        expect_steps(event, json_object_get(object, "listings"));
+        if (json_object_get(event, "corner"))
+            assert_int_equal(json_integer_value(json_object_get(event, "corner")), corners++ % 3);
+        else
+            pixels++;
+    }
+    assert_true(fragments > 0);
+    assert_int_equal(pixels, fragments);
+    assert_int_equal(corners, 3 * fragments);
+    json_decref(object);
+}
+
 static void expect_history_ends_in_picture(const unsigned char *pixels, int x, int y)
 {
     assert_int_equal(shell("glasspipe pixel scene.json %d %d --json", x, y), 0);
@@ -234,6 +280,7 @@ int main(void)
         PROGRAM_TEST(explain_tells_units_and_limits_of_every_draw),
         PROGRAM_TEST(a_pixel_outside_is_a_usage_error_with_the_valid_range),
         PROGRAM_TEST(the_history_of_a_covered_pixel_names_every_stage),
+        PROGRAM_TEST(steps_of_both_shaders_are_told_where_they_are_asked_for),
         PROGRAM_TEST(the_history_of_a_pixel_ends_in_its_value_in_the_picture),
         PROGRAM_TEST(a_ternary_test_tells_replaced_added_and_dropped),
         PROGRAM_TEST(a_pass_that_sorts_tells_its_fragments_in_their_order),

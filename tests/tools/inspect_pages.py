@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Opens pages of `glasspipe inspect` in a headless Chromium and holds what they show against the trace:
 
-    inspect_pages.py PROGRAM SCENE...
+    inspect_pages.py PROGRAM SCENE | "INPUT --technique NAME ..." ...
 
 For each scene: the page from file://, without an error in the console; a click on a pixel; every unit, by
-keyboard, of every fragment there; and each value shown equal to what `glasspipe pixel --json` says, and
-written as it is; of one scene that all texts have the contrast that WCAG AA asks for. Says so in TAP. Python's own library is enough: Chromium is spoken to by a pipe.
+keyboard, of every fragment there; and each value shown, those of shaders' steps too, equal to what
+`glasspipe pixel --steps --json` says, and written as it is; of one scene that all texts have the contrast
+that WCAG AA asks for. Of a technique's frame, all panels of a pixel, held against the page's own record; and
+that its panel has values. Also how large a page is and how soon it opens. Says so in TAP.
 """
 import json
 import os
@@ -15,106 +17,12 @@ import struct
 import subprocess
 import sys
 import tempfile
-import time
+
+from browser import Browser
 
 SIZE = "160x120"
-
-
-class Browser:
-    """Chromium, by its protocol of development tools over file descriptors 3 and 4."""
-
-    def __init__(self, folder):
-        to_read, self.write_end = os.pipe()
-        self.read_end, to_write = os.pipe()
-
-        def connect():
-            copies = os.dup(to_read), os.dup(to_write)
-            os.dup2(copies[0], 3)
-            os.dup2(copies[1], 4)
-            os.set_inheritable(3, True)
-            os.set_inheritable(4, True)
-
-        self.process = subprocess.Popen(
-            ["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
-             "--disable-dev-shm-usage", "--remote-debugging-pipe", f"--user-data-dir={folder}",
-             "--window-size=1500,1200", "about:blank"],
-            preexec_fn=connect, close_fds=False, stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(to_read)
-        os.close(to_write)
-        self.number, self.waiting, self.events = 0, b"", []
-        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log"):
-            self.ask(f"{domain}.enable")
-
-    def message(self):
-        while b"\0" not in self.waiting:
-            got = os.read(self.read_end, 1 << 20)
-            if not got:
-                raise RuntimeError("Chromium has gone")
-            self.waiting += got
-        one, self.waiting = self.waiting.split(b"\0", 1)
-        return json.loads(one)
-
-    def ask(self, method, **parameters):
-        self.number += 1
-        request = {"id": self.number, "method": method, "params": parameters}
-        if hasattr(self, "session"):
-            request["sessionId"] = self.session
-        os.write(self.write_end, json.dumps(request).encode() + b"\0")
-        while True:
-            answer = self.message()
-            if answer.get("id") == self.number:
-                if "error" in answer:
-                    raise RuntimeError(f"{method}: {answer['error']}")
-                return answer["result"]
-            self.events.append(answer)
-
-    def evaluate(self, expression):
-        answer = self.ask("Runtime.evaluate", expression=expression, awaitPromise=True,
-                          returnByValue=True)
-        if "exceptionDetails" in answer:
-            raise RuntimeError(answer["exceptionDetails"].get("exception", {}).get("description"))
-        return answer["result"].get("value")
-
-    def open(self, path):
-        self.events = []
-        self.ask("Page.navigate", url=path.as_uri())
-        end = time.monotonic() + 60
-        while not self.evaluate("document.documentElement?.dataset.ready === 'true'"):
-            if time.monotonic() > end:
-                raise RuntimeError(f"the page is not ready; {self.complaints()}")
-            time.sleep(0.1)
-
-    def complaints(self):
-        """Errors of scripts and of the console since the page was opened."""
-        said = []
-        for event in self.events:
-            kind, of = event.get("method"), event.get("params", {})
-            if kind == "Runtime.exceptionThrown":
-                details = of["exceptionDetails"]
-                said.append(details.get("exception", {}).get("description", details["text"]))
-            elif kind == "Runtime.consoleAPICalled" and of["type"] in ("error", "warning"):
-                said.append(str(of["args"]))
-            elif kind == "Log.entryAdded" and of["entry"]["level"] == "error":
-                said.append(of["entry"]["text"])
-        return [re.sub(r"data:[^ )]*", "data:", one).replace("\n", " ") for one in said]
-
-    def press(self, key):
-        text = key if len(key) == 1 else ""
-        self.ask("Input.dispatchKeyEvent", type="keyDown", key=key, text=text)
-        self.ask("Input.dispatchKeyEvent", type="keyUp", key=key)
-        self.evaluate("window.inspector.idle()")
-
-    def click(self, x, y):
-        for kind in ("mousePressed", "mouseReleased"):
-            self.ask("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
-        self.evaluate("window.inspector.idle()")
-
-    def close(self):
-        self.process.kill()
-        self.process.wait()
+MOST_BYTES = 10_000_000
+UNITS = 12  # panels that every frame has
 
 
 SHOWN = """
@@ -167,19 +75,21 @@ class Trace:
 
     def __init__(self, events, draw, primitive):
         self.parts = {"vertices": [], "setup": [], "texture": [], "test": [], "output": []}
-        names = {"vertex": "vertices"}
         for event in events:
-            if event.get("draw") != draw or event.get("primitive") != primitive:
-                continue
-            kind = names.get(event["kind"], event["kind"])
-            if kind in self.parts and isinstance(self.parts[kind], list):
-                known = kind in ("vertices", "setup") and any(
-                    one.get("vertex") == event.get("vertex") and one.get("part") == event.get("part")
-                    for one in self.parts[kind])
-                if not known or (kind == "vertices" and len(self.parts[kind]) < 3):
-                    self.parts[kind].append(event)
-            else:
-                self.parts[kind] = event
+            if event.get("draw") == draw and event.get("primitive") == primitive:
+                self.add(event, {"vertex": "vertices"}.get(event["kind"], event["kind"]))
+
+    def add(self, event, kind):
+        if kind == "steps" and "corner" in event:
+            self.parts["vertices"][event["corner"]]["steps"] = event
+        elif kind in self.parts and isinstance(self.parts[kind], list):
+            known = kind in ("vertices", "setup") and any(
+                one.get("vertex") == event.get("vertex") and one.get("part") == event.get("part")
+                for one in self.parts[kind])
+            if not known or (kind == "vertices" and len(self.parts[kind]) < 3):
+                self.parts[kind].append(event)
+        else:
+            self.parts[kind] = event
 
     def at(self, path):
         value = self.parts
@@ -190,6 +100,27 @@ class Trace:
         for word in words:
             value = value[int(word)] if isinstance(value, list) else value[word]
         return value
+
+
+class Recorded:
+    """The same of the page's own record: of frames that `glasspipe pixel` does not draw."""
+
+    def __init__(self, browser):
+        self.browser, self.known = browser, {}
+
+    def fragment(self, name):
+        if name not in self.known:
+            self.known[name] = self.browser.evaluate("""(async ([number, draw, primitive]) => {
+                const { frame, state } = window.inspector;
+                return { events: (await frame.history(number, state.x, state.y)) ?? [],
+                         primitive: await frame.primitive(number, draw, primitive) };
+            })(%s)""" % json.dumps([int(word) for word in name.split("/")]))
+        _, draw, primitive = (int(word) for word in name.split("/"))
+        told = self.known[name]
+        trace = Trace(told["events"], draw, primitive)
+        for part in ("vertices", "clip", "setup"):
+            trace.parts[part] = (told["primitive"] or {}).get(part, [])
+        return trace
 
 
 def single(value):
@@ -219,18 +150,26 @@ def readable(text, shown):
 
 class Faults(list):
     """What was wrong, and how much was looked at."""
-    looked = 0
+    looked = megabytes = milliseconds = 0
 
 
-def check_panel(browser, trace, faults, where):
+def said_of(path, trace, recorded):
+    """What a value ought to be: of the chosen fragment, or of the one that the path begins with."""
+    if path.startswith("@"):
+        name, rest = path[1:].split(".", 1)
+        return recorded.fragment(name).at(rest)
+    return trace.at(path)
+
+
+def check_panel(browser, trace, recorded, faults, where):
     for path, shown, text in browser.evaluate(SHOWN):
         faults.looked += 1
         if not readable(text, shown):
             faults.append(f"{where}: {path} is {shown}, and reads {text}")
-        if path.split(".")[0] in ("steps", "incoming", "stored", "result"):
+        if path.split(".")[0] in ("incoming", "stored", "result", "truth"):
             continue
         try:
-            said = trace.at(path)
+            said = said_of(path, trace, recorded)
         except (KeyError, IndexError, StopIteration):
             faults.append(f"{where}: {path} is not in the trace")
             continue
@@ -241,7 +180,7 @@ def check_panel(browser, trace, faults, where):
 def check_fragment(browser, events, faults, scene):
     chosen = browser.evaluate("({ ...window.inspector.pixel.list[window.inspector.state.fragment], "
                               "agrees: window.inspector.pixel.one?.steps?.agrees })")
-    trace = Trace(events, chosen["draw"], chosen["primitive"])
+    trace, recorded = Trace(events, chosen["draw"], chosen["primitive"]), Recorded(browser)
     if chosen.get("agrees") is False:
         faults.append(f"{scene}: the steps of draw {chosen['draw']} end in other bits")
     browser.press("1")
@@ -249,12 +188,12 @@ def check_fragment(browser, events, faults, scene):
         now = browser.evaluate("window.inspector.state.unit")
         if now != unit:
             faults.append(f"{scene}: the keyboard is at {now}, not {unit}")
-        check_panel(browser, trace, faults, f"{scene}, {unit}")
+        check_panel(browser, trace, recorded, faults, f"{scene}, {unit}")
         browser.press("i")
     browser.press("0")
     for _ in range(3):
         browser.press("j")
-        check_panel(browser, trace, faults, f"{scene}, shader")
+        check_panel(browser, trace, recorded, faults, f"{scene}, shader")
 
 
 def check_pixel(browser, program, scene, faults):
@@ -275,7 +214,7 @@ def check_pixel(browser, program, scene, faults):
         faults.append(f"{scene}: a click at {place} chose {state['x']}, {state['y']}")
     told = json.loads(subprocess.run(
         [program, "pixel", scene, str(state["x"]), str(state["y"]), "--pass", str(state["pass"]),
-         "--size", SIZE, "--json"], check=True, capture_output=True).stdout)
+         "--size", SIZE, "--steps", "--json"], check=True, capture_output=True).stdout)
     count = browser.evaluate("window.inspector.pixel.list.length")
     for _ in range(count):
         browser.press("<")
@@ -301,37 +240,71 @@ def check_contrast(browser, faults, scene):
     browser.ask("Emulation.setEmulatedMedia", features=[])
 
 
-def check_scene(browser, program, scene, folder):
-    faults = Faults()
-    page = pathlib.Path(folder) / (pathlib.Path(scene).stem + ".html")
-    subprocess.run([program, "inspect", scene, "--size", SIZE, "--no-timings", "-q", "-o", page],
-                   check=True)
+def check_technique(browser, faults, case):
+    """The recorded pixel in the middle: what its panel of the technique shows is in the record."""
+    browser.press("1")
+    own = 0
+    for number, unit in enumerate(browser.evaluate("window.inspector.units")):
+        before = faults.looked
+        chosen = browser.evaluate(
+            "window.inspector.pixel.list[window.inspector.state.fragment] ?? null")
+        recorded = Recorded(browser)
+        state = browser.evaluate("({ ...window.inspector.state })")
+        trace = recorded.fragment(f"{state['pass']}/{chosen['draw']}/{chosen['primitive']}")
+        check_panel(browser, trace, recorded, faults, f"{case}, {unit}")
+        own = faults.looked - before if number >= UNITS else own
+        browser.press("i")
+    if not own:
+        faults.append(f"{case}: its own panel shows no value")
+
+
+def check_page(browser, page, faults, case):
+    """Opens a page; its bytes, and the time until all of it stands."""
     browser.open(page)
-    check_pixel(browser, program, scene, faults)
-    if scene.endswith("stencil_outline.json"):
-        check_contrast(browser, faults, scene)
-    faults.extend(f"{scene}: {said}" for said in browser.complaints())
+    faults.milliseconds = browser.evaluate("window.inspector.milliseconds")
+    faults.megabytes = page.stat().st_size / 1e6
+    if page.stat().st_size > MOST_BYTES:
+        faults.append(f"{case}: the page has {page.stat().st_size} bytes")
+
+
+def check_case(browser, program, case, folder):
+    faults = Faults()
+    words = case.split()
+    is_scene = len(words) == 1
+    page = pathlib.Path(folder) / "page.html"
+    size = ["--size", SIZE] if is_scene else []
+    subprocess.run([program, "inspect", *words, *size, "--no-timings", "-q", "-o", page], check=True)
+    check_page(browser, page, faults, case)
+    if is_scene:
+        check_pixel(browser, program, case, faults)
+    else:
+        check_technique(browser, faults, case)
+    if case.endswith("stencil_outline.json"):
+        check_contrast(browser, faults, case)
+    faults.extend(f"{case}: {said}" for said in browser.complaints())
     page.unlink()
     if not faults.looked:
-        faults.append(f"{scene}: no value is shown")
+        faults.append(f"{case}: no value is shown")
     return faults
 
 
 def main():
-    program, scenes = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    program, cases = os.path.abspath(sys.argv[1]), sys.argv[2:]
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         browser = Browser(folder)
-        for number, scene in enumerate(scenes, 1):
+        for number, case in enumerate(cases, 1):
             try:
-                faults = check_scene(browser, program, scene, folder)
+                faults = check_case(browser, program, case, folder)
             except (RuntimeError, subprocess.CalledProcessError) as problem:
                 faults = Faults([str(problem)])
             print(f"{'not ok' if faults else 'ok'} {number} - a page shows what the trace has: "
-                  f"{scene}, {faults.looked} values", flush=True)
+                  f"{case}, {faults.looked} values, {faults.megabytes:.1f} MB, "
+                  f"opens in {faults.milliseconds:.0f} ms", flush=True)
             for fault in faults[:12]:
                 print("# " + re.sub(r"data:[^ )]*", "data:", fault).replace("\n", " "))
         browser.close()
-    print(f"1..{len(scenes)}")
+    print(f"1..{len(cases)}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Pages of `glasspipe inspect` in a browser, where Chromium and Python are: inspect_pages.sh PROGRAM
 #
-# Some scenes, whose pages have most of what there is; with $GP_TEST_INSPECT all of scenes/. Speaks TAP.
+# Some scenes, whose pages have most of what there is; with $GP_TEST_INSPECT all of scenes/, and frames of
+# every technique. Speaks TAP.
 program=$1
 . tests/tools/tap.sh
 if [ -n "${EMULATOR:-}" ] || ! command -v chromium >/dev/null || ! command -v python3 >/dev/null; then
@@ -9,7 +10,22 @@ if [ -n "${EMULATOR:-}" ] || ! command -v chromium >/dev/null || ! command -v py
     echo "1..$count"
     exit 0
 fi
-scenes='scenes/near_clip.json scenes/stencil_outline.json scenes/sorted.json'
-[ -n "${GP_TEST_INSPECT:-}" ] && scenes=$(echo scenes/*.json)
-# shellcheck disable=SC2086 # names without spaces
-exec python3 tests/tools/inspect_pages.py "$program" $scenes
+# Scenes by their files, frames of techniques by what follows `glasspipe inspect`.
+set -- scenes/near_clip.json scenes/stencil_outline.json scenes/sorted.json \
+    'builtin:teapot --technique fragments --method dp --size 64x48 --pixels 20'
+if [ -n "${GP_TEST_INSPECT:-}" ]; then
+    set -- scenes/*.json \
+        'builtin:teapot --technique fragments --method dp --size 160x120' \
+        'builtin:teapot --technique fragments --method sorted --size 160x120' \
+        'builtin:teapot --technique fragments --method bucket1 --size 160x120' \
+        'builtin:knot --technique points --method ewa --size 160x120' \
+        'builtin:knot --technique points --method ternary --size 160x120' \
+        'builtin:ball:32 --technique volume --method raycast --size 160x120' \
+        'builtin:ball:32 --technique volume --method slices --size 160x120' \
+        'builtin:ball:32 --technique volume --method splat --size 160x120' \
+        'builtin:knot --technique warp --method layers --size 160x120' \
+        'builtin:knot --technique warp --method relief --size 160x120 --pixels 40' \
+        'scenes/shadow.json --technique shadow --method plain --map 512 --size 160x120' \
+        'builtin:knot --technique voxelize -n 32 --pixels 60'
+fi
+exec python3 tests/tools/inspect_pages.py "$program" "$@"

@@ -7,7 +7,7 @@ function half(bits) {
     return sign * (exponent ? 2 ** (exponent - 15) * (1 + fraction / 1024) : 2 ** -14 * (fraction / 1024));
 }
 
-export const unorm = (code) => Math.fround(code / 255);
+const unorm = (code) => Math.fround(code / 255);
 const bgra = (v, at) => [unorm(v.getUint8(at + 2)), unorm(v.getUint8(at + 1)), unorm(v.getUint8(at))];
 
 /** For each format: names of its channels, and a texel's values from a DataView and a place; of those whose

@@ -84,6 +84,18 @@ export class Frame {
         return this.passes[pass].lod >= 0 ? blob(this.passes[pass].lod) : null;
     }
 
+    /** How far the picture is above the exact one at each pixel, or below (inspect.h); null: unknown. */
+    async off() {
+        if (this.truth)
+            this.unpacked_off ??= blob(this.truth.off).then((bytes) => new Float32Array(bytes.buffer));
+        return this.unpacked_off ?? null;
+    }
+
+    /** Whether a pass draws the picture. */
+    has_picture(pass) {
+        return this.passes[pass].targets.some((target) => target.surface === this.picture);
+    }
+
     /** Whether all values of a pixel are in the page. */
     is_recorded(pass, x, y) {
         return this.passes[pass].pixel_numbers.has(y * this.passes[pass].width + x);

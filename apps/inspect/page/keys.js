@@ -3,7 +3,7 @@
 import { h } from "page/element.js";
 import { pixel } from "page/pixel.js";
 import { choose, state } from "page/state.js";
-import { units } from "page/units.js";
+import { shown_units, units } from "page/units.js";
 
 const sheet = [
     ["\u2190 \u2192 \u2191 \u2193", "the pixel beside; with Shift ten further"],
@@ -35,7 +35,10 @@ export function make_keys(frame, help, button) {
         const next = Math.min(pixel.list.length - 1, Math.max(0, state.fragment + by));
         return pixel.list.length ? choose({ fragment: next, draw: pixel.list[next].draw, step: 0 }) : null;
     };
-    const unit = (by) => choose({ unit: units[Math.min(units.length - 1, Math.max(0, units.findIndex((one) => one.id === state.unit) + by))].id });
+    const unit = (by) => {
+        const all = shown_units(frame);
+        return choose({ unit: all[Math.min(all.length - 1, Math.max(0, all.findIndex((one) => one.id === state.unit) + by))].id });
+    };
     const draw = (by) => {
         const all = frame.passes.flatMap((pass) => pass.draws.map((one) => [pass.pass, one.draw]));
         const at = all.findIndex(([p, d]) => p === state.pass && d === state.draw);

@@ -11,7 +11,7 @@ import { units } from "page/units.js";
 const parts = {
     history: "#pixel .fragments", readout: ".readout [data-stored]",
     counters: ".funnel, #events .amount", chosen: "#panel > header .note", figure: "#panel .content figure, #panel .content svg",
-    notes: "#panel .content .note", words: "#panel .content p",
+    notes: "#panel .content .note", words: "#panel .content p", steps: "#panel .debug",
 };
 
 const keep = (name, how) => {

@@ -8,16 +8,18 @@ import { make_keys } from "page/keys.js";
 import { begin_lesson, load_lesson, make_lesson } from "page/lesson.js";
 import { make_pixel, pixel } from "page/pixel.js";
 import { choose, from_address, idle, state } from "page/state.js";
-import { make_units, units } from "page/units.js";
+import { make_units, shown_units } from "page/units.js";
 import { Viewer } from "page/viewer.js";
 
 function left_out(frame) {
     const last = frame.passes.at(-1), lines = [
         `Every fragment of every pixel is in this page. All values of all units are in it of ${last.histories.pixels.length} pixels of the last pass: on a grid of ${frame.grid} pixels, and some for every fate that a draw's fragments had.`,
         "For others, make the page again with --region X Y WIDTH HEIGHT, --draw N or --pixels N."];
+    if (frame.share < 1)
+        lines.push(`The page would have grown beyond ten megabytes: of the pixels that were asked for, or that are usual, about ${Math.max(1, Math.round(100 * frame.share))} in a hundred are recorded whole.`);
     for (const pass of frame.passes)
         if (pass.histories.left_out)
-            lines.push(`Pass ${pass.pass}: the page would have grown too large with ${pass.histories.left_out} more events of its recorded pixels. They are the last ones; --region and a small --pixels have them.`);
+            lines.push(`Pass ${pass.pass}: ${pass.histories.left_out} more events, or shaders' steps, of its recorded pixels had no room. They are the last ones; --region and a small --pixels have them.`);
     for (const pass of frame.passes)
         if (pass.fragments_left_out)
             lines.push(`Pass ${pass.pass}: ${pass.fragments_left_out} fragments have no place in the page.`);
@@ -49,6 +51,6 @@ export async function start(number, other, lesson_number) {
     make_keys(frame, part("help"), part("help-button"));
     await choose({ ...beginning(frame), ...begin_lesson(frame, lesson), ...from_address(), first: true });
     await make_lesson(lesson, part("lesson"));
-    window.inspector = { frame, state, choose, idle, pixel, units: units.map((unit) => unit.id) };
+    window.inspector = { frame, state, choose, idle, pixel, milliseconds: performance.now(), get units() { return shown_units(frame).map((unit) => unit.id); } };
     document.documentElement.dataset.ready = "true";
 }

@@ -129,6 +129,24 @@ async function levels(canvas, frame, state) {
     return [key(ramp[1], "magnified, level 0 or below"), ...ramp.slice(2).map((color, i) => key(color, `${i} to ${i + 1}`))];
 }
 
+// Above the exact picture, or below it: two colours and two hatchings, the darker the farther.
+async function off_truth(canvas, frame, state) {
+    const off = await frame.off();
+    if (!off || !frame.has_picture(state.pass))
+        return [h("span", {}, frame.truth ? "of the picture's own pass" : "the exact picture is not in this page: --technique NAME --truth has it")];
+    const most = off.reduce((a, b) => Math.max(a, Math.abs(b)), 1e-9), data = new ImageData(canvas.width, canvas.height);
+    for (let y = 0, i = 0; y < canvas.height; y++)
+        for (let x = 0; x < canvas.width; x++, i++)
+            if (off[i])
+                data.data.set([...(off[i] > 0 ? [213, 94, 0] : (x + y) % 4 < 2 ? [0, 114, 178] : [180, 220, 255]), 90 + 165 * Math.min(1, Math.abs(off[i]) / most)], 4 * i);
+    canvas.getContext("2d").putImageData(data, 0, 0);
+    return [key("#d55e00", frame.truth.over), key("repeating-linear-gradient(45deg, #0072b2 0 3px, #b4dcff 3px 6px)", `${frame.truth.under}, hatched`), h("span", {}, `${count_of(off)} pixels are off`)];
+}
+
+function count_of(off) {
+    return off.reduce((sum, one) => sum + (one !== 0), 0);
+}
+
 function tiles(canvas) {
     const context = canvas.getContext("2d"), size = 64; // pipeline/fast/fast.h
     context.clearRect(0, 0, canvas.width, canvas.height);
@@ -156,5 +174,6 @@ export const overlays = {
     lod: { title: "level of detail", paint: wrapped(levels) },
     tiles: { title: "tiles", paint: tiles },
     size: { title: "triangle size", paint: wrapped(sizes) },
+    truth: { title: "off the exact picture", paint: wrapped(off_truth) },
     verdicts: { title: "what was rejected", paint: wrapped(verdicts) },
 };

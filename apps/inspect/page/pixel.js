@@ -66,6 +66,16 @@ function fragment_line(frame, fragment, i) {
           output && h("small", {}, swatch(output.result), "stored ", vec(output.result, "result")))));
 }
 
+/** What the exact picture says of the chosen pixel; "" where it is not known. */
+export async function against_truth(frame) {
+    const off = await frame.off(), { pass, x, y } = state;
+    if (!off || !frame.has_picture(pass))
+        return "";
+    const by = off[y * frame.width + x];
+    return h("p", { class: "callout" }, by ? [h("b", { class: "bad" }, "\u2260 "), "Against the exact picture it is off by ", value(by, "truth.off"), ": ", by > 0 ? frame.truth.over : frame.truth.under]
+        : [h("b", { class: "good" }, "\u2714 "), "It is as in the exact picture."]);
+}
+
 async function render(frame, section) {
     const { pass, x, y } = state, of = frame.passes[pass];
     const target = of.targets.find((one) => one.slot === "0");
@@ -82,7 +92,7 @@ async function render(frame, section) {
             h("button", { type: "button", onclick: () => choose({ x: nearest[0], y: nearest[1], fragment: -1 }) },
               `Nearest: ${nearest[0]}, ${nearest[1]} (n)`),
             h("p", { class: "note" }, "To have this one: ", h("code", {}, `--region ${x} ${y} 1 1`))) : "",
-        section.dataset.more ?? "");
+        await against_truth(frame));
 }
 
 export function make_pixel(frame, section) {

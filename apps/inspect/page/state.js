@@ -1,8 +1,9 @@
 // What is chosen: one object, and who is told when it changes.
 
 /** pass, draw (its targets are shown as they are after it), surface, x, y, fragment (number in the pixel's
- * list), unit (of the strip), step (of the shader), overlay. */
-export const state = { pass: 0, draw: 0, surface: 0, channel: "", x: 0, y: 0, fragment: 0, unit: "draw", step: 0,
+ * list), unit (of the strip), step (of the shader), corner (of the
+ * triangle, whose vertex shader is looked at), overlay. */
+export const state = { pass: 0, draw: 0, surface: 0, channel: "", x: 0, y: 0, fragment: 0, unit: "draw", step: 0, corner: 0,
                        overlay: "none" };
 
 const listeners = [];
@@ -40,7 +41,7 @@ async function change(changes) {
 /** What the address asks for: "#pass=0&x=10&y=20". */
 export function from_address() {
     const asked = new URLSearchParams(location.hash.slice(1)), changes = {};
-    for (const key of ["pass", "draw", "x", "y", "fragment", "step"])
+    for (const key of ["pass", "draw", "x", "y", "fragment", "step", "corner"])
         if (asked.has(key))
             changes[key] = Number(asked.get(key));
     for (const key of ["unit", "overlay"])

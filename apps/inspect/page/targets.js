@@ -1,12 +1,13 @@
 // What the targets held after each stop of the frame (apps/inspect/targets.h has the form).
 
 import { blob } from "page/data.js";
-import { formats, unorm } from "page/formats.js";
+import { formats } from "page/formats.js";
 
 /** One surface at one moment. */
 export class Image {
-    constructor(surface, bytes) {
+    constructor(surface, bytes, ranges) {
         this.surface = surface;
+        this.ranges = ranges;
         this.bytes = bytes;
         this.view = new DataView(bytes.buffer);
         this.format = formats[surface.format];
@@ -17,38 +18,9 @@ export class Image {
         return this.format.read(this.view, (y * this.surface.width + x) * this.surface.bytes);
     }
 
-    // The same of bytes, which are counted.
-    range_of_bytes(first) {
-        const counts = new Uint32Array(256), bins = new Uint32Array(64);
-        for (let at = first; at < this.bytes.length; at += this.surface.bytes)
-            counts[this.bytes[at]]++;
-        const low = counts.findIndex((count) => count > 0), high = counts.findLastIndex((count) => count > 0);
-        for (let code = low; code <= high; code++)
-            bins[high > low ? Math.floor((code - low) * 63.999 / (high - low)) : 0] += counts[code];
-        return { low: unorm(low), high: unorm(high), odd: 0, bins };
-    }
-
-    /** Least, largest and histogram of a channel, and how many are no finite numbers. */
+    /** Least, largest and histogram of a channel, and how many are no finite numbers: as recorded. */
     range(channel) {
-        if (this.format.bytes)
-            return this.range_of_bytes(this.format.bytes[channel]);
-        const { width, height } = this.surface, all = new Float64Array(width * height);
-        let low = Infinity, high = -Infinity, odd = 0;
-        for (let y = 0, i = 0; y < height; y++)
-            for (let x = 0; x < width; x++, i++) {
-                const value = all[i] = this.at(x, y)[channel];
-                if (!Number.isFinite(value))
-                    odd++;
-                else {
-                    low = Math.min(low, value);
-                    high = Math.max(high, value);
-                }
-            }
-        const bins = new Uint32Array(64), scale = high > low ? 63.999 / (high - low) : 0;
-        for (const value of all)
-            if (Number.isFinite(value))
-                bins[Math.floor((value - low) * scale)]++;
-        return { low, high, odd, bins };
+        return this.ranges[channel];
     }
 }
 
@@ -58,8 +30,8 @@ export class Targets {
         this.surfaces = surfaces;
         this.changes = surfaces.map(() => []);
         stops.forEach((stop, i) => {
-            for (const { surface, blob: number } of stop.targets)
-                this.changes[surface].push({ stop: i, blob: number });
+            for (const { surface, blob: number, ranges } of stop.targets)
+                this.changes[surface].push({ stop: i, blob: number, ranges });
         });
         this.states = surfaces.map(() => []); // by number of changes that are in it
     }
@@ -91,7 +63,7 @@ export class Targets {
             }
             if (from !== null)
                 bytes = Targets.apply(surface, bytes, await blob(from));
-            known[changes] = new Image(surface, bytes);
+            known[changes] = new Image(surface, bytes, changes ? this.changes[number][changes - 1].ranges : surface.ranges);
         }
         return known[changes];
     }

@@ -18,7 +18,7 @@ import { vertex } from "page/panels/vertex.js";
 import { viewport } from "page/panels/viewport.js";
 import { technique_panels } from "page/techniques/all.js";
 
-/** Each: id, title, says (three sentences), formula, rules (of CONVENTIONS.md), source (a path), needs
+/** Each: id, title, says (three sentences), formula, rules (of CONVENTIONS.md), source (a path, or of(context)), needs
  * ("draw", "primitive" or "pixel": what has to be recorded), make(context): its content. Those of
  * techniques have applies(context) too: whether there is anything for them to show. */
 export const units = [draw, assembly, vertex, clipping, viewport, setup, raster, interpolation, quads, shader, tests, blending];
@@ -34,12 +34,12 @@ function is_idle(unit, of) {
     return of && names.length > 0 && names.every((name) => !of.units.find((row) => row.unit === name)?.runs);
 }
 
-async function source_details(frame, unit) {
-    const box = h("details", { class: "no-print" }, h("summary", {}, unit.source));
+async function source_details(frame, path) {
+    const box = h("details", { class: "no-print" }, h("summary", {}, path));
     box.addEventListener("toggle", async () => {
         if (!box.open || box.children.length > 1)
             return;
-        const text = (await json(frame.sources))[unit.source] ?? "This file is not in the page.";
+        const text = (await json(frame.sources))[path] ?? "This file is not in the page.";
         box.append(h("pre", { class: "source", tabindex: 0 }, text.split("\n").map(
             (line, i) => h("span", { class: "line" }, h("span", { class: "n" }, i + 1), line + "\n"))));
     });
@@ -69,9 +69,14 @@ export function context_of(frame) {
              setup: pixel.primitive?.setup[part] ?? pixel.primitive?.setup[0] };
 }
 
-async function show(frame, panel) {
+/** The units, and the panels of techniques that have something to show. */
+export function shown_units(frame) {
     const context = context_of(frame);
-    const all = [...units, ...technique_panels.filter((one) => one.applies(context))];
+    return [...units, ...technique_panels.filter((one) => one.applies(context))];
+}
+
+async function show(frame, panel) {
+    const context = context_of(frame), all = shown_units(frame);
     const unit = all.find((one) => one.id === state.unit) ?? units[0];
     const of = unit.id === "draw" ? frame.draw_of(state.pass, state.draw) : context.draw;
     const content = missing(unit, context) ?? await unit.make({ ...context, draw: of });
@@ -83,7 +88,7 @@ async function show(frame, panel) {
         h("div", { class: "says" }, unit.says.map((text) => h("p", {}, text)),
           unit.formula && h("div", { class: "formula", tabindex: 0 }, unit.formula),
           unit.rules && h("p", { class: "note" }, `Rules: ${unit.rules} in pipeline/CONVENTIONS.md`),
-          unit.source && await source_details(frame, unit)),
+          await source_details(frame, typeof unit.source === "function" ? unit.source(context) : unit.source)),
         h("div", { class: "content" }, content));
     for (const one of panel.querySelectorAll("[data-scroll]")) { // what its box shall show
         const box = one.closest(".source, .list");

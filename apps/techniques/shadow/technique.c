@@ -397,5 +397,6 @@ const Technique shadow_technique = {
     .build = build,
     .resolve = resolve,
     .alpha = "visibility",
+    .quick_truth = true,
     .check_alpha = check_visibility,
 };

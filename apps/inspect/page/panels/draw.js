@@ -75,6 +75,8 @@ export const draw = {
     says: ["A draw is a program, a geometry, a state and textures; nothing is remembered from the draw before.",
            "From these alone follows which units have work: the others are left out, and nothing is lost by it.",
            "The targets above are shown as they are after this draw."],
+    formula: "draw = program(uniforms, textures), geometry, state\nunit runs: some later one reads what it gives",
+    rules: "\u201cPixels\u201d, \u201cGroups\u201d",
     make: ({ frame, pass, draw: of }) => {
         if (!of)
             return h("p", {}, "This pass has no draw: it clears.");
@@ -83,7 +85,7 @@ export const draw = {
                               of.pixel_shader ? `; pixel shader of ${of.pixel_shader.slots} slots, ${of.pixel_shader.temporaries} registers, ${of.pixel_shader.profile}` : ""),
                  h("div", { class: "cols" },
                    h("div", {}, funnel(stop), h("h3", {}, "Units"),
-                     table(["unit", "", "because"], of.units.map((row) => [row.unit, row.runs ? h("b", {}, "\u25cf runs") : h("span", { class: "note" }, "\u25cb left out"), row.why]))),
+                     table(["unit", "", "because"], of.units.map((row) => [row.unit, row.runs ? h("b", {}, "\u25cf runs") : h("span", { class: "note whole" }, "\u25cb left out"), row.why]))),
                    h("div", {}, states(pass, of), textures(of), uniforms(of), times(frame))));
     },
 };

@@ -1,6 +1,6 @@
 // Interpolation: from three corners to a pixel, in perspective; and what it would be without.
 
-import { h, num, table, value } from "page/element.js";
+import { h, table, value } from "page/element.js";
 
 let linear = false;
 
@@ -18,9 +18,8 @@ export const interpolation = {
             let at = 0;
             const rows = draw.varyings.flatMap((varying) => Array.from({ length: varying.components }, (_, c) => {
                 const k = at++, corners = primitive?.vertices.map((v) => v.varyings[k]) ?? [];
-                const gap = of.screen_varyings[k] - of.varyings[k];
                 return [`${varying.name}.${"xyzw"[c]}`, varying.mode, value(values[k], `interpolate.${names[1]}.${k}`),
-                        h("span", { class: "note" }, Math.abs(gap) > 0 ? num(gap) : "none"),
+                        of.gap[k] ? value(of.gap[k], `interpolate.gap.${k}`) : h("span", { class: "note" }, "none"),
                         ...(primitive?.clip?.planes ? [] : corners.map((corner, i) => value(corner, `vertices.${i}.varyings.${k}`)))];
             }));
             box.replaceChildren(

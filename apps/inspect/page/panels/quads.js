@@ -1,6 +1,6 @@
 // Quads and derivatives: four pixels at a time, texture reads and their levels.
 
-import { h, num, svg, table, value, vec } from "page/element.js";
+import { h, svg, table, value, vec } from "page/element.js";
 import { state } from "page/state.js";
 
 function quad_table(draw, of, x, y) {
@@ -8,11 +8,10 @@ function quad_table(draw, of, x, y) {
     const pixels = [0, 1, 2, 3].map((i) => [(x & ~1) + i % 2, (y & ~1) + (i >> 1)]);
     const head = ["varying", ...pixels.map(([px, py], i) => [`${px}, ${py}`, h("br"), h("span", { class: "note" }, of.mask >> i & 1 ? (px === x && py === y ? "\u25c6 this pixel" : "\u25cf covered") : "\u25cb helper")]),
                   "right \u2212 left", "below \u2212 above"];
-    const column = x & 1, row = y & 1;
     const rows = draw.varyings.flatMap((varying) => Array.from({ length: varying.components }, (_, c) => {
         const k = at++, v = of.quad[k];
         return [`${varying.name}.${"xyzw"[c]}`, ...v.map((one, i) => value(one, `interpolate.quad.${k}.${i}`)),
-                h("span", { class: "v" }, num(Math.fround(v[2 * row + 1] - v[2 * row]))), h("span", { class: "v" }, num(Math.fround(v[2 + column] - v[column])))];
+                value(of.differences[k][0], `interpolate.differences.${k}.0`), value(of.differences[k][1], `interpolate.differences.${k}.1`)];
     }));
     return table(head, rows);
 }

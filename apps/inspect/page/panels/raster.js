@@ -36,7 +36,7 @@ export const raster = {
         return h("div", { class: "cols" },
             h("div", {},
               table(["edge", "value at the centre", "share of 2A"], edge.map((of, i) => [`E${i}, opposite v${i}`, value(of, `raster.edge.${i}`),
-                  `${(100 * of / edge.reduce((a, b) => a + b)).toFixed(2)} %`])),
+                  one.interpolate ? value(one.interpolate.screen[i], `interpolate.screen.${i}`) : ""])),
               h("p", {}, "Their sum is 2A. The triangle shows its ", h("b", {}, one.raster.front ? "front (clockwise)" : "back (counter-clockwise)"), "."),
               zero >= 0 ? h("p", { class: "callout" }, `The centre is exactly on the edge opposite v${zero}: `,
                             setup?.edges?.[zero].accepts_zero ? "a top or left edge, to which it belongs." : "decided by the rule of ties.") : ""),

@@ -2,6 +2,8 @@
 
 import { h, swatch, table, value, vec } from "page/element.js";
 import { inputs_of } from "page/panels/assembly.js";
+import { choose, state } from "page/state.js";
+import { debugger_of } from "page/steps.js";
 
 /** A vertex's, or a pixel's, varyings, cut as the program declares them: [[name, element], ...]. */
 export function varyings_of(draw, values, path) {
@@ -21,12 +23,20 @@ export const vertex = {
            "It sees one vertex at a time: nothing of the triangle, nothing of the screen.",
            "In clip space a point is inside where \u2212w \u2264 x \u2264 w, \u2212w \u2264 y \u2264 w and 0 \u2264 z \u2264 w; w is its distance along the view in most programs."],
     formula: "(x, y, z, w) = M (position, 1)\ninside: 0 \u2264 z \u2264 w",
-    make: ({ draw, primitive, frame }) => h("div", {},
-        primitive.vertices.map((one, i) => [
-            h("h3", {}, `v${i}: vertex ${one.vertex}`),
-            table(["", "in"], inputs_of(draw, one, `vertices.${i}`).map((cell, k) => [draw.inputs[k].name, cell])),
-            table(["", "out", ""], [["clip position", vec(one.clip, `vertices.${i}.clip`), "x, y, z, w"],
-                                    ...varyings_of(draw, one.varyings, `vertices.${i}.varyings`)])]),
-        draw.vertex_shader ? h("p", { class: "note" }, `${draw.vertex_shader.slots} slots, ${draw.vertex_shader.temporaries} registers, ${draw.vertex_shader.constants} constants; ${draw.vertex_shader.profile}`) : "",
-        frame.programs[draw.program] ? h("p", { class: "note" }, "The program is ", h("code", {}, frame.programs[draw.program]), ": its text is beside the pixel shader's steps.") : ""),
+    make: async (context) => {
+        const { draw, primitive } = context, corners = primitive.vertices, corner = Math.min(state.corner, corners.length - 1);
+        const one = corners[corner], path = `vertices.${corner}`, costs = draw.vertex_shader;
+        const inputs = corners.map((vertex, i) => inputs_of(draw, vertex, `vertices.${i}`));
+        const outputs = corners.map((vertex, i) => varyings_of(draw, vertex.varyings, `vertices.${i}.varyings`));
+        const names = corners.map((vertex, i) => `v${i}: vertex ${vertex.vertex}`);
+        return h("div", {},
+            table(["in", ...names], draw.inputs.map((input, k) => [input.name, ...inputs.map((of) => of[k])])),
+            table(["out", ...names, ""], [["clip position", ...corners.map((vertex, i) => vec(vertex.clip, `vertices.${i}.clip`)), "x, y, z, w"],
+                                          ...(outputs[0] ?? []).map((row, k) => [row[0], ...outputs.map((of) => of[k][1]), row[2]])]),
+            h("h3", {}, "Step by step"),
+            corners.length > 1 ? h("div", { class: "bar", role: "group", "aria-label": "Corner of the triangle" }, names.map((name, i) => h("button", { type: "button", "aria-pressed": String(i === corner), onclick: () => choose({ corner: i, step: 0 }) }, name))) : "",
+            one.steps ? await debugger_of(context, one.steps, draw.inputs, { inputs: one.inputs }, `${path}.steps`, "vertex")
+                : h("p", { class: "note" }, "The steps of this vertex are not in the page."),
+            costs ? h("p", { class: "note" }, `${costs.slots} slots, ${costs.temporaries} registers, ${costs.constants} constants; ${costs.profile}`) : "");
+    },
 };

@@ -18,7 +18,7 @@ export const viewport = {
                       ...["x", "y"].flatMap((axis, k) => [
                           value(setup.place[i][k], `setup.${setup.part}.place.${i}.${k}`),
                           [value(setup[axis][i], `setup.${setup.part}.${axis}.${i}`), h("span", { class: "note" }, ` / 256 = ${num(setup[axis][i] / 256)}`)],
-                          h("span", { class: "note" }, `${num(setup[axis][i] / 256 - setup.place[i][k])} px`)]),
+                          [value(setup.moved[i][k], `setup.${setup.part}.moved.${i}.${k}`), " px"]]),
                       value(setup.z[i], `setup.${setup.part}.z.${i}`), value(setup.rw[i], `setup.${setup.part}.rw.${i}`)])),
             h("p", { class: "note" }, "No corner moves by more than 1/512 of a pixel, 0.00195."));
     },

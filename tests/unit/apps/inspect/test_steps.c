@@ -121,7 +121,7 @@ static void hold(const GpProgram *program, const void *uniforms, float level, bo
     const GpProgramCode *code = gp_program_code(program, 4);
     Packet drawn, stepped;
     Told told = { .in_order = true, .has_lines = true };
-    const GpStepListener listener = { take_step, take_output, &told };
+    const GpStepListener listener = { .step = take_step, .output = take_output, .user = &told };
     fill(&drawn, random, level);
     memcpy(&stepped, &drawn, sizeof stepped);
     const GpShaderCall call = call_of(&drawn, uniforms, &level);
@@ -225,6 +225,60 @@ static void steps_of_every_program_end_in_the_bits_that_are_drawn(void **state)
     assert_true(each_program(hold_program) > 100);
 }
 
+/* --- what shaders watch ----------------------------------------------------------------------- */
+
+typedef struct Watched {
+    int count;
+    float exponent[LANES], weight[LANES];
+} Watched;
+
+static void take_watch(void *user, const GpStepWatch *watch)
+{
+    Watched *watched = user;
+    float *to = strcmp(watch->name, "weight") == 0 ? watched->weight : watched->exponent;
+    assert_int_equal(watch->value.width, 1);
+    memcpy(to, watch->value.part[0].value, sizeof watched->weight);
+    watched->count++;
+}
+
+static void ignore_step(void *user, const GpShaderStep *step)
+{
+    (void)user, (void)step;
+}
+
+static void ignore_output(void *user, const GpStepOutput *output)
+{
+    (void)user, (void)output;
+}
+
+/* A splat watches its exponent and its weight; what it gives is its colour by that weight. */
+static void what_a_shader_watches_has_the_values_that_it_computes_with(void **state)
+{
+    static uint32_t uniforms[MOST_WORDS];
+    const GpProgram *program = dlsym(RTLD_DEFAULT, "splat_color_program");
+    (void)state;
+    if (!program || !program->step)
+        skip();
+    assert_true(set_uniforms(program, uniforms));
+    Packet packet;
+    Random random = { 7 };
+    Watched watched = { 0 };
+    float level = 0;
+    const GpStepListener listener = {
+        .step = ignore_step, .output = ignore_output, .watched = take_watch, .user = &watched
+    };
+    fill(&packet, &random, level);
+    const GpShaderCall call = call_of(&packet, uniforms, &level);
+    assert_true(gp_program_steps(program, false, &call, &listener));
+    assert_int_equal(watched.count, 2);
+    for (int lane = 0; lane < LANES; lane++)
+        for (int c = 0; c < 4; c++) { /* conic 3, place 2, color 4 */
+            const float product = packet.in[(5 + c) * LANES + lane] * watched.weight[lane];
+            assert_memory_equal(&packet.color[c * LANES + lane], &product, sizeof product);
+        }
+    assert_true(watched.exponent[0] != watched.exponent[1]);
+}
+
 static char unknown[4096];
 
 static void note_unknown(const GpProgram *program)
@@ -246,6 +300,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(uniforms_of_every_program_have_names),
         cmocka_unit_test(steps_of_every_program_end_in_the_bits_that_are_drawn),
+        cmocka_unit_test(what_a_shader_watches_has_the_values_that_it_computes_with),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
