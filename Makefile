@@ -312,7 +312,7 @@ SNIPPET_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/snippets.tap)
 # Changed units still apply, and change the picture.
 BREAK_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/break_it.tap)
 # Pages in a browser, where there is one.
-INSPECT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/inspect.tap)
+INSPECT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/inspect.tap $(BUILD)/test/lessons.tap)
 RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) $(BREAK_RESULT) \
            $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
@@ -327,6 +327,9 @@ $(PICTURE_RESULT): $(PROGRAM) always
 
 $(BUILD)/test/inspect.tap: $(PROGRAM) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/inspect_pages.sh $<
+
+$(BUILD)/test/lessons.tap: $(PROGRAM) always
+	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/inspect_pages.sh $< lessons
 
 $(BUILD)/test/break_it.tap: $(PROGRAM) $(BREAKS) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/break_it.sh test $< $(BUILD)/break

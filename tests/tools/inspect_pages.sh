@@ -1,8 +1,8 @@
 #!/bin/sh
-# Pages of `glasspipe inspect` in a browser, where Chromium and Python are: inspect_pages.sh PROGRAM
+# Pages of `glasspipe inspect` in a browser, where Chromium and Python are: inspect_pages.sh PROGRAM [lessons]
 #
-# Some scenes, whose pages have most of what there is; with $GP_TEST_INSPECT all of scenes/, and frames of
-# every technique. Speaks TAP.
+# Some scenes, whose pages have most of what there is, or some lessons; with $GP_TEST_INSPECT all of scenes/ and
+# frames of every technique, or all lessons. Speaks TAP.
 program=$1
 . tests/tools/tap.sh
 if [ -n "${EMULATOR:-}" ] || ! command -v chromium >/dev/null || ! command -v python3 >/dev/null; then
@@ -10,6 +10,7 @@ if [ -n "${EMULATOR:-}" ] || ! command -v chromium >/dev/null || ! command -v py
     echo "1..$count"
     exit 0
 fi
+[ "${2:-}" = lessons ] && exec python3 tests/tools/lesson_pages.py "$program"
 # Scenes by their files, frames of techniques by what follows `glasspipe inspect`.
 set -- scenes/near_clip.json scenes/stencil_outline.json scenes/sorted.json \
     'builtin:teapot --technique fragments --method dp --size 64x48 --pixels 20'
