@@ -11,6 +11,7 @@ Says so in TAP.
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -139,6 +140,33 @@ def check_contrast(browser, folder, name, faults):
     browser.ask("Emulation.setEmulatedMedia", features=[])
 
 
+# As a teacher would write it.
+CHOICE = {
+    "title": "A choice", "learn": "L", "unit": "tests", "pixel": [7, 8], "draw": 1, "question": "Which test ends it?",
+    "why": "W", "answer": {"from": "test.passed=false.unit", "form": "choice", "choices": [
+        {"value": "stencil", "text": "the stencil test"}, {"value": "depth", "text": "the depth test"}]},
+}
+
+
+def check_choice(browser, program, scratch, faults):
+    folder = pathlib.Path(scratch) / "own"
+    folder.mkdir()
+    shutil.copy("scenes/lessons/10_tests.json", folder / "own.json")
+    (folder / "own.lesson.json").write_text(json.dumps(CHOICE))
+    subprocess.run([program, "inspect", "--lesson", folder / "own.lesson.json", "-q", "-o", folder / "own.html"], check=True)
+    browser.open(folder / "own.html")
+    said = []
+    for choice in (None, 0, 1):
+        if choice is not None:
+            browser.evaluate(f"document.querySelectorAll('#lesson [type=radio]')[{choice}].click()")
+        browser.evaluate("document.querySelector('#lesson form').requestSubmit()")
+        browser.evaluate("new Promise((done) => setTimeout(done, 20))")
+        said.append(browser.evaluate(STATE))
+    if said != ["asked", "asked", "answered"]:
+        faults.append(f"no choice, a wrong one and the right one: {said}")
+    faults.extend(browser.complaints())
+
+
 def check_index(browser, folder, faults):
     visit(browser, folder / "index.html")
     links = browser.evaluate("[...document.querySelectorAll('[data-lesson]')].map((one) => [one.dataset.lesson, "
@@ -159,7 +187,8 @@ def main():
         browser = Browser(scratch)
         tests = [(f"lesson {name} is answered", lambda faults, name=name: check_lesson(browser, folder, name, faults))
                  for name in sorted(ANSWERS)[::1 if os.environ.get("GP_TEST_INSPECT") else 5]]
-        tests += [("giving up shows the value", lambda faults: check_giving_up(browser, folder, faults)),
+        tests += [("a lesson of one's own is chosen from", lambda faults: check_choice(browser, program, scratch, faults)),
+                  ("giving up shows the value", lambda faults: check_giving_up(browser, folder, faults)),
                   ("the index has all lessons, and marks them", lambda faults: check_index(browser, folder, faults)),
                   ("a lesson has contrast", lambda faults: check_contrast(browser, folder, "03_clipping.html", faults)),
                   ("the index has contrast", lambda faults: check_contrast(browser, folder, "index.html", faults))]

@@ -79,9 +79,10 @@ class Veil {
             return;
         for (const one of document.querySelectorAll("[data-path]"))
             if (this.paths.some((path) => hides(path, one.dataset.path)))
-                one.classList.add("veiled");
+                for (const each of [one, ...one.parentElement.querySelectorAll(":scope > .note")]) // and what is said of it
+                    each.classList.add("veiled");
         for (const one of this.selector ? document.querySelectorAll(this.selector) : [])
-            one.classList.add(one.closest("figure, svg, .fragments, .funnel, p") === one ? "veiled-part" : "veiled");
+            one.classList.add(one.closest("figure, svg, .fragments, .funnel, .debug, p") === one ? "veiled-part" : "veiled");
         const panel = document.getElementById("panel"), content = panel.querySelector(".content");
         content?.classList.toggle("veiled-part", units.findIndex((unit) => unit.id === state.unit) > this.at);
     }
@@ -94,8 +95,10 @@ class Veil {
     lift() {
         this.observer.disconnect();
         this.observer = null;
-        for (const one of document.querySelectorAll(".veiled, .veiled-part"))
+        for (const one of document.querySelectorAll(".veiled, .veiled-part")) {
+            one.classList.toggle("unveiled", one.matches(".content .veiled"));
             one.classList.remove("veiled", "veiled-part");
+        }
     }
 }
 
