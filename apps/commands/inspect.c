@@ -314,6 +314,7 @@ static int inspect_lesson(const InspectCommand *command, Lesson *lesson, const c
     Drawn drawn = { .opened = NULL };
     own.scene = lesson->scene;
     own.lesson = lesson;
+    own.options.json = command->options.json && !course; /* of all at once */
     int code = open_drawn(&own, own.scene, NULL, &drawn);
     if (!code)
         code = write_page(&own, path, &drawn, &drawn);
@@ -370,6 +371,9 @@ static int write_index(const InspectCommand *command, const Course *course, cons
     text_free(&page);
     if (result)
         return report(EXIT_INTERNAL, "%s", error.text);
+    if (command->options.json)
+        return output_json(
+            json_pack("{s:s, s:I}", "index", path, "lessons", (json_int_t)course->count));
     notice(&command->options, "%s: %u lessons", path, course->count);
     return EXIT_DONE;
 }

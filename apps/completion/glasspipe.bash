@@ -31,7 +31,7 @@ _glasspipe()
         words=$("$program" $command --help 2>/dev/null | grep -oE -- '--[a-z-]+')
     else
         case ${before:0:1}$(_glasspipe_value "$program" "$command" "$before") in
-            -*FILE | -*DIR | -*MESH | - | [!-]*)
+            -*FILE | -*DIR | -*PATH | -*MESH | - | [!-]*)
                 compopt -o filenames 2>/dev/null
                 mapfile -t COMPREPLY < <(compgen -f -- "$word")
                 return ;;

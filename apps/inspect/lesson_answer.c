@@ -128,6 +128,10 @@ GpResult lesson_record(const Lesson *lesson, const Record *record, json_t **told
         return no_fragment(lesson, error);
     }
     json_t *made = json_copy(json_array_get(histories->told, (size_t)json_integer_value(place)));
+    if (!made) {
+        json_decref(fragments);
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for a lesson");
+    }
     for (int i = 0; i < 3; i++)
         json_object_set_new(made, (const char *[]){ "texture", "test", "output" }[i], json_array());
     json_object_set_new(made, "fragments", fragments);

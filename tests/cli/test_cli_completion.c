@@ -64,7 +64,8 @@ static void options_are_those_of_every_commands_help(void **state)
     static const char *const commands[] = { "bench",   "chart",     "render",    "compare",
                                             "explain", "pixel",     "points",    "shader",
                                             "shadow",  "test",      "voxelize",  "volume",
-                                            "warp",    "fragments", "warp walk", "warp capture" };
+                                            "warp",    "fragments", "warp walk", "warp capture",
+                                            "inspect" };
     static char names[80][48];
     for (size_t c = 0; c < GP_COUNT(commands); c++) {
         char words[64];
@@ -99,6 +100,7 @@ static void names_are_those_that_the_option_takes(void **state)
         { "render sc", " scene.json \n" },
         { "render --json sc", " scene.json \n" },
         { "render -o sc", " scene.json \n" },
+        { "inspect --lesson sc", " scene.json \n" },
     };
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         complete(rows[i][0]);

@@ -78,7 +78,11 @@ static void a_lesson_has_its_question_and_neither_answer_nor_reason_in_clear(voi
     assert_null(strstr(page, ", -1);</script>"));
     assert_null(strstr(page, "WHY?"));
     expect_contains(page, "<title>T - glasspipe inspect</title>");
-    assert_int_equal(shell("glasspipe inspect --lesson . -q --no-timings -o course"), 0);
+    assert_int_equal(shell("glasspipe inspect --lesson . --json --no-timings -o course"), 0);
+    json_t *told = parse_output();
+    assert_string_equal(json_string_value(json_object_get(told, "index")), "course/index.html");
+    assert_int_equal(json_integer_value(json_object_get(told, "lessons")), 1);
+    json_decref(told);
     assert_int_equal(shell("ls course"), 0);
     assert_string_equal(out, "index.html\nscene.html\n");
     read_file("course/index.html", page, sizeof page);
