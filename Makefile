@@ -149,7 +149,7 @@ ifneq ($(filter run test check check-peer bench-peers differential,$(MAKECMDGOAL
 	@$(PACKAGES) install build $(if $(filter-out run,$(MAKECMDGOALS)),test) \
 	    $(if $(filter check,$(MAKECMDGOALS)),lint check)
 else
-	@$(PACKAGES) report build $(if $(filter bless,$(MAKECMDGOALS)),test)
+	@$(PACKAGES) report build $(if $(filter bless,$(MAKECMDGOALS)),test) $(filter lessons,$(MAKECMDGOALS))
 endif
 else
 	@:

@@ -5,7 +5,7 @@
 #   packages.sh report GROUP...     says so in words, with the command; exit status 1 if any is
 #   packages.sh install GROUP...    installs what is missing (root, or by sudo)
 #
-# Groups: build test lint check. What is tested is what the build needs, a command or a header, not
+# Groups: build lessons test lint check. What is tested is what the build needs, a command or a header, not
 # the package database: a compiler or library from elsewhere is as good. Nothing here needs a
 # compiler to be present.
 set -eu
@@ -28,6 +28,7 @@ build libopenmesh-dev header OpenMesh/Core/Mesh/Traits.hh
 test libcmocka-dev header cmocka.h
 test qemu-user command qemu-x86_64
 test patch command patch
+lessons patch command patch
 lint clang-format command clang-format
 check clang command clang++
 check chromium command chromium
