@@ -392,6 +392,22 @@ $(FUZZER): $(BUILD)/obj/tests/fuzz/libfuzzer.o $(FUZZ) $(SUPPORT_A) $(APPS_A) $(
 fuzz:
 	+@sh tests/tools/fuzz.sh $(BUILD)/fuzz '$(FUZZ_S)' $(TARGETS)
 
+# One device, random lists, so many seconds: its memory stays, and so do the bits.
+SOAK   := $(BUILD)/test/soak
+SOAK_S ?= 10
+$(SOAK): $(BUILD)/obj/tests/load/soak.o $(SUPPORT_A) $(SHADERS_A) $(CORE_A)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ -lm -o $@
+.PHONY: soak
+soak: $(SOAK)
+	@$(SOAK) $(SOAK_S)
+
+# The table of builds, processors, lanes, threads and executors against pictures.
+.PHONY: matrix
+matrix:
+	+@BUILDS='$(BUILDS)' PROCESSORS='$(PROCESSORS)' PICTURES='$(PICTURES)' \
+	    sh tests/tools/matrix.sh $(BUILD)/check
+
 test-golden: $(GOLDEN_RESULTS)
 	@awk -f tests/tools/summary.awk $^
 
@@ -501,6 +517,8 @@ help:
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
 	@echo 'make fuzz        reads anything, under clang and its sanitizers; FUZZ_S= seconds a target, TARGETS=...'
+	@echo 'make matrix      a table of builds and processors: the same bits; BUILDS=, PROCESSORS=, PICTURES=N of a command'
+	@echo 'make soak        random lists for SOAK_S= seconds: the same bits, and no more memory'
 	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, COMMANDS=...'
 	@echo 'make lessons     twelve questions about the pipeline, and eight ways to break it: out/lessons'
 	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
@@ -513,7 +531,7 @@ help:
 	@echo 'Variables: CC CXX OPT=-O2 SANITIZE=address,undefined WERROR=1 BUILD=out V=1,'
 	@echo "and ISAS, the shader variants: '$(ISAS)'"
 
-OBJECTS := $(call object,$(OIIO) $(OPENMESH) $(wildcard tests/faults/*.c tests/fuzz/*.c)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(MAIN) \
+OBJECTS := $(call object,$(OIIO) $(OPENMESH) $(wildcard tests/faults/*.c tests/fuzz/*.c tests/load/*.c)) $(DIFFERENTIAL) $(PEER_BENCH_OBJECTS) $(CORE) $(IO) $(APPS) $(SUPPORT) $(GOLDEN) $(PEER) $(MAIN) \
            $(foreach v,$(VARIANTS),$(patsubst %.o,%.$(v).o,$(SHADERS) $(TEST_SHADERS))) \
            $(call object,$(TEST_SOURCES) $(wildcard tests/kernel/*.c))
 -include $(OBJECTS:.o=.d) $(BREAKS:=.d)

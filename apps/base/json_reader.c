@@ -10,6 +10,7 @@
 
 enum {
     MAX_BYTES = 4 << 20,
+    FIRST_BYTES = 1 << 14,
     MAX_DEPTH = 16,
     MAX_MEMBERS = 64, /* bits in Node.read */
 };
@@ -61,13 +62,30 @@ void node_fail(const Node *node, GpResult result, const char *format, ...)
 
 /* --- files ----------------------------------------------------------------------------------- */
 
+/* Reads on into more room; false without memory. */
+static bool read_more(Reader *reader, FILE *file, size_t room)
+{
+    char *text = gp_alloc_unset(room);
+    if (!text)
+        return false;
+    if (reader->length)
+        memcpy(text, reader->text, reader->length);
+    gp_free(reader->text);
+    reader->text = text;
+    reader->length += fread(text + reader->length, 1, room - reader->length, file);
+    return true;
+}
+
+/* All, but for one byte more than is allowed; most files are small. */
 static GpResult read_text(Reader *reader, FILE *file)
 {
     const char *name = reader->file;
-    reader->text = gp_alloc(MAX_BYTES + 1, 1);
-    if (!reader->text)
-        return gp_fail(reader->error, GP_ERROR_MEMORY, "%.200s: no memory", name);
-    reader->length = fread(reader->text, 1, MAX_BYTES + 1, file);
+    size_t room = 0;
+    do {
+        room = room == 0 ? FIRST_BYTES : room * 8 < MAX_BYTES + 1 ? room * 8 : MAX_BYTES + 1;
+        if (!read_more(reader, file, room))
+            return gp_fail(reader->error, GP_ERROR_MEMORY, "%.200s: no memory", name);
+    } while (reader->length == room && room <= MAX_BYTES);
     if (ferror(file))
         return gp_fail(reader->error, GP_ERROR_IO, "%.200s: %s", name, strerror(errno));
     if (reader->length > MAX_BYTES)

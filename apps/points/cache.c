@@ -107,11 +107,13 @@ static GpResult check_head(const char *path, const GpFile *file, uint64_t key, G
 /* Whether patches and levels refer to what is there: a file with a right hash may still be forged. */
 static bool refers_inside(const Patches *patches)
 {
+    const int deepest = tree_depth(patches->leaf_count);
     uint64_t surfel = 0, level = 0;
     for (uint32_t i = 0; i < patches->patch_count; i++) {
         const Patch *patch = &patches->patches[i];
         if (patch->first_level != level || patch->level_count == 0 ||
             level + patch->level_count > patches->level_count || patch->depth > 29 ||
+            (patch->level_count > 1 && (int)patch->depth > deepest) ||
             patch->node >> patch->depth != 0)
             return false;
         for (uint32_t k = 0; k < patch->level_count; k++, level++) {

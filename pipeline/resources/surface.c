@@ -1,6 +1,9 @@
 /* Surfaces: their memory, clears, mip levels, reading and hashes. */
 #include "pipeline/resources/surface.h"
 
+#include "pipeline/resources/surface_memory.h"
+
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <xxhash.h>
@@ -14,16 +17,6 @@ GpRect gp_rect_common(GpRect a, GpRect b)
 }
 
 /* --- life ------------------------------------------------------------------------------------- */
-
-/* Levels from the given size down to 1x1. */
-static uint32_t full_chain(uint32_t width, uint32_t height)
-{
-    uint32_t longer = width > height ? width : height;
-    uint32_t levels = 1;
-    for (; longer > 1; longer /= 2)
-        levels++;
-    return levels;
-}
 
 static GpResult check_memory(const GpSurfaceDesc *desc, GpError *error)
 {
@@ -52,7 +45,10 @@ static GpResult check(const GpSurfaceDesc *desc, GpError *error)
         desc->height > GP_MAX_SIZE)
         return gp_fail(error, GP_ERROR_INVALID, "surface: size %ux%u is not within 1..%d",
                        desc->width, desc->height, GP_MAX_SIZE);
-    uint32_t most = full_chain(desc->width, desc->height);
+    const GpSurfaceDesc whole = { .width = desc->width,
+                                  .height = desc->height,
+                                  .levels = GP_MAX_LEVELS };
+    const uint32_t most = gp_surface_levels(&whole);
     if (desc->levels > most && desc->levels < GP_MAX_LEVELS)
         return gp_fail(error, GP_ERROR_INVALID, "surface: %ux%u has %u levels, not %u", desc->width,
                        desc->height, most, desc->levels);
@@ -73,15 +69,14 @@ GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpErr
     s->width = desc->width;
     s->height = desc->height;
     s->borrowed = desc->memory != NULL;
-    uint32_t most = full_chain(desc->width, desc->height);
-    s->levels = desc->levels == 0 ? 1 : desc->levels < most ? desc->levels : most;
+    s->levels = gp_surface_levels(desc);
 
     /* One allocation a level: an address beyond a level's end is then an error that sanitizers see,
      * not a texel of the next. */
     for (uint32_t i = 0; i < s->levels; i++) {
         GpLevel *level = &s->level[i];
-        level->width = s->width >> i > 0 ? s->width >> i : 1;
-        level->height = s->height >> i > 0 ? s->height >> i : 1;
+        level->width = gp_surface_level_side(s->width, i);
+        level->height = gp_surface_level_side(s->height, i);
         level->pitch = (size_t)level->width * gp_format_info(s->format)->bytes;
         if (s->borrowed) {
             level->pitch = desc->pitch ? desc->pitch : level->pitch;
@@ -91,8 +86,9 @@ GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpErr
         level->texels = gp_alloc(level->height, level->pitch);
         if (!level->texels) {
             gp_surface_destroy(&s);
-            return gp_fail(error, GP_ERROR_MEMORY, "surface: no memory for %ux%u %s", desc->width,
-                           desc->height, gp_format_info(desc->format)->name);
+            return gp_fail(error, GP_ERROR_MEMORY, "surface: no memory for %ux%u %s, %.0f MB",
+                           desc->width, desc->height, gp_format_info(desc->format)->name,
+                           ceil((double)gp_surface_bytes(desc) / (1 << 20)));
         }
     }
     *surface = s;

@@ -45,7 +45,8 @@ static void use(const PackedModel *model)
         const Patch *patch = &patches->patches[p];
         const PatchLevel *levels = patch_levels(patches, patch);
         for (uint32_t k = 0; k < patch->level_count; k++) {
-            const PatchWindow window = patch_window(patches, patch, k, levels[k].count / 2);
+            const uint32_t done = k + 1 < patch->level_count ? levels[k].count / 2 : 0;
+            const PatchWindow window = patch_window(patches, patch, k, done);
             for (uint32_t i = window.first; i < window.first + window.count; i++) {
                 if (model->patches.surfels)
                     sum += model->patches.surfels[i].radius;

@@ -25,6 +25,18 @@ bool fuzz_accepted(GpResult result, const GpError *error)
     return result == GP_OK;
 }
 
+GpDevice *fuzz_device(GpExecutor executor)
+{
+    static GpDevice *devices[GP_EXECUTORS];
+    const GpDeviceDesc desc = { .executor = executor,
+                                .threads = executor == GP_EXECUTOR_FAST ? 1 : 0 };
+    GpError error;
+    if (!devices[executor])
+        fuzz_claim(gp_device_create(&desc, &devices[executor], &error) == GP_OK,
+                   "there is a device");
+    return devices[executor];
+}
+
 const char *fuzz_path(const char *extension)
 {
     static char path[4096];

@@ -5,8 +5,6 @@
 #include "pipeline/io/file.h"
 #include "tests/fuzz/targets.h"
 
-#include <glasspipe/glasspipe.h>
-
 #include <dirent.h>
 #include <stdio.h>
 #include <string.h>
@@ -14,18 +12,15 @@
 /* --- scenes ----------------------------------------------------------------------------------- */
 
 /* Draws a scene on an executor; the hash of its picture. 0: it could not be drawn. */
-static uint64_t draw(const char *path, const SceneOptions *options, const GpDeviceDesc *desc)
+static uint64_t draw(const char *path, const SceneOptions *options, GpExecutor executor)
 {
     Scene scene = { .light_count = 0 };
-    GpDevice *device = NULL;
     GpError error = { "" };
     uint64_t hash = 0;
     if (scene_load(path, options, &scene, &error))
         return 0;
-    fuzz_claim(gp_device_create(desc, &device, &error) == GP_OK, "there is a device");
-    if (fuzz_accepted(gp_device_run(device, &scene.list, &error), &error))
+    if (fuzz_accepted(gp_device_run(fuzz_device(executor), &scene.list, &error), &error))
         hash = gp_surface_hash(scene.picture);
-    gp_device_destroy(&device);
     scene_free(&scene);
     return hash;
 }
@@ -39,21 +34,25 @@ static uint64_t vertices_of(const Scene *scene)
     return vertices;
 }
 
-/* Small ones are drawn by both executors. */
+/* Small ones are drawn by both executors, one of sixteen: that takes fifty times as long as reading. */
 static bool run_scene(const uint8_t *data, size_t size)
 {
     const SceneOptions options = { .width = 24, .height = 16 };
-    const GpDeviceDesc fast = { .threads = 1 }, plain = { .executor = GP_EXECUTOR_REFERENCE };
     Scene scene = { .light_count = 0 };
     GpError error = { "" };
     const char *path = fuzz_file(".json", data, size);
     if (!fuzz_accepted(scene_load(path, &options, &scene, &error), &error))
         return false;
-    const bool is_small = vertices_of(&scene) < 3000 && scene.list.pass_count < 20 &&
+    uint8_t sum = 0;
+    for (size_t i = 0; i < size; i++)
+        sum = (uint8_t)(sum * 31 + data[i]);
+    const bool is_small = sum % 16 == 0 && vertices_of(&scene) < 3000 &&
+                          scene.list.pass_count < 20 &&
                           scene.picture->width * scene.picture->height < 10000;
     scene_free(&scene);
     if (is_small)
-        fuzz_claim(draw(path, &options, &fast) == draw(path, &options, &plain),
+        fuzz_claim(draw(path, &options, GP_EXECUTOR_FAST) ==
+                       draw(path, &options, GP_EXECUTOR_REFERENCE),
                    "executors draw the same bits");
     return true;
 }

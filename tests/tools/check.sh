@@ -125,9 +125,15 @@ step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined \
     GP_TEST_EVERY_BYTE=1 test
 # without WERROR: instrumented, gcc 12 takes vectors that are set lane by lane for unset ones
 step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEEDS=0..299
+step threads-test env TEST_SECONDS=3600 make BUILD="$out/threads" OPT=-O1 SANITIZE=thread test
 step aarch64 aarch64
 step exhaustive-mathematics exhaustive
 step differential differential
+step fuzz make fuzz FUZZ_S=60
+step soak configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 soak SOAK_S=600
+step many-processes sh tests/tools/many_processes.sh "$out/gcc-O2/bin/glasspipe" 64
+step valgrind sh tests/tools/valgrind.sh "$out/gcc-O2/bin/glasspipe"
+step matrix make matrix BUILD="$1" PICTURES=6
 step faults configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 faults MOST=100
 step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 GP_TEST_BUNNY_WINDOW=1 \
     GP_TEST_PRINTED=1 GP_TEST_INSPECT=1 GP_TEST_LARGE=1 \

@@ -40,7 +40,7 @@ for target; do
     [ -d "$found" ] || found=
     # shellcheck disable=SC2086 # found may be nothing
     FUZZ=$target GP_DATA=/nowhere "$fuzz" -max_len="$most" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=3000 \
-        -malloc_limit_mb=2500 -print_final_stats=1 -reload=0 -artifact_prefix="$here/found/$target-" \
+        -malloc_limit_mb=2500 -print_final_stats=1 -reload=0 -entropic=0 -artifact_prefix="$here/found/$target-" \
         "$here/corpus/$target" "$here/seeds/$target" $found >"$log" 2>&1
     status=$?
     runs=$(number stat::number_of_executed_units "$log")

@@ -31,6 +31,7 @@ test patch command patch
 lessons patch command patch
 lint clang-format command clang-format
 check clang command clang++
+check valgrind command valgrind
 check chromium command chromium
 check python3 command python3
 check gcc-aarch64-linux-gnu command aarch64-linux-gnu-gcc

@@ -1,4 +1,5 @@
 /* Models kept in files: what is written is read, and nothing else. */
+#include "apps/base/content.h"
 #include "apps/points/cache.h"
 
 #include "tests/support/surfel_shapes.h"
@@ -132,6 +133,38 @@ static void every_changed_byte_is_seen(void **state)
     gp_free(copy);
 }
 
+/* Put into a copy of the file, whose hash is made right again; the head has 120 bytes, its hash at 32. */
+static void forge(size_t at, const void *value, size_t size)
+{
+    enum { HEAD = 120, HASH = 32 };
+    char *copy = gp_alloc(written.size, 1);
+    memcpy(copy, written.data, written.size);
+    memcpy(copy + at, value, size);
+    memset(copy + HASH, 0, sizeof(uint64_t));
+    const uint64_t hash =
+        content_hash_bytes(copy + HEAD, written.size - HEAD, content_hash_bytes(copy, HEAD, 0));
+    memcpy(copy + HASH, &hash, sizeof hash);
+    put(copy, written.size);
+    gp_free(copy);
+}
+
+/* A node below the leaves was shifted by less than nothing. */
+static void forged_patches_are_refused(void **state)
+{
+    (void)state;
+    const size_t first = 128; /* the first patch: behind the head, at a multiple of 64 */
+    PackedModel read;
+    forge(first, model.patches.patches, sizeof(Patch));
+    assert_int_equal(cache_read(path, KEY, &read, NULL), GP_OK);
+    packed_model_free(&read);
+    for (uint32_t depth = 12; depth <= 40; depth++) {
+        Patch patch = model.patches.patches[0];
+        patch.depth = depth;
+        forge(first, &patch, sizeof patch);
+        assert_refused(KEY, "its parts do not fit together");
+    }
+}
+
 static void every_length_but_the_right_one_is_refused(void **state)
 {
     (void)state;
@@ -176,6 +209,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_written_is_read),
         cmocka_unit_test(every_changed_byte_is_seen),
+        cmocka_unit_test(forged_patches_are_refused),
         cmocka_unit_test(every_length_but_the_right_one_is_refused),
         cmocka_unit_test(a_foreign_cache_is_refused_and_may_be_written_over),
         cmocka_unit_test(keys_tell_inputs_and_settings_apart),

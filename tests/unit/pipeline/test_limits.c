@@ -1,0 +1,215 @@
+/* The limits of lists and devices: what is at one works, and what is one beyond is refused with the
+ * reason. */
+#include "pipeline/resources/surface_memory.h"
+#include "shaders_c/materials/unlit.h"
+#include "tests/support/devices.h"
+#include "tests/support/unit.h"
+
+#include <stdio.h>
+#include <sys/resource.h>
+
+static GpError error;
+
+static const float corners[4][3] = { { -1, -1, 0 }, { -1, 1, 0 }, { 1, -1, 0 }, { 1, 1, 0 } };
+static const UnlitUniforms uniforms = {
+    .mvp = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } },
+    .color = { 1 / 255.0f, 2 / 255.0f, 3 / 255.0f, 1 },
+};
+
+static GpSurface *surface_of(uint32_t width, uint32_t height)
+{
+    const GpSurfaceDesc desc = { .format = GP_A8R8G8B8, .width = width, .height = height };
+    GpSurface *surface = NULL;
+    error.text[0] = '\0';
+    if (gp_surface_create(&desc, &surface, &error))
+        assert_null(surface);
+    return surface;
+}
+
+/* A strip over all of the target, which adds its colour. */
+static GpDraw strip(void)
+{
+    GpDraw draw = { .program = &unlit_program, .uniforms = &uniforms };
+    draw.geometry.primitive = GP_TRIANGLE_STRIP;
+    draw.geometry.vertex_count = 4;
+    draw.geometry.streams[GP_POSITION] = (GpStream){ .data = corners, .components = 3 };
+    draw.state.blend[0] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+    return draw;
+}
+
+static void expect_message(const char *part)
+{
+    if (!strstr(error.text, part))
+        fail_msg("'%s' is not in: %s", part, error.text);
+}
+
+static void expect_texel(const GpSurface *surface, uint32_t x, uint32_t y, uint32_t expected)
+{
+    uint32_t texel;
+    memcpy(&texel, gp_surface_texel(&surface->level[0], 4, x, y), sizeof texel);
+    assert_int_equal(texel, expected);
+}
+
+/* --- targets ---------------------------------------------------------------------------------- */
+
+static void targets_have_up_to_8192_texels_a_side(void **state)
+{
+    (void)state;
+    static const uint32_t sides[][2] = { { GP_MAX_SIZE, 3 }, { 3, GP_MAX_SIZE } };
+    for (size_t i = 0; i < GP_COUNT(sides); i++) {
+        GpSurface *target = surface_of(sides[i][0], sides[i][1]);
+        assert_non_null(target);
+        const GpDraw draw = strip();
+        const GpPass pass = { .color = { { .surface = target, .clear = true } },
+                              .draws = &draw,
+                              .draw_count = 1 };
+        run_list(&(GpList){ &pass, 1 });
+        expect_texel(target, sides[i][0] - 1, sides[i][1] - 1, 0xff010203);
+        gp_surface_destroy(&target);
+        assert_null(surface_of(sides[i][0] + 1, sides[i][1]) &&
+                    surface_of(sides[i][0], sides[i][1] + 1));
+        expect_message("8192");
+    }
+}
+
+/* What a surface takes is known before, and said where there is not so much. */
+static void memory_of_surfaces_is_predicted(void **state)
+{
+    (void)state;
+    const GpSurfaceDesc large = { .format = GP_A32B32G32R32F, .width = 8192, .height = 8192 };
+    const GpSurfaceDesc chain = {
+        .format = GP_A8R8G8B8, .width = 5, .height = 3, .levels = GP_MAX_LEVELS
+    };
+    assert_true(gp_surface_bytes(&large) == (uint64_t)1 << 30);
+    assert_true(gp_surface_bytes(&chain) == (5 * 3 + 2 * 1 + 1) * 4);
+    GpSurface *surface = NULL;
+    assert_int_equal(gp_surface_create(&chain, &surface, &error), GP_OK);
+    uint64_t bytes = 0;
+    for (uint32_t i = 0; i < surface->levels; i++)
+        bytes += surface->level[i].pitch * surface->level[i].height;
+    assert_true(gp_surface_bytes(&chain) == bytes);
+    gp_surface_destroy(&surface);
+#ifndef __SANITIZE_ADDRESS__ /* which needs more of an address space than it is given here */
+    struct rlimit before, little;
+    assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
+    little = before;
+    little.rlim_cur = (rlim_t)900 << 20;
+    assert_int_equal(setrlimit(RLIMIT_AS, &little), 0);
+    assert_int_equal(gp_surface_create(&large, &surface, &error), GP_ERROR_MEMORY);
+    assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
+    assert_null(surface);
+    expect_message("8192x8192 A32B32G32R32F, 1024 MB");
+#endif
+}
+
+/* --- threads ---------------------------------------------------------------------------------- */
+
+static void devices_have_up_to_1024_threads(void **state)
+{
+    (void)state;
+    GpDevice *device = NULL;
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 1024 }, &device, &error), GP_OK);
+    assert_int_equal(gp_device_threads(device), 1024);
+    gp_device_destroy(&device);
+    for (int threads = -1; threads <= 1025; threads += 1026) {
+        assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = threads }, &device, &error),
+                         GP_ERROR_INVALID);
+        assert_null(device);
+        expect_message("expected 0 to 1024");
+    }
+}
+
+/* --- passes, draws, primitives: as many as there is memory for ---------------------------------- */
+
+enum { PASSES = 3000, DRAWS = 9000, TRIANGLES = 300000 };
+
+static void lists_have_any_number_of_passes(void **state)
+{
+    (void)state;
+    GpSurface *target = surface_of(5, 4);
+    GpPass *passes = gp_alloc(PASSES, sizeof *passes);
+    const GpDraw draw = strip();
+    for (int i = 0; i < PASSES; i++)
+        passes[i] = (GpPass){ .color = { { .surface = target, .clear = i == PASSES - 7 } },
+                              .draws = &draw,
+                              .draw_count = 1 };
+    run_list(&(GpList){ passes, PASSES });
+    expect_texel(target, 4, 3, 0xff070e15); /* seven times 1, 2, 3 */
+    gp_free(passes);
+    gp_surface_destroy(&target);
+}
+
+static void passes_have_any_number_of_draws(void **state)
+{
+    (void)state;
+    GpSurface *target = surface_of(5, 4);
+    GpDraw *draws = gp_alloc(DRAWS, sizeof *draws);
+    for (int i = 0; i < DRAWS; i++) {
+        draws[i] = strip();
+        draws[i].state.blend[0].op = i < DRAWS - 7 ? GP_BLEND_LOGIC_AND : GP_BLEND_ADD;
+    }
+    const GpPass pass = { .color = { { .surface = target, .clear = true } },
+                          .draws = draws,
+                          .draw_count = DRAWS };
+    run_list(&(GpList){ &pass, 1 });
+    expect_texel(target, 0, 0, 0xff070e15);
+    gp_free(draws);
+    gp_surface_destroy(&target);
+}
+
+/* Indices reach the last vertex, and none beyond. */
+static void draws_have_any_number_of_triangles(void **state)
+{
+    (void)state;
+    GpSurface *target = surface_of(4, 4);
+    uint32_t *indices = gp_alloc(3 * TRIANGLES, sizeof *indices);
+    GpDraw draw = strip();
+    draw.geometry.primitive = GP_TRIANGLES;
+    draw.geometry.indices = indices;
+    draw.geometry.index_count = 3 * TRIANGLES;
+    for (uint32_t i = 0; i < 3 * TRIANGLES; i++)
+        indices[i] = i / 3 % 2 ? 1 + i % 3 : i % 3;
+    const GpPass pass = { .color = { { .surface = target, .clear = true } },
+                          .draws = &draw,
+                          .draw_count = 1 };
+    run_list(&(GpList){ &pass, 1 });
+    expect_texel(target, 3, 0, 0xffffffff);
+    indices[3 * TRIANGLES - 1] = 4;
+    assert_int_equal(gp_list_check(&(GpList){ &pass, 1 }, &error), GP_ERROR_INVALID);
+    expect_message("4");
+    indices[3 * TRIANGLES - 1] = 3;
+    draw.geometry.index_count--;
+    assert_int_equal(gp_list_check(&(GpList){ &pass, 1 }, &error), GP_ERROR_INVALID);
+    gp_free(indices);
+    gp_surface_destroy(&target);
+}
+
+static void six_clip_planes_exist(void **state)
+{
+    (void)state;
+    GpSurface *target = surface_of(4, 4);
+    GpDraw draw = strip();
+    const GpPass pass = { .color = { { .surface = target, .clear = true } },
+                          .draws = &draw,
+                          .draw_count = 1 };
+    draw.state.raster.clip_planes = 0x3f;
+    assert_int_equal(gp_list_check(&(GpList){ &pass, 1 }, &error), GP_OK);
+    draw.state.raster.clip_planes = 0x40;
+    assert_int_equal(gp_list_check(&(GpList){ &pass, 1 }, &error), GP_ERROR_INVALID);
+    expect_message("only 6 planes exist");
+    gp_surface_destroy(&target);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(targets_have_up_to_8192_texels_a_side),
+        cmocka_unit_test(memory_of_surfaces_is_predicted),
+        cmocka_unit_test(devices_have_up_to_1024_threads),
+        cmocka_unit_test(lists_have_any_number_of_passes),
+        cmocka_unit_test(passes_have_any_number_of_draws),
+        cmocka_unit_test(draws_have_any_number_of_triangles),
+        cmocka_unit_test(six_clip_planes_exist),
+    };
+    return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
+}
