@@ -36,6 +36,43 @@ void histories_choose(Histories *histories, int32_t x, int32_t y)
     histories->number[(uint32_t)y * histories->width + (uint32_t)x] = histories->count;
 }
 
+static int by_number(const void *one, const void *other)
+{
+    const uint64_t a = *(const uint64_t *)one, b = *(const uint64_t *)other;
+    return (a > b) - (a < b);
+}
+
+static uint64_t key_of(uint32_t draw, uint32_t primitive)
+{
+    return (uint64_t)draw << 32 | primitive;
+}
+
+GpResult histories_ask(Histories *histories, const Fragments *fragments, GpError *error)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < fragments->count; i++)
+        count += histories->number[fragments->all[i].pixel] != 0;
+    uint64_t *asked = gp_alloc(count + 1, sizeof *asked);
+    if (!asked)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for the primitives of pixels");
+    count = 0;
+    for (size_t i = 0; i < fragments->count; i++)
+        if (histories->number[fragments->all[i].pixel])
+            asked[count++] = key_of(fragments->all[i].draw, fragments->all[i].primitive);
+    qsort(asked, count, sizeof *asked, by_number);
+    gp_free(histories->asked);
+    histories->asked = asked;
+    histories->asked_count = count;
+    return GP_OK;
+}
+
+static bool is_asked(const Histories *histories, uint32_t draw, uint32_t primitive)
+{
+    const uint64_t key = key_of(draw, primitive);
+    return histories->asked_count &&
+           bsearch(&key, histories->asked, histories->asked_count, sizeof key, by_number);
+}
+
 /* --- primitives ------------------------------------------------------------------------------- */
 
 static void primitive_key(char key[32], uint32_t draw, uint32_t primitive)
@@ -147,6 +184,8 @@ static void primitive_event(Histories *histories, const GpTraceEvent *event, uin
 {
     if (!is_open(histories, event, draw)) {
         close_primitive(histories);
+        if (!is_asked(histories, draw, event->primitive))
+            return;
         histories->open =
             json_pack("{s:I, s:I, s:[], s:n, s:[]}", "draw", (json_int_t)draw, "primitive",
                       (json_int_t)event->primitive, "vertices", "clip", "setup");
@@ -276,6 +315,7 @@ void histories_free(Histories *histories)
         text_free(&histories->pixel[i].events);
     free(histories->pixel);
     gp_free(histories->number);
+    gp_free(histories->asked);
     step_listings_free(&histories->listings);
     json_decref(histories->primitives);
     json_decref(histories->told);

@@ -10,6 +10,7 @@
 #define APPS_INSPECT_HISTORIES_H
 
 #include "apps/inspect/blobs.h"
+#include "apps/inspect/fragments.h"
 #include "apps/inspect/steps_json.h"
 #include "apps/inspect/walk.h"
 
@@ -35,6 +36,8 @@ typedef struct Histories {
     size_t bytes;      /* of all their events */
     uint32_t left_out; /* events without room */
 
+    uint64_t *asked; /* primitives of chosen pixels, draw << 32 | primitive, ascending */
+    size_t asked_count;
     StepListings listings;
     json_t *primitives; /* "draw/primitive": its number */
     json_t *told;       /* [number] */
@@ -48,6 +51,10 @@ GpResult histories_begin(Histories *histories, const GpPass *pass, GpError *erro
 
 /* Chooses a pixel, if it is inside and was not chosen before. */
 void histories_choose(Histories *histories, int32_t x, int32_t y);
+
+/* Notes which primitives are at the chosen pixels, once all are chosen: no others are told of. errors
+ * GP_ERROR_MEMORY */
+GpResult histories_ask(Histories *histories, const Fragments *fragments, GpError *error);
 
 /* Whether the events of a pixel are wanted. */
 static inline bool histories_want(const Histories *histories, int32_t x, int32_t y)

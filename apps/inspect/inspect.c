@@ -11,8 +11,9 @@
 #include <string.h>
 
 enum {
-    MOST_DRAWS = 512,    /* told, of a pass */
-    MOST_BYTES = 8600000 /* of targets and histories; what else is in a page is about a megabyte */
+    MOST_DRAWS = 512, /* told, of a pass */
+    MOST_BYTES =
+        9400000 /* of targets, fragments and histories; all else in a page is half a megabyte */
 };
 
 /* --- data ------------------------------------------------------------------------------------- */
@@ -62,9 +63,8 @@ static json_t *tell_passes(Record *record, Blobs *blobs)
         RecordPass *pass = &record->passes[p];
         json_t *told = frame_tell_pass(list, p, group ? group[p] : 0, MOST_DRAWS, &record->targets);
         json_object_set(told, "stops", pass->stops);
-        json_object_set_new(told, "fragments",
-                            json_integer(fragments_blob(&pass->fragments, blobs)));
-        json_object_set_new(told, "lod", json_integer(fragments_lod_blob(&pass->fragments, blobs)));
+        json_object_set_new(told, "fragments", json_integer(pass->fragments_blob));
+        json_object_set_new(told, "lod", json_integer(pass->lod_blob));
         json_object_set_new(told, "fragments_left_out", json_integer(pass->fragments.left_out));
         json_object_set(told, "histories", pass->told);
         blobs->failed = blobs->failed || pass->fragments.failed || pass->histories.failed;
@@ -183,6 +183,15 @@ static GpResult add_lesson(const Record *record, Blobs *blobs, int *lesson, GpEr
     return result;
 }
 
+static void tell_fragments(Record *record, Blobs *blobs)
+{
+    for (uint32_t p = 0; p < record->pass_count; p++) {
+        RecordPass *pass = &record->passes[p];
+        pass->fragments_blob = fragments_blob(&pass->fragments, blobs);
+        pass->lod_blob = fragments_lod_blob(&pass->fragments, blobs);
+    }
+}
+
 static void tell_histories(Record *record, Blobs *blobs)
 {
     for (uint32_t p = 0; p < record->pass_count; p++) {
@@ -214,9 +223,12 @@ static GpResult add_frame(const Inspect *inspect, size_t most, Blobs *blobs, int
                           int *lesson, json_t **timings, GpError *error)
 {
     Record record;
+    const size_t before = blobs->text.length;
     GpResult result = record_frame(inspect, blobs, &record, error);
-    if (!result)
-        result = fit_histories(&record, blobs, blobs->text.length + most, error);
+    if (!result) {
+        tell_fragments(&record, blobs);
+        result = fit_histories(&record, blobs, before + most, error);
+    }
     if (!result)
         result = run_fast(&record, timings, error);
     if (!result)

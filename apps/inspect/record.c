@@ -87,6 +87,8 @@ static GpResult choose_pixels(Record *record, GpError *error)
         result = record_choose(record, p, error);
     if (!result)
         record_choose_alike(record);
+    for (uint32_t p = 0; p < record->pass_count && !result; p++)
+        result = histories_ask(&record->passes[p].histories, &record->passes[p].fragments, error);
     return result;
 }
 

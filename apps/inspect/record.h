@@ -11,7 +11,8 @@
 typedef struct RecordPass {
     Fragments fragments;
     Histories histories;
-    json_t *stops, *told; /* told: histories_tell; NULL: not yet */
+    int fragments_blob, lod_blob; /* once they are told; else 0 */
+    json_t *stops, *told;         /* told: histories_tell; NULL: not yet */
 } RecordPass;
 
 typedef struct Record {

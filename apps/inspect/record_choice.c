@@ -9,9 +9,21 @@ enum {
     MOST_FATES = 3          /* pixels for every fate of a draw's fragments */
 };
 
+/* How fates are sampled where there is room for a share of the pixels: so many of every n-th draw. */
+typedef struct FateChoice {
+    uint32_t each, every;
+} FateChoice;
+
+static FateChoice fate_choice(double share)
+{
+    if (share >= 0.5)
+        return (FateChoice){ MOST_FATES, 1 };
+    return (FateChoice){ 1, share < 0.25 ? (uint32_t)ceil(0.25 / share) : 1 };
+}
+
 /* Of the fragments of each draw with each verdict, in order of pixels, some evenly among them: the
  * first, one in the middle and so on. */
-static GpResult choose_fates(const Fragments *fragments, uint32_t draws, uint32_t each,
+static GpResult choose_fates(const Fragments *fragments, uint32_t draws, FateChoice choice,
                              Histories *histories, GpError *error)
 {
     uint32_t *counts = gp_alloc((size_t)draws * FRAGMENT_VERDICTS * 2, sizeof *counts);
@@ -23,8 +35,8 @@ static GpResult choose_fates(const Fragments *fragments, uint32_t draws, uint32_
     for (size_t i = 0; i < fragments->count; i++) {
         const Fragment *fragment = &fragments->all[i];
         const size_t kind = fragment->draw * FRAGMENT_VERDICTS + fragment->verdict;
-        const uint32_t every = counts[kind] / each ? counts[kind] / each : 1;
-        if (seen[kind]++ % every == every / 2)
+        const uint32_t every = counts[kind] / choice.each ? counts[kind] / choice.each : 1;
+        if (seen[kind]++ % every == every / 2 && fragment->draw % choice.every == 0)
             histories_choose(histories, (int32_t)(fragment->pixel % fragments->width),
                              (int32_t)(fragment->pixel / fragments->width));
     }
@@ -77,8 +89,8 @@ GpResult record_choose(Record *record, uint32_t pass, GpError *error)
     const Fragments *fragments = &record->passes[pass].fragments;
     GpResult result = histories_begin(histories, of, error);
     if (!result && of->draw_count)
-        result = choose_fates(fragments, of->draw_count, record->share < 0.5 ? 1 : MOST_FATES,
-                              histories, error);
+        result =
+            choose_fates(fragments, of->draw_count, fate_choice(record->share), histories, error);
     if (result)
         return result;
     const bool last = pass + 1 == record->pass_count;
@@ -88,7 +100,7 @@ GpResult record_choose(Record *record, uint32_t pass, GpError *error)
     if (inspect->draw >= 0)
         choose_draw(fragments, (uint32_t)inspect->draw, histories);
     const uint32_t asked = inspect->pixels ? inspect->pixels : usual;
-    const uint32_t room = (uint32_t)fmax(record->share * asked, 4);
+    const uint32_t room = (uint32_t)fmax(record->share * asked, 1);
     const uint32_t step = grid_step(histories, last ? room : room / 4 + 1);
     if (last)
         record->step = step;

@@ -3,8 +3,9 @@
 #include "apps/base/json.h"
 #include "apps/inspect/sources.h"
 
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
+#include <xxhash.h>
 
 static bool is_mask(GpStepCode code)
 {
@@ -56,32 +57,76 @@ static json_t *watches_json(const GpTraceSteps *steps)
     return list;
 }
 
-/* -1: there is no room. */
-static int listing_number(StepListings *listings, const GpTraceSteps *steps)
+/* --- listings --------------------------------------------------------------------------------- */
+
+static uint64_t hash_text(const char *text, uint64_t hash)
+{
+    return XXH3_64bits_withSeed(text, strlen(text), hash);
+}
+
+static uint64_t hash_operand(const GpStepOperand *operand, uint64_t hash)
+{
+    uint32_t words[4][3];
+    memset(words, 0, sizeof words);
+    for (int c = 0; c < operand->width; c++) {
+        const GpStepPart *part = &operand->part[c];
+        const bool is_constant = part->source == GP_STEP_NUMBER || part->source == GP_STEP_UNIFORM;
+        words[c][0] = (uint32_t)part->source << 8 | (uint32_t)part->component << 1 | part->negated;
+        words[c][1] = (uint32_t)part->index;
+        words[c][2] = is_constant ? gp_float_bits(part->value[0]) : 0;
+    }
+    return XXH3_64bits_withSeed(words, sizeof words, hash + (uint64_t)operand->width);
+}
+
+/* Of all that a listing says. */
+static uint64_t hash_listing(const GpTraceSteps *steps)
+{
+    uint64_t hash = (uint64_t)steps->steps;
+    for (int i = 0; i < steps->steps; i++) {
+        const GpShaderStep *step = &steps->step[i];
+        const int words[] = { (int)step->code, step->slots, step->slot, step->line, step->width };
+        hash = XXH3_64bits_withSeed(words, sizeof words, hash_text(step->file, hash));
+        for (int k = 0; k < step->operands; k++)
+            hash = hash_operand(&step->operand[k], hash);
+    }
+    for (int i = 0; i < steps->watches; i++) {
+        const GpStepPart *first = &steps->watch[i].value.part[0];
+        const int words[] = { steps->watch[i].value.width, (int)first->source, first->index };
+        hash = XXH3_64bits_withSeed(words, sizeof words, hash_text(steps->watch[i].name, hash));
+    }
+    return hash;
+}
+
+static json_t *listing_json(const GpTraceSteps *steps)
 {
     json_t *all = json_array();
     for (int i = 0; i < steps->steps; i++)
         json_array_append_new(all, step_json(&steps->step[i]));
-    json_t *listing = json_pack("{s:o, s:o}", "steps", all, "watches", watches_json(steps));
-    char *text = json_dumps(listing, JSON_COMPACT | JSON_REAL_PRECISION(9));
+    return json_pack("{s:o, s:o}", "steps", all, "watches", watches_json(steps));
+}
+
+/* -1: there is no room. */
+static int listing_number(StepListings *listings, const GpTraceSteps *steps)
+{
+    char key[24];
+    snprintf(key, sizeof key, "%016llx", (unsigned long long)hash_listing(steps));
     if (!listings->all) {
         listings->all = json_array();
         listings->numbers = json_object();
     }
-    const json_t *known = text ? json_object_get(listings->numbers, text) : NULL;
-    int number = (int)json_integer_value(known);
-    if (!known && text && listings->steps + steps->steps > STEP_LISTINGS_MOST) {
-        number = -1;
-    } else if (!known && text) {
-        listings->steps += steps->steps;
-        number = (int)json_array_size(listings->all);
-        json_object_set_new(listings->numbers, text, json_integer(number));
-        json_array_append(listings->all, listing);
-    }
-    free(text);
-    json_decref(listing);
+    const json_t *known = json_object_get(listings->numbers, key);
+    if (known)
+        return (int)json_integer_value(known);
+    if (listings->steps + steps->steps > STEP_LISTINGS_MOST)
+        return -1;
+    const int number = (int)json_array_size(listings->all);
+    listings->steps += steps->steps;
+    json_object_set_new(listings->numbers, key, json_integer(number));
+    json_array_append_new(listings->all, listing_json(steps));
     return number;
 }
+
+/* --- values ----------------------------------------------------------------------------------- */
 
 static json_t *lanes_json(const GpStepOperand *operand)
 {

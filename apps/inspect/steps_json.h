@@ -23,7 +23,7 @@ enum {
 
 /* Listings, each once. A zeroed one is empty. */
 typedef struct StepListings {
-    json_t *numbers; /* by text */
+    json_t *numbers; /* by hash */
     json_t *all;
     int steps; /* in all of them */
 } StepListings;

@@ -82,7 +82,7 @@ async function filter_of(frame, { one, pass, conic, place }) {
         ["conic", numbers(conic.of, conic.path), "V\u207b\u00b9 for powers of 2: weight = 2^\u2212(a x\u00b2 + b x y + c y\u00b2)"],
         ["centre", numbers(place.of, place.path), "pixels, from the middle of pixel 0, 0"],
         ["height", named.height, "the weight in the centre: the area that the surfel stands for, as it is seen"]];
-    return [h("h3", {}, `Surfel ${one.primitive} of draw ${one.draw}: its filter`), table(["", "here", "what it is"], rows.filter((row) => row[1]))];
+    return [h("h3", {}, `Surfel ${one.primitive} of draw ${one.draw}: its filter`), table(null, rows.filter((row) => row[1]).map(([name, here, words]) => [name, [here, h("div", { class: "note" }, words)]]))];
 }
 
 async function normalized({ pass, fragments }) {
