@@ -308,6 +308,12 @@ static bool has_room(const GpFast *fast)
     return fast->vertex_bytes < fast->limit;
 }
 
+/* Whether a pass's primitives and a draw's can be numbered together. */
+static bool has_numbers(const FastPass *p, const GpDraw *draw)
+{
+    return p->primitive_count <= GP_MAX_PRIMITIVES - gp_geometry_primitives(&draw->geometry);
+}
+
 /* Whether a pixel's sorted fragments can be blended one after the other without asking whose they are. */
 static bool has_one_blend(const FastPass *p)
 {
@@ -348,7 +354,8 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGrou
     p->draws = fast_arena_take(&fast->arena, most * sizeof *p->draws);
     if (!p->draws)
         return false;
-    while (p->draw_count < most && (p->draw_count == 0 || sorts || has_room(fast))) {
+    while (p->draw_count < most && (p->draw_count == 0 || sorts ||
+                                    (has_room(fast) && has_numbers(p, &pass->draws[at->draw])))) {
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
         FastDraw *d = &p->draws[p->draw_count];

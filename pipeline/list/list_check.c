@@ -250,8 +250,24 @@ static GpResult check_geometry(const Place *place)
     if (joined && (used == 1 || used == 2))
         return refuse(place, count, "%u of a %s make no triangle", used,
                       gp_primitive_names[geometry->primitive]);
+    if (gp_geometry_primitives(geometry) > GP_MAX_PRIMITIVES)
+        return refuse(place, count, "%u primitives, at most %d", gp_geometry_primitives(geometry),
+                      GP_MAX_PRIMITIVES);
     const GpResult result = check_indices(place);
     return result ? result : check_streams(place);
+}
+
+/* Of a pass whose draws are right: one that sorts cannot be drawn in parts. */
+static GpResult check_sorted_primitives(const Place *place)
+{
+    const GpPass *pass = pass_at(place);
+    uint64_t primitives = 0;
+    for (uint32_t d = 0; pass->order != GP_ORDER_SUBMITTED && d < pass->draw_count; d++)
+        primitives += gp_geometry_primitives(&pass->draws[d].geometry);
+    if (primitives <= GP_MAX_PRIMITIVES)
+        return GP_OK;
+    return refuse(place, "draws", "%.0f primitives in a pass that sorts, at most %d",
+                  (double)primitives, GP_MAX_PRIMITIVES);
 }
 
 /* --- state ------------------------------------------------------------------------------------ */
@@ -418,6 +434,10 @@ GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, Gp
                 if (result)
                     return result;
             }
+        place.in_draw = false;
+        result = check_sorted_primitives(&place);
+        if (result)
+            return result;
     }
     return GP_OK;
 }

@@ -8,6 +8,9 @@
 #include "pipeline/list/needs.h"
 #include "pipeline/shader/counts.h"
 
+/* Primitives of a draw, and of all draws of a pass that sorts: bins number them, and keep a bit. */
+enum { GP_MAX_PRIMITIVES = 1 << 30 };
+
 /* Programs that were found right, the last few, as they were then. A zeroed one is empty. */
 enum { GP_CHECKED_PROGRAMS = 16 };
 typedef struct GpCheckedPrograms {

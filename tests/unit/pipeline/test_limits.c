@@ -184,6 +184,72 @@ static void draws_have_any_number_of_triangles(void **state)
     gp_surface_destroy(&target);
 }
 
+/* Nothing is read of so many: the check counts. */
+static void draws_have_up_to_2_to_the_30_primitives(void **state)
+{
+    (void)state;
+    GpSurface *target = surface_of(4, 4);
+    GpDraw draws[2] = { strip(), strip() };
+    GpPass pass = { .color = { { .surface = target, .clear = true } },
+                    .draws = draws,
+                    .draw_count = 1 };
+    const GpList list = { &pass, 1 };
+    draws[0].geometry.vertex_count = (1u << 30) + 2;
+    assert_int_equal(gp_list_check(&list, &error), GP_OK);
+    draws[0].geometry.vertex_count++;
+    assert_int_equal(gp_list_check(&list, &error), GP_ERROR_INVALID);
+    expect_message("1073741825 primitives, at most 1073741824");
+
+    draws[0].geometry.vertex_count = draws[1].geometry.vertex_count = (1u << 29) + 2;
+    pass.draw_count = 2;
+    pass.order = GP_ORDER_DEPTH;
+    assert_int_equal(gp_list_check(&list, &error), GP_OK);
+    draws[1].geometry.vertex_count++;
+    assert_int_equal(gp_list_check(&list, &error), GP_ERROR_INVALID);
+    expect_message("1073741825 primitives in a pass that sorts");
+    pass.order = GP_ORDER_SUBMITTED;
+    assert_int_equal(gp_list_check(&list, &error), GP_OK);
+    gp_surface_destroy(&target);
+}
+
+/* More primitives in a pass than bins can number, of which only those of the last two draws are on the
+ * screen; the near plane cuts one of them. It takes some seconds, and is made where GP_TEST_LARGE asks. */
+static void passes_have_more_primitives_than_numbers(void **state)
+{
+    (void)state;
+    enum { COUNT = 3 * 1000000, DRAWS_OF_A_MILLION = 2200 };
+    static const float near_and_far[3][3] = { { -1, -1, -1 }, { -1, 3, 2 }, { 3, -1, 0.5f } };
+    if (!getenv("GP_TEST_LARGE"))
+        skip();
+    GpSurface *target = surface_of(4, 4), *expected = surface_of(4, 4);
+    uint32_t *indices = gp_alloc(COUNT, sizeof *indices); /* all 0: no triangle has an area */
+    GpDraw *draws = gp_alloc(DRAWS_OF_A_MILLION + 2, sizeof *draws);
+    for (int i = 0; i < DRAWS_OF_A_MILLION; i++) {
+        draws[i] = strip();
+        draws[i].geometry.primitive = GP_TRIANGLES;
+        draws[i].geometry.indices = indices;
+        draws[i].geometry.index_count = COUNT;
+    }
+    GpDraw *last = &draws[DRAWS_OF_A_MILLION];
+    last[0] = last[1] = strip();
+    last->geometry.primitive = GP_TRIANGLES;
+    last->geometry.vertex_count = 3;
+    last->geometry.streams[GP_POSITION].data = near_and_far;
+    GpPass pass = { .color = { { .surface = expected, .clear = true } },
+                    .draws = last,
+                    .draw_count = 2 };
+    run_list(&(GpList){ &pass, 1 });
+    pass.color[0].surface = target;
+    pass.draws = draws;
+    pass.draw_count = DRAWS_OF_A_MILLION + 2;
+    run_list(&(GpList){ &pass, 1 });
+    assert_true(gp_surface_hash(target) == gp_surface_hash(expected));
+    gp_free(draws);
+    gp_free(indices);
+    gp_surface_destroy(&target);
+    gp_surface_destroy(&expected);
+}
+
 static void six_clip_planes_exist(void **state)
 {
     (void)state;
@@ -209,6 +275,8 @@ int main(void)
         cmocka_unit_test(lists_have_any_number_of_passes),
         cmocka_unit_test(passes_have_any_number_of_draws),
         cmocka_unit_test(draws_have_any_number_of_triangles),
+        cmocka_unit_test(draws_have_up_to_2_to_the_30_primitives),
+        cmocka_unit_test(passes_have_more_primitives_than_numbers),
         cmocka_unit_test(six_clip_planes_exist),
     };
     return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
