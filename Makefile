@@ -64,6 +64,11 @@ ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
 IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
 COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
 LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
+# Clang counts how often each branch of the pipeline is taken: make coverage.
+ifdef COVERAGE
+$(BUILD)/obj/pipeline/%.o: ALL_C += -fprofile-instr-generate -fcoverage-mapping
+LINK     += -fprofile-instr-generate
+endif
 WITH_OIIO ?= 1
 WITH_OPENMESH ?= 1
 IO_LIBS  ?= -ljansson -lpng -lz
