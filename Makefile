@@ -387,6 +387,19 @@ $(FAIL_SO): $(BUILD)/obj/tests/faults/fail_calls.o
 faults: $(PROGRAM) $(FAULTS) $(FAIL_SO)
 	@$(FAULTS) $(PROGRAM) $(FAIL_SO) $(if $(MOST),--most $(MOST)) $(COMMANDS)
 
+# Branches of the pipeline that the tests take, of a build of its own.
+.PHONY: coverage
+coverage: | packages
+	@rm -rf out/coverage/profiles && mkdir -p out/coverage/profiles
+	+@LLVM_PROFILE_FILE=$(CURDIR)/out/coverage/profiles/%4m.profraw $(MAKE) --no-print-directory \
+	    CC=clang CXX=clang++ BUILD=out/coverage OPT=-O1 COVERAGE=1 test
+	@sh tests/tools/coverage.sh out/coverage
+
+# Operators of the pipeline made wrong, COUNT of them one at a time, in this checkout.
+.PHONY: mutants
+mutants: | packages
+	@python3 tests/tools/mutate.py $(or $(COUNT),20) $(or $(SEED),1) $(FILES)
+
 # Readers under libFuzzer and the sanitizers: FUZZ_S seconds for each of TARGETS, or of all.
 FUZZER := $(BUILD)/test/fuzz
 $(FUZZER): $(BUILD)/obj/tests/fuzz/libfuzzer.o $(FUZZ) $(SUPPORT_A) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) \
@@ -521,6 +534,8 @@ help:
 	@echo '                 sanitizers, aarch64, the exhaustive tests, the machine code, install'
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
+	@echo 'make coverage    which branches of the pipeline the tests take (clang, llvm): out/coverage/branches.txt'
+	@echo 'make mutants     makes operators wrong, one at a time, and tells what notices; COUNT= SEED= FILES='
 	@echo 'make fuzz        reads anything, under clang and its sanitizers; FUZZ_S= seconds a target, TARGETS=...'
 	@echo 'make matrix      a table of builds and processors: the same bits; BUILDS=, PROCESSORS=, PICTURES=N of a command'
 	@echo 'make soak        random lists for SOAK_S= seconds: the same bits, and no more memory'

@@ -32,6 +32,7 @@ lessons patch command patch
 lint clang-format command clang-format
 check clang command clang++
 check valgrind command valgrind
+check llvm command llvm-cov
 check chromium command chromium
 check python3 command python3
 check gcc-aarch64-linux-gnu command aarch64-linux-gnu-gcc
