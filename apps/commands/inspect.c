@@ -35,7 +35,8 @@ static const SettingField options[] = {
       SETTING_VECTOR, .offset = OF(region), .low = 0, .high = 8192, .count = 4 },
     { "draw", "N", "Record the pixels of draw N of the last pass more densely", SETTING_INTEGER,
       .offset = OF(draw), .low = 0, .high = INT32_MAX },
-    { "pixels", "N", "Record about N pixels whole, on a grid over the picture (default: 1200)",
+    { "pixels", "N",
+      "Record about N pixels whole, on a grid over the picture (default: 1200; of a technique 300)",
       SETTING_INTEGER, .offset = OF(pixels), .low = 1, .high = 1e6 },
     { "technique", "NAME",
       "The frame that a technique draws of the scene; its options may follow, as `glasspipe NAME "

@@ -86,6 +86,21 @@ static json_t *tell_truth(const Inspect *inspect, Blobs *blobs)
                      json_text(truth->how));
 }
 
+/* How many pixels of two pictures differ; null where they are of different sizes or formats. */
+static json_t *count_differing(const GpSurface *one, const GpSurface *other)
+{
+    if (!one || !other || one->width != other->width || one->height != other->height ||
+        one->format != other->format)
+        return json_null();
+    const size_t bytes = gp_format_info(one->format)->bytes;
+    json_int_t count = 0;
+    for (uint32_t y = 0; y < one->height; y++)
+        for (uint32_t x = 0; x < one->width; x++)
+            count += memcmp(gp_surface_texel(&one->level[0], bytes, x, y),
+                            gp_surface_texel(&other->level[0], bytes, x, y), bytes) != 0;
+    return json_integer(count);
+}
+
 static json_t *tell_frame(Record *record, Blobs *blobs)
 {
     const Inspect *inspect = record->inspect;
@@ -102,6 +117,7 @@ static json_t *tell_frame(Record *record, Blobs *blobs)
                               inspect->region.x1, inspect->region.y1, "dense", (int)inspect->draw);
     json_object_set_new(frame, "share", json_real(record->share));
     json_object_set_new(frame, "technique", json_text(inspect->technique));
+    json_object_set_new(frame, "differing", count_differing(picture, inspect->beside));
     json_object_set_new(frame, "truth", tell_truth(inspect, blobs));
     json_object_set_new(frame, "passes", tell_passes(record, blobs));
     json_object_set_new(frame, "surfaces", targets_tell(&record->targets, inspect->list, blobs));
@@ -246,9 +262,11 @@ GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page
     int frame[2] = { BLOB_NONE, BLOB_NONE }, lesson = BLOB_NONE;
     const size_t most = against ? MOST_BYTES / 2 : MOST_BYTES;
     *page = (Text){ .data = NULL };
+    Inspect other = against ? *against : (Inspect){ .title = "" };
+    other.beside = inspect->picture;
     GpResult result = add_frame(inspect, most, &blobs, &frame[0], &lesson, &timings, error);
     if (!result && against)
-        result = add_frame(against, most, &blobs, &frame[1], &lesson, &of_other, error);
+        result = add_frame(&other, most, &blobs, &frame[1], &lesson, &of_other, error);
     if (!result && !blobs.failed)
         add_page(page, inspect, &blobs, frame, lesson, timings);
     if (!result && (blobs.failed || page->failed))

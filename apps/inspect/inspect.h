@@ -14,6 +14,8 @@
  *     stops[]              first, count of draws; targets[] (targets_changed); counters {words}
  *     fragments, lod       blobs (fragments.h); fragments_left_out: how many have no place in it
  *     histories            histories_tell
+ *   differing              pixels that differ from the picture beside it; null: none is, or it is of
+ *                          another size or format
  *   truth                  null, or off (blob of floats, InspectTruth.off), over, under, how
  *   grid, region, dense    what was chosen to be recorded whole; share: the part of it that had room
  *   sources, programs      sources_tell (blob), sources_of_programs
@@ -43,6 +45,8 @@ typedef struct Inspect {
     const char *technique;     /* whose frame it is, for panels of its own; NULL: a scene's */
     const GpList *list;
     const GpSurface *picture; /* the target to look at first; NULL: the last pass's */
+    const GpSurface
+        *beside; /* a picture drawn before, to count the pixels that differ; NULL: none */
     InspectTruth truth;
     GpRect region;   /* recorded whole, in passes of the picture's size; empty: none */
     int32_t draw;    /* whose pixels are recorded more densely; -1: none */

@@ -5,8 +5,8 @@
 
 For each scene: the page from file://, without an error in the console; a click on a pixel; every unit, by
 keyboard, of every fragment there; and each value shown, those of shaders' steps too, equal to what
-`glasspipe pixel --steps --json` says, and written as it is; of one scene that all texts have the contrast
-that WCAG AA asks for. Of a technique's frame, all panels of a pixel, held against the page's own record; and
+`glasspipe pixel --steps --json` says, and written as it is; of one scene, and of every technique's frame, that
+all texts have the contrast that WCAG AA asks for. Of a technique's frame, all panels of a pixel, held against the page's own record; and
 that its panel has values. Also how large a page is and how soon it opens. Says so in TAP.
 """
 import json
@@ -291,7 +291,7 @@ def check_case(browser, program, case, folder):
         check_pixel(browser, program, case, faults)
     else:
         check_technique(browser, faults, case)
-    if case.endswith("stencil_outline.json"):
+    if case.endswith("stencil_outline.json") or not is_scene:
         check_contrast(browser, faults, case)
     faults.extend(f"{case}: {said}" for said in browser.complaints())
     page.unlink()

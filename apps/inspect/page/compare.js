@@ -45,21 +45,8 @@ async function parting(frame, other) {
     return "nowhere: both have the same history";
 }
 
-function differing(one, other) {
-    const { bytes, width, height } = one.surface;
-    let pixels = 0;
-    for (let at = 0; at < width * height * bytes; at += bytes)
-        for (let i = 0; i < bytes; i++)
-            if (one.bytes[at + i] !== other.bytes[at + i]) {
-                pixels++;
-                break;
-            }
-    return pixels;
-}
-
 /** Adds the other frame to the viewer, and says at the pixel where both part. */
 export async function make_compare(frame, other, viewer) {
-    const shared = frame.surfaces[frame.picture], theirs = other.surfaces[other.picture];
     const image = await other.targets.after(other.picture, other.all_stops.length - 1);
     const canvas = h("canvas", { class: "over", "aria-label": other.title });
     paint(canvas, image, "");
@@ -67,14 +54,11 @@ export async function make_compare(frame, other, viewer) {
     const cut = () => { canvas.style.clipPath = `inset(0 0 0 ${slide.value}%)`; };
     slide.addEventListener("input", cut);
     cut();
-    const own = await frame.targets.after(frame.picture, frame.all_stops.length - 1);
-    const same_size = shared.width === theirs.width && shared.height === theirs.height && shared.format === theirs.format;
-    const pixels = same_size ? differing(own, image) : null;
     const says = h("p", { class: "callout", "aria-live": "polite" });
     viewer.stage.insertBefore(canvas, viewer.over);
     viewer.also.push(canvas);
     viewer.stage.before(h("div", { class: "bar" }, h("label", {}, `left: ${frame.title}`, slide, `right: ${other.title}`),
-                          h("span", { class: "note" }, pixels === null ? "of another size" : `${count(pixels)} pixels differ`)));
+                          h("span", { class: "note" }, other.differing === null ? "of another size" : `${count(other.differing)} pixels differ`)));
     viewer.legend.before(says);
     on_change(async (changed) => {
         canvas.hidden = state.surface !== frame.picture;

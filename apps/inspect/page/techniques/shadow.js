@@ -59,6 +59,9 @@ export const shadow = {
            "The map has texels, and a point lies between them: each texel is asked, and the verdicts are weighed.",
            "A bias moves the point towards the light before it is compared, so that a surface does not shade itself."],
     formula: "lit = \u03a3 weight\u1d62 (point + bias \u2264 stored\u1d62 ? 1 : 0)",
-    applies: (context) => Boolean(context.draw && context.one?.textures.some((read) => is_map(read, context))),
-    make: async (context) => h("div", {}, await truth_of(context.frame), context.one.textures.map((read, k) => is_map(read, context) ? of_read(read, k, context.draw) : "")),
+    applies: (context) => context.frame.technique === "shadow" || Boolean(context.draw && context.one?.textures.some((read) => is_map(read, context))),
+    make: async (context) => {
+        const reads = context.one.textures.map((read, k) => is_map(read, context) ? of_read(read, k, context.draw) : "");
+        return h("div", {}, await truth_of(context.frame), reads.some(Boolean) ? reads : h("p", {}, "This draw asks no map here."));
+    },
 };
