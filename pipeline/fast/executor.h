@@ -37,6 +37,12 @@ typedef struct FastCursor {
  * the cursor behind them; false when memory is short. */
 bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *group);
 
+/* Bytes that a list may take of the executor, beside the surfaces and the geometry that it names: at the
+ * most, but for bins of passes that sort, whose size depends on how many tiles a triangle meets.
+ * in   list: checked; tile_bytes, fragment_bytes: of a worker */
+uint64_t gp_fast_bytes(const GpFast *fast, const GpList *list, size_t tile_bytes,
+                       size_t fragment_bytes);
+
 /* Vertices, bins and tiles; false when memory is short. */
 bool fast_run_group(GpFast *fast, FastGroup *group, const FastStages *stages, GpCounters *counters,
                     GpPhases *phases);

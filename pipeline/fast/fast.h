@@ -89,6 +89,11 @@ GpResult gp_fast_create(int threads, GpFast **fast, GpError *error);
 void gp_fast_destroy(GpFast **fast); /* NULL-safe, sets NULL */
 int gp_fast_threads(const GpFast *fast);
 
+/* Bytes that running a list may take, beside the surfaces and the geometry that it names: at the most, but for
+ * bins of passes that sort, whose size depends on how many tiles a triangle meets. What a run that lacks memory
+ * says. in list: checked */
+uint64_t gp_fast_memory(const GpFast *fast, const GpList *list, int lanes);
+
 /* Bytes of shaded vertices, and of bins, after which what is there is drawn before more is made, but
  * for passes that sort; and of a tile's sorted fragments. Any number gives the same bits; for tests. */
 void gp_fast_set_limit(GpFast *fast, size_t bytes);

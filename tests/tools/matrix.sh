@@ -31,7 +31,7 @@ build() { # NAME: the program, built
     tile-*) set -- CC=gcc CXX=g++ CPPFLAGS="-DGP_TILE=${name#tile-}" ;;
     aarch64) return ;;
     esac
-    make BUILD="$out/$name" "$@" program >"$here/log" 2>&1 || { tail -n 5 "$here/log"; return 1; }
+    make BUILD="$out/$name" WERROR=1 "$@" program >"$here/log" 2>&1 || { tail -n 5 "$here/log"; return 1; }
 }
 
 # Whether all data is there that a picture needs.

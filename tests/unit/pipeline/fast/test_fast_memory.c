@@ -2,11 +2,16 @@
  * is made, and the bits stay the same; so with next to none for fragments to be sorted, where tiles
  * come in slices, and in passes that repeat earlier ones. */
 #include "pipeline/fast/fast.h"
+#include "shaders_c/materials/unlit.h"
 #include "tests/support/lists/random_order.h"
 #include "tests/support/lists/random_repeats.h"
 #include "tests/support/unit.h"
 
 #include "pipeline/base/fpcontrol.h"
+
+#include <malloc.h>
+#include <stdio.h>
+#include <sys/resource.h>
 
 enum { SEEDS = 150, SIZE = 150, LANES = 4 /* always compiled */ };
 
@@ -46,10 +51,98 @@ static void memory_limit_changes_no_bit(void **state)
     gp_free(random);
 }
 
+/* --- what is predicted ------------------------------------------------------------------------ */
+
+/* Bytes that the program has allocated; 0 where a sanitizer keeps the books. */
+static uint64_t allocated(void)
+{
+    const struct mallinfo2 info = mallinfo2();
+    return info.uordblks + info.hblkhd;
+}
+
+/* Runs a list on a fresh executor: what it was said to take, and what it holds afterwards. */
+static GpResult run_measured(const GpList *list, int threads, uint64_t *predicted, uint64_t *held,
+                             GpError *error)
+{
+    GpFast *fast = NULL;
+    GpCounters counters = { 0 };
+    GpPhases phases = { 0 };
+    const uint64_t before = allocated();
+    assert_int_equal(gp_fast_create(threads, &fast, NULL), GP_OK);
+    *predicted = gp_fast_memory(fast, list, LANES);
+    GpFpControl control = gp_fp_enter();
+    const GpResult result = gp_fast_run(fast, list, LANES, false, &counters, &phases, error);
+    gp_fp_leave(control);
+    *held = allocated() - before;
+    gp_fast_destroy(&fast);
+    return result;
+}
+
+static void lists_take_no_more_than_is_predicted(void **state)
+{
+    (void)state;
+    RandomList *random = gp_alloc(1, sizeof *random);
+    for (uint64_t seed = 0; seed < 60; seed++) {
+        uint64_t predicted, held;
+        assert_true(random_list_create(seed, SIZE, random));
+        assert_true(seed % 3 || random_order_add(seed, random));
+        assert_int_equal(run_measured(&random->list, 1 + (int)(seed % 3), &predicted, &held, NULL),
+                         GP_OK);
+        assert_true(held <= predicted);
+        random_list_destroy(random);
+    }
+    gp_free(random);
+}
+
+enum { VERTICES = 3000000 };
+
+/* A draw that is larger than all else: known within a factor, and said where there is not so much. */
+static void memory_of_a_large_draw_is_predicted_and_said(void **state)
+{
+    (void)state;
+    static const UnlitUniforms uniforms = { .mvp = { [3] = { 0, 0, 0, 1 } } };
+    const GpSurfaceDesc desc = { .format = GP_A8R8G8B8, .width = 8, .height = 8 };
+    GpSurface *target;
+    GpError error = { "" };
+    uint64_t predicted, held;
+    float *positions = gp_alloc(VERTICES, 3 * sizeof *positions);
+    assert_int_equal(gp_surface_create(&desc, &target, NULL), GP_OK);
+    GpDraw draw = { .program = &unlit_program, .uniforms = &uniforms };
+    draw.geometry.vertex_count = VERTICES;
+    draw.geometry.streams[GP_POSITION] = (GpStream){ .data = positions, .components = 3 };
+    const GpPass pass = { .color = { { .surface = target } }, .draws = &draw, .draw_count = 1 };
+    const GpList list = { &pass, 1 };
+    assert_int_equal(run_measured(&list, 2, &predicted, &held, &error), GP_OK);
+    assert_true(held <= predicted);
+    if (held >
+        VERTICES) /* counted, and not by a sanitizer, which has no room for itself below either */
+        assert_true(predicted <= 8 * held);
+    const char *emulator = getenv("EMULATOR"); /* which has no such limits */
+    if (held > VERTICES && !(emulator && *emulator)) {
+        struct rlimit before, little;
+        assert_int_equal(getrlimit(RLIMIT_DATA, &before), 0);
+        little = before;
+        little.rlim_cur = 1 << 20; /* what is there stays; no more */
+        assert_int_equal(setrlimit(RLIMIT_DATA, &little), 0);
+        const GpResult result = run_measured(&list, 1, &predicted, &held, &error);
+        assert_int_equal(setrlimit(RLIMIT_DATA, &before), 0);
+        assert_int_equal(result, GP_ERROR_MEMORY);
+        char expected[64];
+        snprintf(expected, sizeof expected, "the list may take up to %.0f MB",
+                 (double)predicted / (1 << 20));
+        if (!strstr(error.text, expected))
+            fail_msg("%s", error.text);
+    }
+    gp_surface_destroy(&target);
+    gp_free(positions);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(memory_limit_changes_no_bit),
+        cmocka_unit_test(lists_take_no_more_than_is_predicted),
+        cmocka_unit_test(memory_of_a_large_draw_is_predicted_and_said),
     };
     return cmocka_run_group_tests_name("fast memory", tests, NULL, NULL);
 }
