@@ -391,7 +391,7 @@ faults: $(PROGRAM) $(FAULTS) $(FAIL_SO)
 .PHONY: coverage
 coverage: | packages
 	@rm -rf out/coverage/profiles && mkdir -p out/coverage/profiles
-	+@LLVM_PROFILE_FILE=$(CURDIR)/out/coverage/profiles/%4m.profraw $(MAKE) --no-print-directory \
+	+@PROFILES=$(CURDIR)/out/coverage/profiles $(MAKE) --no-print-directory \
 	    CC=clang CXX=clang++ BUILD=out/coverage OPT=-O1 COVERAGE=1 test
 	@sh tests/tools/coverage.sh out/coverage
 

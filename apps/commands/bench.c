@@ -85,7 +85,7 @@ static const CommandSyntax syntax = {
         "  glasspipe bench\n"
         "  glasspipe bench -l\n"
         "  glasspipe bench clear points -t 0.1 --threads 2\n"
-        "  glasspipe bench fill_blend bunny_phong --floor\n"
+        "  glasspipe bench clear -t 0.1 --floor\n"
         "  glasspipe bench --images pictures\n"
         "  glasspipe bench --table 4.1 -t 0.1\n"
         "\n"

@@ -12,8 +12,11 @@ case $1 in
 sh) emulator= ;; # which emulates what it runs itself
 *) emulator=${EMULATOR:-} ;;
 esac
-# shellcheck disable=SC2086 # EMULATOR may hold arguments
+# Each test's own counts (make coverage): programs that differ cannot add to one file.
+[ -z "${PROFILES:-}" ] ||
+    export LLVM_PROFILE_FILE="$PROFILES/$(basename "$result" .tap).%m.profraw"
 mkdir -p "$(dirname "$result")"
+# shellcheck disable=SC2086 # EMULATOR may hold arguments
 timeout "${TEST_SECONDS:-600}" $emulator "$@" >"$result.part" 2>&1
 echo "# exit status $?" >>"$result.part"
 mv "$result.part" "$result"
