@@ -138,6 +138,50 @@ static void sizes_beyond_floats_are_refused_and_others_are_right(void **state)
     expect_refused(3, "voxelize a.off --xform 1e-42 0 0 0", "a.off: 1 is no longest side");
 }
 
+/* A square of squares, two triangles each: binary PLY, since it has 190 MB. */
+static void write_grid(const char *path, uint32_t side)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    fprintf(file,
+            "ply\nformat binary_little_endian 1.0\nelement vertex %u\nproperty float x\n"
+            "property float y\nproperty float z\nelement face %u\n"
+            "property list uchar int vertex_indices\nend_header\n",
+            side * side, 2 * (side - 1) * (side - 1));
+    for (uint32_t i = 0; i < side * side; i++) {
+        const float at[3] = { (float)(i % side), (float)(i / side), 0 };
+        fwrite(at, sizeof at, 1, file);
+    }
+    for (uint32_t y = 0; y + 1 < side; y++)
+        for (uint32_t x = 0; x + 1 < side; x++) {
+            const uint32_t i = y * side + x;
+            const uint32_t faces[2][3] = { { i, i + 1, i + side },
+                                           { i + 1, i + side + 1, i + side } };
+            for (int k = 0; k < 2; k++) {
+                fputc(3, file);
+                fwrite(faces[k], sizeof faces[k], 1, file);
+            }
+        }
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Ten million triangles, many to a voxel: the same voxels as two triangles have. */
+static void ten_million_triangles_are_voxelized(void **state)
+{
+    (void)state;
+    if (!getenv("GP_TEST_LARGE")) {
+        print_message("# skipped: takes seconds and 190 MB; GP_TEST_LARGE=1 runs it\n");
+        skip();
+    }
+    write_grid("two.ply", 2);
+    assert_int_equal(shell("glasspipe voxelize two.ply"), 0);
+    static char first[sizeof out];
+    strcpy(first, out);
+    write_grid("grid.ply", 2237);
+    assert_int_equal(shell("glasspipe voxelize grid.ply"), 0);
+    assert_string_equal(out, first);
+}
+
 /* --- what is made ------------------------------------------------------------------------------ */
 
 static void volumes_are_written_and_hashed(void **state)
@@ -397,6 +441,7 @@ int main(void)
         PROGRAM_TEST(wrong_arguments_are_usage_errors),
         PROGRAM_TEST(wrong_meshes_and_settings_are_input_errors),
         PROGRAM_TEST(sizes_beyond_floats_are_refused_and_others_are_right),
+        PROGRAM_TEST(ten_million_triangles_are_voxelized),
         PROGRAM_TEST(an_error_chooses_the_size),
         PROGRAM_TEST(an_error_is_kept_whatever_the_chart_says),
         PROGRAM_TEST(the_chart_of_solids_serves_too),
