@@ -51,7 +51,7 @@ VARIANTS   := $(GP_VARIANTS)
 # Which are no shaders, but compiled for each width all the same.
 $(BUILD)/obj/pipeline/fast/lanes/%.o: GP_SHADER_OPT :=
 
-WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi \
+WARNINGS := -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Wno-psabi$(if $(GP_IS_CLANG), -Wno-missing-field-initializers) \
             $(if $(WERROR),-Werror)
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all \
                               -fno-omit-frame-pointer)

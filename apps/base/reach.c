@@ -2,7 +2,7 @@
 
 bool reach_find(double corners[8][3], const Camera *camera, const CameraAxes *axes, double reach[2])
 {
-    double nearest = INFINITY, farthest = -INFINITY;
+    double nearest = HUGE_VAL, farthest = -HUGE_VAL;
     for (int corner = 0; corner < 8; corner++) {
         double distance = 0;
         for (int i = 0; i < 3; i++)

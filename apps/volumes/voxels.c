@@ -11,7 +11,7 @@ static double slope(const Field *field, size_t at, uint32_t coordinate, int axis
     const bool low = coordinate > 0, high = coordinate + 1 < field->size[axis];
     const int difference =
         (int)field->value[at + (high ? step : 0)] - (int)field->value[at - (low ? step : 0)];
-    return low + high ? difference / (field->scale[axis] * (low + high)) : 0;
+    return low + high != 0 ? difference / (field->scale[axis] * (low + high)) : 0;
 }
 
 static void set_attributes(const Field *field, size_t at, const uint32_t place[3],

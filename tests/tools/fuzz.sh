@@ -4,7 +4,7 @@
 # One target after the other, each for so many seconds (default 60), from its seeds, the cases of
 # tests/fuzz/found, and what earlier runs kept in BUILD/corpus. Prints a line for each: executions, inputs
 # kept, edges of the program that they reach, and what was found, which lies in BUILD/found then: put it
-# into tests/fuzz/found/TARGET once it is mended. Exit status 1 where anything was found.
+# into tests/fuzz/found/TARGET once it is mended. FUZZ_TIMEOUT: seconds, of a quiet machine. Exit status 1 where anything was found.
 build=$1
 seconds=${2:-60}
 shift
@@ -39,7 +39,7 @@ for target; do
     found=tests/fuzz/found/$target
     [ -d "$found" ] || found=
     # shellcheck disable=SC2086 # found may be nothing
-    FUZZ=$target GP_DATA=/nowhere "$fuzz" -max_len="$most" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=3000 \
+    FUZZ=$target GP_DATA=/nowhere "$fuzz" -max_len="$most" -max_total_time="$seconds" -timeout="${FUZZ_TIMEOUT:-10}" -rss_limit_mb=3000 \
         -malloc_limit_mb=2500 -print_final_stats=1 -reload=0 -entropic=0 -artifact_prefix="$here/found/$target-" \
         "$here/corpus/$target" "$here/seeds/$target" $found >"$log" 2>&1
     status=$?

@@ -109,7 +109,7 @@ static void find_window(const DepthCylinder *cylinder, const WarpView *view, Tou
     const CameraAxes axes = camera_axes(&view->camera, (double)view->width / view->height);
     const double radius = cylinder->radius, half = cylinder->height / 2;
     const double least = (plane->away - radius) / (plane->away + radius);
-    double nearest = INFINITY;
+    double nearest = HUGE_VAL;
     plane->high[0] = radius * sqrt(least);
     plane->low[0] = -plane->high[0];
     plane->low[1] = fmin(-half, plane->height + (-half - plane->height) * least);

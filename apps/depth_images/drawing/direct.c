@@ -97,7 +97,7 @@ static bool has_edges(const EdgeSetting *edges)
 
 static bool is_usual(const DirectSetting *setting)
 {
-    return !setting->tolerance && !setting->reach && !has_edges(&setting->edges) &&
+    return setting->tolerance == 0 && setting->reach == 0 && !has_edges(&setting->edges) &&
            !setting->detail.heights && !setting->step;
 }
 

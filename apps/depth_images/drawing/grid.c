@@ -143,7 +143,7 @@ static GpResult add_whole_cells(Builder *b)
                                           .position = (const float(*)[3])points,
                                           .cut = cuts,
                                           .whole_cells = true },
-                            tolerance ? tolerance : GRID_TOLERANCE, &mesh, NULL);
+                            tolerance != 0 ? tolerance : GRID_TOLERANCE, &mesh, NULL);
     if (!result)
         add_merged(b, &mesh);
     merged_free(&mesh);

@@ -173,7 +173,7 @@ void surface_grid_close(SurfaceGrid *grid)
 double surface_grid_pixel(const DepthImage *image)
 {
     const DepthPixels *pixels = &image->front;
-    double spacing[2], low = INFINITY, high = 0;
+    double spacing[2], low = HUGE_VAL, high = 0;
     for (size_t i = 0; i < (size_t)pixels->width * pixels->height; i++) {
         const double depth = (double)pixels->depth[i];
         low = depth < low ? depth : low;

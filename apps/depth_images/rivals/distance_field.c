@@ -24,13 +24,13 @@ static void transform(const Row *row, uint32_t count, double per)
     for (uint32_t i = 0; i < count; i++) {
         if (!isfinite(row->from[i]))
             continue;
-        double begin = -INFINITY;
+        double begin = -HUGE_VAL;
         while (parabolas > 0) {
             begin = meet(row, row->lowest[parabolas - 1], i, per);
             if (begin > row->begins[parabolas - 1])
                 break;
             parabolas--;
-            begin = -INFINITY;
+            begin = -HUGE_VAL;
         }
         row->lowest[parabolas] = i;
         row->begins[parabolas++] = begin;

@@ -14,7 +14,7 @@ static const double usual_cut = 0.02;
 /* Whether three pixels are one surface. */
 static bool joins(const DepthImage *image, const uint32_t pixel[3], double cut)
 {
-    double nearest = INFINITY, farthest = 0;
+    double nearest = HUGE_VAL, farthest = 0;
     for (int k = 0; k < 3; k++) {
         const double depth = (double)image->front.depth[pixel[k]];
         if (!isfinite(depth) || (!image->plane.is_parallel && depth <= 0))

@@ -59,7 +59,7 @@ static void find_rectangle(const PrewarpInput *input, const Moved *moved, Prewar
     const DepthPixels *pixels = input->pixels;
     const uint32_t size[2] = { pixels->width, pixels->height };
     for (int k = 0; k < 2; k++) {
-        double low = INFINITY, high = -INFINITY;
+        double low = HUGE_VAL, high = -HUGE_VAL;
         for (size_t i = 0; i < (size_t)size[0] * size[1]; i++) {
             low = moved[i].is_there ? fmin(low, moved[i].to[k]) : low;
             high = moved[i].is_there ? fmax(high, moved[i].to[k]) : high;

@@ -27,7 +27,7 @@ static bool find_extent(const DepthPlane *plane, const DepthPixels *pixels, uint
 {
     rect[0] = rect[1] = UINT32_MAX;
     rect[2] = rect[3] = 0;
-    depths[0] = INFINITY;
+    depths[0] = HUGE_VAL;
     depths[1] = 0;
     for (uint32_t y = 0; y < pixels->height; y++)
         for (uint32_t x = 0; x < pixels->width; x++) {

@@ -68,7 +68,7 @@ static void wanted_nodes(const PointsModel *model, const PointView *view,
                          const PointsOptions *options, SplatSource *source)
 {
     const Patches *patches = &model->patches;
-    double nearest = INFINITY;
+    double nearest = HUGE_VAL;
     for (uint32_t i = 0; i < patches->patch_count; i++)
         nearest = fmin(nearest, box_place(view, &patches->patches[i].box).nearest);
     const double per_radius = 2 * view->pixels / node_detail(options);

@@ -49,7 +49,7 @@ static Off off_from_rays(const DepthCase *seen, const DepthImage *image, double 
     Off off = { 0 };
     for (uint32_t i = 0; i < image->front.width * image->front.height; i++) {
         const double x = i % image->front.width + 0.5, y = i / image->front.width + 0.5;
-        double depth = DEPTH_NOTHING, square[3], direction[3], place[3], a[3];
+        double depth = (double)DEPTH_NOTHING, square[3], direction[3], place[3], a[3];
         const bool meets =
             depth_case_hit(seen, &image->plane, &image->front, x, y, 0, &depth, square);
         off.covered += meets;

@@ -70,7 +70,7 @@ static void the_recorder_says_what_pencil_and_paper_say(void **state)
         open_lesson(lessons[i].name, &opened);
         Blobs blobs = { .count = 0 };
         Record record;
-        json_t *told;
+        json_t *told = NULL;
         char answer[LESSON_ANSWER_TEXT], right[17], wrong[17];
         const Inspect inspect = inspect_of(&opened);
         if (record_frame(&inspect, &blobs, &record, &error) ||

@@ -93,7 +93,7 @@ static void a_sequence_draws_what_a_walk_finds(void **state)
     for (size_t i = 0; i < GP_COUNT(details); i++) {
         const double per_radius = 2 * view.pixels / details[i];
         HierarchyCut cut;
-        double nearest = INFINITY, area = 0, drawn_area = 0;
+        double nearest = HUGE_VAL, area = 0, drawn_area = 0;
         uint32_t drawn = 0;
         assert_int_equal(hierarchy_walk(&patches, &view, details[i], true, &cut), GP_OK);
         for (uint32_t s = 0; s < patches.surfel_count; s++)

@@ -114,7 +114,7 @@ static void assert_no_hole(const char *name, const GpMesh *mesh, const Surfels *
         const uint32_t *corner = mesh->indices + 3 * t;
         for (int i = 0; i <= STEPS; i++) {
             for (int j = 0; j <= STEPS - i; j++) {
-                double nearest = INFINITY;
+                double nearest = HUGE_VAL;
                 float place[3];
                 for (size_t k = 0; k < 3; k++)
                     place[k] = (float)(((double)mesh->positions[3 * (size_t)corner[0] + k] * i +

@@ -95,8 +95,8 @@ static void a_second_layer_is_what_faces_the_eye_behind_the_first(void **state)
     const size_t left = 20 * 60 + 23, right = 20 * 60 + 48;
     uint32_t front = 0, behind = 0;
     for (size_t i = 0; i < 60 * 40; i++) {
-        front += isfinite(image.front.depth[i]);
-        behind += isfinite(image.behind.depth[i]);
+        front += isfinite(image.front.depth[i]) != 0;
+        behind += isfinite(image.behind.depth[i]) != 0;
     }
     print_message("# %u pixels, %u behind; depths %g, %g\n", front, behind,
                   (double)image.front.depth[left], (double)image.behind.depth[left]);

@@ -94,7 +94,7 @@ static bool plane_at(const WarpGrid *grid, uint32_t first, bool is_parallel, dou
 static double most_off(const WarpGrid *grid, const DepthPlane *plane, const DepthPixels *pixels)
 {
     static uint8_t covered[W * H];
-    double most = 0, nearest = INFINITY;
+    double most = 0, nearest = HUGE_VAL;
     memset(covered, 0, sizeof covered);
     for (uint32_t i = 0; i < W * H; i++)
         nearest = fmin(nearest, (double)pixels->depth[i]);
@@ -157,7 +157,7 @@ static void no_pixel_is_farther_off_than_the_tolerance(void **state)
             WarpGrid grid = grid_of(&planes[way], &pixels, &(EdgeSetting){ .rule = EDGES_NONE },
                                     &(GridSetting){ .tolerance = tolerances[i] });
             const double off = most_off(&grid, &planes[way], &pixels);
-            const double allowed = tolerances[i] ? fmax(tolerances[i], 0) : GRID_TOLERANCE;
+            const double allowed = tolerances[i] != 0 ? fmax(tolerances[i], 0) : GRID_TOLERANCE;
             print_message("# tolerance %g: %.4f off, %u triangles\n", tolerances[i], off,
                           grid.index_count / 3);
             assert_true(off <= allowed + 1e-3);
@@ -223,7 +223,7 @@ static void no_triangle_hangs_between_near_and_far(void **state)
         hanging[rule] = 0;
         area[rule] = sum_of_areas(&grid);
         for (uint32_t i = 0; i < grid.index_count; i += 3) {
-            double low = INFINITY, high = 0;
+            double low = HUGE_VAL, high = 0;
             for (uint32_t k = 0; k < 3; k++) {
                 low = fmin(low, (double)corner_of(&grid, i + k)->depth);
                 high = fmax(high, (double)corner_of(&grid, i + k)->depth);
@@ -289,7 +289,7 @@ static void ends_lean_as_far_as_is_allowed(void **state)
         GridEnds ends;
         double widths;
     } cases[] = { { { 0, 0 }, STEEP / 2.0 }, { { 2, 0 }, STEEP }, { { 2, 3.5 }, 3.5 } };
-    DepthPixels pixels = slope_before(INFINITY, false);
+    DepthPixels pixels = slope_before(HUGE_VAL, false);
     const double width = planes[1].width / W, last = 1 + STEEP * width * LAST;
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         WarpGrid grid = grid_of(&planes[1], &pixels, &(EdgeSetting){ .texels = 10 },
@@ -344,7 +344,7 @@ static void depths_at_random_are_numbers(void **state)
         for (uint32_t i = 0; i < grid.vertex_count; i++) {
             const GridVertex *v = &grid.vertices[i];
             assert_true(isfinite(v->x + v->y + v->u + v->v) && isfinite(v->depth));
-            assert_true(v->x >= 0 && v->y >= 0 && v->x <= width && v->y <= height);
+            assert_true(v->x >= 0 && v->y >= 0 && v->x <= (float)width && v->y <= (float)height);
         }
         warp_grid_free(&grid);
         depth_pixels_free(&pixels);

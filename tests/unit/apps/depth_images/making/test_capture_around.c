@@ -138,7 +138,7 @@ static void cylinders_that_stand_anywhere_are_what_rays_meet(void **state)
     uint32_t behind = 0;
     for (uint32_t i = 0; i < 90 * 70; i++) {
         assert_true(isinf(wall->behind.depth[i]) || wall->behind.depth[i] > wall->front.depth[i]);
-        behind += isfinite(wall->behind.depth[i]);
+        behind += isfinite(wall->behind.depth[i]) != 0;
     }
     assert_true(behind > 500);
     depth_model_free(&model);
@@ -154,7 +154,7 @@ static void assert_on_mesh(const DepthCase *seen, const DepthImage *image, uint3
         double depth = 0, square[3];
         const bool meets = depth_case_hit(seen, &image->plane, pixels, i % pixels->width + 0.5,
                                           i / pixels->width + 0.5, 0, &depth, square);
-        shown += isfinite(pixels->depth[i]);
+        shown += isfinite(pixels->depth[i]) != 0;
         off += meets != isfinite(pixels->depth[i]) ||
                (meets && fabs(depth - (double)pixels->depth[i]) > 0.02);
     }

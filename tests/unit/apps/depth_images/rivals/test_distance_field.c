@@ -9,7 +9,7 @@ enum { NX = 13, NY = 9, NZ = 11, SAMPLES = NX * NY * NZ };
 
 static double nearest_column(const DistanceColumns *columns, uint32_t at[3])
 {
-    double least = INFINITY;
+    double least = HUGE_VAL;
     for (uint32_t y = 0; y < NY; y++)
         for (uint32_t x = 0; x < NX; x++) {
             const double top = (double)columns->z[y * NX + x], z = (double)at[2] / (NZ - 1);

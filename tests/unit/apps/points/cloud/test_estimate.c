@@ -232,7 +232,7 @@ static void assert_area(const char *what, const Cloud *cloud, const Discs *discs
 /* The least over all discs of distance / radius; at most 1 where one holds the place. */
 static double covered(const Cloud *cloud, const Discs *discs, const double place[3])
 {
-    double least = INFINITY;
+    double least = HUGE_VAL;
     for (size_t i = 0; i < cloud->count; i++) {
         double distance2 = 0;
         for (size_t k = 0; k < 3; k++) {
