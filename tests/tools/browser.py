@@ -35,6 +35,7 @@ class Browser:
         self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log"):
             self.ask(f"{domain}.enable")
+        self.ask("Performance.enable", timeDomain="threadTicks")
 
     def message(self):
         while b"\0" not in self.waiting:
@@ -74,6 +75,11 @@ class Browser:
             if time.monotonic() > end:
                 raise RuntimeError(f"the page is not ready; {self.complaints()}")
             time.sleep(0.1)
+
+    def spent(self):
+        """Seconds of the processor that the page's own thread took since it was opened."""
+        metrics = self.ask("Performance.getMetrics")["metrics"]
+        return next(one["value"] for one in metrics if one["name"] == "ThreadTime")
 
     def complaints(self):
         """Errors of scripts and of the console since the page was opened."""

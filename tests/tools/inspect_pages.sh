@@ -16,6 +16,8 @@ set -- scenes/near_clip.json scenes/stencil_outline.json scenes/sorted.json \
     'builtin:teapot --technique fragments --method dp --size 64x48 --pixels 20'
 if [ -n "${GP_TEST_INSPECT:-}" ]; then
     set -- scenes/*.json \
+        'scenes/default.json --size 1280x720' \
+        'scenes/together.json --size 1280x700' \
         'builtin:teapot --technique fragments --method dp --size 160x120' \
         'builtin:teapot --technique fragments --method sorted --size 160x120' \
         'builtin:teapot --technique fragments --method bucket1 --size 160x120' \
