@@ -1,5 +1,6 @@
 /* The program as its user meets it. */
 #include "pipeline/base/base.h"
+#include "tests/support/limited.h"
 #include "tests/support/program.h"
 
 #include <fcntl.h>
@@ -470,11 +471,8 @@ static void a_large_picture_takes_little_more_than_its_targets(void **state)
 {
     (void)state;
     assert_int_equal(shell("glasspipe render scene.json --size 4096x4096 -o a.ppm"), 0);
-#ifndef __SANITIZE_ADDRESS__ /* which has memory of its own, as an emulator has */
-    const char *emulator = getenv("EMULATOR");
-    if (!(emulator && *emulator) && most_memory() > 300 << 10)
+    if (limits_hold() && most_memory() > 300 << 10)
         fail_msg("%ld KB", most_memory());
-#endif
 }
 
 /* --- stdout ----------------------------------------------------------------------------------- */

@@ -3,6 +3,7 @@
 #include "pipeline/resources/surface_memory.h"
 #include "shaders_c/materials/unlit.h"
 #include "tests/support/devices.h"
+#include "tests/support/limited.h"
 #include "tests/support/unit.h"
 
 #include <stdio.h>
@@ -89,9 +90,7 @@ static void memory_of_surfaces_is_predicted(void **state)
         bytes += surface->level[i].pitch * surface->level[i].height;
     assert_true(gp_surface_bytes(&chain) == bytes);
     gp_surface_destroy(&surface);
-#ifndef __SANITIZE_ADDRESS__ /* which needs more of an address space than it is given here */
-    const char *emulator = getenv("EMULATOR");
-    if (emulator && *emulator) /* which has no such limits */
+    if (!limits_hold())
         return;
     struct rlimit before, little;
     assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
@@ -102,7 +101,6 @@ static void memory_of_surfaces_is_predicted(void **state)
     assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
     assert_null(surface);
     expect_message("8192x8192 A32B32G32R32F, 1024 MB");
-#endif
 }
 
 /* --- threads ---------------------------------------------------------------------------------- */

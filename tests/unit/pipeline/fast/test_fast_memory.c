@@ -5,6 +5,7 @@
 #include "shaders_c/materials/unlit.h"
 #include "tests/support/lists/random_order.h"
 #include "tests/support/lists/random_repeats.h"
+#include "tests/support/limited.h"
 #include "tests/support/unit.h"
 
 #include "pipeline/base/fpcontrol.h"
@@ -114,11 +115,8 @@ static void memory_of_a_large_draw_is_predicted_and_said(void **state)
     const GpList list = { &pass, 1 };
     assert_int_equal(run_measured(&list, 2, &predicted, &held, &error), GP_OK);
     assert_true(held <= predicted);
-    if (held >
-        VERTICES) /* counted, and not by a sanitizer, which has no room for itself below either */
+    if (limits_hold()) { /* and held is known */
         assert_true(predicted <= 8 * held);
-    const char *emulator = getenv("EMULATOR"); /* which has no such limits */
-    if (held > VERTICES && !(emulator && *emulator)) {
         struct rlimit before, little;
         assert_int_equal(getrlimit(RLIMIT_DATA, &before), 0);
         little = before;
