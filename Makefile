@@ -102,8 +102,9 @@ OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
 OPENMESH := pipeline/io/mesh/simplify_openmesh.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
-MAIN    := $(BUILD)/obj/apps/main.o $(BUILD)/obj/pipeline/io/no_memory.o
-APPS    := $(call object,$(filter-out apps/main.c,$(call below,apps,*.c)) apps/inspect/page_files.c)
+MAIN    := $(addprefix $(BUILD)/obj/,apps/main.o apps/program.o pipeline/io/no_memory.o)
+APPS    := $(call object,$(filter-out apps/main.c apps/program.c apps/mpi/%,$(call below,apps,*.c)) apps/inspect/page_files.c)
+MPI     := $(call object,$(call below,apps/mpi,*.c))
 # What stands in the program as it is: pages, and the sources that they show.
 PAGE_FILES := $(sort $(call below,apps/inspect/page,*.*) $(wildcard pipeline/units/*.c) pipeline/list/needs.c \
                 $(call below,shaders_c,*.[ch]))
@@ -114,6 +115,9 @@ GOLDEN  := $(call object,$(wildcard tests/golden/*.c))
 DIFFERENTIAL := $(call object,$(wildcard tests/differential/*.c))
 
 PROGRAM := $(BUILD)/bin/glasspipe
+MPI_PROGRAM := $(BUILD)/bin/glasspipe-mpi
+MPICC   ?= mpicc
+MPIRUN  ?= mpirun
 HEADERS := $(BUILD)/include/glasspipe/glasspipe.h
 # What stands in out/ as it will be installed, so that programs can be built from either.
 STAGED  := $(HEADERS) $(addprefix $(BUILD)/,share/glasspipe/shaders.mk lib/pkgconfig/glasspipe.pc \
@@ -137,9 +141,10 @@ GOLDEN_TEST  := $(if $(GOLDEN),$(BUILD)/test/golden)
 DIFFERENTIAL_TEST := $(BUILD)/test/differential
 KERNELS      := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard tests/kernel/check_*.c)))
 
-.PHONY: all program run deps faults test lint check check-peer docs format install uninstall help clean bless
+.PHONY: all program mpi run deps deps-mpi faults test lint check check-peer docs format install uninstall help clean bless
 all: program $(CORE_SO) $(CORE_A) $(STAGED)
 program: $(PROGRAM)
+mpi: $(MPI_PROGRAM)
 
 # --- packages -------------------------------------------------------------------------------------
 
@@ -162,6 +167,8 @@ endif
 
 deps:
 	@$(PACKAGES) install build test lint
+deps-mpi:
+	@$(PACKAGES) install build mpi
 
 # --- compiling ------------------------------------------------------------------------------------
 
@@ -224,6 +231,20 @@ $(OPENMESH_SO): $(call object,$(OPENMESH) pipeline/base/base.c)
 $(PROGRAM): $(MAIN) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(LOADED) $(STAGED)
 	@mkdir -p $(@D)
 	$(call say,LINK,$@)$(LINK) $^ $(LIBS) -o $@
+
+# A program of its own, of which the other one knows nothing: with Open MPI or MPICH, by the compiler that
+# all else is built with.
+MPI_FLAGS = $$($(MPICC) -showme:$(1) 2>/dev/null || $(MPICC) -$(1)-info | cut -d' ' -f2-)
+.PHONY: mpi-packages
+mpi-packages:
+	@command -v $(MPICC) >/dev/null || { echo "no $(MPICC): make deps-mpi installs Open MPI" >&2; exit 1; }
+$(MPI): $(BUILD)/obj/%.o: %.c $(FLAGS_FILE) | packages mpi-packages
+	@mkdir -p $(@D)
+	$(call say,CC,$<)$(ALL_C) $(call MPI_FLAGS,compile) -c $< -o $@
+
+$(MPI_PROGRAM): $(MPI) $(filter-out %/main.o,$(MAIN)) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(LOADED) $(STAGED)
+	@mkdir -p $(@D)
+	$(call say,LINK,$@)$(LINK) $^ $(LIBS) $(call MPI_FLAGS,link) -o $@
 
 # What users include, laid out as it is installed: the two public headers and what they include,
 # which find each other by <glasspipe/...> alone.
@@ -318,7 +339,8 @@ SNIPPET_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/snippets.tap)
 BREAK_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/break_it.tap)
 # Pages in a browser, where there is one.
 INSPECT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/inspect.tap $(BUILD)/test/lessons.tap)
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) $(BREAK_RESULT) \
+MPI_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/mpi.tap)
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(MPI_RESULT) $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) $(BREAK_RESULT) \
            $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
@@ -329,6 +351,12 @@ $(GOLDEN_RESULTS): $(GOLDEN_TEST) always
 
 $(PICTURE_RESULT): $(PROGRAM) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/golden_pictures.sh $<
+
+# Where there is MPI; else it says "skipped".
+HAS_MPI := $(shell command -v $(MPICC) >/dev/null && command -v $(MPIRUN) >/dev/null && echo 1)
+$(BUILD)/test/mpi.tap: $(PROGRAM) $(if $(HAS_MPI),$(MPI_PROGRAM)) always
+	$(call say,TEST,$(@F:.tap=))MPIRUN='$(MPIRUN)' $(RUN_TEST) $@ sh tests/tools/mpi.sh $< \
+	    $(if $(HAS_MPI),$(MPI_PROGRAM))
 
 $(BUILD)/test/inspect.tap: $(PROGRAM) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ sh tests/tools/inspect_pages.sh $<
@@ -491,6 +519,7 @@ STRIP := $(shell $(CC) -print-prog-name=strip)
 install: all
 	install -d $(INSTALLED)/bin $(INSTALLED)/lib
 	install -m 755 $(PROGRAM) $(INSTALLED)/bin/
+	[ ! -e $(MPI_PROGRAM) ] || install -m 755 $(MPI_PROGRAM) $(INSTALLED)/bin/
 	install -m 644 $(CORE_A) $(INSTALLED)/lib/
 	install -m 755 $(CORE_SO).$(VERSION) $(LOADED) $(INSTALLED)/lib/
 	$(STRIP) $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.so.$(VERSION) \
@@ -506,6 +535,7 @@ install: all
 	    install -D -m 644 $$file $(INSTALLED)/share/glasspipe/$$file || exit; done
 	$(EMULATOR) $(PROGRAM) render --schema >$(INSTALLED)/share/glasspipe/scene.schema.json
 	install -D -m 644 GOLDEN_PICTURES.md $(INSTALLED)/share/doc/glasspipe/GOLDEN_PICTURES.md
+	install -D -m 644 CLUSTER.md $(INSTALLED)/share/doc/glasspipe/CLUSTER.md
 	install -d $(INSTALLED)/share/bash-completion/completions
 	$(if $(COMPLETION),install -m 644 $(firstword $(COMPLETION)) \
 	    $(INSTALLED)/share/bash-completion/completions/glasspipe)
@@ -513,7 +543,7 @@ install: all
 uninstall:
 	rm -rf $(addprefix $(INSTALLED)/,include/glasspipe share/glasspipe share/doc/glasspipe \
 	    lib/cmake/glasspipe)
-	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/lib/libglasspipe.* \
+	rm -f $(INSTALLED)/bin/glasspipe $(INSTALLED)/bin/glasspipe-mpi $(INSTALLED)/lib/libglasspipe.* \
 	    $(INSTALLED)/lib/libglasspipe_oiio.so $(INSTALLED)/lib/libglasspipe_openmesh.so \
 	    $(INSTALLED)/lib/pkgconfig/glasspipe.pc \
 	    $(foreach page,$(MAN_PAGES),$(INSTALLED)/share/man/$(call man_place,$(page))) \
@@ -545,6 +575,7 @@ help:
 	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'
 	@echo 'make bless CASE=name    take the present picture of a golden case as the right one'
 	@echo 'make deps        install the Debian packages that building and testing need'
+	@echo 'make mpi         bin/glasspipe-mpi, for mpirun; make deps-mpi installs Open MPI'
 	@echo 'make install     PREFIX=/usr/local DESTDIR= ; make uninstall takes it away again'
 	@echo 'make clean       remove what was built; pictures in out/ stay'
 	@echo

@@ -88,6 +88,18 @@ double matrix_inverse(double m[4][4], double inverse[4][4])
     return determinant;
 }
 
+void camera_turn(Camera *camera, double degrees)
+{
+    double turn[4][4], from[3];
+    if (degrees == 0.0)
+        return;
+    matrix_rotation(camera->up, degrees, turn);
+    for (int i = 0; i < 3; i++)
+        from[i] = camera->eye[i] - camera->at[i];
+    for (int i = 0; i < 3; i++)
+        camera->eye[i] = camera->at[i] + vector_dot(turn[i], from);
+}
+
 void camera_view(const Camera *camera, double view[4][4])
 {
     double forward[3], right[3], up[3];

@@ -2,16 +2,6 @@
 #ifndef APPS_COMMANDS_COMMANDS_H
 #define APPS_COMMANDS_COMMANDS_H
 
-#include <stdio.h>
-
-/* The program's help. */
-void commands_help(FILE *file);
-
-/* Runs the subcommand of a name, of a technique or one of those below, whose second word may be argv[1];
- * the words of its name are replaced.
- * returns the program's exit code; EXIT_USAGE, after a message, where there is none of this name */
-int commands_run(const char *name, int argc, char **argv);
-
 /* A subcommand: argv[0] is "glasspipe NAME", for messages; returns an exit code. */
 typedef int CommandFn(int argc, char **argv);
 

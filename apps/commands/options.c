@@ -63,6 +63,16 @@ int options_device(const Options *options, const GpTrace *trace, GpDevice **devi
     return report(asked_wrongly ? EXIT_USAGE : EXIT_INTERNAL, "%s", error.text);
 }
 
+ItemRun options_items(const Options *options)
+{
+    return (ItemRun){ .device = { .executor = options->executor,
+                                  .threads = (int)options->threads,
+                                  .isa = options->isa },
+                      .verify = options->verify,
+                      .timeout = options->timeout,
+                      .resume = options->resume };
+}
+
 int options_scene(const Options *options, const char *path, Scene *scene)
 {
     const SceneOptions size = { .width = options->size[0], .height = options->size[1] };
@@ -71,10 +81,24 @@ int options_scene(const Options *options, const char *path, Scene *scene)
     return result ? report(exit_of_input(result), "%s", error.text) : EXIT_DONE;
 }
 
+static void (*told)(int code, const char *line);
+
+void report_to(void (*tell)(int code, const char *line))
+{
+    told = tell;
+}
+
 int report(int code, const char *format, ...)
 {
+    char line[1024];
     va_list args;
     va_start(args, format);
+    if (told) {
+        vsnprintf(line, sizeof line, format, args);
+        va_end(args);
+        told(code, line);
+        return code;
+    }
     fputs("glasspipe: ", stderr);
     vfprintf(stderr, format, args);
     fputc('\n', stderr);

@@ -3,6 +3,7 @@
 #ifndef APPS_COMMANDS_OPTIONS_H
 #define APPS_COMMANDS_OPTIONS_H
 
+#include "apps/items/items.h"
 #include "apps/scene/scene.h"
 #include "apps/techniques/settings.h"
 #include <glasspipe/glasspipe.h>
@@ -24,7 +25,32 @@ typedef struct Options {
     const char *isa;  /* NULL: automatic */
     GpExecutor executor;
     bool timed; /* GpDeviceDesc.timed */
+
+    /* of commands whose work are items (OPTIONS_ITEMS) */
+    double verify, timeout;
+    bool resume;
 } Options;
+
+/* For the table of such a command. */
+#define OPTIONS_ITEMS                                                                              \
+    { "verify",                                                                                    \
+      "P",                                                                                         \
+      "Draw P per cent of the work a second time, by another thread or rank, and compare",         \
+      SETTING_NUMBER,                                                                              \
+      .offset = offsetof(Options, verify),                                                         \
+      .low = 0,                                                                                    \
+      .high = 100 },                                                                               \
+        { "timeout",                                                                               \
+          "S",                                                                                     \
+          "End with a message where one item takes more than S seconds",                           \
+          SETTING_NUMBER,                                                                          \
+          .offset = offsetof(Options, timeout),                                                    \
+          .low = 0,                                                                                \
+          .high = 1e6 },                                                                           \
+    {                                                                                              \
+        "resume", NULL, "Note what is done in a journal, and go on from one that is there",        \
+            SETTING_FLAG, .offset = offsetof(Options, resume)                                      \
+    }
 
 /* Which of them a command has: each has those before it too. */
 typedef enum OptionsShared { OPTIONS_COMMON, OPTIONS_RUN, OPTIONS_FRAME } OptionsShared;
@@ -41,11 +67,17 @@ extern const SettingField options_frame[];  /* --size */
  * machine lacks is a usage error */
 int options_device(const Options *options, const GpTrace *trace, GpDevice **device);
 
+/* How items are run, but for the journal, its key and progress. */
+ItemRun options_items(const Options *options);
+
 /* Reads a scene, in the size that the options ask for. returns as options_device */
 int options_scene(const Options *options, const char *path, Scene *scene);
 
 /* Prints "glasspipe: " and a line to stderr; returns code, so that a caller can return it. */
 int report(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Tells another one than stderr of errors, without "glasspipe: "; NULL: stderr again. */
+void report_to(void (*tell)(int code, const char *line));
 
 /* The same for news that is not an error; nothing with --quiet. */
 void notice(const Options *options, const char *format, ...) __attribute__((format(printf, 2, 3)));

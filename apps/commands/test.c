@@ -1,5 +1,4 @@
 /* glasspipe test: the scenes of a folder against what is stored beside them. */
-#include "apps/base/machine.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
@@ -11,6 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <xxhash.h>
 
 typedef struct Test {
     Options options;       /* first: see options.h */
@@ -27,6 +27,7 @@ static const SettingField options[] = {
       "Write NAME.png of each scene that is not the same to DIR, and NAME.html, a page with both, "
       "where a picture is stored",
       SETTING_TEXT, .offset = offsetof(Test, reports) },
+    OPTIONS_ITEMS,
     { .name = NULL },
 };
 
@@ -58,8 +59,10 @@ static const CommandSyntax syntax = {
 
 /* --- results ---------------------------------------------------------------------------------- */
 
-static void show_progress(uint32_t done, uint32_t count)
+static void show_progress(const void *user, uint32_t done, uint32_t count, const char *name)
 {
+    (void)user;
+    (void)name;
     fprintf(stderr, "\r%u of %u%s", done, count, done == count ? "\n" : "");
 }
 
@@ -138,34 +141,28 @@ static int tell(const Test *test, const GoldenFolder *folder)
 
 /* --- testing ---------------------------------------------------------------------------------- */
 
-static int run(const Test *test, const GoldenTask *task, GpDevice *const *devices, uint32_t count,
-               GoldenFolder *folder)
+/* Of what is asked: a journal of other scenes is none of this. */
+static uint64_t key_of(const Test *test, const GoldenFolder *folder)
 {
-    GpError error = { "" };
-    const bool shown = isatty(STDERR_FILENO) && !test->options.quiet;
-    if (golden_folder_run(task, devices, count, shown ? show_progress : NULL, folder, &error))
-        return report(EXIT_INTERNAL, "%s", error.text);
-    return tell(test, folder);
+    XXH3_state_t state;
+    XXH3_64bits_reset(&state);
+    XXH3_64bits_update(&state, GP_VERSION, sizeof GP_VERSION);
+    XXH3_64bits_update(&state, test->folder[0], strlen(test->folder[0]) + 1);
+    XXH3_64bits_update(&state, test->options.size, sizeof test->options.size);
+    for (uint32_t i = 0; i < folder->count; i++)
+        XXH3_64bits_update(&state, folder->scenes[i].name, strlen(folder->scenes[i].name) + 1);
+    return XXH3_64bits_digest(&state);
 }
 
-/* Scenes are drawn side by side, each by one thread; a single scene by all. */
-static int run_on_devices(const Test *test, const GoldenTask *task, GoldenFolder *folder)
+static int run(const Test *test, const GoldenTask *task, GoldenFolder *folder)
 {
-    const uint32_t threads =
-        test->options.threads ? test->options.threads : (uint32_t)machine_processors();
-    const uint32_t count = threads < folder->count ? threads : folder->count;
-    GpDevice **devices = gp_alloc(count, sizeof(GpDevice *));
-    Options each = test->options;
-    each.threads = threads / count;
-    int code = devices ? EXIT_DONE : report(EXIT_INTERNAL, "out of memory");
-    for (uint32_t i = 0; i < count && !code; i++)
-        code = options_device(&each, NULL, &devices[i]);
-    if (!code)
-        code = run(test, task, devices, count, folder);
-    for (uint32_t i = 0; devices && i < count; i++)
-        gp_device_destroy(&devices[i]);
-    gp_free(devices);
-    return code;
+    GpError error = { "" };
+    ItemRun items = options_items(&test->options);
+    items.journal = "glasspipe-test.journal";
+    items.key = key_of(test, folder);
+    items.progress = isatty(STDERR_FILENO) && !test->options.quiet ? show_progress : NULL;
+    const int code = golden_folder_run(task, &items, folder, &error);
+    return code ? report(code, "%s", error.text) : tell(test, folder);
 }
 
 static int test_folder(const Test *test, const GoldenTask *task)
@@ -177,7 +174,7 @@ static int test_folder(const Test *test, const GoldenTask *task)
         return report(exit_of_input(result), "%s", error.text);
     if (task->reports && mkdir(task->reports, 0777) && errno != EEXIST)
         return report(EXIT_INTERNAL, "%s: %s", task->reports, strerror(errno));
-    const int code = run_on_devices(test, task, &folder);
+    const int code = run(test, task, &folder);
     golden_folder_free(&folder);
     return code;
 }

@@ -28,15 +28,29 @@ const void *frame_copy(Frame *frame, const void *data, size_t size)
     return copy ? memcpy(copy, data, size) : NULL;
 }
 
+static GpSurface *make_surface(Frame *frame, const GpSurfaceDesc *desc)
+{
+    GpSurface *surface = arena_surface(&frame->arena, desc);
+    frame->no_surface =
+        (GpSurface){ .format = desc->format, .width = desc->width, .height = desc->height };
+    return surface ? surface : &frame->no_surface;
+}
+
 GpSurface *frame_surface(Frame *frame, GpFormat format, uint32_t width, uint32_t height,
                          uint32_t levels)
 {
     const GpSurfaceDesc desc = {
         .format = format, .width = width, .height = height, .levels = levels
     };
-    GpSurface *surface = arena_surface(&frame->arena, &desc);
-    frame->no_surface = (GpSurface){ .format = format, .width = width, .height = height };
-    return surface ? surface : &frame->no_surface;
+    return make_surface(frame, &desc);
+}
+
+GpSurface *frame_target(Frame *frame, GpFormat format, uint32_t width, uint32_t height)
+{
+    GpSurfaceDesc desc = { .format = format, .width = width, .height = height };
+    if (width == frame->window_of[0] && height == frame->window_of[1])
+        desc.window = frame->window;
+    return make_surface(frame, &desc);
 }
 
 /* --- passes ---------------------------------------------------------------------------------- */

@@ -22,6 +22,10 @@ typedef struct Frame {
     void *held;  /* but for what something else made, which frame_free gives to release; or NULL */
     void (*release)(void *held);
 
+    /* The part that is to be drawn of a picture of this size, as GpSurfaceDesc.window; all zero: all of it */
+    GpRect window;
+    uint32_t window_of[2];
+
     /* private */
     GpPass *passes;
     GpDraw *draws; /* of all passes, in order */
@@ -51,6 +55,10 @@ const void *frame_copy(Frame *frame, const void *data, size_t size);
 /* Never NULL; without memory its texels are. */
 GpSurface *frame_surface(Frame *frame, GpFormat format, uint32_t width, uint32_t height,
                          uint32_t levels);
+
+/* The same with one level, for what is drawn pixel by pixel: where it is of the picture's size, it has the
+ * frame's window. */
+GpSurface *frame_target(Frame *frame, GpFormat format, uint32_t width, uint32_t height);
 
 /* --- passes ---------------------------------------------------------------------------------- */
 

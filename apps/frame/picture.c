@@ -255,16 +255,19 @@ static int part_channels(const GpSurface *surface, Part part)
     return info->is_depth || part == PART_ALPHA ? 1 : three ? 3 : info->channels;
 }
 
-/* A row of level 0 as floats. Codes survive: dividing by the largest and rounding back is exact (R23,
+/* A row of level 0 inside a rectangle as floats. Codes survive: dividing by the largest and rounding back is exact (R23,
  * R24). */
-static void load_row(const GpSurface *surface, Part part, uint32_t y, float *values)
+static void load_row(const GpSurface *surface, Part part, const GpRect *rect, uint32_t y,
+                     float *values)
 {
     const GpFormatInfo *info = gp_format_info(surface->format);
     const size_t channels = (size_t)part_channels(surface, part);
-    for (uint32_t x = 0; x < surface->width; x++) {
+    const uint32_t width = (uint32_t)(rect->x1 - rect->x0);
+    const uint8_t *texel = gp_surface_texel(&surface->level[0], info->bytes, (uint32_t)rect->x0,
+                                            (uint32_t)rect->y0 + y);
+    for (uint32_t x = 0; x < width; x++, texel += info->bytes) {
         float rgba[4];
-        gp_texel_load(surface->format, gp_surface_texel(&surface->level[0], info->bytes, x, y),
-                      rgba);
+        gp_texel_load(surface->format, texel, rgba);
         if (info->channels == 2)
             rgba[2] = 0;
         memcpy(values + x * channels, part == PART_ALPHA ? rgba + 3 : rgba,
@@ -282,35 +285,38 @@ static GpImageType samples_of(GpFormat format)
 }
 
 /* A row of bytes as bytes, which is what floats between them come to. */
-static void copy_row(const GpSurface *surface, Part part, uint32_t y, const GpImage *image)
+static void copy_row(const GpSurface *surface, Part part, const GpRect *rect, uint32_t y,
+                     const GpImage *image)
 {
     const GpFormatInfo *info = gp_format_info(surface->format);
     uint8_t *to = (uint8_t *)image->data + (size_t)y * image->width * image->channels;
-    for (uint32_t x = 0; x < image->width; x++) {
-        const uint8_t *texel = gp_surface_texel(&surface->level[0], info->bytes, x, y);
+    const uint8_t *texel = gp_surface_texel(&surface->level[0], info->bytes, (uint32_t)rect->x0,
+                                            (uint32_t)rect->y0 + y);
+    for (uint32_t x = 0; x < image->width; x++, texel += info->bytes)
         for (uint32_t c = 0; c < image->channels; c++)
             *to++ = texel[info->first_byte[part == PART_ALPHA ? 3 : c]];
-    }
 }
 
 /* Row by row, since a whole picture of floats is four times as large as most surfaces. */
 static GpResult sample_surface(const char *path, const GpSurface *surface, Part part,
-                               GpImage *image, GpError *error)
+                               const GpRect *rect, GpImage *image, GpError *error)
 {
     const int channels = part_channels(surface, part);
-    float *row = gp_alloc(surface->width, (size_t)channels * sizeof *row);
+    const uint32_t width = (uint32_t)(rect->x1 - rect->x0);
+    const uint32_t height = (uint32_t)(rect->y1 - rect->y0);
+    float *row = gp_alloc(width, (size_t)channels * sizeof *row);
     if (!row)
         return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
-    GpResult result = begin_image(path, surface->width, surface->height, channels,
-                                  samples_of(surface->format), image, error);
+    GpResult result =
+        begin_image(path, width, height, channels, samples_of(surface->format), image, error);
     const bool bytes = image->type == GP_IMAGE_U8 &&
                        (surface->format == GP_A8R8G8B8 || surface->format == GP_X8R8G8B8);
-    for (uint32_t y = 0; y < surface->height && !result; y++) {
+    for (uint32_t y = 0; y < height && !result; y++) {
         if (bytes) {
-            copy_row(surface, part, y, image);
+            copy_row(surface, part, rect, y, image);
             continue;
         }
-        load_row(surface, part, y, row);
+        load_row(surface, part, rect, y, row);
         store_row(image, y, row, channels);
     }
     gp_free(row);
@@ -320,11 +326,17 @@ static GpResult sample_surface(const char *path, const GpSurface *surface, Part 
 static GpResult write_part(const char *path, const GpSurface *surface, Part part, GpError *error)
 {
     GpImage image = { .data = NULL };
-    GpResult result = sample_surface(path, surface, part, &image, error);
+    GpResult result = sample_surface(path, surface, part, &surface->window, &image, error);
     if (!result)
         result = gp_image_write(path, &image, error);
     gp_image_free(&image);
     return result;
+}
+
+GpResult picture_samples(const char *path, const GpSurface *surface, const GpRect *part,
+                         GpImage *image, GpError *error)
+{
+    return sample_surface(path, surface, PART_ALL, part, image, error);
 }
 
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
@@ -350,7 +362,7 @@ GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *pi
                          GpError *error)
 {
     GpImage image = { .data = NULL };
-    GpResult result = sample_surface(path, surface, PART_ALL, &image, error);
+    GpResult result = sample_surface(path, surface, PART_ALL, &surface->window, &image, error);
     if (!result)
         result = picture_of_image(&image, path, picture, error);
     gp_image_free(&image);

@@ -3,6 +3,7 @@
 #define APPS_FRAME_PICTURE_H
 
 #include "pipeline/io/file.h"
+#include "pipeline/io/image/image.h"
 #include "pipeline/resources/surface.h"
 
 /* Floats, row 0 at the top; codes are divided by their largest. Owns values. */
@@ -45,6 +46,11 @@ GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error
  * errors those of picture_read; owns: the caller destroys the surface */
 GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface **surface,
                               GpError *error);
+
+/* The samples that a file of this name would have of a part of a surface.
+ * errors GP_ERROR_MEMORY; owns: the caller, until gp_image_free */
+GpResult picture_samples(const char *path, const GpSurface *surface, const GpRect *part,
+                         GpImage *image, GpError *error);
 
 /* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
  * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.

@@ -1,10 +1,11 @@
 #include "apps/golden/golden_folder.h"
 
 #include "apps/base/machine.h"
+#include "apps/scene/scene.h"
 
 #include <dirent.h>
 #include <errno.h>
-#include <stdatomic.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,43 +95,73 @@ void golden_folder_free(GoldenFolder *folder)
 typedef struct Runs {
     const GoldenTask *task;
     GoldenFolder *folder;
-    GpDevice *const *devices;
-    GpPool *const *pools; /* of one thread, for each device */
-    void (*progress)(uint32_t done, uint32_t count);
-    atomic_uint done;
 } Runs;
 
-static void run_one(void *context, uint32_t item, int worker)
+static void tell(const void *context, uint32_t item, char name[ITEM_NAME])
 {
-    Runs *runs = context;
-    GoldenScene *scene = &runs->folder->scenes[item];
-    golden_run(runs->task, scene->name, runs->devices[worker], runs->pools[worker], &scene->result);
-    const uint32_t done = atomic_fetch_add(&runs->done, 1) + 1;
-    if (worker == 0 && runs->progress && done < runs->folder->count)
-        runs->progress(done, runs->folder->count);
+    const Runs *runs = context;
+    snprintf(name, ITEM_NAME, "%s", runs->folder->scenes[item].name);
 }
 
-GpResult golden_folder_run(const GoldenTask *task, GpDevice *const *devices, uint32_t device_count,
-                           void (*progress)(uint32_t done, uint32_t count), GoldenFolder *folder,
-                           GpError *error)
+static double cost(const void *context, uint32_t item)
+{
+    const Runs *runs = context;
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s.json", runs->task->folder, runs->folder->scenes[item].name);
+    return scene_outline(path).cost;
+}
+
+/* State and message are the same each time; the seconds behind them are not. */
+static GpResult draw(const void *context, uint32_t item, const ItemTools *tools, GpBytes *bytes,
+                     size_t *same, GpError *error)
+{
+    (void)error;
+    const Runs *runs = context;
+    GoldenResult result;
+    golden_run(runs->task, runs->folder->scenes[item].name, tools->device, tools->pool, &result);
+    const uint32_t state = result.state;
+    gp_bytes_append(bytes, &state, sizeof state);
+    if (result.message.data)
+        gp_bytes_append(bytes, result.message.data, result.message.length);
+    *same = bytes->size;
+    gp_bytes_append(bytes, &result.seconds, sizeof result.seconds);
+    text_free(&result.message);
+    return GP_OK;
+}
+
+static GpResult take(void *context, uint32_t item, const void *bytes, size_t size, GpError *error)
+{
+    GoldenResult *result = &((Runs *)context)->folder->scenes[item].result;
+    uint32_t state = GOLDEN_STATES;
+    const size_t rest = sizeof state + sizeof result->seconds;
+    if (size >= rest)
+        memcpy(&state, bytes, sizeof state);
+    if (state >= GOLDEN_STATES)
+        return gp_fail(error, GP_ERROR_FORMAT, "the result of a scene came damaged");
+    const char *message = (const char *)bytes + sizeof state;
+    *result = (GoldenResult){ .state = (GoldenState)state };
+    if (size > rest)
+        text_add(&result->message, "%.*s", (int)(size - rest), message);
+    memcpy(&result->seconds, message + (size - rest), sizeof result->seconds);
+    return GP_OK;
+}
+
+int golden_folder_run(const GoldenTask *task, const ItemRun *run, GoldenFolder *folder,
+                      GpError *error)
 {
     const double begin = machine_clock_ms(CLOCK_MONOTONIC);
-    GpPool **pools = gp_alloc(device_count + 1, sizeof(GpPool *));
-    GpResult result = pools ? GP_OK : gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    for (uint32_t i = 0; i <= device_count && !result; i++)
-        result = gp_pool_create(i < device_count ? 1 : (int)device_count, &pools[i], error);
-    Runs runs = { task, folder, devices, pools, progress, 0 };
-    if (!result)
-        gp_pool_run(pools[device_count], folder->count, run_one, &runs);
-    if (!result && progress)
-        progress(folder->count, folder->count);
-    for (uint32_t i = 0; pools && i <= device_count; i++)
-        gp_pool_destroy(&pools[i]);
-    gp_free(pools);
-    for (uint32_t i = 0; i < folder->count && !result; i++)
+    Runs runs = { task, folder };
+    const ItemWork work = { .count = folder->count,
+                            .context = &runs,
+                            .tell = tell,
+                            .cost = cost,
+                            .draw = draw,
+                            .take = take };
+    const ItemsCode code = items_run(&work, run, error);
+    for (uint32_t i = 0; i < folder->count && !code; i++)
         folder->states[folder->scenes[i].result.state]++;
     folder->seconds = (machine_clock_ms(CLOCK_MONOTONIC) - begin) / 1e3;
-    return result;
+    return (int)code;
 }
 
 /* --- JUnit ------------------------------------------------------------------------------------ */

@@ -3,6 +3,7 @@
 #define APPS_GOLDEN_GOLDEN_FOLDER_H
 
 #include "apps/golden/golden.h"
+#include "apps/items/items.h"
 
 /* A scene by its name, its file's without folder and extension, and what came of it. */
 typedef struct GoldenScene {
@@ -26,14 +27,12 @@ GpResult golden_folder_open(const char *path, const char *only, GoldenFolder *fo
                             GpError *error);
 void golden_folder_free(GoldenFolder *folder); /* zeroes it */
 
-/* Runs all scenes by as many threads as there are devices; a scene that fails stops no other.
- * in     devices: [device_count], each for one thread
- *        progress: told how many are done, from the calling thread; NULL: nobody
- * order  results do not depend on threads
- * errors GP_ERROR_MEMORY */
-GpResult golden_folder_run(const GoldenTask *task, GpDevice *const *devices, uint32_t device_count,
-                           void (*progress)(uint32_t done, uint32_t count), GoldenFolder *folder,
-                           GpError *error);
+/* Runs all scenes as items, each drawn by one thread where there are more of them than threads; a scene
+ * that fails stops no other.
+ * order  results do not depend on who draws
+ * returns items_run's code */
+int golden_folder_run(const GoldenTask *task, const ItemRun *run, GoldenFolder *folder,
+                      GpError *error);
 
 /* The results as JUnit's XML, which build servers read: a test case for each scene; differing and missing
  * are failures, broken is an error. in: path: the folder's name for the reader */

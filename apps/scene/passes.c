@@ -49,12 +49,15 @@ static GpSurface *read_surface(Loader *loader, Node *node, const SceneView *view
             node_fail(&format_node, GP_ERROR_FORMAT, "a target that is used again has its format");
         return name ? scene_target(loader, &use, name) : NULL;
     }
-    loader->texels += (uint64_t)view->width * view->height * gp_format_info(format)->bytes;
+    if (loader->reader.result)
+        return NULL;
+    GpSurface *surface = frame_target(loader->frame, format, view->width, view->height);
+    const GpRect *window = &surface->window;
+    loader->texels += (uint64_t)(window->x1 - window->x0) * (uint64_t)(window->y1 - window->y0) *
+                      gp_format_info(format)->bytes;
     if (loader->texels > max_texels)
         node_fail(node, GP_ERROR_FORMAT, "the targets take over %d MB", (int)(max_texels >> 20));
-    return loader->reader.result
-               ? NULL
-               : frame_surface(loader->frame, format, view->width, view->height, 1);
+    return loader->reader.result ? NULL : surface;
 }
 
 /* "clear": a colour, or false. What is not said: the background for new surfaces. */

@@ -3,6 +3,7 @@
 
 #include "apps/scene/lights.h"
 #include "apps/scene/passes.h"
+#include "apps/scene/path.h"
 #include "apps/scene/state.h"
 #include "pipeline/io/file.h"
 
@@ -19,9 +20,15 @@ static void read_view(Loader *loader, Node *root, const SceneOptions *options)
         view->width = options->width;
     if (options && options->height)
         view->height = options->height;
+    if (options)
+        loader->frame->window = options->window;
+    loader->frame->window_of[0] = view->width;
+    loader->frame->window_of[1] = view->height;
     view->camera =
         (Camera){ .eye = { 0, 1, 4 }, .up = { 0, 1, 0 }, .fovy = 40, .near = 0.1, .far = 100 };
     scene_read_camera(node_member(root, "camera"), &view->camera);
+    if (options)
+        camera_turn(&view->camera, options->turn);
     scene->camera = view->camera;
     scene->ambient[0] = scene->ambient[1] = scene->ambient[2] = 0.2f;
     node_numbers(node_member(root, "ambient"), scene->ambient, 3, 0, 100);
@@ -75,6 +82,34 @@ static void read_scene(Loader *loader, const SceneOptions *options)
     node_close(&root);
 }
 
+SceneOutline scene_outline(const char *path)
+{
+    const double of_object =
+        30000; /* in pixels of a pass: a mesh is read, and its vertices shaded */
+    SceneOutline outline = { .width = 512, .height = 512 };
+    char found[4096];
+    Reader reader;
+    GpError unused = { "" };
+    if (gp_data_find(path, found, sizeof found, &unused) || reader_open(&reader, found, &unused))
+        return outline;
+    const json_t *size = json_object_get(reader.root, "size");
+    const json_t *passes = json_object_get(reader.root, "passes");
+    const json_int_t width = json_integer_value(json_array_get(size, 0));
+    const json_int_t height = json_integer_value(json_array_get(size, 1));
+    if (width >= 1 && width <= GP_MAX_SIZE && height >= 1 && height <= GP_MAX_SIZE) {
+        outline.width = (uint32_t)width;
+        outline.height = (uint32_t)height;
+    }
+    size_t objects = json_array_size(json_object_get(reader.root, "objects"));
+    const size_t count = json_array_size(passes);
+    for (size_t p = 0; p < count; p++)
+        objects += json_array_size(json_object_get(json_array_get(passes, p), "objects"));
+    outline.cost = (double)outline.width * outline.height * (double)(count ? count : 1) +
+                   of_object * (double)objects;
+    reader_close(&reader);
+    return outline;
+}
+
 json_t *scene_schema(void)
 {
     Scene scene = { .frame = { .list = { .passes = NULL } } };
@@ -94,13 +129,19 @@ GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene,
     GpError unused;
     Scene made = { .frame = { .arena = { .fails = options ? options->fails : 0 } } };
     Loader loader = { .scene = &made, .frame = &made.frame };
+    GpError reason = { "" };
     char found[4096];
     GpResult result = gp_data_find(path, found, sizeof found, error);
     if (!result)
         result = reader_open(&loader.reader, found, error ? error : &unused);
     if (result)
         return result;
-    read_scene(&loader, options);
+    if (options && options->changes)
+        result = path_change(loader.reader.root, options->changes, &reason);
+    if (result)
+        loader.reader.result = gp_fail(error, result, "%.200s: %s", path, reason.text);
+    else
+        read_scene(&loader, options);
     result = loader.reader.result;
     if (made.frame.arena.result)
         result = gp_fail(error, made.frame.arena.result, "%.200s: %s", path,

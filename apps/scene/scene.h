@@ -13,6 +13,9 @@ typedef struct SceneOptions {
     uint32_t width, height; /* 0: the scene's own size */
     uint32_t fails;         /* for tests, as an arena has it */
     bool shadows;           /* as where the scene asks for them itself */
+    GpRect window; /* the part of the picture to be drawn, as GpSurfaceDesc.window; empty: all */
+    const json_t *changes; /* of the scene's text, as path_at gives them; NULL: none */
+    double turn; /* degrees by which the camera goes round what it looks at, about its "up" */
 } SceneOptions;
 
 /* What a light's shadow map shall see and be; zero where the scene leaves it to the technique. */
@@ -65,6 +68,14 @@ typedef struct Scene {
  *        "x.json:12: objects[1].material.shininess: expected a number in [0, 10000]";
  *        GP_ERROR_MEMORY */
 GpResult scene_load(const char *path, const SceneOptions *options, Scene *scene, GpError *error);
+
+/* What can be told of a scene file without reading what it names; a scene that cannot be read has the
+ * usual size, and the other functions say what is wrong with it. */
+typedef struct SceneOutline {
+    uint32_t width, height; /* of the picture */
+    double cost; /* how long it takes to draw, beside others: by its pixels, passes and objects */
+} SceneOutline;
+SceneOutline scene_outline(const char *path);
 
 /* The JSON Schema of scene files, as the reader tells it: every key with its type, range, default and
  * names; of materials one alternative for each program. The caller owns it. */

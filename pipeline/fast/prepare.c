@@ -242,8 +242,9 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
         .first_primitive = pass->primitive_count,
         .primitive_count = gp_geometry_primitives(&draw->geometry),
     };
-    d->rect = cut_to_scissor(gp_viewport_rect(&draw->viewport, pass->width, pass->height),
-                             &draw->state.raster);
+    d->rect = cut_to_scissor(
+        gp_rect_common(gp_viewport_rect(&draw->viewport, pass->width, pass->height), pass->window),
+        &draw->state.raster);
     d->band = gp_guard_band(&d->viewport);
     d->wants_depth =
         d->needs.depth_test || d->needs.depth_write || d->needs.stencil || d->needs.sorted;
@@ -346,8 +347,11 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGrou
                      .starts = at->draw == 0,
                      .writes_depth = sorts && writes_depth(pass) };
     gp_pass_size(pass, &p->width, &p->height);
-    p->tiles_x = (p->width + FAST_TILE - 1) / FAST_TILE;
-    p->tiles_y = (p->height + FAST_TILE - 1) / FAST_TILE;
+    p->window = gp_pass_window(pass);
+    p->tiles_x = (uint32_t)(p->window.x1 - p->window.x0 + FAST_TILE - 1) / FAST_TILE;
+    p->tiles_y = (uint32_t)(p->window.y1 - p->window.y0 + FAST_TILE - 1) / FAST_TILE;
+    p->first_tile =
+        (uint32_t)(p->window.y0 / FAST_TILE) * p->tiles_x + (uint32_t)(p->window.x0 / FAST_TILE);
     const FastPass *repeats = p->starts ? fast_find_repeated(group, pass, lanes) : NULL;
     bool is_repeated = repeats;
     const uint32_t most = sorts ? pass->draw_count : least(pass->draw_count - at->draw, MOST_DRAWS);

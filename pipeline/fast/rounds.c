@@ -69,9 +69,10 @@ static void clear_item(void *context, uint32_t item, int worker)
     (void)worker;
     const FastGroup *group = ((const Job *)context)->group;
     const FastPass *first = &group->passes[0];
-    uint32_t end = (item + 1) * FAST_TILE < first->height ? (item + 1) * FAST_TILE : first->height;
-    const FastBox band = { 0, (int32_t)(item * FAST_TILE), (int32_t)first->width - 1,
-                           (int32_t)end - 1 };
+    const GpRect *window = &first->window;
+    const int32_t top = window->y0 + (int32_t)item * FAST_TILE, end = top + FAST_TILE;
+    const FastBox band = { window->x0, top, window->x1 - 1,
+                           (end < window->y1 ? end : window->y1) - 1 };
     for (uint32_t p = 0; p < group->pass_count; p++)
         if (group->passes[p].clears)
             fast_clear_box(group->passes[p].pass, &band, false);

@@ -65,9 +65,8 @@ void gp_file_free(GpFile *file)
 
 /* --- writing ---------------------------------------------------------------------------------- */
 
-/* Writes everything and closes the handle; 0 or the errno of the first failure. A full disk may be
- * told only by close. */
-static int write_and_close(int handle, const char *data, size_t size)
+/* 0 or the errno of the first failure. */
+static int write_all(int handle, const char *data, size_t size)
 {
     int problem = 0;
     while (size > 0 && problem == 0) {
@@ -81,9 +80,14 @@ static int write_and_close(int handle, const char *data, size_t size)
             problem = errno;
         }
     }
-    if (close(handle) != 0 && problem == 0)
-        problem = errno;
     return problem;
+}
+
+/* The same, and closes the handle: a full disk may be told only by close. */
+static int write_and_close(int handle, const char *data, size_t size)
+{
+    const int problem = write_all(handle, data, size);
+    return close(handle) != 0 && problem == 0 ? errno : problem;
 }
 
 /* Temporary files that are there, by name, for gp_file_abandon. Where more are written at once than there
@@ -181,6 +185,62 @@ GpResult gp_file_write(const char *path, const void *data, size_t size, GpError 
     if (problem != 0)
         return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));
     return GP_OK;
+}
+
+/* --- piece by piece --------------------------------------------------------------------------- */
+
+struct GpFilePieces {
+    const char *path; /* for messages */
+    int handle;
+    char temporary[PATH_MAX], end[PATH_MAX];
+};
+
+static GpResult cannot_write(const char *path, int problem, GpError *error)
+{
+    return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));
+}
+
+GpResult gp_file_begin(const char *path, GpFilePieces **pieces, GpError *error)
+{
+    GpFilePieces *made = gp_alloc(1, sizeof *made);
+    if (!made)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory", path);
+    made->path = path;
+    int problem = follow_links(path, made->end) ? 0 : ELOOP;
+    set_unfinished(NULL, made->temporary);
+    made->handle = problem ? -1 : create_beside(made->end, made->temporary);
+    if (!problem && made->handle < 0)
+        problem = errno;
+    if (problem) {
+        set_unfinished(made->temporary, NULL);
+        gp_free(made);
+        return cannot_write(path, problem, error);
+    }
+    *pieces = made;
+    return GP_OK;
+}
+
+GpResult gp_file_add(GpFilePieces *pieces, const void *data, size_t size, GpError *error)
+{
+    const int problem = write_all(pieces->handle, data, size);
+    return problem ? cannot_write(pieces->path, problem, error) : GP_OK;
+}
+
+GpResult gp_file_end(GpFilePieces **pieces, bool whole, GpError *error)
+{
+    GpFilePieces *ended = *pieces;
+    *pieces = NULL;
+    if (!ended)
+        return GP_OK;
+    int problem = close(ended->handle) != 0 ? errno : 0;
+    if (whole && !problem && rename(ended->temporary, ended->end) != 0)
+        problem = errno;
+    if (!whole || problem)
+        unlink(ended->temporary);
+    set_unfinished(ended->temporary, NULL);
+    const GpResult result = whole && problem ? cannot_write(ended->path, problem, error) : GP_OK;
+    gp_free(ended);
+    return result;
 }
 
 /* --- names ------------------------------------------------------------------------------------ */

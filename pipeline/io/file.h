@@ -34,6 +34,18 @@ void gp_file_free(GpFile *file);
  * errors GP_ERROR_IO (no such folder, not writable, disk full); nothing is left behind */
 GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error);
 
+/* A file that is written piece by piece, as gp_file_write writes one: begun beside its place, and put there
+ * when it is whole. */
+typedef struct GpFilePieces GpFilePieces;
+
+/* errors GP_ERROR_IO, GP_ERROR_MEMORY; owns: the caller, until gp_file_end */
+GpResult gp_file_begin(const char *path, GpFilePieces **pieces, GpError *error);
+GpResult gp_file_add(GpFilePieces *pieces, const void *data, size_t size, GpError *error);
+
+/* Puts it in its place, or removes it where it is not `whole'; sets NULL. NULL is fine.
+ * errors GP_ERROR_IO: nothing is left then */
+GpResult gp_file_end(GpFilePieces **pieces, bool whole, GpError *error);
+
 /* Removes what gp_file_write has begun, in whatever thread: for a signal handler that ends the program,
  * where it may be called at any moment. */
 void gp_file_abandon(void);

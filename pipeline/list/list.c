@@ -1,19 +1,25 @@
 /* Lists: sizes and targets of passes, and which passes may run as a group. */
 #include "pipeline/list/list.h"
 
+static const GpSurface *first_target(const GpPass *pass)
+{
+    return pass->color[0].surface ? pass->color[0].surface : pass->depth.surface;
+}
+
 void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height)
 {
-    const GpSurface *surface =
-        pass->color[0].surface ? pass->color[0].surface : pass->depth.surface;
-    *width = surface->width;
-    *height = surface->height;
+    *width = first_target(pass)->width;
+    *height = first_target(pass)->height;
+}
+
+GpRect gp_pass_window(const GpPass *pass)
+{
+    return first_target(pass)->window;
 }
 
 GpRect gp_pass_clear_part(const GpPass *pass, uint32_t i)
 {
-    uint32_t width, height;
-    gp_pass_size(pass, &width, &height);
-    const GpRect all = { 0, 0, (int32_t)width, (int32_t)height };
+    const GpRect all = gp_pass_window(pass);
     return pass->clear_rect_count ? gp_rect_common(pass->clear_rects[i], all) : all;
 }
 
@@ -132,7 +138,8 @@ static bool joins(const GpList *list, uint32_t first, uint32_t pass, const PassS
     uint32_t width, height, group_width, group_height;
     gp_pass_size(&list->passes[first], &group_width, &group_height);
     gp_pass_size(&list->passes[pass], &width, &height);
-    if (width != group_width || height != group_height)
+    if (width != group_width || height != group_height ||
+        !gp_rect_equal(gp_pass_window(&list->passes[first]), gp_pass_window(&list->passes[pass])))
         return false;
     if (group->read.overflows || group->written.overflows || own->read.overflows ||
         any_shared(&own->read, &group->written) || any_shared(&own->written, &group->read))

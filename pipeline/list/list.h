@@ -66,6 +66,9 @@ typedef struct GpList {
 /* Size that all targets of a pass share, after gp_list_check. */
 void gp_pass_size(const GpPass *pass, uint32_t *width, uint32_t *height);
 
+/* The part of them that all its targets have, after gp_list_check; where it is drawn. */
+GpRect gp_pass_window(const GpPass *pass);
+
 /* The parts in which a pass clears, at least one, and part i of them: pixels of the targets, or none. */
 static inline uint32_t gp_pass_clear_parts(const GpPass *pass)
 {
@@ -81,13 +84,13 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface);
  * written against targets bound), geometry (streams present, indices in range), state (enumerations,
  * scissor, finite viewport inside the guard band, a ternary test with its compare function and epsilon,
  * blending and logic on formats that have them, stencil only with stencil bits), textures (bound where the program reads, compare samplers on
- * depth surfaces, local reads on surfaces of the pass's size).
+ * depth surfaces, local reads on surfaces of the pass's size, no others on surfaces that have a window).
  * errors GP_ERROR_INVALID, with the pass, the draw and the field named:
  *        "pass 2 'light', draw 0 'quad': textures[1].surface: not bound, but deferred_program reads
  *        slot 1" */
 GpResult gp_list_check(const GpList *list, GpError *error);
 
-/* Groups: consecutive passes of one size in which a pixel reads earlier targets of the group only at
+/* Groups: consecutive passes of one size and window in which a pixel reads earlier targets of the group only at
  * its own position (gp_load_local), and none has two names for one memory, may run tile by tile, all passes of a tile in turn, with the same
  * result by construction.
  * out  group_of[pass]: group number, from 0, rising

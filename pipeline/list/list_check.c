@@ -114,6 +114,9 @@ static GpResult check_targets(const Place *place)
             return refuse(place, i < GP_MAX_TARGETS ? "color" : "depth.surface",
                           "'%s' is %ux%u, but the pass is %ux%u", s->name, s->width, s->height,
                           width, height);
+        if (s && !gp_rect_equal(s->window, gp_pass_window(pass)))
+            return refuse(place, i < GP_MAX_TARGETS ? "color" : "depth.surface",
+                          "'%s' has another window than the pass", s->name);
     }
     if (pass->clear_rect_count && !pass->clear_rects)
         return refuse(place, "clear_rects", "NULL, but clear_rect_count is %u",
@@ -399,12 +402,18 @@ static GpResult check_textures(const Place *place)
         GpResult result = check_sampler(&at, field, &draw->textures[i]);
         if (result)
             return result;
+        if (((program->samplers | program->vertex_samplers) >> i & 1) &&
+            !gp_surface_is_whole(surface))
+            return refuse(&at, field, "'%s' has a window: it is read only in place", surface->name);
         uint32_t width, height;
         gp_pass_size(pass_at(place), &width, &height);
         bool local = program->local_reads >> i & 1;
         if (local && (surface->width != width || surface->height != height))
             return refuse(&at, field, "'%s' is %ux%u; read in place it must be %ux%u",
                           surface->name, surface->width, surface->height, width, height);
+        const GpRect window = gp_pass_window(pass_at(place));
+        if (local && !gp_rect_equal(gp_rect_common(window, surface->window), window))
+            return refuse(&at, field, "'%s' has another window than the pass", surface->name);
     }
     return GP_OK;
 }

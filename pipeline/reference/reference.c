@@ -239,7 +239,8 @@ static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pa
         .needs = gp_draw_needs(pass, draw, varyings_read),
         .modes = gp_varying_modes(draw->program),
         .viewport = gp_viewport_resolve(&draw->viewport, width, height),
-        .rect = gp_viewport_rect(&draw->viewport, width, height),
+        .rect =
+            gp_rect_common(gp_viewport_rect(&draw->viewport, width, height), gp_pass_window(pass)),
         .vertices = vertices,
     };
     d.band = gp_guard_band(&d.viewport);

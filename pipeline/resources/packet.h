@@ -12,7 +12,7 @@ enum {
     GP_MAX_POINT_SIZE = 4096,             /* pixels a side of a point sprite */
 };
 
-/* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 32768. The product is exact, and so
+/* Nearest 24.8 fixed-point number, ties to even (R2); |value| <= 33000. The product is exact, and so
  * is nearbyintf. */
 static inline int32_t gp_snap(float value)
 {

@@ -37,14 +37,47 @@ static GpResult check_memory(const GpSurfaceDesc *desc, GpError *error)
     return GP_OK;
 }
 
+static bool has_window(const GpSurfaceDesc *desc)
+{
+    return desc->window.x0 || desc->window.y0 || desc->window.x1 || desc->window.y1;
+}
+
+static bool is_step(int32_t at, uint32_t side)
+{
+    return at % GP_WINDOW_STEP == 0 || at == (int32_t)side;
+}
+
+static GpResult check_window(const GpSurfaceDesc *desc, GpError *error)
+{
+    const GpRect *w = &desc->window;
+    if (desc->memory || desc->levels > 1)
+        return gp_fail(error, GP_ERROR_INVALID, "surface: a window has one level, of its own");
+    if (w->x0 < 0 || w->y0 < 0 || gp_rect_is_empty(*w) || w->x1 > (int32_t)desc->width ||
+        w->y1 > (int32_t)desc->height)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "surface: window [%d, %d) x [%d, %d) is not inside %ux%u", w->x0, w->x1,
+                       w->y0, w->y1, desc->width, desc->height);
+    if (w->x1 - w->x0 > GP_MAX_SIZE || w->y1 - w->y0 > GP_MAX_SIZE)
+        return gp_fail(error, GP_ERROR_INVALID, "surface: window %dx%d is not within 1..%d",
+                       w->x1 - w->x0, w->y1 - w->y0, GP_MAX_SIZE);
+    if (w->x0 % GP_WINDOW_STEP || w->y0 % GP_WINDOW_STEP || !is_step(w->x1, desc->width) ||
+        !is_step(w->y1, desc->height))
+        return gp_fail(error, GP_ERROR_INVALID,
+                       "surface: window [%d, %d) x [%d, %d) is not at multiples of %d", w->x0,
+                       w->x1, w->y0, w->y1, GP_WINDOW_STEP);
+    return GP_OK;
+}
+
 static GpResult check(const GpSurfaceDesc *desc, GpError *error)
 {
+    const uint32_t most_side = has_window(desc) ? GP_MAX_WHOLE : GP_MAX_SIZE;
     if (desc->format <= GP_FORMAT_NONE || desc->format >= GP_FORMATS)
         return gp_fail(error, GP_ERROR_INVALID, "surface: %d is no format", (int)desc->format);
-    if (desc->width < 1 || desc->width > GP_MAX_SIZE || desc->height < 1 ||
-        desc->height > GP_MAX_SIZE)
-        return gp_fail(error, GP_ERROR_INVALID, "surface: size %ux%u is not within 1..%d",
-                       desc->width, desc->height, GP_MAX_SIZE);
+    if (desc->width < 1 || desc->width > most_side || desc->height < 1 || desc->height > most_side)
+        return gp_fail(error, GP_ERROR_INVALID, "surface: size %ux%u is not within 1..%u",
+                       desc->width, desc->height, most_side);
+    if (has_window(desc))
+        return check_window(desc, error);
     const GpSurfaceDesc whole = { .width = desc->width,
                                   .height = desc->height,
                                   .levels = GP_MAX_LEVELS };
@@ -53,6 +86,46 @@ static GpResult check(const GpSurfaceDesc *desc, GpError *error)
         return gp_fail(error, GP_ERROR_INVALID, "surface: %ux%u has %u levels, not %u", desc->width,
                        desc->height, most, desc->levels);
     return check_memory(desc, error);
+}
+
+/* From where texel (0, 0) would be to the first there is. */
+static size_t window_offset(const GpSurface *surface, const GpLevel *level)
+{
+    return (size_t)surface->window.y0 * level->pitch +
+           (size_t)surface->window.x0 * gp_format_info(surface->format)->bytes;
+}
+
+static void free_level(const GpSurface *surface, uint32_t i)
+{
+    uint8_t *texels = surface->level[i].texels;
+    gp_free(texels && i == 0 ? texels + window_offset(surface, &surface->level[0]) : texels);
+}
+
+/* Memory for the texels of a window, which is the surface's; NULL: there is none. */
+static uint8_t *make_window(const GpSurface *surface, GpLevel *level)
+{
+    const GpRect *window = &surface->window;
+    level->pitch = (size_t)(window->x1 - window->x0) * gp_format_info(surface->format)->bytes;
+    uint8_t *texels = gp_alloc((size_t)(window->y1 - window->y0), level->pitch);
+    return texels ? texels - window_offset(surface, level) : NULL;
+}
+
+GpResult gp_surface_make_whole(GpSurface *surface, GpError *error)
+{
+    if (gp_surface_is_whole(surface))
+        return GP_OK;
+    const GpSurfaceDesc desc = { .format = surface->format,
+                                 .width = surface->width,
+                                 .height = surface->height };
+    GpSurface *whole = NULL;
+    const GpResult result = gp_surface_create(&desc, &whole, error);
+    if (result)
+        return result;
+    free_level(surface, 0);
+    surface->level[0] = whole->level[0];
+    surface->window = whole->window;
+    gp_free(whole);
+    return GP_OK;
 }
 
 GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpError *error)
@@ -69,6 +142,8 @@ GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpErr
     s->width = desc->width;
     s->height = desc->height;
     s->borrowed = desc->memory != NULL;
+    s->window =
+        has_window(desc) ? desc->window : (GpRect){ 0, 0, (int32_t)s->width, (int32_t)s->height };
     s->levels = gp_surface_levels(desc);
 
     /* One allocation a level: an address beyond a level's end is then an error that sanitizers see,
@@ -83,7 +158,7 @@ GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpErr
             level->texels = desc->memory;
             continue;
         }
-        level->texels = gp_alloc(level->height, level->pitch);
+        level->texels = i ? gp_alloc(level->height, level->pitch) : make_window(s, level);
         if (!level->texels) {
             gp_surface_destroy(&s);
             return gp_fail(error, GP_ERROR_MEMORY, "surface: no memory for %ux%u %s, %.0f MB",
@@ -100,7 +175,7 @@ void gp_surface_destroy(GpSurface **surface)
     if (!surface || !*surface)
         return;
     for (uint32_t i = 0; !(*surface)->borrowed && i < (*surface)->levels; i++)
-        gp_free((*surface)->level[i].texels);
+        free_level(*surface, i);
     gp_free(*surface);
     *surface = NULL;
 }
@@ -147,9 +222,12 @@ bool gp_surfaces_share(const GpSurface *a, const GpSurface *b)
 
 /* --- content ---------------------------------------------------------------------------------- */
 
-static GpRect whole(const GpLevel *level)
+/* The texels that there are of a level. */
+static GpRect texels_of(const GpSurface *surface, uint32_t i)
 {
-    return (GpRect){ 0, 0, (int32_t)level->width, (int32_t)level->height };
+    const GpLevel *level = &surface->level[i];
+    return i == 0 ? surface->window
+                  : (GpRect){ 0, 0, (int32_t)level->width, (int32_t)level->height };
 }
 
 void gp_surface_clear_color_rect(GpSurface *surface, GpRect rect, const float rgba[4])
@@ -158,7 +236,7 @@ void gp_surface_clear_color_rect(GpSurface *surface, GpRect rect, const float rg
     const GpLevel *level = &surface->level[0];
     uint8_t texel[16];
 
-    rect = gp_rect_common(rect, whole(level));
+    rect = gp_rect_common(rect, surface->window);
     gp_texel_store(surface->format, texel, rgba, 0);
     for (int32_t y = rect.y0; y < rect.y1; y++)
         for (int32_t x = rect.x0; x < rect.x1; x++)
@@ -173,7 +251,7 @@ void gp_surface_clear_depth_rect(GpSurface *surface, GpRect rect, float depth, u
     const GpLevel *level = &surface->level[0];
     const uint32_t code = gp_depth_code(format, depth < 0.0f ? 0.0f : depth > 1.0f ? 1.0f : depth);
 
-    rect = gp_rect_common(rect, whole(level));
+    rect = gp_rect_common(rect, surface->window);
     for (int32_t y = rect.y0; y < rect.y1; y++) {
         for (int32_t x = rect.x0; x < rect.x1; x++) {
             uint8_t *texel = gp_surface_texel(level, bytes, (uint32_t)x, (uint32_t)y);
@@ -188,13 +266,13 @@ void gp_surface_clear_depth_rect(GpSurface *surface, GpRect rect, float depth, u
 
 void gp_surface_clear_color(GpSurface *surface, const float rgba[4])
 {
-    gp_surface_clear_color_rect(surface, whole(&surface->level[0]), rgba);
+    gp_surface_clear_color_rect(surface, surface->window, rgba);
 }
 
 void gp_surface_clear_depth(GpSurface *surface, float depth, uint8_t stencil, bool clear_depth,
                             bool clear_stencil)
 {
-    gp_surface_clear_depth_rect(surface, whole(&surface->level[0]), depth, stencil, clear_depth,
+    gp_surface_clear_depth_rect(surface, surface->window, depth, stencil, clear_depth,
                                 clear_stencil);
 }
 
@@ -234,13 +312,14 @@ static GpResult find_rect(const GpSurface *surface, uint32_t level, const GpRect
     if (level >= surface->levels)
         return gp_fail(error, GP_ERROR_INVALID, "surface '%s': level %u, but it has %u",
                        surface->name, level, surface->levels);
-    const GpRect all = whole(&surface->level[level]);
+    const GpRect all = texels_of(surface, level);
     *found = rect ? *rect : all;
-    if (found->x0 < 0 || found->y0 < 0 || found->x1 < found->x0 || found->y1 < found->y0 ||
-        found->x1 > all.x1 || found->y1 > all.y1)
+    if (found->x0 < all.x0 || found->y0 < all.y0 || found->x1 < found->x0 ||
+        found->y1 < found->y0 || found->x1 > all.x1 || found->y1 > all.y1)
         return gp_fail(error, GP_ERROR_INVALID,
                        "surface '%s': [%d, %d) x [%d, %d) is not inside its %dx%d texels",
-                       surface->name, found->x0, found->x1, found->y0, found->y1, all.x1, all.y1);
+                       surface->name, found->x0, found->x1, found->y0, found->y1, all.x1 - all.x0,
+                       all.y1 - all.y0);
     return GP_OK;
 }
 
@@ -281,12 +360,15 @@ GpResult gp_surface_read_bytes(const GpSurface *surface, uint32_t level, const G
 uint64_t gp_surface_hash(const GpSurface *surface)
 {
     const GpLevel *level = &surface->level[0];
-    const size_t row = row_bytes(surface, level);
+    const GpRect *window = &surface->window;
+    const uint32_t height = (uint32_t)(window->y1 - window->y0);
+    const size_t row = (size_t)(window->x1 - window->x0) * gp_format_info(surface->format)->bytes;
+    const uint8_t *first = level->texels + window_offset(surface, level);
     if (level->pitch == row)
-        return XXH3_64bits(level->texels, level->height * row);
+        return XXH3_64bits(first, height * row);
     XXH3_state_t state;
     XXH3_64bits_reset(&state);
-    for (uint32_t y = 0; y < level->height; y++)
-        XXH3_64bits_update(&state, level->texels + y * level->pitch, row);
+    for (uint32_t y = 0; y < height; y++)
+        XXH3_64bits_update(&state, first + y * level->pitch, row);
     return XXH3_64bits_digest(&state);
 }

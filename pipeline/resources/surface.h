@@ -11,6 +11,8 @@ extern "C" {
 enum {
     GP_MAX_SIZE = 8192, /* texels a side; the guard band allows no more with sub-pixel exactness */
     GP_MAX_LEVELS = 14, /* mip levels of an 8192 texture */
+    GP_MAX_WHOLE = 32768, /* pixels a side of what a window is cut from */
+    GP_WINDOW_STEP = 128, /* pixels: a window begins and ends at multiples of it */
 };
 
 /* Pixels [x0, x1) x [y0, y1), y down, as Direct3D's D3DRECT; none where an end is not beyond its
@@ -21,6 +23,11 @@ typedef struct GpRect {
 
 /* What two rectangles have in common; it may be empty. */
 GpRect gp_rect_common(GpRect a, GpRect b);
+
+static inline bool gp_rect_equal(GpRect a, GpRect b)
+{
+    return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
 
 /* Whether it has no pixel. */
 static inline bool gp_rect_is_empty(GpRect rect)
@@ -41,11 +48,17 @@ typedef struct GpSurfaceDesc {
      * for both are quickest; in all at most 2^31 - 1 bytes. Bytes between the rows are left alone. */
     void *memory;
     size_t pitch; /* bytes from one row to the next, at least a row's; 0: rows without padding */
+
+    /* The part of it that has texels, of its own and of one level: for targets of pictures that are drawn
+     * part by part. All is as if the whole were there, of up to GP_MAX_WHOLE texels a side, but that
+     * nothing is drawn elsewhere, and that shaders read it only in place (gp_load_local). Sides are those of
+     * the whole, or multiples of GP_WINDOW_STEP. All zero: the whole. */
+    GpRect window;
 } GpSurfaceDesc;
 
 /* One level of a surface. */
 typedef struct GpLevel {
-    uint8_t *texels; /* row 0 at the top */
+    uint8_t *texels; /* row 0 at the top; of a window where texel (0, 0) would be */
     uint32_t width, height;
     size_t pitch; /* bytes from one row to the next; without padding where the surface owns them */
 } GpLevel;
@@ -58,16 +71,29 @@ typedef struct GpSurface {
     uint32_t width, height, levels;
     GpLevel level[GP_MAX_LEVELS];
     bool borrowed; /* texels are the caller's */
+    GpRect window; /* texels that there are of level 0 */
 } GpSurface;
 
+/* Whether it has all its texels. */
+static inline bool gp_surface_is_whole(const GpSurface *surface)
+{
+    const GpRect *window = &surface->window;
+    return window->x0 == 0 && window->y0 == 0 && window->x1 == (int32_t)surface->width &&
+           window->y1 == (int32_t)surface->height;
+}
+
 /* Creates a surface, zeroed, or over memory that is there. Errors: GP_ERROR_INVALID (format, size,
- * levels, pitch), GP_ERROR_MEMORY.
+ * levels, pitch, window), GP_ERROR_MEMORY.
  * A level is half the size of the one before, rounded down, and at least 1.
  * Owns: the caller, until gp_surface_destroy. */
 GpResult gp_surface_create(const GpSurfaceDesc *desc, GpSurface **surface, GpError *error);
 
 /* Destroys *surface and sets it to NULL; NULL-safe. */
 void gp_surface_destroy(GpSurface **surface);
+
+/* Gives a surface that has a window all its texels, zeroed. Errors: GP_ERROR_INVALID (larger than
+ * GP_MAX_SIZE), GP_ERROR_MEMORY; the surface is then as it was. */
+GpResult gp_surface_make_whole(GpSurface *surface, GpError *error);
 
 /* Address of a texel; x, y inside the level. */
 static inline uint8_t *gp_surface_texel(const GpLevel *level, size_t texel_bytes, uint32_t x,
@@ -88,7 +114,7 @@ void gp_surface_clear_depth_rect(GpSurface *surface, GpRect rect, float depth, u
                                  bool clear_depth, bool clear_stencil);
 
 /* Reads texels as floats.
- * in   rect: NULL, the whole level
+ * in   rect: NULL, the whole level, or its window
  * out  rgba: [y][x][4], row 0 at the top: r g b a as gp_texel_load has them
  * errors GP_ERROR_INVALID: no such level, a rectangle that is not inside it */
 GpResult gp_surface_read_floats(const GpSurface *surface, uint32_t level, const GpRect *rect,
@@ -111,7 +137,7 @@ bool gp_surfaces_share(const GpSurface *a, const GpSurface *b);
 void gp_surface_build_mips(GpSurface *surface);
 
 /* XXH3-64 of level 0's texels as stored, row 0 at the top, without what may lie between rows: what
- * `hash` lines print. */
+ * `hash` lines print. Of a window its texels alone. */
 uint64_t gp_surface_hash(const GpSurface *surface);
 
 #ifdef __cplusplus

@@ -23,7 +23,11 @@ uint32_t gp_surface_level_side(uint32_t side, uint32_t level)
 
 uint64_t gp_surface_bytes(const GpSurfaceDesc *desc)
 {
+    const GpRect *window = &desc->window;
     uint64_t texels = 0;
+    if (!gp_rect_is_empty(*window))
+        return (uint64_t)(window->x1 - window->x0) * (uint64_t)(window->y1 - window->y0) *
+               gp_format_info(desc->format)->bytes;
     for (uint32_t i = 0; i < gp_surface_levels(desc) && !desc->memory; i++)
         texels += (uint64_t)gp_surface_level_side(desc->width, i) *
                   gp_surface_level_side(desc->height, i);

@@ -7,15 +7,21 @@
 
 /* Limits of the band in pixels: a little inside the fixed-point range [-32768, 32768), so that the
  * rounding of a cut corner cannot leave it. */
-static const float band_low = -32704.0f, band_high = 32704.0f;
+static const float band_low = -32704.0f, band_high = 32704.0f, margin = 64.0f;
+
+/* A picture that is drawn by windows may end where the range does: it has a margin of its own. */
+static float high_end(float side)
+{
+    return side + margin > band_high ? side + margin : band_high;
+}
 
 GpGuardBand gp_guard_band(const GpViewport *viewport)
 {
     float x = viewport->x, y = viewport->y, width = viewport->width, height = viewport->height;
     return (GpGuardBand){
         .left = (band_low - x) * 2.0f / width - 1.0f,
-        .right = (band_high - x) * 2.0f / width - 1.0f,
-        .bottom = 1.0f - (band_high - y) * 2.0f / height,
+        .right = (high_end(width) - x) * 2.0f / width - 1.0f,
+        .bottom = 1.0f - (high_end(height) - y) * 2.0f / height,
         .top = 1.0f - (band_low - y) * 2.0f / height,
     };
 }

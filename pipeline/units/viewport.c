@@ -47,10 +47,10 @@ bool gp_viewport_position(const GpViewport *viewport, const float clip[4], GpScr
     float rw = 1.0f / clip[3], place[2];
     gp_viewport_place(viewport, clip, place);
     float x = place[0], y = place[1];
-    float range = viewport->max_depth - viewport->min_depth;
-    screen->z = viewport->min_depth + clip[2] * rw * range;
+    screen->z = viewport->min_depth + clip[2] * rw * (viewport->max_depth - viewport->min_depth);
     screen->rw = rw;
-    if (!(fabsf(x) < 32768.0f && fabsf(y) < 32768.0f))
+    const float range = gp_viewport_range(viewport);
+    if (!(fabsf(x) < range && fabsf(y) < range))
         return false;
     screen->x = gp_snap(x);
     screen->y = gp_snap(y);

@@ -15,6 +15,14 @@ GpRect gp_viewport_rect(const GpViewport *viewport, uint32_t width, uint32_t hei
 /* Where a clip-space position is in pixels, before it is snapped. in: as below; out: x, y */
 void gp_viewport_place(const GpViewport *viewport, const float clip[4], float place[2]);
 
+/* Pixels from the origin, both ways, inside which a position has its place: the fixed-point range, and
+ * for pictures that reach its end, as only those do that are drawn by windows, some more. */
+static inline float gp_viewport_range(const GpViewport *viewport)
+{
+    const float side = viewport->width > viewport->height ? viewport->width : viewport->height;
+    return side > 32640.0f ? side + 128.0f : 32768.0f;
+}
+
 /* One clip-space vertex to the screen.
  * in   viewport: resolved; clip: w > 0
  * out  x, y, z, rw of screen

@@ -129,7 +129,7 @@ static void wrong_option_values_are_usage_errors_that_name_the_option(void **sta
         { "--size 64x", "--size" },
         { "--size 64x48x3", "--size" },
         { "--size -1x5", "--size" },
-        { "--size 8193x5", "--size" },
+        { "--size 32769x5", "--size" },
         { "--size ''", "--size" },
         { "--size 99999999999x1", "--size" },
         { "--size ' 5x5'", "--size" },

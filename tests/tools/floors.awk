@@ -24,7 +24,7 @@ BEGIN {
     floor("pipeline/io")
     floor("shaders_c")
     floor("apps/base")
-    floor("apps/frame")
+    floor("apps/frame apps/items")
     floor("apps/compare apps/points apps/volumes apps/depth_images apps/fragments")
     floor("apps/scene")
     floor("apps/truth apps/effect")
@@ -33,7 +33,9 @@ BEGIN {
     floor("apps/techniques/registry")
     floor("apps/charts apps/bench apps/golden apps/inspect")
     floor("apps/commands")
+    floor("apps/commands/*")
     floor("apps") # main
+    floor("apps/mpi")
     # rooms in which no file knows another, but texture and texture_read are one unit
     apart["pipeline/units"] = 1
 }

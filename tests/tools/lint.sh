@@ -23,7 +23,7 @@ forbid() {
 
 sources=$(find pipeline shaders_c apps tests -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | sort)
 shaders=$(find shaders_c -name '*.c' | sort)
-texts=$(find Makefile README.md CONTRIBUTING.md GOLDEN_PICTURES.md .ci pipeline shaders_c apps tests scenes -type f \
+texts=$(find Makefile README.md CONTRIBUTING.md GOLDEN_PICTURES.md CLUSTER.md .ci pipeline shaders_c apps tests scenes -type f \
     ! -name '*.png' ! -name lint.sh | sort)
 
 # Longer than 500 lines, with the reason.

@@ -5,7 +5,7 @@
 #   packages.sh report GROUP...     says so in words, with the command; exit status 1 if any is
 #   packages.sh install GROUP...    installs what is missing (root, or by sudo)
 #
-# Groups: build lessons test lint check. What is tested is what the build needs, a command or a header, not
+# Groups: build lessons test lint check mpi. What is tested is what the build needs, a command or a header, not
 # the package database: a compiler or library from elsewhere is as good. Nothing here needs a
 # compiler to be present.
 set -eu
@@ -43,6 +43,10 @@ check pkg-config command pkg-config
 check cmake command cmake
 check doxygen command doxygen
 check openimageio-tools command idiff
+check libopenmpi-dev command mpicc
+check openmpi-bin command mpirun
+mpi libopenmpi-dev command mpicc
+mpi openmpi-bin command mpirun
 EOF
 }
 

@@ -217,7 +217,7 @@ void splat_make_sums(const SplatView *view, const SplatSetting *setting, GpSurfa
                                         [SPLAT_BYTES] = GP_A8R8G8B8 };
     sums[1] = NULL;
     for (int i = 0; i < 1 + view->lit; i++)
-        sums[i] = frame_surface(frame, formats[setting->sums], view->width, view->height, 1);
+        sums[i] = frame_target(frame, formats[setting->sums], view->width, view->height);
 }
 
 void splat_build_filtered(const SplatSource *source, const SplatEye *eye, const SplatView *view,

@@ -85,8 +85,8 @@ void splat_build_over(const SplatGroup *group, const SplatNames *names, const Sp
     const SplatView *view = &group->view;
     const SplatEye eye = splat_eye(view);
     const FilterUniforms uniforms = splat_filter_uniforms(&eye, view, &group->setting, frame);
-    GpSurface *visible = frame_surface(frame, GP_D32F, view->width, view->height, 1);
-    GpSurface *hides = frame_surface(frame, GP_R8, view->width, view->height, 1);
+    GpSurface *visible = frame_target(frame, GP_D32F, view->width, view->height);
+    GpSurface *hides = frame_target(frame, GP_R8, view->width, view->height);
     GpSurface *sums[2];
     splat_make_sums(view, &group->setting, sums, frame);
     frame_pass(frame, names->visibility, hides, visible, nothing);

@@ -140,9 +140,8 @@ GpResult shadow_build(const Scene *scene, ShadowKept *kept, const ShadowSetting 
     if (!build.kept)
         result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     bool adaptive = setting->fit == LIGHT_FIT_ADAPTIVE;
-    frame->color =
-        frame_surface(frame, GP_A8R8G8B8, scene->picture->width, scene->picture->height, 1);
-    frame->depth = frame_surface(frame, GP_D32F, scene->picture->width, scene->picture->height, 1);
+    frame->color = frame_target(frame, GP_A8R8G8B8, scene->picture->width, scene->picture->height);
+    frame->depth = frame_target(frame, GP_D32F, scene->picture->width, scene->picture->height);
     for (uint32_t i = 0; i < scene->light_count && !result; i++) {
         ShadowLight light = shadow_draw_map(&build, i);
         if (adaptive)

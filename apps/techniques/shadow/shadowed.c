@@ -1,7 +1,10 @@
 #include "apps/techniques/shadow/shadowed.h"
 
+#include "apps/frame/window.h"
 #include "apps/techniques/shadow/discs.h"
 #include "apps/techniques/shadow/shadow.h"
+
+#include <string.h>
 
 /* Alpha, which tells techniques how much light there is, stays as it was cleared. */
 static void keep_alpha(Frame *frame, const float background[4])
@@ -21,6 +24,8 @@ static void keep_alpha(Frame *frame, const float background[4])
 static GpResult add_shadows(Scene *scene, GpError *error)
 {
     Scene with_discs;
+    scene->shadowed.window = scene->frame.window;
+    memcpy(scene->shadowed.window_of, scene->frame.window_of, sizeof scene->shadowed.window_of);
     GpResult result = shadow_scene_with_discs(scene, &scene->frame, &with_discs, error);
     if (!result)
         result = shadow_build(&with_discs, NULL, &shadow_defaults, NULL, &scene->shadowed, error);
@@ -39,15 +44,19 @@ GpResult shadowed_scene_load(const char *path, const SceneOptions *options, Scen
     Scene made;
     GpError reason = { "" };
     GpResult result = scene_load(path, options, &made, error);
-    if (result || !made.shadows) {
-        *scene = result ? *scene : made;
+    if (result)
         return result;
+    const char *part = "shadows";
+    if (made.shadows)
+        result = add_shadows(&made, &reason);
+    if (!result && !gp_rect_is_empty(made.frame.window)) {
+        part = "window";
+        result = window_settle(&made.list, &reason);
     }
-    result = add_shadows(&made, &reason);
     if (result) {
         scene_free(&made);
         return gp_fail(error, result == GP_ERROR_INVALID ? GP_ERROR_FORMAT : result,
-                       "%.200s: shadows: %s", path, reason.text);
+                       "%.200s: %s: %s", path, part, reason.text);
     }
     *scene = made;
     return GP_OK;

@@ -88,7 +88,7 @@ void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, co
 {
     for (int32_t y = box->y0 / FAST_TILE; y <= box->y1 / FAST_TILE; y++)
         for (int32_t x = box->x0 / FAST_TILE; x <= box->x1 / FAST_TILE; x++)
-            fast_add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x,
+            fast_add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x - pass->first_tile,
                              (FastPrimitiveMask){ primitive, 1 });
 }
 

@@ -167,7 +167,10 @@ static inline bool fast_is_bitwise(const GpBlend *blend, GpFormat format)
 typedef struct FastPass {
     const GpPass *pass;
     uint32_t width, height;
-    uint32_t tiles_x, tiles_y;
+    GpRect window;             /* of its targets: at tiles' corners, but for their own */
+    uint32_t tiles_x, tiles_y; /* of the window */
+    uint32_t first_tile;       /* row * tiles_x + column of its first, of the whole's; others have
+                                  their numbers from there */
     FastDraw *draws;
     uint32_t draw_count;
     uint32_t block_count, primitive_count, range_count;

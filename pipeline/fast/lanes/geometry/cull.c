@@ -130,7 +130,7 @@ GP_INLINE TileBoxes tile_boxes(const FastPass *pass, itg x0, itg y0, itg x1, itg
 {
     const int bits = __builtin_ctz(FAST_TILE);
     TileBoxes t = { .x0 = x0 >> bits, .y0 = y0 >> bits, .x1 = x1 >> bits, .y1 = y1 >> bits };
-    t.first = t.y0 * (int32_t)pass->tiles_x + t.x0;
+    t.first = t.y0 * (int32_t)pass->tiles_x + t.x0 - (int32_t)pass->first_tile;
     return t;
 }
 
@@ -182,7 +182,8 @@ GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t fir
         const int lane = __builtin_ctz(left);
         for (int32_t y = tiles->y0[lane]; y <= tiles->y1[lane]; y++)
             for (int32_t x = tiles->x0[lane]; x <= tiles->x1[lane]; x++)
-                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x, first, left & -left);
+                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x - pass->first_tile,
+                             first, left & -left);
     }
 }
 

@@ -182,13 +182,14 @@ static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
     return bits;
 }
 
-/* To 24.8 fixed point, to nearest even: adding 2^23 leaves no place for a fraction. */
+/* To 24.8 fixed point, to nearest even: adding 2^23 leaves no place for a fraction, which numbers from
+ * there on have not. */
 static itg snap(flt pixels)
 {
     flt steps = pixels * (float)GP_SUBPIXELS;
     itg sign = (itg)steps & INT32_MIN;
     flt size = (flt)((itg)steps ^ sign);
-    flt rounded = (size + 0x1p23f) - 0x1p23f;
+    flt rounded = flt_select((msk)(size < 0x1p23f), (size + 0x1p23f) - 0x1p23f, size);
     return itg_from_flt((flt)((itg)rounded | sign));
 }
 
@@ -203,8 +204,9 @@ static msk viewport_transform(const FastDraw *d, const flt position[4], flt size
     flt screen_y = (1.0f - y * rw) * v->height * 0.5f + v->y;
     flt screen_z = v->min_depth + z * rw * (v->max_depth - v->min_depth);
     msk number = (msk)(x == x) & (msk)(y == y) & (msk)(z == z) & (msk)(w == w);
+    const float range = gp_viewport_range(v);
     msk in_range =
-        (msk)(flt_abs(screen_x) < 32768.0f) & (msk)(flt_abs(screen_y) < 32768.0f) & (msk)(w > 0.0f);
+        (msk)(flt_abs(screen_x) < range) & (msk)(flt_abs(screen_y) < range) & (msk)(w > 0.0f);
     itg bad = ~number | (~in_range & (itg)(outside == 0));
     outside = itg_select(bad, itg_set(FAST_OUTSIDE_ALL), outside);
     msk placed = (msk)(outside == 0);

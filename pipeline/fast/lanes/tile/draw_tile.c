@@ -289,9 +289,9 @@ struct FastTileMemory {
 static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t number)
 {
     Tile *tile = &memory->tile;
-    tile->x0 = (int32_t)(number % pass->tiles_x) * FAST_TILE;
-    tile->y0 = (int32_t)(number / pass->tiles_x) * FAST_TILE;
-    int32_t width = (int32_t)pass->width - tile->x0, height = (int32_t)pass->height - tile->y0;
+    tile->x0 = pass->window.x0 + (int32_t)(number % pass->tiles_x) * FAST_TILE;
+    tile->y0 = pass->window.y0 + (int32_t)(number / pass->tiles_x) * FAST_TILE;
+    int32_t width = pass->window.x1 - tile->x0, height = pass->window.y1 - tile->y0;
     tile->width = width < FAST_TILE ? width : FAST_TILE;
     tile->height = height < FAST_TILE ? height : FAST_TILE;
     tile->slots = &memory->slots;

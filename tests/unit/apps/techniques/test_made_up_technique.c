@@ -1,5 +1,5 @@
 /* A technique that is made up: command, help, chart and --error come by themselves. */
-#include "apps/commands/chart.h"
+#include "apps/commands/chart/chart.h"
 #include "apps/commands/options.h"
 #include "apps/commands/technique_command.h"
 #include "apps/scene/scene.h"

@@ -1,5 +1,5 @@
 /* glasspipe warp capture: depth images as files, of meshes, scenes and pictures with depth. */
-#include "apps/commands/capture_args.h"
+#include "apps/commands/warp/capture_args.h"
 #include "apps/commands/command.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"

@@ -1,4 +1,4 @@
-#include "apps/commands/capture_args.h"
+#include "apps/commands/warp/capture_args.h"
 
 #include "apps/base/stable_math.h"
 #include "apps/commands/progress.h"

@@ -1,5 +1,5 @@
 /* glasspipe chart: speed against accuracy of a technique's settings. */
-#include "apps/commands/chart.h"
+#include "apps/commands/chart/chart.h"
 
 #include "apps/base/text.h"
 #include "apps/charts/chart_file.h"
@@ -7,7 +7,7 @@
 #include "apps/charts/chart_run.h"
 #include "apps/charts/scaling_file.h"
 #include "apps/charts/scaling_run.h"
-#include "apps/commands/chart_sweep.h"
+#include "apps/commands/chart/chart_sweep.h"
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 #include "apps/commands/progress.h"

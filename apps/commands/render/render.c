@@ -3,20 +3,35 @@
 #include "apps/commands/commands.h"
 #include "apps/commands/output.h"
 #include "apps/commands/pass_list.h"
+#include "apps/commands/render/sequence.h"
 #include "apps/frame/passes.h"
 #include "apps/frame/picture.h"
 
-typedef struct Render {
-    Options options; /* first: see options.h */
-    const char *scene, *output, *dump;
-    bool list_passes, schema;
-} Render;
-
 static const SettingField options[] = {
+    { "size", "WxH",
+      "Size of the picture in pixels, 1x1 to 32768x32768 (default: the scene's); beyond 8192 it is "
+      "drawn by "
+      "windows",
+      SETTING_SIZE, .offset = offsetof(Options, size), 1, GP_MAX_WHOLE },
     { "output", "FILE",
       "Write the picture to FILE: .png, .exr, .pfm or .ppm "
       "(default: out/NAME.png where out/ exists, else NAME.png)",
       SETTING_TEXT, .offset = offsetof(Render, output), .letter = 'o' },
+    { "window", "X,Y,WxH",
+      "Draw this part of the picture alone, with the bits that the whole has there; \"X,Y,WxH of "
+      "WxH\" says "
+      "the whole's size too",
+      SETTING_TEXT, .offset = offsetof(Render, window) },
+    { "path", "FILE", "Draw frames: FILE has keys of camera, lights and objects by time",
+      SETTING_TEXT, .offset = offsetof(Render, path) },
+    { "turn", "N", "Draw frames: in N of them the camera goes once round what it looks at",
+      SETTING_INTEGER, .offset = offsetof(Render, turn), .low = 1, .high = 1000000 },
+    { "frames", "A:B[:STEP]",
+      "Draw these frames, B included; # in the output's name stands for a digit (default: all of "
+      "the path, or "
+      "of the turn)",
+      SETTING_TEXT, .offset = offsetof(Render, frames) },
+    OPTIONS_ITEMS,
     { "dump", "PASS",
       "Write what pass PASS (name or number) left in its first "
       "target; PASS.1, PASS.2, PASS.3 for the others, PASS.depth for its depth",
@@ -35,10 +50,14 @@ static void check(struct argp_state *state, void *args)
         argp_error(state, "expected a scene file");
     if (render->scene && render->schema)
         argp_error(state, "--schema is of all scenes, not of one");
+    if (render_is_sequence(render) && (render->dump || render->list_passes))
+        argp_error(state, "--dump and --list-passes are of one picture, drawn whole");
+    if (render->frames && !render->path && !render->turn)
+        argp_error(state, "--frames: nothing moves: expected --path or --turn with it");
 }
 
 static const CommandSyntax syntax = {
-    .shared = OPTIONS_FRAME,
+    .shared = OPTIONS_RUN,
     .options = options,
     .arguments = "SCENE.json",
     .help = "Examples:\n"
@@ -47,9 +66,16 @@ static const CommandSyntax syntax = {
             "  glasspipe render scenes/mrt.json --list-passes\n"
             "  glasspipe render scenes/default.json --dump main.depth -o depth.pfm\n"
             "  glasspipe render --schema >scene.schema.json\n"
+            "  glasspipe render scenes/default.json --turn 4 --size 160x120 \\\n"
+            "      -o 'turn_##.png'\n"
+            "  glasspipe render scenes/default.json \\\n"
+            "      --window '3000,2000,320x240 of 16384x16384' -o part.png\n"
             "\n"
             "Renders a scene, pass by pass, to a picture, and prints the picture's hash.\v"
-            "With --json the frame is rendered a second time, which is the one that is timed.",
+            "With --json the frame is rendered a second time, which is the one that is timed; of "
+            "frames and "
+            "windows the files and hashes are told alone.\n"
+            "With --resume what is done is noted in OUTPUT.journal, which is removed at the end.",
     .offset = offsetof(Render, scene),
     .most = 1,
     .check = check,
@@ -113,6 +139,8 @@ int cmd_render(int argc, char **argv)
     const char *output = render.output ? render.output : path;
     if (picture_check_path(output, &error))
         return report(EXIT_USAGE, "-o %s", error.text);
+    if (render_is_sequence(&render))
+        return render_sequence(&render, output);
     GpDevice *device = NULL;
     int code = options_device(&render.options, NULL, &device);
     if (code)

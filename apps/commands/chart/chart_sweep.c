@@ -1,4 +1,4 @@
-#include "apps/commands/chart_sweep.h"
+#include "apps/commands/chart/chart_sweep.h"
 
 #include "apps/charts/chart.h"
 #include "apps/techniques/registry.h"

@@ -1,5 +1,6 @@
-#include "apps/commands/commands.h"
+#include "apps/dispatch.h"
 
+#include "apps/commands/commands.h"
 #include "apps/commands/options.h"
 #include "apps/commands/technique_command.h"
 #include "apps/techniques/registry.h"

@@ -1,0 +1,39 @@
+/* Threads that draw items, each with a device of its own. */
+#ifndef APPS_ITEMS_DRAWERS_H
+#define APPS_ITEMS_DRAWERS_H
+
+#include "apps/items/items.h"
+
+typedef struct Drawers Drawers;
+
+/* An item that was drawn, or was not. */
+typedef struct Drawn {
+    uint32_t item;
+    int drawer;
+    GpResult result;
+    GpError error; /* its reason */
+    char *bytes;   /* owned by whoever asked for it: gp_free */
+    size_t size, same;
+} Drawn;
+
+/* Starts threads; each makes its device of so many threads.
+ * returns ITEMS_USAGE: there is no such device here; owns: the caller, until drawers_stop */
+ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32_t count,
+                        uint32_t threads_each, Drawers **drawers, GpError *error);
+
+/* Ends them when they have drawn what they have; one that draws for ever goes on alone. NULL-safe. */
+void drawers_stop(Drawers **drawers);
+
+/* The first thread from `from' on that has nothing to do, or -1. */
+int drawers_find_free(const Drawers *drawers, int from);
+
+/* Gives it an item. */
+void drawers_give(Drawers *drawers, int drawer, uint32_t item);
+
+/* Waits so many seconds at most for an item to be drawn, whichever is first; false: none was. */
+bool drawers_wait(Drawers *drawers, double seconds, Drawn *drawn);
+
+/* The item that a thread is at, and since when by machine_clock_ms; false: none. */
+bool drawers_look(const Drawers *drawers, int drawer, uint32_t *item, double *since_ms);
+
+#endif
