@@ -13,7 +13,8 @@ typedef struct Run {
     const ChartJob *job;
     void *scene;
     TechniqueClock clock;
-    uint32_t total; /* settings of the sweep */
+    ChartPoint *settings; /* [total], of the sweep: method and options */
+    uint32_t total;
     Chart chart;
     GpError *error;
 } Run;
@@ -21,11 +22,10 @@ typedef struct Run {
 /* --- one setting ------------------------------------------------------------------------------ */
 
 /* Builds a setting's frame and draws it for the first time. in frame: zeroed; to be freed always */
-static GpResult draw_first(const Run *run, const char *options, Frame *frame,
+static GpResult draw_first(const Run *run, const char *options, GpDevice *device, Frame *frame,
                            RunStatistics *statistics, bool *goes, GpError *error)
 {
     const Technique *technique = run->job->technique;
-    GpDevice *device = run->job->device;
     void *setting;
     GpResult result = technique_setting(technique, options, &setting, error);
     if (result)
@@ -36,27 +36,67 @@ static GpResult draw_first(const Run *run, const char *options, Frame *frame,
     return result ? result : run_first(device, &frame->list, statistics, error);
 }
 
-static void describe_frame(Chart *chart, bool is_picture, const Frame *frame,
-                           const RunStatistics *statistics)
+/* What a setting comes to, as bytes: the same each time as far as `time'. */
+typedef struct Measurement {
+    uint32_t goes, width, height, none;
+    TechniqueError measured;
+    char reason[256]; /* why it does not go with the scene */
+    Timing time;
+    char isa[16];
+    int32_t threads;
+} Measurement;
+
+static void describe_frame(const Run *run, const Frame *frame, const RunStatistics *statistics,
+                           Measurement *made)
 {
     const GpSurface *picture = frame_picture(frame);
-    chart->width = is_picture ? picture->width : 0;
-    chart->height = is_picture ? picture->height : 0;
-    chart->threads = statistics->threads;
-    text_copy(chart->isa, sizeof chart->isa, statistics->isa);
+    const bool is_picture = !run->job->technique->volume;
+    made->width = is_picture ? picture->width : 0;
+    made->height = is_picture ? picture->height : 0;
+    made->threads = statistics->threads;
+    text_copy(made->isa, sizeof made->isa, statistics->isa);
 }
 
 /* The error belongs to the first frame, the times to those after it. */
-static GpResult measure(Run *run, const Frame *frame, RunStatistics *statistics, ChartPoint *point)
+static GpResult measure(const Run *run, const Frame *frame, GpDevice *device,
+                        RunStatistics *statistics, Measurement *made, GpError *error)
 {
-    const TechniqueClock *clock = &run->clock;
-    describe_frame(&run->chart, !run->job->technique->volume, frame, statistics);
-    GpResult result =
-        run->job->experiment->measure(run->scene, frame, &point->measured, run->error);
+    describe_frame(run, frame, statistics, made);
+    GpResult result = run->job->experiment->measure(run->scene, frame, &made->measured, error);
     if (!result)
-        result = timing_run(clock->device, &frame->list, &clock->plan, clock->each, statistics,
-                            &point->time, run->error);
+        result = timing_run(device, &frame->list, &run->clock.plan, run->clock.each, statistics,
+                            &made->time, error);
     return result;
+}
+
+static void tell(const void *context, uint32_t item, char name[ITEM_NAME])
+{
+    const Run *run = context;
+    snprintf(name, ITEM_NAME, "%.90s", run->settings[item].options);
+}
+
+static GpResult draw(const void *context, uint32_t item, const ItemTools *tools, GpBytes *bytes,
+                     size_t *same, GpError *error)
+{
+    const Run *run = context;
+    Measurement made;
+    Frame frame = { .color = NULL };
+    RunStatistics statistics = { .isa = "" };
+    bool goes = true;
+    memset(&made, 0, sizeof made); /* with what lies between its members */
+    GpResult result = draw_first(run, run->settings[item].options, tools->device, &frame,
+                                 &statistics, &goes, error);
+    if (!result)
+        result = measure(run, &frame, tools->device, &statistics, &made, error);
+    frame_free(&frame);
+    made.goes = goes;
+    if (!goes)
+        text_copy(made.reason, sizeof made.reason, error->text);
+    else if (result)
+        return result;
+    gp_bytes_append(bytes, &made, sizeof made);
+    *same = offsetof(Measurement, time);
+    return GP_OK;
 }
 
 static void tell_progress(const Run *run, uint32_t done, const char *text)
@@ -66,68 +106,115 @@ static void tell_progress(const Run *run, uint32_t done, const char *text)
         listener->progress(listener->user, done, run->total, text);
 }
 
-static void tell_left_out(const Run *run, const char *method, const char *options)
+static void tell_left_out(const Run *run, const ChartPoint *setting, const char *reason)
 {
     char line[1024];
     const ChartListener *listener = &run->job->listener;
     tell_progress(run, run->total, "");
-    snprintf(line, sizeof line, "%s, %s: left out: %s", method, options, run->error->text);
+    snprintf(line, sizeof line, "%s, %s: left out: %s", setting->method, setting->options, reason);
     if (listener->notice)
         listener->notice(listener->user, line);
 }
 
 /* Adds the point of a setting, unless it does not go with the scene. */
-static GpResult add_point(Run *run, const char *method, const char *options)
+static GpResult take(void *context, uint32_t item, const void *bytes, size_t size, GpError *error)
 {
+    Run *run = context;
     Chart *chart = &run->chart;
-    ChartPoint *point = &chart->points[chart->count];
-    Frame frame = { .color = NULL };
-    RunStatistics statistics = { .isa = "" };
-    bool goes = true;
-    text_copy(point->method, sizeof point->method, method);
-    text_copy(point->options, sizeof point->options, options);
-    GpResult result = draw_first(run, options, &frame, &statistics, &goes, run->error);
-    if (!result)
-        result = measure(run, &frame, &statistics, point);
-    frame_free(&frame);
-    if (!result)
-        chart->count++;
-    if (goes)
-        return result;
-    tell_left_out(run, method, options);
-    run->error->text[0] = '\0';
+    Measurement made;
+    if (size != sizeof made)
+        return gp_fail(error, GP_ERROR_FORMAT, "the result of a setting came damaged");
+    memcpy(&made, bytes, sizeof made);
+    if (!made.goes) {
+        tell_left_out(run, &run->settings[item], made.reason);
+        return GP_OK;
+    }
+    ChartPoint *point = &chart->points[chart->count++];
+    *point = run->settings[item];
+    point->measured = made.measured;
+    point->time = made.time;
+    chart->width = made.width;
+    chart->height = made.height;
+    chart->threads = made.threads;
+    text_copy(chart->isa, sizeof chart->isa, made.isa);
     return GP_OK;
 }
 
 /* --- the sweep -------------------------------------------------------------------------------- */
 
-static GpResult sweep_method(Run *run, const TechniqueSweep *sweep, uint32_t *number)
+static GpResult list_method(Run *run, const TechniqueSweep *sweep, uint32_t *number)
 {
     size_t count = 0;
     SettingText *texts = NULL;
     GpResult result = technique_expand_all(sweep->options, &texts, &count, run->error);
     for (size_t i = 0; i < count && !result; i++) {
-        tell_progress(run, (*number)++, texts[i]);
-        result = add_point(run, sweep->method, texts[i]);
+        ChartPoint *setting = &run->settings[(*number)++];
+        text_copy(setting->method, sizeof setting->method, sweep->method);
+        text_copy(setting->options, sizeof setting->options, texts[i]);
     }
     gp_free(texts);
     return result;
 }
 
-static GpResult sweep_all(Run *run)
+static GpResult list_all(Run *run)
 {
     const TechniqueSweep *sweep = run->job->experiment->sweep;
     for (size_t i = 0; sweep[i].method; i++)
         run->total += (uint32_t)technique_expand(sweep[i].options, NULL, 0);
     GP_ASSERT(run->total <= CHART_MAX_POINTS);
+    run->settings = gp_alloc(run->total, sizeof *run->settings);
     run->chart.points = gp_alloc(run->total, sizeof *run->chart.points);
-    if (!run->chart.points)
+    if (!run->settings || !run->chart.points)
         return gp_fail(run->error, GP_ERROR_MEMORY, "out of memory");
     GpResult result = GP_OK;
     uint32_t number = 0;
     for (size_t i = 0; sweep[i].method && !result; i++)
-        result = sweep_method(run, &sweep[i], &number);
+        result = list_method(run, &sweep[i], &number);
+    return result;
+}
+
+static GpResult run_alone(Run *run, const ItemWork *work)
+{
+    const ItemTools tools = { .device = run->job->device };
+    GpResult result = GP_OK;
+    for (uint32_t i = 0; i < work->count && !result; i++) {
+        GpBytes bytes = { .data = NULL };
+        size_t same;
+        tell_progress(run, i, run->settings[i].options);
+        result = work->draw(run, i, &tools, &bytes, &same, run->error);
+        if (!result)
+            result = work->take(run, i, bytes.data, bytes.size, run->error);
+        gp_free(bytes.data);
+    }
     tell_progress(run, run->total, "");
+    return result;
+}
+
+static GpResult sweep_all(Run *run)
+{
+    GpResult result = list_all(run);
+    if (result)
+        return result;
+    const ItemWork work = { .count = run->total,
+                            .in_order = true,
+                            .measures = true,
+                            .context = run,
+                            .tell = tell,
+                            .draw = draw,
+                            .take = take };
+    if (!run->job->run)
+        result = run_alone(run, &work);
+    else
+        switch (items_run(&work, run->job->run, run->error)) {
+        case ITEMS_DONE:
+            break;
+        case ITEMS_USAGE:
+            return GP_ERROR_UNSUPPORTED;
+        case ITEMS_INPUT:
+            return GP_ERROR_FORMAT;
+        default:
+            return GP_ERROR_MEMORY;
+        }
     if (!result && run->chart.count == 0)
         return gp_fail(run->error, GP_ERROR_INVALID, "%.200s: no setting goes with this scene",
                        run->job->scene);
@@ -195,6 +282,7 @@ GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error)
     result = run_opened(&run);
     job->technique->close(run.scene);
     gp_free(run.clock.each);
+    gp_free(run.settings);
     if (result)
         chart_free(&run.chart);
     else

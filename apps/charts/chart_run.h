@@ -4,6 +4,7 @@
 
 #include "apps/charts/chart.h"
 #include "apps/charts/listener.h"
+#include "apps/items/items.h"
 
 typedef struct ChartJob {
     const Technique *technique;
@@ -14,6 +15,7 @@ typedef struct ChartJob {
     const char *name;             /* of files; NULL: chart_name's */
     double seconds;               /* for each setting, after its first frame */
     GpDevice *device;
+    const ItemRun *run; /* settings are items, by this; NULL: drawn one after the other by the device */
     ChartListener listener;
 } ChartJob;
 
@@ -22,7 +24,8 @@ typedef struct ChartJob {
  * do not go with the scene are left out, and the listener told.
  * out    chart: untouched on failure; error: not NULL
  * errors those of the scene and of the truth; GP_ERROR_INVALID: no setting goes with the scene;
- *        GP_ERROR_IO: a picture could not be written; GP_ERROR_MEMORY
+ *        GP_ERROR_IO: a picture could not be written; GP_ERROR_MEMORY; items_run's codes as the error
+ *        that comes to them
  * owns   the caller, until chart_free */
 GpResult chart_run(const ChartJob *job, Chart *chart, GpError *error);
 

@@ -139,7 +139,7 @@ typedef struct Job {
     Ledger *ledger;
     Drawers *drawers;
     uint32_t *room; /* [rank_count]: items that a rank could still be given */
-    double ready_ms;
+    double busy_ms; /* of rank 0, with messages and what comes by them */
 } Job;
 
 /* What an item's end would bring the ranks to say. */
@@ -228,8 +228,10 @@ static ItemsCode lead(Job *job, GpError *error)
     while (!code && !ledger_is_done(job->ledger)) {
         bool any = false;
         Drawn drawn;
+        const double begin = machine_clock_ms(CLOCK_MONOTONIC);
         hand_out(job);
         code = take_messages(job, &any, error);
+        job->busy_ms += any ? machine_clock_ms(CLOCK_MONOTONIC) - begin : 0;
         if (!code && drawers_wait(job->drawers, any ? 0 : 0.0005, &drawn)) {
             code = ledger_put(job->ledger, &drawn, 0, error);
             tell_last_words(job, 0);
@@ -258,13 +260,14 @@ static ItemsCode open_job(const ItemWork *work, const ItemRun *run, Job *job, Gp
 }
 
 /* For those who want to know what a message costs. */
-static void tell_counts(const ItemWork *work, double begin_ms)
+static void tell_counts(const ItemWork *work, const Job *job, double begin_ms)
 {
     if (!getenv("GLASSPIPE_MPI_COUNTS"))
         return;
-    fprintf(stderr, "%u items on %d ranks: %.3f s, %llu messages of rank 0, %llu bytes\n",
+    fprintf(stderr,
+            "%u items on %d ranks: %.3f s; rank 0: %llu messages, %llu bytes, %.3f ms with them\n",
             work->count, rank_count, (machine_clock_ms(CLOCK_MONOTONIC) - begin_ms) / 1e3,
-            message_count.messages, message_count.bytes);
+            message_count.messages, message_count.bytes, job->busy_ms);
 }
 
 static ItemsCode lead_all(const ItemWork *work, const ItemRun *run, GpError *error)
@@ -279,7 +282,7 @@ static ItemsCode lead_all(const ItemWork *work, const ItemRun *run, GpError *err
     runner_dismiss();
     drawers_stop(&job.drawers);
     gp_free(job.room);
-    tell_counts(work, begin);
+    tell_counts(work, &job, begin);
     return ledger_close(&job.ledger, code, error);
 }
 

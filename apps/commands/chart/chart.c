@@ -16,6 +16,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <xxhash.h>
 
 typedef struct ChartCommand {
     Options options; /* first: see options.h */
@@ -43,6 +44,7 @@ static const SettingField options[] = {
       "Instead of accuracy, chart how time grows with what the technique is asked for: "
       "sizes and scenes of its own",
       SETTING_FLAG, .offset = offsetof(ChartCommand, scaling) },
+    OPTIONS_ITEMS,
     { .name = NULL },
 };
 
@@ -165,6 +167,25 @@ static int write_all(const ChartCommand *command, const char *name, const Chart 
     return EXIT_DONE;
 }
 
+/* How settings are drawn. A journal is of this experiment on this scene. */
+static ItemRun items_of(const ChartCommand *command, const ChartJob *job,
+                        const ChartListener *listener)
+{
+    ItemRun run = options_items(&command->options);
+    const TechniqueSweep *sweep = job->experiment->sweep;
+    Text text = { .data = NULL };
+    text_add(&text, "%s %s %s %ux%u", GP_VERSION, job->experiment->name, job->scene, job->width,
+             job->height);
+    for (size_t i = 0; sweep[i].method; i++)
+        text_add(&text, "; %s", sweep[i].options);
+    run.key = XXH3_64bits(text.data ? text.data : "", text.length);
+    text_free(&text);
+    run.journal = "glasspipe-chart.journal";
+    run.progress = listener->progress;
+    run.user = listener->user;
+    return run;
+}
+
 static int chart_accuracy(const ChartCommand *command, GpDevice *device,
                           const ChartListener *listener)
 {
@@ -187,6 +208,8 @@ static int chart_accuracy(const ChartCommand *command, GpDevice *device,
     if (command->own_name)
         text_copy(name, sizeof name, command->own_name);
     job.name = name;
+    const ItemRun run = items_of(command, &job, listener);
+    job.run = &run;
     GpResult result = chart_run(&job, &chart, &error);
     int code = result ? report(exit_of_run(result), "%s", error.text)
                       : write_all(command, name, &chart, NULL);
