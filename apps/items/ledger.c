@@ -129,6 +129,10 @@ static ItemsCode open_journal(Ledger *ledger, GpError *error)
         return ITEMS_DONE;
     const GpResult result = journal_open(run->journal, run->key, run->resume, put_noted, ledger,
                                          &ledger->journal, error);
+    if (result == GP_ERROR_IO && !run->resume) { /* nobody asked for one, and there is no place */
+        ledger->run.journal = NULL;
+        return ITEMS_DONE;
+    }
     return result == GP_ERROR_FORMAT ? ITEMS_INPUT : result ? ITEMS_INTERNAL : ITEMS_DONE;
 }
 

@@ -122,6 +122,11 @@ code=$?
 [ $code = 3 ] && [ "$(grep -c '^glasspipe: .*none.json: no such file' ranks.log)" = 1 ] &&
     [ "$(wc -l <ranks.log)" = 1 ]
 tried $? "3 ranks: a scene that is missing is told once, and is exit code 3" ranks.log
+OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ${MPIRUN:-mpirun} -q --oversubscribe \
+    -n 1 "$ranked" render "$scenes/toon.json" --turn 9 --size 96x64 -o 'f_#.png' : \
+    -n 1 "$ranked" render none.json --turn 9 --size 96x64 -o 'f_#.png' >ranks.txt 2>ranks.log
+[ $? = 3 ] && [ "$(grep -c '^glasspipe: frame [0-9], rank 1 on .*: none.json: no such file' ranks.log)" = 1 ]
+tried $? "a scene that one rank cannot read is told once, with the rank, and is exit code 3" ranks.log
 ranks 3 render --no-such-option >ranks.txt 2>ranks.log
 [ $? = 2 ] && [ "$(grep -c 'no-such-option' ranks.log)" = 1 ]
 tried $? "3 ranks: a wrong option is told once, and is exit code 2" ranks.log

@@ -44,7 +44,9 @@ static void tell(const void *context, uint32_t item, char name[ITEM_NAME])
 {
     const Frames *frames = context;
     const uint32_t parts = parts_of(frames), number = frames_number(frames, item / parts);
-    if (parts == 1)
+    if (parts == 1 && !frames->moves)
+        snprintf(name, ITEM_NAME, "the picture");
+    else if (parts == 1)
         snprintf(name, ITEM_NAME, "frame %u", number);
     else if (!frames->moves)
         snprintf(name, ITEM_NAME, "window %u of %u", item % parts + 1, parts);
