@@ -1,6 +1,7 @@
 #include "apps/commands/options.h"
 
 #include "apps/techniques/shadow/shadowed.h"
+#include "pipeline/io/file.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -63,6 +64,15 @@ int options_device(const Options *options, const GpTrace *trace, GpDevice **devi
     return report(asked_wrongly ? EXIT_USAGE : EXIT_INTERNAL, "%s", error.text);
 }
 
+/* Nothing is half written where this is called from, but for what is abandoned. */
+static void end_now(int code, const char *line)
+{
+    gp_file_abandon();
+    report(code, "%s", line);
+    fflush(stdout);
+    _exit(code);
+}
+
 ItemRun options_items(const Options *options)
 {
     return (ItemRun){ .device = { .executor = options->executor,
@@ -70,6 +80,7 @@ ItemRun options_items(const Options *options)
                                   .isa = options->isa },
                       .verify = options->verify,
                       .timeout = options->timeout,
+                      .end = end_now,
                       .resume = options->resume };
 }
 

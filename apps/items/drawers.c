@@ -110,7 +110,7 @@ ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32
         }
     }
     if (result)
-        drawers_stop(drawers);
+        drawers_stop(drawers, true);
     return result == GP_ERROR_INVALID ? ITEMS_USAGE : items_code(result);
 }
 
@@ -121,7 +121,7 @@ static void free_drawer(Drawer *drawer)
     gp_free(drawer->drawn.bytes);
 }
 
-void drawers_stop(Drawers **drawers)
+void drawers_stop(Drawers **drawers, bool wait)
 {
     Drawers *all = *drawers;
     bool at_work = false;
@@ -134,7 +134,7 @@ void drawers_stop(Drawers **drawers)
     for (uint32_t i = 0; i < all->count; i++)
         at_work = at_work || all->drawer[i].state == DRAWING;
     pthread_mutex_unlock(&all->mutex);
-    if (at_work) /* after a failure, which ends the program: nobody waits for what nobody wants */
+    if (at_work && !wait)
         return;
     for (uint32_t i = 0; i < all->count; i++)
         if (all->drawer[i].started)

@@ -21,8 +21,9 @@ typedef struct Drawn {
 ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32_t count,
                         uint32_t threads_each, Drawers **drawers, GpError *error);
 
-/* Ends them when they have drawn what they have; one that draws for ever goes on alone. NULL-safe. */
-void drawers_stop(Drawers **drawers);
+/* Ends them when they have drawn what they have. NULL-safe, sets NULL.
+ * in     wait: until then; else those at work go on alone, with what the work reads, until the process ends */
+void drawers_stop(Drawers **drawers, bool wait);
 
 /* The first thread from `from' on that has nothing to do, or -1. */
 int drawers_find_free(const Drawers *drawers, int from);

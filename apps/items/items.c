@@ -70,7 +70,7 @@ static ItemsCode run_here(const ItemWork *work, const ItemRun *run, GpError *err
     }
     if (!code)
         code = give_and_take(ledger, drawers, error);
-    drawers_stop(&drawers);
+    drawers_stop(&drawers, code != ITEMS_INTERNAL || run->timeout <= 0 || run->end);
     return ledger_close(&ledger, code, error);
 }
 

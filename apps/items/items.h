@@ -65,6 +65,10 @@ typedef struct ItemRun {
     uint64_t key;        /* of the work: a journal of other work is refused */
     void (*progress)(const void *user, uint32_t done, uint32_t total, const char *name);
     const void *user; /* of progress */
+
+    /* Ends the process with a message, where an item never ends: it reads what the caller would free. NULL:
+     * items_run returns all the same, for callers who free nothing. */
+    void (*end)(int code, const char *line);
 } ItemRun;
 
 /* Runs all items. What was taken before a failure stays.

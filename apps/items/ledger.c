@@ -340,6 +340,8 @@ ItemsCode ledger_look_at_time(const Ledger *ledger, GpError *error)
     ledger->work->tell(ledger->work->context, (uint32_t)(longest - ledger->entries), name);
     gp_fail(error, GP_ERROR_INVALID, "%s: %s has not drawn it in %g s", name,
             ledger->labels[longest->at], timeout);
+    if (ledger->run.end)
+        ledger->run.end(ITEMS_INTERNAL, error->text);
     return ITEMS_INTERNAL;
 }
 

@@ -114,7 +114,7 @@ static ItemsCode draw_for_rank_0(const ItemWork *work, const ItemRun *run, GpErr
         if (drawers_wait(drawers, 0.0005, &drawn))
             message_send_drawn(&drawn);
     }
-    drawers_stop(&drawers);
+    drawers_stop(&drawers, false);
     exit(0);
 }
 
@@ -280,7 +280,7 @@ static ItemsCode lead_all(const ItemWork *work, const ItemRun *run, GpError *err
         code = lead(&job, error);
     }
     runner_dismiss();
-    drawers_stop(&job.drawers);
+    drawers_stop(&job.drawers, true);
     gp_free(job.room);
     tell_counts(work, &job, begin);
     return ledger_close(&job.ledger, code, error);
