@@ -303,10 +303,11 @@ json_t *histories_tell(const Histories *histories, Blobs *blobs)
     }
     json_t *listings =
         histories->listings.all ? json_incref(histories->listings.all) : json_array();
-    return json_pack(
-        "{s:o, s:o, s:O, s:o, s:o, s:I}", "pixels", pixels, "blobs", list, "primitives",
-        histories->primitives, "primitive_blobs", primitive_blobs(histories, blobs), "listings",
-        json_integer(blobs_add_json(blobs, listings)), "left_out", (json_int_t)histories->left_out);
+    json_t *primitives = primitive_blobs(histories, blobs); /* blobs in an order of their own: */
+    const int listing = blobs_add_json(blobs, listings);    /* arguments have none */
+    return json_pack("{s:o, s:o, s:O, s:o, s:i, s:I}", "pixels", pixels, "blobs", list,
+                     "primitives", histories->primitives, "primitive_blobs", primitives, "listings",
+                     listing, "left_out", (json_int_t)histories->left_out);
 }
 
 void histories_free(Histories *histories)
