@@ -116,7 +116,7 @@ static int unknown_command(const char *name)
 static bool is_asked(const char *command, const char *name, int argc, char **argv, bool *has_two)
 {
     const size_t length = strlen(name);
-    *has_two = command[length] == ' ' && strncmp(command, name, length) == 0;
+    *has_two = strncmp(command, name, length) == 0 && command[length] == ' ';
     return *has_two ? argc > 1 && strcmp(command + length + 1, argv[1]) == 0
                     : strcmp(command, name) == 0;
 }

@@ -25,7 +25,7 @@ void *frame_alloc(Frame *frame, size_t count, size_t size)
 const void *frame_copy(Frame *frame, const void *data, size_t size)
 {
     void *copy = frame_alloc(frame, 1, size);
-    return copy ? memcpy(copy, data, size) : NULL;
+    return copy && size > 0 ? memcpy(copy, data, size) : copy; /* of nothing data may be NULL */
 }
 
 static GpSurface *make_surface(Frame *frame, const GpSurfaceDesc *desc)

@@ -44,7 +44,6 @@ static void prefetch_inputs(const FastDraw *d, uint32_t vertex, uint32_t count)
 /* Some vertices in a row; often one. */
 GP_INLINE void prefetch_vertices(const FastDraw *d, uint32_t vertex, uint32_t count)
 {
-    const float *varyings = d->varyings + (size_t)vertex * d->stride;
     for (uint32_t i = 0; i < count; i += 4)
         __builtin_prefetch(&d->positions[vertex + i]);
     if (d->path != FAST_ORDERED) /* varyings wait until it is known what is visible */
@@ -53,7 +52,7 @@ GP_INLINE void prefetch_vertices(const FastDraw *d, uint32_t vertex, uint32_t co
         prefetch_inputs(d, vertex, count);
     else
         for (uint32_t i = 0; i < count * d->stride; i += 16)
-            __builtin_prefetch(varyings + i);
+            __builtin_prefetch(d->varyings + (size_t)vertex * d->stride + i);
 }
 
 void fast_prefetch_points(const FastDraw *d, const FastPrimitiveMask *mask)
