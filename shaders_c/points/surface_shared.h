@@ -40,11 +40,11 @@ GP_INLINE void look_across(GpInvocation *gp, const NormalizeUniforms *c, float r
     msk better = alpha > *most;
     *most = max(*most, alpha);
     best->color = sel(better, add(one, other), best->color);
-    if (surface)
-        best->surface =
-            sel(better,
-                add(texel_at(gp, surface, c, right, down), texel_at(gp, surface, c, -right, -down)),
-                best->surface);
+    if (surface) {
+        float4 of_one = texel_at(gp, surface, c, right, down);
+        float4 of_other = texel_at(gp, surface, c, -right, -down);
+        best->surface = sel(better, add(of_one, of_other), best->surface);
+    }
 }
 
 /* Where a surface ends before another one, its own weight fades out, and what is behind it has been

@@ -90,10 +90,13 @@ GP_INLINE flt plain_bilinear(GpInvocation *gp, const ShadowUniforms *c, const Va
     flt left = (floor_(s) + 0.5f) * step, top = (floor_(t) + 0.5f) * step;
     flt right = left + step, bottom = top + step;
 
-    flt upper = lrp(frc(s), sge(stored_depth(gp, right, top), depth),
-                    sge(stored_depth(gp, left, top), depth));
-    flt lower = lrp(frc(s), sge(stored_depth(gp, right, bottom), depth),
-                    sge(stored_depth(gp, left, bottom), depth));
+    /* each by its name: a compiler chooses the order of what stands in one expression */
+    flt upper_left = sge(stored_depth(gp, left, top), depth);
+    flt upper_right = sge(stored_depth(gp, right, top), depth);
+    flt lower_left = sge(stored_depth(gp, left, bottom), depth);
+    flt lower_right = sge(stored_depth(gp, right, bottom), depth);
+    flt upper = lrp(frc(s), upper_right, upper_left);
+    flt lower = lrp(frc(s), lower_right, lower_left);
     return lrp(frc(t), lower, upper);
 }
 
