@@ -58,6 +58,7 @@ draws() {
 
 extension() {
     case $1 in
+    voxelize*--picture*) echo ppm ;;
     voxelize*) echo nrrd ;;
     *) echo ppm ;;
     esac
