@@ -75,6 +75,12 @@ side_by_side() {
     xargs -P "$(nproc)" -I '{}' sh -c '{}'
 }
 
+# The same bytes from 1 to 7 ranks, whichever of them dies.
+ranks() {
+    configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 mpi &&
+        GP_TEST_MPI=all sh tests/tools/mpi.sh "$out/gcc-O2/bin/glasspipe" "$out/gcc-O2/bin/glasspipe-mpi"
+}
+
 # Every value of every one-argument function, every blend, every code: minutes, not seconds.
 exhaustive() {
     for source in tests/kernel/check_*.c; do
@@ -132,6 +138,7 @@ step differential differential
 step fuzz make fuzz FUZZ_S=60
 step soak configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 soak SOAK_S=600
 step many-processes sh tests/tools/many_processes.sh "$out/gcc-O2/bin/glasspipe" 64
+step ranks ranks
 step valgrind sh tests/tools/valgrind.sh "$out/gcc-O2/bin/glasspipe"
 step matrix make matrix BUILD="$1" PICTURES=6
 step faults configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 faults MOST=100
