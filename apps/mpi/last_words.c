@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 static int own_rank, rank_count;
@@ -110,4 +111,6 @@ void last_words_say(int number)
     }
     used = add(line, used, "; --resume goes on from what is done\n");
     (void)!write(STDERR_FILENO, line, used);
+    /* mpirun gives on what it reads, and may not look again at one who is gone */
+    nanosleep(&(struct timespec){ .tv_nsec = 100000000 }, NULL);
 }
