@@ -90,9 +90,10 @@ static GpResult draw(const void *context, uint32_t item, const ItemTools *tools,
         result = measure(run, &frame, tools->device, &statistics, &made, error);
     frame_free(&frame);
     made.goes = goes;
-    if (!goes)
+    if (!goes) { /* no error of the run */
         text_copy(made.reason, sizeof made.reason, error->text);
-    else if (result)
+        error->text[0] = '\0';
+    } else if (result)
         return result;
     gp_bytes_append(bytes, &made, sizeof made);
     *same = offsetof(Measurement, time);
