@@ -33,6 +33,16 @@ static float load_sample(const GpImage *image, size_t index)
     }
 }
 
+/* The same for all of them: bytes have few values, and are most of what is read. */
+static void load_bytes(const uint8_t *data, size_t count, float *values)
+{
+    float value[256];
+    for (uint32_t code = 0; code < 256; code++)
+        value[code] = gp_float_from_unorm(code, 8);
+    for (size_t i = 0; i < count; i++)
+        values[i] = value[data[i]];
+}
+
 static GpResult picture_of_image(const GpImage *image, const char *path, Picture *picture,
                                  GpError *error)
 {
@@ -40,7 +50,9 @@ static GpResult picture_of_image(const GpImage *image, const char *path, Picture
     float *values = gp_alloc(count, sizeof *values);
     if (!values)
         return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
-    for (size_t i = 0; i < count; i++)
+    if (image->type == GP_IMAGE_U8)
+        load_bytes(image->data, count, values);
+    for (size_t i = 0; i < count && image->type != GP_IMAGE_U8; i++)
         values[i] = load_sample(image, i);
     *picture = (Picture){ image->width, image->height, (int)image->channels, values };
     return GP_OK;

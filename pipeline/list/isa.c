@@ -49,7 +49,7 @@ bool gp_isa_runs(const char *name)
                __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
                has_f16c();
     if (strcmp(name, "avx2") == 0)
-        return __builtin_cpu_supports("avx2") && has_f16c();
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_f16c();
     return strcmp(name, "neon") != 0;
 #elif defined(__aarch64__)
     return strcmp(name, "neon") == 0 || strcmp(name, "generic") == 0;

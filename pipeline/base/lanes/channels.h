@@ -4,12 +4,32 @@
 
 #include "pipeline/base/lanes/arithmetic.h"
 
+#if defined GP_AVX512_LANES || (defined GP_AVX2_LANES && defined __FMA__)
+#define GP_FUSED_LANES 1
+/* a b + c, rounded once. */
+GP_INLINE flt flt_fused(flt a, float b, flt c)
+{
+    return (flt)GP_NATIVE(fmadd_ps)((gp_native_flt)a, (gp_native_flt)flt_set(b), (gp_native_flt)c);
+}
+
+/* 2^23 + floor(255 v + 0.5), for v from 0 to 2: there floats have no room for fractions, and rounded once
+ * only v = 1/2, whose code is even, lies half-way between two. */
+GP_INLINE itg itg_unorm8_above(flt v)
+{
+    return (itg)flt_fused(v, 255.0f, flt_set(0x1p23f));
+}
+#endif
+
 /* code / 255 for whole numbers of 0 to 255, correctly rounded (R23), without the division: 1/255 is
  * (1 + 1/255) / 256, and the second product, which is small, may be a little wrong. */
 GP_INLINE flt flt_from_unorm8(itg code)
 {
     flt number = flt_from_itg(code);
+#ifdef GP_FUSED_LANES
+    return flt_fused(number, 0x1.010102p-16f, number * 0x1p-8f);
+#else
     return number * 0x1p-8f + number * 0x1.010102p-16f;
+#endif
 }
 
 /* The code of an 8-bit channel (R24), floor(255 v + 0.5), for v from 0 to 1: in units of about 2^-25,
@@ -18,8 +38,12 @@ GP_INLINE flt flt_from_unorm8(itg code)
  * every step keeps the order. */
 GP_INLINE itg itg_unorm8(flt v)
 {
+#ifdef GP_FUSED_LANES
+    return itg_unorm8_above(v) & 255;
+#else
     itg m = itg_from_flt(v * 0x1.fffffep24f);
     return (m + (1 << 16) - (m >> 8)) >> 17;
+#endif
 }
 
 /* Words whose byte i, from the lowest, is the code of v[i]: up to 2, those above 1 as 1; negative
@@ -40,6 +64,16 @@ GP_INLINE itg itg_pack_unorm8(const flt v[4])
     __m128i by_pixel = _mm_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
     return (itg)_mm512_shuffle_epi8(_mm512_packus_epi16(low, high),
                                     _mm512_broadcast_i32x4(by_pixel));
+#elif defined GP_FUSED_LANES
+    __m256i above[4]; /* of NaN the code is 0, as max is defined */
+    GP_UNROLL
+    for (int i = 0; i < 4; i++)
+        above[i] = (__m256i)itg_unorm8_above(flt_greater(v[i], flt_set(0)));
+    __m256i low = _mm256_blend_epi16(above[0], _mm256_slli_epi32(above[1], 16), 0xaa);
+    __m256i high = _mm256_blend_epi16(above[2], _mm256_slli_epi32(above[3], 16), 0xaa);
+    __m128i by_pixel = _mm_setr_epi8(0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15);
+    return (itg)_mm256_shuffle_epi8(_mm256_packus_epi16(low, high),
+                                    _mm256_broadcastsi128_si256(by_pixel));
 #else
     itg word = itg_set(0);
     GP_UNROLL
@@ -64,17 +98,13 @@ GP_INLINE flt flt_unpack_unorm8(itg word, int i)
 #endif
 }
 
-/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. Rounded
- * toward zero no step crosses a multiple of 1/512 that it has not reached; behind 2^15 a float has room
- * for code / 256 and no more. The rest is flt_from_unorm8. */
+/* The value that a store and a load of an 8-bit channel leave (R23, R24), for v from 0 to 1. Behind 2^15 a
+ * float has room for code / 256 and no more. The rest is flt_from_unorm8. */
 GP_INLINE flt flt_quantize_unorm8(flt v)
 {
-#ifdef GP_AVX512_LANES
-    enum { TO_ZERO = _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC };
-    __m512 share = _mm512_mul_round_ps((__m512)v, _mm512_set1_ps(255.0f / 256.0f), TO_ZERO);
-    __m512 up = _mm512_add_round_ps(share, _mm512_set1_ps(0x1p-9f), TO_ZERO);
-    flt code = (flt)_mm512_add_round_ps(up, _mm512_set1_ps(0x1p15f), TO_ZERO) - 0x1p15f;
-    return code + code * 0x1.010102p-8f;
+#ifdef GP_FUSED_LANES
+    flt code = flt_fused(v, 255.0f / 256.0f, flt_set(0x1p15f)) - 0x1p15f;
+    return flt_fused(code, 0x1.010102p-8f, code);
 #else
     return flt_from_unorm8(itg_unorm8(v));
 #endif

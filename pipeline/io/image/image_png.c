@@ -8,9 +8,9 @@
 #include <string.h>
 #include <zlib.h>
 
-/* Half the time of libpng's own choice, for pictures like the default scene's, and 4 % more bytes: trying
+/* A third of the time of libpng's own choice (29 ms of 88 for the default scene), for 9 % more bytes: trying
  * all filters takes as long as it saves. */
-enum { FILTER = PNG_FILTER_PAETH, LEVEL = 5 };
+enum { FILTER = PNG_FILTER_PAETH, LEVEL = 4 };
 
 enum { LITTLE_ENDIAN_MACHINE = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };
 

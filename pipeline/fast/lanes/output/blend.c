@@ -98,7 +98,9 @@ GP_INLINE void blend_word(const GpBlend *blend, const BlendBlock *m, Shape shape
         for (int c = 0; c < 4; c++)
             o.source[c] = clamped(color[c]);
         colors_of(before, o.target);
-        blend_lanes(blend, &o, result); /* from -1 to 2: needs no clamping */
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            result[c] = blend_channel(blend, c, &o); /* from -1 to 2: needs no clamping */
         word = word_of(result);
     } else
         word = word_of_any(color);
@@ -123,51 +125,16 @@ GP_INLINE void blend_words(const GpBlend *blend, const BlendBlock *from, bool wh
     }
 }
 
-/* Both factors are weights of one whole, and so is what they leave of numbers up to 1: of the
- * operations none rounds past 1. */
-static bool is_average(const GpBlend *blend)
-{
-    return blend->op == GP_BLEND_ADD && blend->src == GP_SRC_ALPHA &&
-           blend->dst == GP_INV_SRC_ALPHA && blend->alpha_op == GP_BLEND_OFF;
-}
-
-/* Several whole layers: between them pixels stay what reading their codes back gives. */
-GP_INLINE void blend_layers(const GpBlend *blend, const BlendBlock *from)
-{
-    const BlendBlock copy = *from, *m = &copy;
-    const int pixels = m->count / m->layers;
-    flt target[FAST_BLOCK / 2][4];
-    for (int p = 0; p < pixels; p++)
-        colors_of(load_pixels(m, SHAPE_WHOLE, p, place_of(m, p), m->planes->packed), target[p]);
-    Operands o;
-    memcpy(o.constant, m->constant, sizeof o.constant);
-    const flt *color = m->color;
-    for (int k = 0; k < m->layers; k++)
-        for (int p = 0; p < pixels; p++, color += m->stride) {
-            flt result[4];
-            GP_UNROLL
-            for (int c = 0; c < 4; c++) {
-                o.source[c] = clamped(color[c]);
-                o.target[c] = target[p][c];
-            }
-            blend_lanes(blend, &o, result);
-            GP_UNROLL
-            for (int c = 0; c < 4; c++)
-                if (!(blend->keep >> c & 1))
-                    target[p][c] =
-                        flt_quantize_unorm8(is_average(blend) ? result[c] : clamped(result[c]));
-        }
-    for (int p = 0; p < pixels; p++)
-        store_pixels(m, SHAPE_WHOLE, p, place_of(m, p), m->planes->packed,
-                     word_of(target[p]) | (int32_t)m->filled);
-}
-
 /* --- formats that are not packed -------------------------------------------------------------- */
 
 /* Channels that the format lacks read 1. */
-GP_INLINE void load_channels(const BlendBlock *m, GpFormat format, Shape shape, int p, uint32_t at,
-                             flt target[4])
+GP_INLINE void load_target(const BlendBlock *m, GpFormat format, Shape shape, int p, uint32_t at,
+                           flt target[4])
 {
+    if (fast_is_packed(format)) {
+        colors_of(load_pixels(m, shape, p, at, m->planes->packed), target);
+        return;
+    }
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         target[c] = c < channels_of(format)
@@ -175,9 +142,13 @@ GP_INLINE void load_channels(const BlendBlock *m, GpFormat format, Shape shape, 
                         : flt_set(1);
 }
 
-GP_INLINE void store_channels(const BlendBlock *m, const GpBlend *blend, GpFormat format,
-                              Shape shape, int p, uint32_t at, const flt target[4])
+GP_INLINE void store_target(const BlendBlock *m, const GpBlend *blend, GpFormat format, Shape shape,
+                            int p, uint32_t at, const flt target[4])
 {
+    if (fast_is_packed(format)) {
+        store_pixels(m, shape, p, at, m->planes->packed, word_of(target) | (int32_t)m->filled);
+        return;
+    }
     GP_UNROLL
     for (int c = 0; c < 4; c++)
         if (c < channels_of(format) && !(blend->keep >> c & 1))
@@ -190,9 +161,9 @@ GP_INLINE void blend_packet(const GpBlend *blend, GpFormat format, const BlendBl
     flt target[4] = { flt_set(0), flt_set(0), flt_set(0), flt_set(0) };
     const uint32_t at = place_of(m, p);
     if (blend->op != GP_BLEND_OFF)
-        load_channels(m, format, shape, p, at, target);
+        load_target(m, format, shape, p, at, target);
     blend_stored(blend, format, m->constant, color, target);
-    store_channels(m, blend, format, shape, p, at, target);
+    store_target(m, blend, format, shape, p, at, target);
 }
 
 GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const BlendBlock *from,
@@ -219,12 +190,12 @@ GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBl
 {
     const int next_layer = m->count / m->layers * m->stride;
     const flt *color = m->color + first * m->stride;
-    uint32_t at[2];
-    flt target[2][4];
+    uint32_t at[4];
+    flt target[4][4];
     GP_UNROLL
     for (int i = 0; i < count; i++) {
         at[i] = place_of(m, first + i);
-        load_channels(m, format, SHAPE_WHOLE, first + i, at[i], target[i]);
+        load_target(m, format, SHAPE_WHOLE, first + i, at[i], target[i]);
     }
     for (int k = 0; k < m->layers; k++, color += next_layer) {
         GP_UNROLL
@@ -233,17 +204,18 @@ GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBl
     }
     GP_UNROLL
     for (int i = 0; i < count; i++)
-        store_channels(m, blend, format, SHAPE_WHOLE, first + i, at[i], target[i]);
+        store_target(m, blend, format, SHAPE_WHOLE, first + i, at[i], target[i]);
 }
 
-GP_INLINE void blend_channel_layers(const GpBlend *blend, GpFormat format, const BlendBlock *from)
+GP_INLINE void blend_layers(const GpBlend *blend, GpFormat format, const BlendBlock *from)
 {
     const BlendBlock copy = *from, *m = &copy;
     const int pixels = m->count / m->layers;
+    const int together = fast_is_packed(format) ? 4 : 2; /* codes make the longer chains */
     int p = 0;
-    for (; p + 2 <= pixels; p += 2)
-        blend_pixels(blend, format, m, p, 2);
-    if (p < pixels)
+    for (; p + together <= pixels; p += together)
+        blend_pixels(blend, format, m, p, together);
+    for (; p < pixels; p++)
         blend_pixels(blend, format, m, p, 1);
 }
 
@@ -261,19 +233,14 @@ static const GpBlend through = { .op = GP_BLEND_ADD,
                                  .alpha_src = GP_ZERO,
                                  .alpha_dst = GP_SRC_ALPHA };
 
-static void blend_layers_by(const GpBlend *blend, const BlendBlock *m)
-{
-    if (is_blend(blend, &over))
-        blend_layers(&over, m);
-    else
-        blend_layers(blend, m);
-}
-
 /* The same code for any blend, and for each of those that are common. */
 GP_INLINE void blend_words_by(const GpBlend *blend, const BlendBlock *m, bool whole)
 {
-    if (whole && m->layers > 1 && fast_blends_layers(blend))
-        blend_layers_by(blend, m);
+    const bool layers = whole && m->layers > 1 && fast_blends_layers(blend);
+    if (layers && is_blend(blend, &over))
+        blend_layers(&over, GP_A8R8G8B8, m);
+    else if (layers)
+        blend_layers(blend, GP_A8R8G8B8, m);
     else if (is_blend(blend, &replace))
         blend_words(&replace, m, whole);
     else if (is_blend(blend, &add))
@@ -290,7 +257,7 @@ GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const Bl
                                  bool whole)
 {
     if (whole && m->layers > 1 && fast_blends_layers(blend))
-        blend_channel_layers(blend, format, m);
+        blend_layers(blend, format, m);
     else
         blend_channels(blend, format, m, whole);
 }

@@ -84,15 +84,11 @@ GP_INLINE flt operate(GpBlendOp op, GpBlendFactor by_source, GpBlendFactor by_ta
     }
 }
 
-GP_INLINE void blend_lanes(const GpBlend *blend, const Operands *o, flt result[4])
+GP_INLINE flt blend_channel(const GpBlend *blend, int c, const Operands *o)
 {
-    GP_UNROLL
-    for (int c = 0; c < 4; c++) {
-        bool separate = c == 3 && blend->alpha_op != GP_BLEND_OFF;
-        result[c] = operate(separate ? blend->alpha_op : blend->op,
-                            separate ? blend->alpha_src : blend->src,
-                            separate ? blend->alpha_dst : blend->dst, c, o);
-    }
+    const bool separate = c == 3 && blend->alpha_op != GP_BLEND_OFF;
+    return operate(separate ? blend->alpha_op : blend->op, separate ? blend->alpha_src : blend->src,
+                   separate ? blend->alpha_dst : blend->dst, c, o);
 }
 
 GP_INLINE int channels_of(GpFormat format)
@@ -100,26 +96,34 @@ GP_INLINE int channels_of(GpFormat format)
     return format == GP_R8 || format == GP_R32F ? 1 : format == GP_G16R16F ? 2 : 4;
 }
 
-/* One packet's colours, blended with what its pixels hold of a target, and as they are stored. */
+/* Both factors are weights of one whole, and so is what they leave of numbers from 0 to 1: of the
+ * operations none rounds past 1. */
+GP_INLINE bool is_average(const GpBlend *blend)
+{
+    return blend->op == GP_BLEND_ADD && blend->src == GP_SRC_ALPHA &&
+           blend->dst == GP_INV_SRC_ALPHA && blend->alpha_op == GP_BLEND_OFF;
+}
+
+/* One packet's colours, blended with what its pixels hold of a target, and as they are stored. Channel by
+ * channel, alpha, which the others ask for, first and last: so the targets of several packets stay in
+ * registers. */
 GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float constant[4],
                             const flt color[4], flt target[4])
 {
     const bool is_unorm = format == GP_R8 || format == GP_A8R8G8B8;
     Operands o;
-    flt result[4];
     __builtin_memcpy(o.constant, constant, sizeof o.constant);
+    o.source[3] = is_unorm ? clamped(color[3]) : color[3];
+    o.target[3] = target[3];
     GP_UNROLL
     for (int c = 0; c < 4; c++) {
         o.source[c] = is_unorm ? clamped(color[c]) : color[c];
         o.target[c] = target[c];
-        result[c] = color[c];
-    }
-    if (blend->op != GP_BLEND_OFF)
-        blend_lanes(blend, &o, result);
-    GP_UNROLL
-    for (int c = 0; c < 4; c++)
+        const flt result = blend->op == GP_BLEND_OFF ? color[c] : blend_channel(blend, c, &o);
         if (c < channels_of(format) && !(blend->keep >> c & 1))
-            target[c] = quantize(format, result[c]);
+            target[c] = is_unorm && is_average(blend) ? flt_quantize_unorm8(result)
+                                                      : quantize(format, result);
+    }
 }
 
 /* Blend factors, as the target clamps them. */

@@ -1,6 +1,7 @@
-/* User clip planes on the fast executor: the reference's bits at distances of any size, and nothing
- * shaded of what they cut away. */
+/* Clipping on the fast executor: the reference's bits at user planes of any distance, nothing shaded of what
+ * they cut away, and colours of corners that are nowhere. */
 #include "shaders_c/materials/unlit.h"
+#include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
@@ -106,11 +107,46 @@ static void what_planes_cut_away_is_not_shaded(void **state)
     gp_surface_destroy(&c.target);
 }
 
+/* One behind the near plane, one beyond the far one, one beyond the guard band: what is left between them has
+ * their colours all the same. */
+static void triangles_with_no_corner_inside_have_their_colours(void **state)
+{
+    (void)state;
+    static const float corners[3][10] = { { -0.9f, -0.9f, -1, 1, 0.2f, 0.9f, 0.1f, 1, 0, 1 },
+                                          { -0.5f, 0.9f, 2, 1, 0.8f, 0.3f, 0.7f, 1, 1, 1 },
+                                          { 600, 0.1f, 0.5f, 1, 0.4f, 0.5f, 0.6f, 1, 1, 0 } };
+    static const float black[4] = { 0, 0, 0, 0 };
+    Clipped c;
+    Random random = { 7 };
+    open_case(&random, &c);
+    ExerciseUniforms uniforms = { .color = { 0.125f, 0.25f, 0.125f, 0 } };
+    memcpy(uniforms.matrix, c.uniforms.mvp, sizeof uniforms.matrix);
+    uniforms.matrix[2][2] = 1;
+    uniforms.matrix[2][3] = 0;
+    const uint32_t stride = sizeof corners[0];
+    c.draw = (GpDraw){
+        .program = &exercise_color,
+        .uniforms = &uniforms,
+        .geometry = { .vertex_count = 3,
+                      .streams = { [GP_POSITION] = { corners[0], stride, 4, GP_FLOAT32 },
+                                   [GP_COLOR] = { corners[0] + 4, stride, 4, GP_FLOAT32 },
+                                   [GP_TEXCOORD0] = { corners[0] + 8, stride, 2, GP_FLOAT32 } } },
+    };
+    set_pass(&c);
+    run_seed_everywhere(&c.pass, 7);
+    float middle[4];
+    const GpRect pixel = { SIDE / 2, SIDE / 2, SIDE / 2 + 1, SIDE / 2 + 1 };
+    assert_int_equal(gp_surface_read_floats(c.target, 0, &pixel, middle, NULL), GP_OK);
+    assert_memory_not_equal(middle, black, sizeof middle);
+    gp_surface_destroy(&c.target);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes_of_any_size_cut_as_the_reference_does),
         cmocka_unit_test(what_planes_cut_away_is_not_shaded),
+        cmocka_unit_test(triangles_with_no_corner_inside_have_their_colours),
     };
-    return cmocka_run_group_tests_name("clip planes, fast", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("clipping, fast", tests, NULL, NULL);
 }
