@@ -15,17 +15,28 @@
 #include <unistd.h>
 
 static int own_rank, rank_count;
+static volatile sig_atomic_t left; /* no rank has anything to say any more */
 
 /* --- joining and leaving ---------------------------------------------------------------------- */
 
-/* At exit, from wherever: rank 0 lets the others go, and all leave together. */
+/* At exit, from wherever: rank 0 lets the others go, and all leave together. The first whose code is not 0
+ * makes mpirun end those that are still at it, so all have to know before that nobody is missing. */
 static void leave(void)
 {
     if (own_rank == 0)
         runner_dismiss();
     else
         runner_say_failure();
+    MPI_Barrier(MPI_COMM_WORLD);
+    left = 1;
+    MPI_Barrier(MPI_COMM_WORLD);
     MPI_Finalize();
+}
+
+static void say_last_words(int number)
+{
+    if (!left)
+        runner_say_last_words(number);
 }
 
 /* Threads that a rank should draw by: those of its processors that no other rank on its host has. */
@@ -85,7 +96,7 @@ int ranks_begin(int *argc, char ***argv)
     runner_begin(own_rank, rank_count, hosts);
     atexit(leave);
     if (rank_count > 1)
-        program_set_last_words(runner_say_last_words);
+        program_set_last_words(say_last_words);
     return own_rank == 0 ? compare_ranks(hosts) : EXIT_DONE;
 }
 
