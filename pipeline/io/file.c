@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* O_TMPFILE */
 #include "pipeline/io/file.h"
 
 #include <errno.h>
@@ -112,41 +113,6 @@ void gp_file_abandon(void)
     }
 }
 
-/* Creates a new file in the folder of path. The name is short and does not depend on the target's,
- * so it fits wherever the target fits; the process number keeps two programs apart, O_EXCL two
- * threads. */
-static int create_beside(const char *path, char temporary[PATH_MAX])
-{
-    const char *slash = strrchr(path, '/');
-    int folder = slash ? (int)(slash - path) + 1 : 0;
-    for (int attempt = 0; attempt < 1000; attempt++) {
-        int length = snprintf(temporary, PATH_MAX, "%.*s.glasspipe-%ld-%d.tmp", folder, path,
-                              (long)getpid(), attempt);
-        if (length >= PATH_MAX) {
-            errno = ENAMETOOLONG;
-            return -1;
-        }
-        int handle = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (handle >= 0 || errno != EEXIST)
-            return handle;
-    }
-    return -1;
-}
-
-static int replace_file(const char *path, const void *data, size_t size)
-{
-    char temporary[PATH_MAX] = "";
-    set_unfinished(NULL, temporary); /* before it is there: "" is no file */
-    int handle = create_beside(path, temporary);
-    int problem = handle < 0 ? errno : write_and_close(handle, data, size);
-    if (problem == 0 && rename(temporary, path) != 0)
-        problem = errno;
-    if (problem != 0 && handle >= 0)
-        unlink(temporary);
-    set_unfinished(temporary, NULL);
-    return problem;
-}
-
 /* Where a path leads, its last links followed though nothing may be there; false: in a circle, or too
  * long. */
 static bool follow_links(const char *path, char end[PATH_MAX])
@@ -170,6 +136,113 @@ static bool follow_links(const char *path, char end[PATH_MAX])
     return false;
 }
 
+struct GpFilePieces {
+    const char *path; /* for messages */
+    int handle;
+    bool named; /* the temporary file is there under its name */
+    char temporary[PATH_MAX], end[PATH_MAX];
+};
+
+/* Makes the temporary file's name by `make`, which returns below 0 and says EEXIST where another has it.
+ * The name is short and does not depend on the target's, so it fits wherever the target fits; the
+ * process number keeps two programs apart, EEXIST two threads.
+ * returns what `make` did */
+static int name_beside(GpFilePieces *file, int (*make)(const GpFilePieces *))
+{
+    const char *slash = strrchr(file->end, '/');
+    const int folder = slash ? (int)(slash - file->end) + 1 : 0;
+    for (int attempt = 0; attempt < 1000; attempt++) {
+        if (snprintf(file->temporary, PATH_MAX, "%.*s.glasspipe-%ld-%d.tmp", folder, file->end,
+                     (long)getpid(), attempt) >= PATH_MAX) {
+            errno = ENAMETOOLONG;
+            return -1;
+        }
+        const int made = make(file);
+        if (made >= 0 || errno != EEXIST)
+            return made;
+    }
+    return -1;
+}
+
+static int create_named(const GpFilePieces *file)
+{
+    return open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+static int give_name(const GpFilePieces *file)
+{
+    char handle[64];
+    snprintf(handle, sizeof handle, "/proc/self/fd/%d", file->handle);
+    return linkat(AT_FDCWD, handle, AT_FDCWD, file->temporary, AT_SYMLINK_FOLLOW);
+}
+
+/* A file without a name in the folder of the target: whatever ends the process, nothing is left of it.
+ * returns below 0 where the system has none */
+static int create_nameless(const char *end)
+{
+#ifdef O_TMPFILE
+    char folder[PATH_MAX];
+    const char *slash = strrchr(end, '/');
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - end) + 1 : 2, slash ? end : "./");
+    if (access("/proc/self/fd", X_OK) == 0)
+        return open(folder, O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+#endif
+    return -1;
+}
+
+/* returns 0 or an errno */
+static int begin_file(GpFilePieces *file, const char *path)
+{
+    file->path = path;
+    file->temporary[0] = '\0';
+    if (!follow_links(path, file->end))
+        return ELOOP;
+    set_unfinished(NULL, file->temporary); /* before it is there: "" is no file */
+    file->handle = create_nameless(file->end);
+    file->named = file->handle < 0;
+    if (file->named)
+        file->handle = name_beside(file, create_named);
+    if (file->handle >= 0)
+        return 0;
+    const int problem = errno;
+    set_unfinished(file->temporary, NULL);
+    return problem;
+}
+
+/* A file that is whole takes its place; what is not is gone. returns 0 or an errno */
+static int end_file(GpFilePieces *file, bool whole)
+{
+    int problem = 0;
+    if (whole && !file->named) {
+        problem = name_beside(file, give_name) < 0 ? errno : 0;
+        file->named = !problem;
+    }
+    if (close(file->handle) != 0 && !problem) /* a full disk may be told only here */
+        problem = errno;
+    if (whole && !problem && rename(file->temporary, file->end) != 0)
+        problem = errno;
+    if (file->named && (!whole || problem))
+        unlink(file->temporary);
+    set_unfinished(file->temporary, NULL);
+    return problem;
+}
+
+static int replace_file(const char *path, const void *data, size_t size)
+{
+    GpFilePieces file;
+    int problem = begin_file(&file, path);
+    if (problem)
+        return problem;
+    problem = write_all(file.handle, data, size);
+    const int at_end = end_file(&file, !problem);
+    return problem ? problem : at_end;
+}
+
+static GpResult cannot_write(const char *path, int problem, GpError *error)
+{
+    return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));
+}
+
 GpResult gp_file_write(const char *path, const void *data, size_t size, GpError *error)
 {
     GP_ASSERT(path && (data || size == 0));
@@ -178,41 +251,20 @@ GpResult gp_file_write(const char *path, const void *data, size_t size, GpError 
     if (stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode)) {
         int handle = open(path, O_WRONLY | O_CLOEXEC);
         problem = handle < 0 ? errno : write_and_close(handle, data, size);
-    } else {
-        char end[PATH_MAX];
-        problem = follow_links(path, end) ? replace_file(end, data, size) : ELOOP;
-    }
-    if (problem != 0)
-        return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));
-    return GP_OK;
+    } else
+        problem = replace_file(path, data, size);
+    return problem ? cannot_write(path, problem, error) : GP_OK;
 }
 
 /* --- piece by piece --------------------------------------------------------------------------- */
-
-struct GpFilePieces {
-    const char *path; /* for messages */
-    int handle;
-    char temporary[PATH_MAX], end[PATH_MAX];
-};
-
-static GpResult cannot_write(const char *path, int problem, GpError *error)
-{
-    return gp_fail(error, GP_ERROR_IO, "%s: cannot write: %s", path, strerror(problem));
-}
 
 GpResult gp_file_begin(const char *path, GpFilePieces **pieces, GpError *error)
 {
     GpFilePieces *made = gp_alloc(1, sizeof *made);
     if (!made)
         return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory", path);
-    made->path = path;
-    int problem = follow_links(path, made->end) ? 0 : ELOOP;
-    set_unfinished(NULL, made->temporary);
-    made->handle = problem ? -1 : create_beside(made->end, made->temporary);
-    if (!problem && made->handle < 0)
-        problem = errno;
+    const int problem = begin_file(made, path);
     if (problem) {
-        set_unfinished(made->temporary, NULL);
         gp_free(made);
         return cannot_write(path, problem, error);
     }
@@ -232,12 +284,7 @@ GpResult gp_file_end(GpFilePieces **pieces, bool whole, GpError *error)
     *pieces = NULL;
     if (!ended)
         return GP_OK;
-    int problem = close(ended->handle) != 0 ? errno : 0;
-    if (whole && !problem && rename(ended->temporary, ended->end) != 0)
-        problem = errno;
-    if (!whole || problem)
-        unlink(ended->temporary);
-    set_unfinished(ended->temporary, NULL);
+    const int problem = end_file(ended, whole);
     const GpResult result = whole && problem ? cannot_write(ended->path, problem, error) : GP_OK;
     gp_free(ended);
     return result;

@@ -8,9 +8,17 @@
 
 #include "pipeline/base/base.h"
 
+#include <errno.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* What a call that set errno has come to: GP_ERROR_MEMORY or GP_ERROR_IO. */
+static inline GpResult gp_result_of_errno(int problem)
+{
+    return problem == ENOMEM ? GP_ERROR_MEMORY : GP_ERROR_IO;
+}
 
 /* Content of a file. A zero byte follows data[size - 1] and does not count. */
 typedef struct GpFile {
@@ -27,8 +35,8 @@ GpResult gp_file_read(const char *path, GpFile *file, GpError *error);
 /* Frees the bytes and empties *file; NULL and empty files are fine. */
 void gp_file_free(GpFile *file);
 
-/* Writes a file beside its place under a temporary name and renames it, so that path has either its
- * old or its new content and never a part. A symbolic link is followed, also to what is not there yet; a
+/* Writes a file beside its place, without a name where the system has such files, and renames it, so that
+ * path has either its old or its new content and never a part. A symbolic link is followed, also to what is not there yet; a
  * device or a pipe (there is nothing to replace) is written straight.
  * in     data: size bytes, NULL allowed where size is 0
  * errors GP_ERROR_IO (no such folder, not writable, disk full); nothing is left behind */
