@@ -2,6 +2,7 @@
 
 #include "apps/base/json_lines.h"
 #include "apps/base/json_schema.h"
+#include "pipeline/io/file.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -87,7 +88,8 @@ static GpResult read_text(Reader *reader, FILE *file)
             return gp_fail(reader->error, GP_ERROR_MEMORY, "%.200s: no memory", name);
     } while (reader->length == room && room <= MAX_BYTES);
     if (ferror(file))
-        return gp_fail(reader->error, GP_ERROR_IO, "%.200s: %s", name, strerror(errno));
+        return gp_fail(reader->error, gp_result_of_errno(errno), "%.200s: %s", name,
+                       strerror(errno));
     if (reader->length > MAX_BYTES)
         return gp_fail(reader->error, GP_ERROR_FORMAT, "%.200s: over %d MB", name, MAX_BYTES >> 20);
     return GP_OK;
@@ -120,7 +122,7 @@ GpResult reader_open(Reader *reader, const char *path, GpError *error)
     *reader = (Reader){ .file = path, .error = error };
     FILE *file = fopen(path, "rb");
     if (!file)
-        return gp_fail(error, GP_ERROR_IO, "%.200s: %s", path, strerror(errno));
+        return gp_fail(error, gp_result_of_errno(errno), "%.200s: %s", path, strerror(errno));
     GpResult result = read_text(reader, file);
     fclose(file);
     if (!result)

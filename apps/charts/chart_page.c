@@ -255,7 +255,7 @@ GpResult chart_write_page(const char *folder, const Technique *const *techniques
     struct dirent **entries;
     int count = scandir(folder, &entries, is_json, alphasort);
     if (count < 0)
-        return gp_fail(error, GP_ERROR_IO, "%.200s: %s", folder, strerror(errno));
+        return gp_fail(error, gp_result_of_errno(errno), "%.200s: %s", folder, strerror(errno));
     Text contents = { .data = NULL }, sections = { .data = NULL }, page = { .data = NULL };
     for (int i = 0; i < count; i++) {
         add_file(folder, entries[i]->d_name, techniques, &contents, &sections);

@@ -136,10 +136,13 @@ GpResult chart_write_pictures(const ChartPictures *job, Chart *chart, GpError *e
         chart_difference_name(name, beside, sizeof beside);
         snprintf(path, sizeof path, "%s/%s", job->folder, name);
         snprintf(difference, sizeof difference, "%s/%s", job->folder, beside);
-        unlink(path);
-        unlink(difference);
         if (i < wanted)
             result = write_picture(job, shown[i], name, paths, error);
+        const bool drawn = i < wanted && shown[i]->picture[0];
+        if (!result && !drawn) /* what an earlier chart left */
+            unlink(path);
+        if (!result && !(drawn && job->experiment->difference))
+            unlink(difference);
     }
     gp_free(best);
     return result;

@@ -154,6 +154,8 @@ static GpResult tell(const TechniqueArgs *args, void *scene, const Frame *frame,
     GpResult result = technique->report ? technique->report(scene, args->settings.object, frame,
                                                             device, told, error)
                                         : GP_OK;
+    if (!result && (told->lines.failed || told->warnings.failed))
+        result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     const char *line = told->warnings.data && !result ? told->warnings.data : "";
     while (*line) {
         const size_t length = strcspn(line, "\n");

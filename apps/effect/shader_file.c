@@ -6,6 +6,7 @@
 
 #include <ctype.h>
 #include <dlfcn.h>
+#include <errno.h>
 #include <limits.h>
 #include <spawn.h>
 #include <stdio.h>
@@ -109,6 +110,23 @@ static void list_widths(char widths[16])
                      lanes);
 }
 
+/* Starts the script, which prints into a pipe's end. returns 0 or an errno */
+static int start_script(const char *const arguments[], const int ends[2], pid_t *child)
+{
+    posix_spawn_file_actions_t actions;
+    int problem = posix_spawn_file_actions_init(&actions);
+    if (problem)
+        return problem;
+    problem = posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    for (int i = 0; i < 2 && !problem; i++)
+        problem = posix_spawn_file_actions_addclose(&actions, ends[i]);
+    if (!problem)
+        problem = posix_spawnp(child, "sh", &actions, NULL, (char *const *)(const void *)arguments,
+                               environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return problem;
+}
+
 /* Runs the script.
  * out line: the first that it printed, without its end
  * returns its exit status; -1: it did not run */
@@ -116,26 +134,20 @@ static int run_script(const char *const arguments[], char *line, size_t size)
 {
     int ends[2], status = -1;
     pid_t child;
-    posix_spawn_file_actions_t actions;
-    line[0] = '\0';
     if (pipe(ends))
         return -1;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addclose(&actions, ends[0]);
-    posix_spawn_file_actions_addclose(&actions, ends[1]);
-    const int failed =
-        posix_spawnp(&child, "sh", &actions, NULL, (char *const *)(const void *)arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
+    const int problem = start_script(arguments, ends, &child);
     close(ends[1]);
-    FILE *from = fdopen(ends[0], "r");
-    if (!failed && from && fgets(line, (int)size, from))
-        line[strcspn(line, "\n")] = '\0';
-    if (from)
-        fclose(from);
-    else
-        close(ends[0]);
-    if (failed || waitpid(child, &status, 0) != child || !WIFEXITED(status))
+    size_t length = 0;
+    ssize_t got = 0;
+    while (!problem && length + 1 < size &&
+           ((got = read(ends[0], line + length, size - 1 - length)) > 0 ||
+            (got < 0 && errno == EINTR)))
+        length += got > 0 ? (size_t)got : 0;
+    line[length] = '\0';
+    line[strcspn(line, "\n")] = '\0';
+    close(ends[0]);
+    if (problem || waitpid(child, &status, 0) != child || got < 0 || !WIFEXITED(status))
         return -1;
     return WEXITSTATUS(status);
 }
@@ -157,6 +169,9 @@ static GpResult build(const char *path, char library[PATH_MAX], GpError *error)
         return GP_OK;
     if (status == 3)
         return gp_fail(error, GP_ERROR_FORMAT, "%s: not compiled, for the reason above", path);
+    if (status < 0)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory or no process to run a compiler in",
+                       path);
     return gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: not built", path);
 }
 
@@ -169,7 +184,10 @@ GpResult shader_file_open(const char *path, const char *name, ShaderFile *file, 
         result = build(path, library, error);
     if (result)
         return result;
+    errno = 0;
     ShaderFile made = { .library = dlopen(library, RTLD_NOW | RTLD_LOCAL) };
+    if (!made.library && errno == ENOMEM)
+        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
     if (!made.library)
         return gp_fail(error, GP_ERROR_FORMAT, "%s: %s", path, dlerror());
     made.program = dlsym(made.library, chosen);

@@ -212,22 +212,26 @@ static GpResult check(Run *run, GpError *error)
     return result ? result : write_drawn(run, error);
 }
 
-void golden_run(const GoldenTask *task, const char *name, GpDevice *device, GpPool *pool,
-                GoldenResult *result)
+GpResult golden_run(const GoldenTask *task, const char *name, GpDevice *device, GpPool *pool,
+                    GoldenResult *result, GpError *error)
 {
     const double begin = machine_clock_ms(CLOCK_MONOTONIC);
-    GpError error = { "" };
     Scene scene;
     *result = (GoldenResult){ .state = GOLDEN_SAME };
     Run run = { task, name, &scene, pool, result, task->settings };
-    GpResult failure = draw(task, name, device, &scene, &error);
+    GpResult failure = draw(task, name, device, &scene, error);
     if (!failure) {
-        failure = check(&run, &error);
+        failure = check(&run, error);
         scene_free(&scene);
     }
-    if (failure)
-        break_off(&run, &error);
+    if (failure && failure != GP_ERROR_MEMORY)
+        break_off(&run, error);
+    if (result->message.failed)
+        failure = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
+    if (failure == GP_ERROR_MEMORY)
+        text_free(&result->message);
     result->seconds = (machine_clock_ms(CLOCK_MONOTONIC) - begin) / 1e3;
+    return failure == GP_ERROR_MEMORY ? failure : GP_OK;
 }
 
 /* --- blessing --------------------------------------------------------------------------------- */
@@ -263,6 +267,8 @@ GpResult golden_bless(const GoldenTask *task, const char *name, GpDevice *device
         text_add(wrote, "%s\n", picture);
     if (!result && (has_hash || !has_picture))
         result = write_hash(hash, scene.picture, wrote, error);
+    if (!result && wrote->failed)
+        result = gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     scene_free(&scene);
     return result;
 }

@@ -40,9 +40,9 @@ typedef struct GoldenResult {
 
 /* Draws the scene of this name and compares it.
  * in     device, pool: for this call alone; the pool serves FLIP
- * errors none: what goes wrong is the result's state and message */
-void golden_run(const GoldenTask *task, const char *name, GpDevice *device, GpPool *pool,
-                GoldenResult *result);
+ * errors GP_ERROR_MEMORY; all else that goes wrong is the result's state and message */
+GpResult golden_run(const GoldenTask *task, const char *name, GpDevice *device, GpPool *pool,
+                    GoldenResult *result, GpError *error);
 
 /* Draws the scene and stores it: in those of the files that are there, else as .hash and .png.
  * out    wrote: a line for each file; text_free

@@ -2,6 +2,7 @@
 
 #include "apps/base/machine.h"
 #include "apps/scene/scene.h"
+#include "pipeline/io/file.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -58,8 +59,7 @@ GpResult golden_folder_open(const char *path, const char *only, GoldenFolder *fo
     struct dirent **entries;
     const int count = scandir(path, &entries, is_case, by_name);
     if (count < 0)
-        return gp_fail(error, errno == ENOMEM ? GP_ERROR_MEMORY : GP_ERROR_IO, "%.200s: %s", path,
-                       strerror(errno));
+        return gp_fail(error, gp_result_of_errno(errno), "%.200s: %s", path, strerror(errno));
     GoldenFolder made = { .scenes = gp_alloc((size_t)count, sizeof(GoldenScene)) };
     GpResult result = made.scenes ? GP_OK : GP_ERROR_MEMORY;
     for (int i = 0; i < count; i++) {
@@ -115,10 +115,11 @@ static double cost(const void *context, uint32_t item)
 static GpResult draw(const void *context, uint32_t item, const ItemTools *tools, GpBytes *bytes,
                      size_t *same, GpError *error)
 {
-    (void)error;
     const Runs *runs = context;
     GoldenResult result;
-    golden_run(runs->task, runs->folder->scenes[item].name, tools->device, tools->pool, &result);
+    if (golden_run(runs->task, runs->folder->scenes[item].name, tools->device, tools->pool, &result,
+                   error))
+        return GP_ERROR_MEMORY;
     const uint32_t state = result.state;
     gp_bytes_append(bytes, &state, sizeof state);
     if (result.message.data)
@@ -143,7 +144,7 @@ static GpResult take(void *context, uint32_t item, const void *bytes, size_t siz
     if (size > rest)
         text_add(&result->message, "%.*s", (int)(size - rest), message);
     memcpy(&result->seconds, message + (size - rest), sizeof result->seconds);
-    return GP_OK;
+    return result->message.failed ? gp_fail(error, GP_ERROR_MEMORY, "out of memory") : GP_OK;
 }
 
 int golden_folder_run(const GoldenTask *task, const ItemRun *run, GoldenFolder *folder,

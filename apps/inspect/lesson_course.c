@@ -2,6 +2,7 @@
 
 #include "apps/base/page.h"
 #include "apps/frame/picture.h"
+#include "pipeline/io/file.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -68,8 +69,7 @@ static GpResult list_lessons(const char *folder, Course *course, GpError *error)
     struct dirent **entries;
     const int count = scandir(folder, &entries, is_lesson, alphasort);
     if (count < 0)
-        return gp_fail(error, errno == ENOMEM ? GP_ERROR_MEMORY : GP_ERROR_IO, "%.200s: %s", folder,
-                       strerror(errno));
+        return gp_fail(error, gp_result_of_errno(errno), "%.200s: %s", folder, strerror(errno));
     course->path = gp_alloc((size_t)count + 1, sizeof *course->path);
     bool failed = !course->path;
     for (int i = 0; i < count; i++) {

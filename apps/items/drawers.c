@@ -78,13 +78,13 @@ static GpResult start_drawer(Drawers *drawers, uint32_t number, const GpDeviceDe
     if (!result)
         result = gp_pool_create((int)threads, &drawer->tools.pool, error);
     if (!result && pthread_create(&drawer->thread, NULL, work_on, drawer) != 0)
-        result = gp_fail(error, GP_ERROR_MEMORY, "no thread to draw with");
+        result = gp_fail(error, GP_ERROR_MEMORY, "no memory for a thread to draw with");
     drawer->started = !result;
     return result;
 }
 
 ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32_t count,
-                        uint32_t threads_each, Drawers **drawers, GpError *error)
+                        uint32_t least, uint32_t threads_each, Drawers **drawers, GpError *error)
 {
     Drawers *made = gp_alloc(1, sizeof *made);
     Drawer *all = gp_alloc(count + 1, sizeof *all);
@@ -103,7 +103,7 @@ ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32
     GpResult result = GP_OK;
     for (uint32_t i = 0; i < count && !result; i++) {
         result = start_drawer(made, i, device, threads_each, error);
-        if (result && i > 0) { /* those that there are do it */
+        if (result && i >= least) { /* those that there are do it */
             made->count = i + 1;
             result = GP_OK;
             break;

@@ -60,8 +60,8 @@ static ItemsCode run_here(const ItemWork *work, const ItemRun *run, GpError *err
     Drawers *drawers = NULL;
     ItemsCode code = ledger_open(work, &own, (int)count, &ledger, error);
     if (!code)
-        code = drawers_start(work, &run->device, count, threads > count ? threads / count : 1,
-                             &drawers, error);
+        code = drawers_start(work, &run->device, count, run->verify > 0 ? 2 : 1,
+                             threads > count ? threads / count : 1, &drawers, error);
     const bool tells_who = run->verify > 0 || run->timeout > 0;
     for (uint32_t i = 0; i < count && !code && tells_who; i++) {
         char label[LEDGER_LABEL];

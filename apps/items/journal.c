@@ -1,4 +1,5 @@
 #include "apps/items/journal.h"
+#include "pipeline/io/file.h"
 
 #include <errno.h>
 #include <string.h>
@@ -13,7 +14,8 @@ typedef struct Record {
 
 static GpResult fail(const char *path, GpError *error)
 {
-    return gp_fail(error, GP_ERROR_IO, "%.200s: %s", path, strerror(errno ? errno : EIO));
+    const int problem = errno ? errno : EIO;
+    return gp_fail(error, gp_result_of_errno(problem), "%.200s: %s", path, strerror(problem));
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */

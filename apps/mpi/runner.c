@@ -104,7 +104,7 @@ static ItemsCode draw_for_rank_0(const ItemWork *work, const ItemRun *run, GpErr
     Drawers *drawers = NULL;
     Drawn drawn;
     const ItemsCode code =
-        drawers_start(work, &run->device, count, threads / count, &drawers, error);
+        drawers_start(work, &run->device, count, 1, threads / count, &drawers, error);
     if (code)
         return code;
     message_send(0, MESSAGE_READY, &count, sizeof count);
@@ -255,7 +255,7 @@ static ItemsCode open_job(const ItemWork *work, const ItemRun *run, Job *job, Gp
         ledger_name_worker(job->ledger, rank, label);
     }
     if (!code && !ledger_is_done(job->ledger))
-        code = drawers_start(work, &run->device, count, threads / count, &job->drawers, error);
+        code = drawers_start(work, &run->device, count, 1, threads / count, &job->drawers, error);
     return code;
 }
 

@@ -350,6 +350,7 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
     const GpProgram *program = NULL;
     uint64_t varyings_read = 0;
     GpWaiting waiting = { .fragment = NULL };
+    bool untold = false;
     for (uint32_t p = 0; p < list->pass_count; p++) {
         const GpPass *pass = &list->passes[p];
         clear_targets(pass);
@@ -365,12 +366,14 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
             d.draw_number = i;
             d.waiting = &waiting;
             run_draw(&d, gp_index_range(&ranges, &draw->geometry));
+            untold = untold || d.untold;
         }
         output_waiting(reference, pass, p, &waiting);
         reference->counters->passes++;
     }
     gp_waiting_free(&waiting);
     gp_free(vertices);
-    return waiting.failed ? gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments to be sorted")
-                          : GP_OK;
+    if (waiting.failed)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for fragments to be sorted");
+    return untold ? gp_fail(error, GP_ERROR_MEMORY, "no memory for a shader's steps") : GP_OK;
 }

@@ -41,6 +41,7 @@ typedef struct GpReferenceDraw {
     const GpTriangle *triangle; /* that was set up; NULL: none was */
     GpWaiting *waiting;         /* fragments of the pass, where they are sorted */
     const GpQuad *quad;         /* in the pixel shader; NULL in the vertex shader */
+    bool untold;                /* steps of a shader, for want of memory */
 } GpReferenceDraw;
 
 /* One call a unit; each looks at the filter by itself. Where one pixel is watched, the events of

@@ -133,6 +133,7 @@ void gp_trace_steps(GpReferenceDraw *d, const GpQuad *before, const GpQuad *shad
                     told(&all, false, i, agree(d->draw->program, &again, shaded, i));
                 gp_trace_send_steps(d, before->x + i % 2, before->y + i / 2, &steps);
             }
+    d->untold = d->untold || all.failed;
     free_steps(&all);
 }
 
@@ -167,5 +168,6 @@ void gp_trace_vertex_steps(GpReferenceDraw *d, const GpQuad *quad)
             const GpTraceSteps steps = told(&all, true, i, same_vertex(program, &again[i], drawn));
             gp_trace_send_steps(d, -1, -1, &steps);
         }
+    d->untold = d->untold || all.failed;
     free_steps(&all);
 }

@@ -179,6 +179,7 @@ static ItemRun items_of(const ChartCommand *command, const ChartJob *job,
     for (size_t i = 0; sweep[i].method; i++)
         text_add(&text, "; %s", sweep[i].options);
     run.key = XXH3_64bits(text.data ? text.data : "", text.length);
+    run.resume = run.resume && !text.failed; /* the key would be another's */
     text_free(&text);
     run.journal = "glasspipe-chart.journal";
     run.progress = listener->progress;

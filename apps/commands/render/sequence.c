@@ -176,8 +176,9 @@ static int run(const Render *render, Frames *frames)
     items.journal = journal;
     items.progress = progress_tell;
     items.user = &progress;
-    if (frames_split(frames, items_at_once(&items), &error))
-        return report(error.text[0] ? EXIT_USAGE : EXIT_INTERNAL, "%s", error.text);
+    const GpResult split = frames_split(frames, items_at_once(&items), &error);
+    if (split)
+        return report(split == GP_ERROR_MEMORY ? EXIT_INTERNAL : EXIT_USAGE, "%s", error.text);
     items.key = key_of(render, frames);
     const ItemWork work = frames_work(frames);
     const int code = (int)items_run(&work, &items, &error);

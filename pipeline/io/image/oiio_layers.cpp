@@ -39,8 +39,8 @@ GpResult take_layer(const GpImageSource &source, ImageInput &input, int part, co
                            sizeof layer->channel[c] - 1);
         std::memcpy(layer->channel[c], name.c_str(), name.size() + 1);
     }
-    layer->samples = static_cast<float *>(
-        gp_alloc(size_t(layer->width) * layer->height, layer->channel_count * sizeof(float)));
+    layer->samples = static_cast<float *>(gp_alloc_unset(size_t(layer->width) * layer->height *
+                                                         layer->channel_count * sizeof(float)));
     if (!layer->samples)
         throw std::bad_alloc();
     return input.read_image(part, 0, 0, spec.nchannels, TypeDesc::FLOAT, layer->samples)

@@ -40,8 +40,11 @@ GpResult take_samples(const GpImageSource &source, ImageInput &input, GpImage *i
     result.width = source.width;
     result.height = source.height;
     result.channels = uint32_t(spec.nchannels);
-    if (gp_image_alloc(&result, source.path, error) != GP_OK)
-        return GP_ERROR_MEMORY;
+    /* Not touched before there are samples: a header of a few bytes may promise gigabytes of DWA's. */
+    result.data = gp_alloc_unset(size_t(result.width) * result.height * result.channels *
+                                 gp_image_sample_size(result.type));
+    if (!result.data)
+        throw std::bad_alloc();
     /* read_image takes 64 MiB beside the picture to convert; most pictures need no conversion. */
     bool is_native = spec.tile_width == 0 && spec.channelformats.empty();
     bool is_read =

@@ -2,30 +2,29 @@
  * second to come. It stands in a library of its own, oiio_library.cpp, in ../lib beside the program;
  * a build without it (make WITH_OIIO=) says so here. */
 #include "pipeline/io/image/image_codec.h"
+#include "pipeline/io/library.h"
 
-#include <dlfcn.h>
 #include <fenv.h>
 #include <pthread.h>
 
 static const GpImageLibrary *library;
+static GpResult loaded;
 static GpError reason;
 
 static void load(void)
 {
-    void *handle = dlopen("libglasspipe_oiio.so", RTLD_LAZY | RTLD_LOCAL);
-    library = handle ? dlsym(handle, "gp_image_oiio") : NULL;
-    if (!library)
-        gp_fail(&reason, GP_ERROR_UNSUPPORTED, "%s", dlerror());
+    void *found = NULL;
+    loaded = gp_library_find("libglasspipe_oiio.so", "gp_image_oiio", &found, &reason);
+    library = found;
 }
 
 static GpResult need_library(const char *path, GpError *error)
 {
     static pthread_once_t once = PTHREAD_ONCE_INIT;
     pthread_once(&once, load);
-    return library ? GP_OK
-                   : gp_fail(error, GP_ERROR_UNSUPPORTED,
-                             "%s: EXR and TGA need OpenImageIO, which is not there: %s", path,
-                             reason.text);
+    return library
+               ? GP_OK
+               : gp_fail(error, loaded, "%s: EXR and TGA need OpenImageIO, %s", path, reason.text);
 }
 
 /* Libraries and codecs may switch the rounding mode or denormals; pixels must not depend on what was
