@@ -51,18 +51,6 @@ same_hashes() {
     [ -s "$1" ]
 }
 
-# The whole program on another processor, without OpenImageIO, which brings too much with it, and OpenMesh.
-aarch64_scenes() {
-    libraries=$(pwd)/$out/arm64
-    sh tests/tools/arm64_libraries.sh "$libraries" || return 1
-    mkdir -p "$out/include" && ln -sf /usr/include/xxhash.h "$out/include/" || return 1
-    shared=$libraries/usr/lib/aarch64-linux-gnu
-    configuration aarch64-program CC=aarch64-linux-gnu-gcc CXX=aarch64-linux-gnu-g++ ARCH=aarch64 \
-        WITH_OIIO= WITH_OPENMESH= CPPFLAGS="-isystem $(pwd)/$out/include -idirafter $libraries/usr/include" \
-        LDFLAGS="-L$shared -Wl,-rpath,$shared -Wl,-rpath-link,$shared" \
-        EMULATOR="qemu-aarch64 -L /usr/aarch64-linux-gnu" scene-hashes
-}
-
 # The golden frames on another processor. Of the libraries only xxhash's header is needed.
 aarch64() {
     mkdir -p "$out/include" && ln -sf /usr/include/xxhash.h "$out/include/" || return 1
@@ -125,7 +113,7 @@ for side in 16 32 128; do
     step "tile-$side" configuration "tile-$side" CC=gcc CXX=g++ CPPFLAGS="-DGP_TILE=$side" \
         scene-hashes test-golden differential SEEDS=0..1999
 done
-step aarch64-scenes aarch64_scenes
+step aarch64-scenes env WERROR=1 sh tests/tools/aarch64_program.sh "$out" scene-hashes
 step one-picture same_hashes
 step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined \
     GP_TEST_EVERY_BYTE=1 test
@@ -140,7 +128,7 @@ step soak configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 soak SOAK_S=600
 step many-processes sh tests/tools/many_processes.sh "$out/gcc-O2/bin/glasspipe" 64
 step ranks ranks
 step valgrind sh tests/tools/valgrind.sh "$out/gcc-O2/bin/glasspipe"
-step matrix make matrix BUILD="$1" PICTURES=6
+step matrix make matrix BUILD="$1" WERROR=1 PICTURES=6
 step faults configuration gcc-O2 CC=gcc CXX=g++ OPT=-O2 faults MOST=100
 step exhaustive-tests env GP_TEST_FANS=1000000 GP_TEST_ALL_BLENDS=1 GP_TEST_BUNNY_WINDOW=1 \
     GP_TEST_PRINTED=1 GP_TEST_INSPECT=1 GP_TEST_LARGE=1 \

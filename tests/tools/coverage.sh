@@ -1,8 +1,9 @@
 #!/bin/sh
-# How many branches of the pipeline the tests take: coverage.sh BUILD [PERCENT]
+# How many branches of the pipeline are taken: coverage.sh BUILD [PERCENT]
 #
-# BUILD holds programs that were made with COVERAGE=1, and in profiles/ what their runs counted. Prints
-# coverage.py's table; branches.txt in BUILD tells the branches that were not taken.
+# BUILD holds programs that were made with COVERAGE=1, and what their runs counted: in profiles/ those of the
+# tests, in faults/ those in which a call failed, if there were any. Prints coverage.py's table; branches.txt in
+# BUILD tells the branches that were not taken.
 set -eu
 
 build=$1
@@ -20,8 +21,14 @@ tool() {
 profdata=$(tool llvm-profdata)
 cov=$(tool llvm-cov)
 
-"$profdata" merge -sparse -failure-mode=all -o "$build/coverage.profdata" "$build"/profiles/*.profraw
-"$cov" export "$build/bin/glasspipe" -object "$build/test/libtested.so" \
-    -instr-profile "$build/coverage.profdata" >"$build/coverage.json"
-python3 "$here/coverage.py" "$here/coverage_left_out.txt" "$percent" <"$build/coverage.json" \
-    2>"$build/branches.txt"
+# counted FOLDER: what the runs of a folder took. What a killed program left is not whole; the rest counts.
+counted() {
+    "$profdata" merge -sparse -failure-mode=all -o "$build/$1.profdata" "$build/$1"/*.profraw
+    "$cov" export "$build/bin/glasspipe" -object "$build/test/libtested.so" \
+        -instr-profile "$build/$1.profdata" >"$build/$1.json"
+    echo "$build/$1.json"
+}
+tests=$(counted profiles)
+faults=$([ ! -d "$build/faults" ] || counted faults)
+# shellcheck disable=SC2086 # no word where nothing failed
+python3 "$here/coverage.py" "$here/coverage_left_out.txt" "$percent" "$tests" $faults 2>"$build/branches.txt"

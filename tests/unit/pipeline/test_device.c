@@ -6,6 +6,7 @@
 #include "tests/support/unit.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
@@ -364,6 +365,56 @@ static void devices_refuse_what_they_cannot_be(void **state)
     assert_null(device);
 }
 
+/* Widths that a program lacks: asked for, they are an error, else a narrower one serves. */
+static void a_program_is_drawn_at_a_width_that_it_has(void **state)
+{
+    (void)state;
+    static const Corner corners[3] = { { .position = { -1, -1, 0, 1 } },
+                                       { .position = { 3, -1, 0, 1 } },
+                                       { .position = { -1, 3, 0, 1 } } };
+    GpProgram narrow = exercise_color;
+    narrow.code[1] = narrow.code[2] = NULL;
+    Drawing f = new_drawing(GP_A8R8G8B8);
+    link_drawing(&f, 1, &narrow, corners, 3);
+    GpDevice *device = NULL;
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 1 }, &device, &f.error), GP_OK);
+    if (!getenv("GP_ISA")) {
+        assert_int_equal(gp_device_run(device, &f.list, &f.error), GP_OK);
+        assert_string_equal(gp_device_isa(device), narrow.code[0]->isa);
+    }
+    gp_device_destroy(&device);
+    gp_device_destroy(&device); /* NULL already */
+    for (int lanes = 8; lanes <= 16; lanes *= 2) {
+        char isa[16];
+        snprintf(isa, sizeof isa, "lanes%d", lanes);
+        if (gp_device_create(&(GpDeviceDesc){ .threads = 1, .isa = isa }, &device, &f.error)) {
+            assert_non_null(
+                strstr(f.error.text, "this processor, or this build, does not have it"));
+            continue;
+        }
+        assert_int_equal(gp_device_run(device, &f.list, &f.error), GP_ERROR_UNSUPPORTED);
+        assert_non_null(strstr(f.error.text, "was not compiled for"));
+        gp_device_destroy(&device);
+    }
+    free_drawing(&f);
+}
+
+static void another_machines_instructions_are_refused(void **state)
+{
+    (void)state;
+#ifdef __x86_64__
+    const char *other = "neon";
+#else
+    const char *other = "avx512";
+#endif
+    GpDevice *device = NULL;
+    GpError error = { "" };
+    assert_int_equal(gp_device_create(&(GpDeviceDesc){ .isa = other }, &device, &error),
+                     GP_ERROR_UNSUPPORTED);
+    assert_non_null(strstr(error.text, "this processor, or this build, does not have it"));
+    assert_null(device);
+}
+
 /* --- traces ----------------------------------------------------------------------------------- */
 
 typedef struct Seen {
@@ -408,6 +459,68 @@ static void a_watched_pixel_reports_every_unit_in_order(void **state)
     assert_int_equal(seen.count[GP_TRACE_TEST], 3);
     assert_int_equal(seen.count[GP_TRACE_OUTPUT], 1); /* the first one wins, the others tie */
     free_drawing(&f);
+}
+
+/* Counts events, of which all must be of one pass, draw or primitive. */
+typedef struct Only {
+    const GpTrace *filter;
+    int count[GP_TRACE_KINDS];
+} Only;
+
+static void note_only(void *user, const GpTraceEvent *event)
+{
+    Only *only = user;
+    const GpTrace *filter = only->filter;
+    assert_true(!filter->one_pass || event->pass == filter->pass);
+    if (event->kind != GP_TRACE_CLEAR) {
+        assert_true(!filter->one_draw || event->draw == filter->draw);
+        assert_true(!filter->one_primitive || event->primitive == filter->primitive);
+    }
+    only->count[event->kind]++;
+}
+
+/* Three draws of two triangles in each of two passes, the second of each culled. */
+static void a_trace_tells_of_one_pass_draw_or_primitive_alone(void **state)
+{
+    (void)state;
+    static const struct {
+        bool pass, draw, primitive;
+        int seen; /* triangles set up */
+    } rows[] = { { false, false, false, 12 }, { true, false, false, 6 }, { false, true, false, 4 },
+                 { false, false, true, 6 },   { true, true, false, 2 },  { true, false, true, 3 },
+                 { false, true, true, 2 },    { true, true, true, 1 } };
+    Corner corners[6];
+    memcpy(corners, full_screen, sizeof corners);
+    corners[4] = full_screen[5];
+    corners[5] = full_screen[4];
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        for (uint32_t primitive = 0; primitive < 2; primitive++) {
+            Drawing f = new_drawing(GP_A8R8G8B8);
+            link_drawing(&f, 3, &exercise_color, corners, 6);
+            const GpCull front = i % 2 ? GP_CULL_CW : GP_CULL_CCW;
+            for (int k = 0; k < 3; k++)
+                f.draw[k].state.raster.cull = front;
+            GpPass passes[2] = { f.pass, f.pass };
+            Only only = { .filter = NULL };
+            GpDeviceDesc desc = { .executor = GP_EXECUTOR_REFERENCE,
+                                  .trace = { .event = note_only,
+                                             .user = &only,
+                                             .missed = true,
+                                             .one_pass = rows[i].pass,
+                                             .pass = 1,
+                                             .one_draw = rows[i].draw,
+                                             .draw = 2,
+                                             .one_primitive = rows[i].primitive,
+                                             .primitive = primitive } };
+            only.filter = &desc.trace;
+            assert_int_equal(run(&(GpList){ passes, 2 }, &desc, &f.error), GP_OK);
+            assert_int_equal(only.count[GP_TRACE_SETUP], rows[i].seen);
+            if (rows[i].primitive) {
+                const bool drawn = only.count[GP_TRACE_RASTER] > 0;
+                assert_true(drawn != (only.count[GP_TRACE_MISSED] > 0));
+            }
+            free_drawing(&f);
+        }
 }
 
 /* Sums the varyings of a triangle's vertices by the shares that the trace reports. */
@@ -523,7 +636,10 @@ int main(void)
         cmocka_unit_test(a_viewport_of_depth_0_writes_0),
         cmocka_unit_test(an_invalid_draw_is_named_and_changes_nothing),
         cmocka_unit_test(devices_refuse_what_they_cannot_be),
+        cmocka_unit_test(a_program_is_drawn_at_a_width_that_it_has),
+        cmocka_unit_test(another_machines_instructions_are_refused),
         cmocka_unit_test(a_watched_pixel_reports_every_unit_in_order),
+        cmocka_unit_test(a_trace_tells_of_one_pass_draw_or_primitive_alone),
         cmocka_unit_test(traced_shares_are_those_of_the_vertices_in_their_order),
         cmocka_unit_test(watching_changes_no_bit),
         cmocka_unit_test(passes_that_read_in_place_form_a_group),

@@ -2,6 +2,7 @@
  * reason. */
 #include "pipeline/resources/surface_memory.h"
 #include "shaders_c/materials/unlit.h"
+#include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/limited.h"
 #include "tests/support/unit.h"
@@ -269,6 +270,54 @@ static void six_clip_planes_exist(void **state)
     gp_surface_destroy(&target);
 }
 
+/* Every input, and ten varyings, of four components, interpolated or not: of triangles with one colour the sum is exact, and
+ * of others everywhere the same. Large triangles fill packets to the last, small ones share them. */
+static void shaders_have_every_input_and_40_components_of_varyings(void **state)
+{
+    (void)state;
+    enum { SIDE = 150, TRIED = 60 };
+    static float vertices[3 * TRIED][8];
+    ExerciseUniforms unit = { .color = { 0 } };
+    for (int i = 0; i < 4; i++)
+        unit.matrix[i][i] = 1;
+    for (int i = 0; i < 3 * TRIED; i++) {
+        const bool large = i < 6;
+        const float x = large ? -1 : (float)(i / 3 % 10) * 0.19f - 0.95f,
+                    y = large ? 1 : 0.95f - (float)(i / 30) * 0.3f, size = large ? 4 : 0.2f;
+        const float vertex[8] = { x + (i % 3 == 1 ? size : 0),
+                                  y - (i % 3 == 2 ? size : 0),
+                                  0,
+                                  i < 3 ? 1 : 1 + (float)(i % 3),
+                                  i < 3 ? 0.5f : (float)i,
+                                  0.25f,
+                                  i < 3 ? 2 : (float)(i % 7),
+                                  1 };
+        memcpy(vertices[i], vertex, sizeof vertex);
+    }
+    GpSurface *target = NULL;
+    const GpSurfaceDesc desc = { .format = GP_A32B32G32R32F, .width = SIDE, .height = SIDE };
+    assert_int_equal(gp_surface_create(&desc, &target, NULL), GP_OK);
+    GpDraw draw = { .program = &exercise_wide, .uniforms = &unit };
+    const uint32_t stride = sizeof vertices[0];
+    draw.geometry.vertex_count = 3;
+    for (GpSemantic i = 0; i < GP_SEMANTICS; i++)
+        draw.geometry.streams[i] =
+            (GpStream){ vertices[0] + (i == GP_POSITION ? 0 : 4), stride, 4, GP_FLOAT32 };
+    const GpPass pass = { .color = { { .surface = target, .clear = true } },
+                          .draws = &draw,
+                          .draw_count = 1 };
+    for (size_t d = 0; device_here(d); d++) {
+        run_list_on(device_here(d), &(GpList){ &pass, 1 });
+        for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+            const float *texel = (const float *)(const void *)target->level[0].texels + 4 * i;
+            assert_true(texel[0] == 27.5f && texel[1] == 13.75f && texel[2] == 110);
+        }
+    }
+    draw.geometry.vertex_count = 3 * TRIED;
+    run_seed_everywhere(&pass, 0);
+    gp_surface_destroy(&target);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -281,6 +330,7 @@ int main(void)
         cmocka_unit_test(draws_have_up_to_2_to_the_30_primitives),
         cmocka_unit_test(passes_have_more_primitives_than_numbers),
         cmocka_unit_test(six_clip_planes_exist),
+        cmocka_unit_test(shaders_have_every_input_and_40_components_of_varyings),
     };
     return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "pipeline/io/file.h"
 #include "tests/support/image_case.h"
+#include "tests/support/limited.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -86,6 +87,42 @@ static void absurd_sizes_are_refused_before_any_allocation(void **state)
     assert_refused(put_file("a.png", png, sizeof png), GP_ERROR_FORMAT, "0x1");
     const unsigned char tga[18] = { 0, 0, 2, [12] = 0, 16, 0, 16, 24 };
     assert_refused(put_file("a.tga", tga, sizeof tga), GP_ERROR_FORMAT, "need");
+}
+
+/* The value of an attribute of an EXR file. */
+static char *exr_value(const GpFile *file, const char *name, const char *type)
+{
+    const size_t length = strlen(name) + 1;
+    char *at = memmem(file->data, file->size, name, length);
+    assert_non_null(at);
+    assert_string_equal(at + length, type);
+    return at + length + strlen(type) + 1 + 4;
+}
+
+/* DWA packs so well that a file of 4 KB may hold 80 million pixels; this one does not. */
+static void what_an_exr_promises_takes_no_memory(void **state)
+{
+    (void)state;
+    if (!limits_hold())
+        skip();
+    static const int32_t window[4] = { 0, 0, 7999, 9999 };
+    char bytes[4096] = { 0 };
+    GpImage image = random_image(8, 8, 4, GP_IMAGE_F32, 1);
+    GpFile file;
+    struct rusage before, after;
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_OK);
+    assert_refused(put_file("b.exr", "x", 1), GP_ERROR_FORMAT, "b.exr");
+    assert_int_equal(gp_file_read(in_folder("a.exr"), &file, &error), GP_OK);
+    memcpy(exr_value(&file, "dataWindow", "box2i"), window, sizeof window);
+    *exr_value(&file, "compression", "compression") = 9;
+    assert_true(file.size <= sizeof bytes);
+    memcpy(bytes, file.data, file.size);
+    getrusage(RUSAGE_SELF, &before);
+    assert_refused(put_file("b.exr", bytes, sizeof bytes), GP_ERROR_FORMAT, "b.exr");
+    getrusage(RUSAGE_SELF, &after);
+    assert_true(after.ru_maxrss - before.ru_maxrss < 300 << 10);
+    gp_file_free(&file);
+    gp_image_free(&image);
 }
 
 /* Overwrites the data window of an EXR file. */
@@ -313,6 +350,7 @@ int main(void)
         TEST(unreadable_paths_are_told_apart),
         TEST(a_file_under_another_formats_name_is_refused),
         TEST(absurd_sizes_are_refused_before_any_allocation),
+        TEST(what_an_exr_promises_takes_no_memory),
         TEST(exr_windows_are_checked),
         TEST(every_truncation_is_an_error),
         TEST(damaged_bytes_give_a_picture_or_an_error),

@@ -92,6 +92,7 @@ static const struct {
     { "a.off", "ply\n", "line 1: expected OFF, found 'ply'", GP_ERROR_FORMAT },
     { "a.off", " OFF\n0 0 0\n", "line 1: expected OFF", GP_ERROR_FORMAT },
     { "a.off", "4OFF\n0 0 0\n", "three dimensions", GP_ERROR_UNSUPPORTED },
+    { "a.off", "nOFF\n0 0 0\n", "three dimensions", GP_ERROR_UNSUPPORTED },
     { "a.off", "OFF BINARY\n0 0 0\n", "binary OFF", GP_ERROR_UNSUPPORTED },
     { "a.off", "OFF\n3 x 0\n", "line 2: expected the counts", GP_ERROR_FORMAT },
     { "a.off", "OFF\n-3 1 0\n", "line 2: expected the counts", GP_ERROR_FORMAT },
@@ -99,6 +100,9 @@ static const struct {
     { "a.off", "OFF\n1 0 0\n0 0 0\n", "no faces", GP_ERROR_FORMAT },
     { "a.off", "OFF\n2147483647 1 0\n0 0 0\n", "2147483647 vertices", GP_ERROR_FORMAT },
     { "a.off", "OFF\n1 2147483647 0\n0 0 0\n", "2147483647 faces", GP_ERROR_FORMAT },
+    { "a.off", "OFF\n-99999999999999999999 1 0\n", "line 2: expected the counts", GP_ERROR_FORMAT },
+    { "a.off", "OFF\n0 0 0", "no vertices", GP_ERROR_FORMAT },
+    { "a.off", "OFF\n1 0 0 7\n0 0 0\n", "expected nothing after the counts", GP_ERROR_FORMAT },
     { "a.off", "OFF\n2147483648 1 0\n0 0 0\n", "line 2", GP_ERROR_FORMAT },
     { "a.off", "OFF\n2 1 0\n0 0 0\n\n0 nan 0\n3 0 0 0\n", "line 5: vertex 1", GP_ERROR_FORMAT },
     { "a.off", "OFF\n1 1 0\n0 1e39 0\n3 0 0 0\n", "found '1e39'", GP_ERROR_FORMAT },
@@ -107,6 +111,9 @@ static const struct {
     { "a.off", "OFF\n1 1 0\n0 0 0\n3 0 1 0\n", "line 4: face 0 refers to vertex 1, but there are 1",
       GP_ERROR_FORMAT },
     { "a.off", "OFF\n1 1 0\n0 0 0\n3 0 -1 0\n", "vertex -1", GP_ERROR_FORMAT },
+    { "a.off", "OFF\n1 1 0\n0 0 0\nx 0 0 0\n", "line 4: face 0", GP_ERROR_FORMAT },
+    { "a.off", "OFF\n1 1 0\n0 1234567890123456789012345678901234567890x 0\n3 0 0 0\n",
+      "found '1234567890123456789012345678901234567890...'", GP_ERROR_FORMAT },
     { "a.off", "OFF\n1 1 0\n0 0 0\n2 0 0   \n", "found '2'", GP_ERROR_FORMAT },
     { "a.off", "OFF\n1 1 0\n0 0 0\n3 0 0   \n", "expected 3 vertex numbers", GP_ERROR_FORMAT },
     { "a.off", "OFF\n1 2 0\n0 0 0\n3 0 0 0\n", "line 4: the file ends, but face 1 of 2",
@@ -127,17 +134,30 @@ static const struct {
     { "a.obj", "v 0 0 0\nf 1 1\n", "face 0 has 2 corners", GP_ERROR_FORMAT },
     { "a.obj", "v 0 0 0\nf 1 1 \\\n1\n", "line 2: lines continued", GP_ERROR_UNSUPPORTED },
     { "a.obj", "v 0 0 0\nv 0 0 1 1 1 1\nf 1 1 2\n", "1 of 2 vertices", GP_ERROR_FORMAT },
+    { "a.obj", "v 0 0 0\nvc 1 1 1\n", "line 2: colours apart from vertices (vc)",
+      GP_ERROR_UNSUPPORTED },
     { "a.obj", "v 0 0 0\nvt 1\n", "line 2: a texture coordinate", GP_ERROR_FORMAT },
     { "a.obj", "v 0 0 0\n", "no faces", GP_ERROR_FORMAT },
     { "a.obj", "v 0 0 0\nf 1 1 1\n", "no faces with an area", GP_ERROR_FORMAT },
     { "a.obj", "hello\n", "no vertices", GP_ERROR_FORMAT },
 
     { "a.ply", "plx\n", "line 1: expected 'ply'", GP_ERROR_FORMAT },
+    { "a.ply", " ply\nformat ascii 1.0\n", "line 1: expected 'ply'", GP_ERROR_FORMAT },
+    { "a.ply", "\n \n", "line 1: expected 'ply'", GP_ERROR_FORMAT },
+    { "a.ply", "ply\nformat ascii\n", "line 2: expected 'format'", GP_ERROR_FORMAT },
     { "a.ply", "ply\nformat ascii 2.0\n", "line 2: expected 'format'", GP_ERROR_FORMAT },
     { "a.ply", "ply\nformat utf8 1.0\n", "line 2: expected ascii", GP_ERROR_FORMAT },
     { "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n", "end_header", GP_ERROR_FORMAT },
     { "a.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n", "line 3: expected an",
       GP_ERROR_FORMAT },
+    { "a.ply", "ply\nformat ascii 1.0\nelement vertex -1\n", "line 3: expected an element's name",
+      GP_ERROR_FORMAT },
+    { "a.ply", "ply\nformat ascii 1.0\nelement face\n", "line 3: expected an element's name",
+      GP_ERROR_FORMAT },
+    { "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int x\nend_header\n",
+      "line 4: expected a property's type", GP_ERROR_FORMAT },
+    { "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar\nend_header\n",
+      "line 4: expected a property's type", GP_ERROR_FORMAT },
     { "a.ply", "ply\nformat ascii 1.0\nelement face 1\nend_header\n", "faces before",
       GP_ERROR_UNSUPPORTED },
     { "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\nend_header\n",
@@ -165,6 +185,8 @@ static const struct {
       "line 5: face 0: expected 'vertex * * *'", GP_ERROR_FORMAT },
     { "a.stl", "solid\nfacet normal 0 0 1\nouter loop\n\nvertex 0 0 0\n", "line 5",
       GP_ERROR_FORMAT },
+    { "a.stl", "solid\nendsolid\nfacet normal 0 0 1\n", "line 3: face 0: expected 'solid'",
+      GP_ERROR_FORMAT },
     { "a.stl", "solid\nendsolid\n", "no vertices", GP_ERROR_FORMAT },
     { "a.stl", "solid x\n", "ends inside a solid", GP_ERROR_FORMAT },
 
@@ -180,6 +202,44 @@ static void errors_name_the_place_and_what_was_expected(void **state)
     for (size_t i = 0; i < GP_COUNT(error_cases); i++)
         assert_refused(put_text(error_cases[i].name, error_cases[i].text), error_cases[i].result,
                        error_cases[i].part);
+}
+
+/* As many elements, or properties, as a header has no room for: more than any file has that means a mesh. */
+static void headers_of_many_parts_are_refused(void **state)
+{
+    (void)state;
+    static const char *const lines[] = { "element some 0\n", "property float x\n" };
+    static const char *const parts[] = { "elements", "properties" };
+    for (int kind = 0; kind < 2; kind++) {
+        char text[8000] = "ply\nformat ascii 1.0\nelement vertex 1\n";
+        for (int i = 0; i < 300; i++)
+            strcat(text, lines[kind]);
+        assert_refused(put_text("a.ply", text), GP_ERROR_UNSUPPORTED, "more than ");
+        assert_non_null(strstr(error.text, parts[kind]));
+    }
+}
+
+/* Corners that weld: each pair of the three, which leaves no area; such faces are skipped. */
+static void facets_without_area_are_skipped(void **state)
+{
+    (void)state;
+    static const char *const corners[4][3] = { { "0 0 0", "0 0 0", "1 0 0" },
+                                               { "0 0 0", "1 0 0", "1 0 0" },
+                                               { "0 0 0", "1 0 0", "0 0 0" },
+                                               { "0 0 0", "1 0 0", "0 1 0" } };
+    char text[2000] = "solid\n";
+    for (int i = 0; i < 4; i++)
+        snprintf(text + strlen(text), sizeof text - strlen(text),
+                 "facet normal 0 0 1\nouter loop\nvertex %s\nvertex %s\nvertex %s\nendloop\n"
+                 "endfacet\n",
+                 corners[i][0], corners[i][1], corners[i][2]);
+    strcat(text, "endsolid\n");
+    GpMesh mesh;
+    assert_int_equal(gp_mesh_read(put_text("a.stl", text), GP_MESH_TRIANGLES, &mesh, &error),
+                     GP_OK);
+    assert_int_equal(mesh.triangle_count, 1);
+    assert_int_equal(mesh.vertex_count, 3);
+    gp_mesh_free(&mesh);
 }
 
 static void binary_errors_name_the_byte(void **state)
@@ -384,6 +444,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(unreadable_paths_are_told_apart),
         TEST(errors_name_the_place_and_what_was_expected),
+        TEST(headers_of_many_parts_are_refused),
+        TEST(facets_without_area_are_skipped),
         TEST(binary_errors_name_the_byte),
         TEST(om_faces_that_do_not_close_are_refused),
         TEST(points_are_read_only_where_asked_for),

@@ -170,7 +170,7 @@ static void both_byte_orders_and_encodings_are_read(void **state)
     const double one[3] = { 1, 1, 1 }, some[3] = { 0.5, 1, 3 };
     const char *raw = HEADER("encoding: raw\r\nendian: big\r\n");
     expect_samples(put_both("a.nrrd", raw, big, sizeof big), one);
-    raw = HEADER("encoding: raw\nendian: little\nspacings: 0.5 nan 3\n");
+    raw = HEADER("encoding: raw \t\nendian: little\nbyte skip: 0\nspacings: 0.5 nan 3\n");
     expect_samples(put_both("b.nrrd", raw, little, sizeof little), some);
     size_t size = pack(big, sizeof big, packed, sizeof packed);
     const char *gzip = HEADER("encoding: gz\nendian: big\n"
@@ -239,6 +239,11 @@ static void wrong_headers_are_refused_with_their_line(void **state)
         { "NRRD0004\nspace directions: (0,0,0) (1,0,0) (0,1,0)\n\n", GP_ERROR_FORMAT, "vectors" },
         { "NRRD0004\nspace origin: (0,0)\n\n", GP_ERROR_FORMAT,
           "line 2: expected a place (x,y,z)" },
+        { "NRRD0004\nspace origin: (0,inf,0)\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
+        { "NRRD0004\nspace origin: (nan,0,0)\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
+        { "NRRD0004\nspace origin: (0,0,1\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
+        { "NRRD0004\ntype:\n\n", GP_ERROR_UNSUPPORTED, "line 2" },
+        { "NRRD0000\ntype: uint8\n\n", GP_ERROR_FORMAT, "byte 0" },
         { "NRRD0004\nspace origin: (0,0,nan)\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
         { "NRRD0004\nspace origin: (0,0,1) 2\n\n", GP_ERROR_FORMAT, "a place (x,y,z)" },
         { "NRRD0004\ndata file: v.raw\n\n", GP_ERROR_UNSUPPORTED, "the samples behind" },

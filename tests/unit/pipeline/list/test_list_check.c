@@ -7,7 +7,7 @@
 
 /* A small valid list that each case breaks in one place. */
 typedef struct Frame {
-    GpSurface *color, *other, *small, *depth24, *depth16, *borrowed;
+    GpSurface *color, *other, *small, *depth24, *depth16, *flat, *shallow, *borrowed;
     ExerciseUniforms uniforms;
     float vertices[3 * 10];
     uint32_t indices[3];
@@ -18,11 +18,22 @@ typedef struct Frame {
 
 static const uint16_t outside[] = { 0, 1, 9 };
 static const GpRect one_pixel = { 0, 0, 1, 1 };
+static char long_text[400];
 
 static GpSurface *surface(GpFormat format, uint32_t size, const char *name)
 {
     GpSurface *s = NULL;
     GpSurfaceDesc desc = { .format = format, .width = size, .height = size, .name = name };
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    return s;
+}
+
+static GpSurface *part(uint32_t width, uint32_t height, GpRect window, const char *name)
+{
+    GpSurface *s = NULL;
+    const GpSurfaceDesc desc = {
+        .format = GP_A8R8G8B8, .width = width, .height = height, .window = window, .name = name
+    };
     assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
     return s;
 }
@@ -35,6 +46,9 @@ static void set_up(Frame *w)
     w->small = surface(GP_A8R8G8B8, 8, "small");
     w->depth24 = surface(GP_D24S8, 16, "depth24");
     w->depth16 = surface(GP_D16, 16, "depth16");
+    w->shallow = surface(GP_D16, 8, "shallow");
+    w->flat = part(16, 8, (GpRect){ 0 }, "flat");
+    memset(long_text, 'x', sizeof long_text - 1);
     const uint32_t stride = 10 * sizeof(float);
     w->draw = (GpDraw){
         .name = "tri",
@@ -73,7 +87,8 @@ static void ternary(Frame *w, GpCompare test, bool write, float epsilon)
 
 static void tear_down(Frame *w)
 {
-    GpSurface **all[] = { &w->color, &w->other, &w->small, &w->depth24, &w->depth16, &w->borrowed };
+    GpSurface **all[] = { &w->color,   &w->other, &w->small,   &w->depth24,
+                          &w->depth16, &w->flat,  &w->shallow, &w->borrowed };
     for (size_t i = 0; i < GP_COUNT(all); i++)
         gp_surface_destroy(all[i]);
 }
@@ -191,8 +206,176 @@ CASE(sampler_lod_nan, (w.draw.program = &exercise_local, w.draw.textures[3].surf
                        w.draw.textures[3].sampler.lod_bias = NAN), "must be finite")
 CASE(compare_on_color, (w.draw.program = &exercise_local, w.draw.textures[3].surface = w.other,
                         w.draw.textures[3].sampler.compare = true), "is no depth format")
+CASE(height_differs, w.pass.color[1].surface = w.flat, "'flat' is 16x8, but the pass is 16x16")
+CASE(depth_of_other_size, w.pass.depth.surface = w.shallow, IN_PASS "depth.surface: 'shallow' is 8x8")
+CASE(local_of_other_height, (w.draw.program = &exercise_local,
+                             w.draw.textures[3].surface = w.flat), "read in place it must be 16x16")
+CASE(stencil_without_depth, (w.pass.depth.surface = NULL, w.draw.state.stencil.enable = true),
+     "state.stencil.enable: the pass has no stencil bits")
+CASE(long_name, (w.pass.name = long_text, w.draw.program = NULL), "xxxxxxxx: program: NULL")
+CASE(nameless, (w.pass.name = w.draw.name = NULL, w.draw.program = NULL), "pass 0 '', draw 0 '': ")
 CASE(passes_missing, w.list.passes = NULL, "passes: NULL, but pass_count is 1")
 /* clang-format on */
+
+/* What a row of the tables below does to a valid list: one member of the draw is another. */
+static void refuses_member(size_t offset, const void *value, size_t size, const char *expected)
+{
+    Frame w;
+    set_up(&w);
+    w.draw.program = &exercise_local;
+    w.draw.textures[3].surface = w.other;
+    w.draw.state.stencil.enable = true;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    memcpy((char *)&w.draw + offset, value, size);
+    refuses(&w, expected);
+    tear_down(&w);
+}
+
+/* Windows of one picture: the pass's, another, and the whole. */
+static void a_pass_has_one_window(void **state)
+{
+    (void)state;
+    Frame w;
+    set_up(&w);
+    GpSurface *left = part(256, 128, (GpRect){ 0, 0, 128, 128 }, "left");
+    GpSurface *again = part(256, 128, (GpRect){ 0, 0, 128, 128 }, "again");
+    GpSurface *right = part(256, 128, (GpRect){ 128, 0, 256, 128 }, "right");
+    GpSurface *whole = part(256, 128, (GpRect){ 0 }, "whole");
+    GpSurface *depth = NULL;
+    const GpSurfaceDesc desc = { .format = GP_D16, .width = 256, .height = 128, .name = "depth" };
+    assert_int_equal(gp_surface_create(&desc, &depth, NULL), GP_OK);
+    w.pass.color[0].surface = left;
+    w.pass.depth.surface = NULL;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    w.pass.color[1].surface = right;
+    refuses(&w, IN_PASS "color: 'right' has another window than the pass");
+    w.pass.color[1].surface = again;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    w.pass.depth.surface = depth;
+    refuses(&w, IN_PASS "depth.surface: 'depth' has another window than the pass");
+    w.pass.depth.surface = NULL;
+    w.pass.color[1].surface = NULL;
+    w.draw.program = &exercise_local;
+    GpTexture *read = &w.draw.textures[3];
+    read->surface = right;
+    refuses(&w, "textures[3].surface: 'right' has another window than the pass");
+    read->surface = again;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    read->surface = whole;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    w.draw.program = &exercise_texture;
+    for (int i = 0; i < GP_MAX_SAMPLERS; i++)
+        w.draw.textures[i].surface = again;
+    refuses(&w, "'again' has a window: it is read only in place");
+    GpSurface **all[] = { &left, &again, &right, &whole, &depth };
+    for (size_t i = 0; i < GP_COUNT(all); i++)
+        gp_surface_destroy(all[i]);
+    tear_down(&w);
+}
+
+static void every_enumeration_ends(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t offset;
+        int count;
+        const char *says;
+    } rows[] = {
+        { offsetof(GpDraw, state.raster.cull), GP_CULLS, "state.raster.cull: unknown" },
+        { offsetof(GpDraw, state.depth.test), GP_COMPARES, "state.depth.test: unknown" },
+        { offsetof(GpDraw, state.alpha_test.test), GP_COMPARES, "state.alpha_test.test: unknown" },
+        { offsetof(GpDraw, state.stencil.front.test), GP_COMPARES, "state.stencil: unknown" },
+        { offsetof(GpDraw, state.stencil.front.fail), GP_STENCIL_OPS, "state.stencil: unknown" },
+        { offsetof(GpDraw, state.stencil.front.depth_fail), GP_STENCIL_OPS,
+          "state.stencil: unknown" },
+        { offsetof(GpDraw, state.stencil.front.pass), GP_STENCIL_OPS, "state.stencil: unknown" },
+        { offsetof(GpDraw, state.stencil.back.test), GP_COMPARES, "state.stencil: unknown" },
+        { offsetof(GpDraw, state.blend[0].op), GP_BLEND_OPS, "state.blend[0]: unknown" },
+        { offsetof(GpDraw, state.blend[0].src), GP_BLEND_FACTORS, "state.blend[0]: unknown" },
+        { offsetof(GpDraw, state.blend[0].dst), GP_BLEND_FACTORS, "state.blend[0]: unknown" },
+        { offsetof(GpDraw, state.blend[1].alpha_op), GP_BLEND_OPS, "state.blend[1]: unknown" },
+        { offsetof(GpDraw, state.blend[2].alpha_src), GP_BLEND_FACTORS, "state.blend[2]: unknown" },
+        { offsetof(GpDraw, state.blend[3].alpha_dst), GP_BLEND_FACTORS, "state.blend[3]: unknown" },
+        { offsetof(GpDraw, textures[3].sampler.min), GP_FILTERS, "filter or address" },
+        { offsetof(GpDraw, textures[3].sampler.mag), GP_FILTERS, "filter or address" },
+        { offsetof(GpDraw, textures[3].sampler.mip), GP_MIP_FILTERS, "filter or address" },
+        { offsetof(GpDraw, textures[3].sampler.address_u), GP_ADDRESSES, "filter or address" },
+        { offsetof(GpDraw, textures[3].sampler.address_v), GP_ADDRESSES, "filter or address" },
+        { offsetof(GpDraw, geometry.primitive), GP_PRIMITIVES, "geometry.primitive: unknown" },
+        { offsetof(GpDraw, geometry.streams[GP_COLOR].type), GP_COMPONENT_TYPES, "component type" },
+        { offsetof(GpDraw, geometry.streams[GP_COLOR].components), 0, "has 0 components" },
+        { offsetof(GpDraw, state.blend[1].alpha_dst), GP_SRC_ALPHA_SAT, "source factor only" },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        refuses_member(rows[i].offset, &rows[i].count, sizeof rows[i].count, rows[i].says);
+}
+
+static void every_number_has_a_range(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t offset;
+        float value;
+        const char *says;
+    } rows[] = {
+        { offsetof(GpDraw, viewport.y), 3, "viewport: has a place but no size" },
+        { offsetof(GpDraw, viewport.x), NAN, "viewport: has a place but no size" },
+        { offsetof(GpDraw, viewport.width), 3, "viewport: width and height must be in" },
+        { offsetof(GpDraw, viewport.height), 3, "viewport: width and height must be in" },
+        { offsetof(GpDraw, viewport.min_depth), -0.5f, "expected 0 <= min_depth" },
+        { offsetof(GpDraw, viewport.min_depth), 1.5f, "expected 0 <= min_depth" },
+        { offsetof(GpDraw, viewport.max_depth), -0.5f, "expected 0 <= min_depth" },
+        { offsetof(GpDraw, viewport.max_depth), 1.5f, "expected 0 <= min_depth" },
+        { offsetof(GpDraw, state.raster.depth_bias), NAN, "state.raster.depth_bias" },
+        { offsetof(GpDraw, state.raster.slope_depth_bias), INFINITY, "state.raster.depth_bias" },
+        { offsetof(GpDraw, textures[3].sampler.lod_bias), INFINITY, "must be finite" },
+        { offsetof(GpDraw, textures[3].sampler.min_lod), NAN, "must be finite" },
+        { offsetof(GpDraw, textures[3].sampler.max_lod), INFINITY, "must be finite" },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        refuses_member(rows[i].offset, &rows[i].value, sizeof rows[i].value, rows[i].says);
+    const float most = 2.0f * GP_MAX_SIZE;
+    static const GpViewport good = { .x = -3, .y = 4, .width = 5, .height = 6 };
+    const struct {
+        GpViewport viewport;
+        const char *says;
+    } viewports[] = {
+        { { .x = -2 * most, .y = 4, .width = 5, .height = 6 }, "viewport: x and y" },
+        { { .x = -3, .y = NAN, .width = 5, .height = 6 }, "viewport: x and y" },
+        { { .x = -3, .y = 4, .width = 2 * most, .height = 6 }, "viewport: width and height" },
+        { { .x = -3, .y = 4, .width = 5, .height = -6 }, "viewport: width and height" },
+        { { .x = -3, .y = 4, .width = 5, .height = 2 * most }, "viewport: width and height" },
+        { { .x = -3, .y = 4, .width = NAN, .height = 6 }, "viewport: width and height" },
+    };
+    Frame w;
+    set_up(&w);
+    w.draw.viewport = good;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    tear_down(&w);
+    for (size_t i = 0; i < GP_COUNT(viewports); i++)
+        refuses_member(offsetof(GpDraw, viewport), &viewports[i].viewport, sizeof(GpViewport),
+                       viewports[i].says);
+    GpRasterState upright = { .scissor = true, .scissor_x1 = 4, .scissor_y0 = 4, .scissor_y1 = 3 };
+    refuses_member(offsetof(GpDraw, state.raster), &upright, sizeof upright,
+                   "state.raster.scissor");
+}
+
+static void what_asks_for_nothing_may_miss_what_it_would_need(void **state)
+{
+    (void)state;
+    Frame w;
+    set_up(&w);
+    w.pass.depth = (GpDepthTarget){ .clear_depth = true, .clear_stencil = true, .depth_value = 2 };
+    w.draw.state.stencil.front.test = (GpCompare)99; /* off */
+    w.draw.geometry.indices = NULL;
+    w.draw.geometry.vertex_count = 0;
+    w.draw.geometry.streams[GP_POSITION].data = NULL;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    w.pass.depth =
+        (GpDepthTarget){ .surface = w.depth24, .clear_depth = true, .depth_value = -0.5f };
+    refuses(&w, "depth.depth_value: expected a number in [0, 1]");
+    tear_down(&w);
+}
 
 int main(void)
 {
@@ -256,7 +439,17 @@ int main(void)
         cmocka_unit_test(sampler_unknown),
         cmocka_unit_test(sampler_lod_nan),
         cmocka_unit_test(compare_on_color),
+        cmocka_unit_test(height_differs),
+        cmocka_unit_test(depth_of_other_size),
+        cmocka_unit_test(local_of_other_height),
+        cmocka_unit_test(stencil_without_depth),
+        cmocka_unit_test(long_name),
+        cmocka_unit_test(nameless),
         cmocka_unit_test(passes_missing),
+        cmocka_unit_test(a_pass_has_one_window),
+        cmocka_unit_test(every_enumeration_ends),
+        cmocka_unit_test(every_number_has_a_range),
+        cmocka_unit_test(what_asks_for_nothing_may_miss_what_it_would_need),
     };
     return cmocka_run_group_tests_name("list_check", tests, NULL, NULL);
 }

@@ -121,6 +121,107 @@ static void create_reports_missing_memory_and_leaks_nothing(void **state)
     assert_int_not_equal(error.text[0], '\0');
 }
 
+/* Windows of a picture of 512 x 300, and of one that is larger than a surface may be. */
+static void create_refuses_windows_that_are_no_part(void **state)
+{
+    (void)state;
+    static uint8_t memory[4];
+    static const struct {
+        GpRect window;
+        const char *says; /* NULL: there is such a window */
+        uint32_t width, levels;
+        void *memory;
+    } rows[] = {
+        { { 128, 128, 256, 256 }, NULL, 512, 0, NULL },
+        { { 384, 256, 512, 300 }, NULL, 512, 1, NULL },
+        { { 0, 128, 128, 300 }, NULL, 512, 1, NULL },
+        { { 0, 0, 128, 300 }, NULL, 512, 1, NULL },
+        { { 0, 0, 0, 128 }, "is not inside", 512, 1, NULL },
+        { { 0, 0, 128, 128 }, "a window has one level, of its own", 512, 2, NULL },
+        { { 0, 0, 128, 128 }, "a window has one level, of its own", 512, 1, memory },
+        { { -128, 0, 128, 128 }, "[-128, 128) x [0, 128) is not inside 512x300", 512, 1, NULL },
+        { { 0, -128, 128, 128 }, "is not inside", 512, 1, NULL },
+        { { 128, 0, 128, 128 }, "is not inside", 512, 1, NULL },
+        { { 0, 128, 128, 128 }, "is not inside", 512, 1, NULL },
+        { { 0, 0, 640, 128 }, "is not inside", 512, 1, NULL },
+        { { 0, 0, 128, 384 }, "is not inside", 512, 1, NULL },
+        { { 64, 0, 128, 128 }, "is not at multiples of 128", 512, 1, NULL },
+        { { 0, 64, 128, 128 }, "is not at multiples of 128", 512, 1, NULL },
+        { { 0, 0, 100, 128 }, "is not at multiples of 128", 512, 1, NULL },
+        { { 0, 0, 128, 299 }, "is not at multiples of 128", 512, 1, NULL },
+        { { 0, 0, 128, 128 }, NULL, GP_MAX_WHOLE, 1, NULL },
+        { { 0, 0, 128, 128 }, "is not within 1..32768", GP_MAX_WHOLE + 1, 1, NULL },
+        { { 0, 0, GP_MAX_SIZE + 128, 128 },
+          "window 8320x128 is not within",
+          GP_MAX_WHOLE,
+          1,
+          NULL },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        const GpSurfaceDesc desc = { .format = GP_R8,
+                                     .width = rows[i].width,
+                                     .height = 300,
+                                     .levels = rows[i].levels,
+                                     .memory = rows[i].memory,
+                                     .window = rows[i].window };
+        GpSurface *s = NULL;
+        GpError error = { "" };
+        const GpResult result = gp_surface_create(&desc, &s, &error);
+        if (result != (rows[i].says ? GP_ERROR_INVALID : GP_OK) ||
+            (rows[i].says && !strstr(error.text, rows[i].says)))
+            fail_msg("row %zu: '%s'", i, error.text);
+        assert_true((s == NULL) == (result != GP_OK));
+        gp_surface_destroy(&s);
+    }
+    const GpSurfaceDesc high = {
+        .format = GP_R8, .width = 300, .height = 16384, .window = { 0, 0, 128, 8320 }
+    };
+    GpSurface *s = NULL;
+    assert_int_equal(gp_surface_create(&high, &s, NULL), GP_ERROR_INVALID);
+}
+
+static void windows_become_whole_unless_that_is_too_large(void **state)
+{
+    (void)state;
+    GpSurfaceDesc desc = {
+        .format = GP_R8, .width = 300, .height = 200, .window = { 128, 0, 256, 128 }
+    };
+    GpSurface *s = NULL;
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    *texel_at(s, 0, 255, 127) = 7;
+    for (int turn = 0; turn < 2; turn++) { /* the second changes nothing */
+        assert_int_equal(gp_surface_make_whole(s, NULL), GP_OK);
+        assert_true(gp_surface_is_whole(s));
+        assert_int_equal(*texel_at(s, 0, 299, 199), turn ? 9 : 0);
+        assert_int_equal(*texel_at(s, 0, 255, 127), 0);
+        *texel_at(s, 0, 299, 199) = 9;
+    }
+    gp_surface_destroy(&s);
+    desc.width = GP_MAX_WHOLE;
+    assert_int_equal(gp_surface_create(&desc, &s, NULL), GP_OK);
+    *texel_at(s, 0, 255, 127) = 7;
+    GpError error;
+    assert_int_equal(gp_surface_make_whole(s, &error), GP_ERROR_INVALID);
+    assert_false(gp_surface_is_whole(s));
+    assert_int_equal(*texel_at(s, 0, 255, 127), 7);
+    gp_surface_destroy(&s);
+}
+
+/* One side of a rectangle is another: they differ; two that meet at one corner have nothing in common. */
+static void rectangles_are_equal_side_by_side(void **state)
+{
+    (void)state;
+    const GpRect all = { 1, 2, 3, 4 },
+                 others[] = { { 0, 2, 3, 4 }, { 1, 0, 3, 4 }, { 1, 2, 0, 4 }, { 1, 2, 3, 0 } };
+    assert_true(gp_rect_equal(all, all));
+    for (size_t i = 0; i < GP_COUNT(others); i++)
+        assert_false(gp_rect_equal(all, others[i]));
+    assert_false(gp_rect_is_empty(all));
+    assert_true(gp_rect_is_empty((GpRect){ 3, 2, 3, 4 }));
+    assert_true(gp_rect_is_empty((GpRect){ 1, 4, 3, 4 }));
+    assert_true(gp_rect_is_empty(gp_rect_common(all, (GpRect){ 3, 4, 9, 9 })));
+}
+
 static void names_are_copied_and_cut(void **state)
 {
     (void)state;
@@ -512,6 +613,9 @@ int main(void)
         cmocka_unit_test(create_levels_zero_means_one_and_many_means_all),
         cmocka_unit_test(create_refuses_what_no_device_has),
         cmocka_unit_test(create_reports_missing_memory_and_leaks_nothing),
+        cmocka_unit_test(create_refuses_windows_that_are_no_part),
+        cmocka_unit_test(windows_become_whole_unless_that_is_too_large),
+        cmocka_unit_test(rectangles_are_equal_side_by_side),
         cmocka_unit_test(names_are_copied_and_cut),
         cmocka_unit_test(destroy_accepts_null_and_sets_null),
         cmocka_unit_test(borrowed_memory_is_kept_and_must_fit),

@@ -1,6 +1,7 @@
 /* Every mistake of a program is answered with one line that names the program and what is wrong, in both
  * executors, whether the program was counted or compiled once by a plain compiler. */
 #include <glasspipe/glasspipe.h>
+#include "pipeline/shader/counts.h"
 #include "tests/shaders/mistakes.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
@@ -97,6 +98,14 @@ static void what_shaders_use_must_be_declared(void **state)
         assert_refused(rows[i].program, rows[i].says);
 }
 
+/* What cannot be drawn with, for it would be asked for code that is not there. */
+static void refused_by_check(const GpProgram *program, const char *says)
+{
+    GpError error = { "" };
+    if (gp_program_check(program, &error) != GP_ERROR_INVALID || !strstr(error.text, says))
+        fail_msg("'%s', expected '%s'", error.text, says);
+}
+
 /* One field of a good program is changed. */
 #define WRONG(change, says)                                                                        \
     do {                                                                                           \
@@ -117,6 +126,10 @@ static void every_wrong_field_is_named(void **state)
     WRONG(p.inputs[1].semantic = GP_POSITION, "inputs[1]: position appears twice");
     WRONG(p.inputs[1].components = 0, "inputs declare 2 components");
     WRONG(p.varyings[0].name = NULL, "varyings[0] has no name");
+    WRONG(p.varyings[0].name = "", "varyings[0] has no name");
+    WRONG((p.varyings[0] = p.varyings[1], p.varyings[0].name = "first",
+           p.varyings[0].mode = p.varyings[1].mode = GP_SPRITE_COORD),
+          "a program has one varying of sprite coordinates");
     WRONG(p.varyings[1].name = "color", "varying 'color' appears twice");
     WRONG(p.varyings[1].components = 5, "varying 'place'");
     WRONG(p.varyings[1].mode = GP_INTERPOLATIONS, "varying 'place'");
@@ -137,11 +150,89 @@ static void every_wrong_field_is_named(void **state)
     WRONG((p.code[0] = &code, code.vertex = NULL), "code[0]");
     code = *mistake_none.code[0];
     WRONG((p.code[0] = &code, code.isa = NULL), "code[0]");
+    const GpProgramCode eight = { .lanes = 8,
+                                  .isa = mistake_none.code[0]->isa,
+                                  .vertex = mistake_none.code[0]->vertex };
+    GpProgram uneven = mistake_none;
+    uneven.code[1] = &eight;
+    refused_by_check(&uneven, "code[1]: some widths have a pixel shader, some do not");
     GpProgram nameless = mistake_none;
     nameless.name = "";
     GpError error = { "" };
     assert_int_equal(gp_program_check(&nameless, &error), GP_ERROR_INVALID);
     assert_string_equal(error.text, "a program has no name");
+}
+
+static void without_a_pixel_shader_nothing_of_one_is_declared(void **state)
+{
+    (void)state;
+    const GpProgramCode code = { .lanes = 4,
+                                 .isa = mistake_none.code[0]->isa,
+                                 .vertex = mistake_none.code[0]->vertex };
+    GpProgram none = plainly_built(&mistake_none);
+    none.code[0] = &code;
+    none.pixel_profile = 0;
+    none.color_components = 0;
+    none.samplers = none.local_reads = 0;
+    none.may_discard = none.writes_depth = false;
+    assert_int_equal(gp_program_check(&none, NULL), GP_OK);
+    const struct {
+        uint8_t color_components;
+        GpProfile pixel_profile;
+        uint16_t samplers, local_reads;
+        bool may_discard, writes_depth;
+    } rows[] = {
+        { .color_components = 4 }, { .pixel_profile = GP_PS_2_0 }, { .samplers = 1 },
+        { .local_reads = 1 },      { .may_discard = true },        { .writes_depth = true }
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        GpProgram p = none;
+        p.color_components = rows[i].color_components;
+        p.pixel_profile = rows[i].pixel_profile;
+        p.samplers = rows[i].samplers;
+        p.local_reads = rows[i].local_reads;
+        p.may_discard = rows[i].may_discard;
+        p.writes_depth = rows[i].writes_depth;
+        refused_by_check(&p, "declares things of a pixel shader, and has none");
+    }
+}
+
+/* A counting build that reports one thing more than that of a good program. */
+static struct {
+    size_t offset;
+    bool no_memory;
+} reported;
+
+static bool count_one_thing(const GpProgram *program, GpShaderCounts *vertex, GpShaderCounts *pixel)
+{
+    (void)program;
+    *pixel =
+        (GpShaderCounts){ .discards = true, .writes_depth = true, .outputs_written = ~(uint64_t)0 };
+    *vertex = (GpShaderCounts){ .writes_point_size = true, .outputs_written = ~(uint64_t)0 };
+    memset((char *)vertex + reported.offset, 1, 1);
+    return !reported.no_memory;
+}
+
+static void vertex_shaders_use_nothing_of_pixels(void **state)
+{
+    (void)state;
+    GpProgram p = mistake_none;
+    p.count = count_one_thing;
+    p.writes_depth = p.may_discard = p.writes_point_size = true;
+    reported.offset = offsetof(GpShaderCounts, writes_point_size); /* which is true already */
+    assert_int_equal(gp_program_check(&p, NULL), GP_OK);
+    static const size_t of_pixels[] = {
+        offsetof(GpShaderCounts, gradients),   offsetof(GpShaderCounts, implicit_lod),
+        offsetof(GpShaderCounts, local_slots), offsetof(GpShaderCounts, discards),
+        offsetof(GpShaderCounts, reads_pixel), offsetof(GpShaderCounts, reads_face),
+    };
+    for (size_t i = 0; i < GP_COUNT(of_pixels); i++) {
+        reported.offset = of_pixels[i];
+        refused_by_check(&p, "the vertex shader uses what only pixels have");
+    }
+    reported.no_memory = true;
+    assert_int_equal(gp_program_check(&p, NULL), GP_ERROR_MEMORY);
+    reported.no_memory = false;
 }
 
 /* By the names of the struct's members where they are counted, else by what the position follows. */
@@ -191,6 +282,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_shaders_use_must_be_declared),
         cmocka_unit_test(every_wrong_field_is_named),
+        cmocka_unit_test(without_a_pixel_shader_nothing_of_one_is_declared),
+        cmocka_unit_test(vertex_shaders_use_nothing_of_pixels),
         cmocka_unit_test(inputs_in_another_order_are_refused),
         cmocka_unit_test(inputs_of_one_width_are_told_by_the_names_of_members),
         cmocka_unit_test(a_program_without_mistakes_draws_the_same_however_it_was_built),
