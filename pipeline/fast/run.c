@@ -179,17 +179,18 @@ static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stage
     return GP_OK;
 }
 
-/* Says of a list that did not get its memory how much that may be. */
-static GpResult tell_memory(GpError *error, double bytes)
-{
-    const GpError reason = *error;
-    return gp_fail(error, GP_ERROR_MEMORY, "%.200s: the list may take up to %.0f MB", reason.text,
-                   bytes / (1 << 20));
-}
 
 uint64_t gp_fast_memory(const GpFast *fast, const GpList *list, int lanes)
 {
     return gp_fast_bytes(fast, list, find_stages(lanes)->tile_bytes(), FRAGMENT_BYTES);
+}
+
+/* Says of a list that did not get its memory how much that may be. */
+static GpResult tell_memory(const GpFast *fast, const GpList *list, int lanes, GpError *error)
+{
+    const GpError reason = *error;
+    return gp_fail(error, GP_ERROR_MEMORY, "%.200s: the list may take up to %.0f MB", reason.text,
+                   (double)gp_fast_memory(fast, list, lanes) / (1 << 20));
 }
 
 GpResult gp_fast_run(GpFast *fast, const GpList *list, int lanes, bool timed, GpCounters *counters,
@@ -203,10 +204,9 @@ GpResult gp_fast_run(GpFast *fast, const GpList *list, int lanes, bool timed, Gp
     gp_list_groups(list, group_of);
     FastCursor at = { .list = list, .group_of = group_of };
     start_workers(fast, stages, timed);
-    const uint64_t bytes = gp_fast_memory(fast, list, lanes);
     GpResult result = run_groups(fast, &at, stages, counters, phases, error);
     if (result && error)
-        result = tell_memory(error, (double)bytes);
+        result = tell_memory(fast, list, lanes, error);
     for (int i = 0; i < gp_pool_threads(fast->pool) && fast->tiles[i]; i++)
         stages->add_counts(fast->tiles[i], counters, phases);
     gp_free(group_of);

@@ -145,12 +145,15 @@ GP_INLINE void lanes_store4(void *record, size_t stride, const itg word[4])
     }
 }
 
-/* Four words of each lane from records in a row, and the way back. */
-GP_INLINE void lanes_load4_row(const void *records, itg word[4])
+/* Four words of each lane from records in a row, and the way back. Vector by vector: gcc copies an array of
+ * them by halves through memory, and waits for it. */
+GP_INLINE void lanes_load4_row(const float *records, itg word[4])
 {
     enum { FOURS = GP_LANES / 4 };
     itg row[4], from;
-    __builtin_memcpy(row, records, sizeof row);
+    GP_UNROLL
+    for (int i = 0; i < 4; i++)
+        row[i] = (itg)flt_load(records + i * GP_LANES);
     lanes_transpose4(row, word); /* lane k of four q is record k FOURS + q */
     for (int lane = 0; lane < GP_LANES; lane++)
         from[lane] = lane % FOURS * 4 + lane / FOURS;
@@ -159,7 +162,7 @@ GP_INLINE void lanes_load4_row(const void *records, itg word[4])
         word[i] = itg_permute(word[i], from);
 }
 
-GP_INLINE void lanes_store4_row(void *records, const itg word[4])
+GP_INLINE void lanes_store4_row(float *records, const itg word[4])
 {
     enum { FOURS = GP_LANES / 4 };
     itg row[4], mixed[4], from;
@@ -169,7 +172,9 @@ GP_INLINE void lanes_store4_row(void *records, const itg word[4])
     for (int i = 0; i < 4; i++)
         mixed[i] = FOURS > 1 ? itg_permute(word[i], from) : word[i];
     lanes_transpose4(mixed, row);
-    __builtin_memcpy(records, row, sizeof row);
+    GP_UNROLL
+    for (int i = 0; i < 4; i++)
+        flt_store(records + i * GP_LANES, (flt)row[i]);
 }
 
 /* --- gathered by offsets ---------------------------------------------------------------------- */

@@ -3,6 +3,7 @@
 #include "pipeline/fast/lanes/memory/slots.h"
 
 #include "pipeline/fast/draws/clear.h"
+#include "pipeline/fast/lanes/memory/sums.h"
 
 #include <string.h>
 
@@ -77,6 +78,7 @@ static void clear_color(Tile *tile, int slot, const float color[4])
     const GpFormat format = tile->slots->surfaces->color[slot]->format;
     cleared_value(format, color, tile->slots->color[slot].value);
     tile->slots->color[slot].held = tile->slots->color[slot].cleared = true;
+    tile->slots->color[slot].sums = NULL;
 }
 
 /* in   value: as it reads back */
@@ -94,15 +96,53 @@ static void spell_out(Tile *tile, int slot, const FastBox *part, const float val
         fill(tile, planes->channel[c], part, gp_float_bits(value[c]));
 }
 
+static int channels_of(const Tile *tile, int slot)
+{
+    return gp_format_info(tile->slots->surfaces->color[slot]->format)->channels;
+}
+
 /* Makes the planes hold the content. */
 void fast_hold_color(Tile *tile, int slot)
 {
     if (tile->slots->color[slot].cleared)
         spell_out(tile, slot, NULL, tile->slots->color[slot].value);
+    else if (tile->slots->color[slot].sums)
+        fast_sums_to_planes(tile, (const float(*)[4])tile->slots->color[slot].sums,
+                            channels_of(tile, slot), &tile->slots->color_planes[slot]);
     else if (!tile->slots->color[slot].held)
         fast_load_tile(tile, tile->slots->surfaces->color[slot], &tile->slots->color_planes[slot]);
     tile->slots->color[slot].held = true;
     tile->slots->color[slot].cleared = false;
+    tile->slots->color[slot].sums = NULL;
+}
+
+static void hold_sums(Tile *tile, int slot, float (*pixel)[4])
+{
+    if (tile->slots->color[slot].sums == pixel)
+        return;
+    for (int other = 0; other < FAST_COLOR_SLOTS; other++)
+        if (tile->slots->color[other].sums == pixel)
+            fast_hold_color(tile, other);
+    if (tile->slots->color[slot].cleared) {
+        fast_fill_sums(tile, tile->slots->color[slot].value, pixel);
+        tile->slots->color[slot].cleared = false;
+    } else {
+        fast_hold_color(tile, slot);
+        fast_planes_to_sums(tile, &tile->slots->color_planes[slot], channels_of(tile, slot), pixel);
+    }
+    tile->slots->color[slot].sums = pixel;
+}
+
+void fast_hold_targets(Tile *tile, int count, bool as_sums)
+{
+    for (int t = 0; t < count; t++) {
+        const GpSurface *surface = tile->pass->pass->color[t].surface;
+        const int slot = fast_color_slot(tile->slots->surfaces, surface);
+        if (as_sums)
+            hold_sums(tile, slot, tile->sums->pixel[t]);
+        else
+            fast_hold_color(tile, slot);
+    }
 }
 
 void fast_spell_out_first(Tile *tile, int slot)
@@ -131,7 +171,7 @@ static void begin_color(Tile *tile, const FastPass *pass, int target, bool touch
     tile->planes[target] = &tile->slots->color_planes[slot];
     if (cleared == CLEARED_WHOLE)
         clear_color(tile, slot, color->clear_color);
-    if (touched || cleared == CLEARED_PARTS)
+    if (cleared == CLEARED_PARTS)
         fast_hold_color(tile, slot);
     if (cleared == CLEARED_PARTS)
         clear_color_parts(tile, slot, pass->pass, color->clear_color);

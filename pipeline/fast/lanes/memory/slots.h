@@ -13,6 +13,7 @@ typedef struct FastTileSlots {
         bool cleared; /* but not spelled out: each pixel is `value`, as it reads back */
         bool written; /* the surface has another content */
         float value[4];
+        float (*sums)[4]; /* where the pixels are, and not in the planes (sums.h); or NULL */
     } color[FAST_COLOR_SLOTS];
     struct {
         bool held, written;
@@ -31,6 +32,9 @@ void fast_begin_pass(Tile *tile, const FastPass *pass, bool touched);
 /* Makes the planes of a slot hold its surface's content. */
 void fast_hold_color(Tile *tile, int slot);
 void fast_hold_depth(Tile *tile, int slot);
+
+/* Makes the pass's first targets, so many, hold theirs: as sums or in their planes. */
+void fast_hold_targets(Tile *tile, int count, bool as_sums);
 
 /* Makes the first pixels of a slot that is cleared hold its colour. */
 void fast_spell_out_first(Tile *tile, int slot);

@@ -65,7 +65,7 @@ typedef struct Tile {
     struct FastRecords *records;                      /* shade/records.h */
     struct FastShaderBlock *block;                    /* shade/shader_block.h */
     struct FastLaneRuns *lane_runs;                   /* shade/interpolate_gathered.h */
-    struct FastSums *sums;                            /* output/blend_add.h */
+    struct FastSums *sums;                            /* memory/sums.h */
     struct FastQueue *queue;                          /* shade/queue.h */
     struct FastVisibility *visibility;                /* shade/visibility.h */
     struct FastHierarchicalDepth *hierarchical_depth; /* raster/hierarchical_depth.h */

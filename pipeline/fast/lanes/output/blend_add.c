@@ -2,70 +2,6 @@
 
 #include <string.h>
 
-/* --- targets ---------------------------------------------------------------------------------- */
-
-/* A whole target's pixels side by side, or its channels. Channels that the format lacks are 0, and go
- * nowhere. */
-GP_INLINE void interleave(const Tile *tile, const FastPlanes *planes, int channels,
-                          float (*pixel)[4])
-{
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
-            const uint32_t at = fast_at(x, y);
-            itg channel[4];
-            GP_UNROLL
-            for (int c = 0; c < 4; c++)
-                channel[c] = c < channels ? (itg)flt_load(planes->channel[c] + at) : itg_set(0);
-            lanes_store4_row(pixel[at], channel);
-        }
-}
-
-GP_INLINE void separate(const Tile *tile, const float (*pixel)[4], int channels, FastPlanes *planes)
-{
-    for (int32_t y = 0; y < tile->height; y++)
-        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
-            const uint32_t at = fast_at(x, y);
-            itg channel[4];
-            lanes_load4_row(pixel[at], channel);
-            GP_UNROLL
-            for (int c = 0; c < 4; c++)
-                if (c < channels)
-                    flt_store(planes->channel[c] + at, (flt)channel[c]);
-        }
-}
-
-static int channels_of(const Tile *tile, int target)
-{
-    return gp_format_info(tile->pass->pass->color[target].surface->format)->channels;
-}
-
-void fast_begin_sums(Tile *tile, const FastDraw *d)
-{
-    const int written = gp_program_targets(d->draw->program);
-    tile->sums->targets = written < tile->targets ? written : tile->targets;
-    for (int t = 0; t < tile->sums->targets; t++) {
-        const int channels = channels_of(tile, t);
-        if (channels == 4)
-            interleave(tile, tile->planes[t], 4, tile->sums->pixel[t]);
-        else
-            interleave(tile, tile->planes[t], channels, tile->sums->pixel[t]);
-    }
-}
-
-void fast_end_sums(Tile *tile)
-{
-    for (int t = 0; t < tile->sums->targets; t++) {
-        const int channels = channels_of(tile, t);
-        if (channels == 4)
-            separate(tile, tile->sums->pixel[t], 4, tile->planes[t]);
-        else
-            separate(tile, tile->sums->pixel[t], channels, tile->planes[t]);
-    }
-    tile->sums->targets = 0;
-}
-
-/* --- fragments -------------------------------------------------------------------------------- */
-
 /* Of which some replace what there was. */
 static void replace_or_add(float (*pixel)[4], bool halves, const uint32_t place[GP_LANES],
                            const float (*more)[4], unsigned replaced)
@@ -142,7 +78,8 @@ GP_INLINE void add_as(float (*pixel)[4], bool halves, bool pairs, const FastShad
 void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
 {
     const bool pairs = fast_adds_pairs(d);
-    for (int t = 0; t < tile->sums->targets; t++) {
+    const int written = gp_program_targets(d->draw->program);
+    for (int t = 0; t < written && t < tile->targets; t++) {
         const GpFormat format = d->pass->color[t].surface->format;
         const flt *color = shaded->color + 4 * t;
         if (format == GP_G16R16F || format == GP_A16B16G16R16F)

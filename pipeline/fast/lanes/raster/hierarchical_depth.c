@@ -34,10 +34,11 @@ static void find_columns(const uint32_t *depth, int32_t columns[SIDE * FAST_TILE
 static void halve(int32_t *codes, int32_t count)
 {
     for (int32_t i = 0; i < count / 2; i += GP_LANES) {
-        itg pair[2];
-        __builtin_memcpy(pair, &codes[2 * i], sizeof pair);
-        pair[0] = itg_greater(itg_evens(pair[0], pair[1]), itg_odds(pair[0], pair[1]));
-        __builtin_memcpy(&codes[i], &pair[0], sizeof pair[0]);
+        itg first, second;
+        __builtin_memcpy(&first, &codes[2 * i], sizeof first);
+        __builtin_memcpy(&second, &codes[2 * i + GP_LANES], sizeof second);
+        first = itg_greater(itg_evens(first, second), itg_odds(first, second));
+        __builtin_memcpy(&codes[i], &first, sizeof first);
     }
 }
 

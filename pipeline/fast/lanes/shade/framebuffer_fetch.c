@@ -12,11 +12,12 @@ static void begin_fetch_color(Tile *tile, int slot, FastFetch *fetch)
     FastPlanes *planes = &tile->slots->color_planes[slot];
     const int channels = gp_format_info(fetch->format)->channels;
     const bool cleared = tile->slots->color[slot].cleared;
-    if (!cleared)
+    fetch->sums = channels == 4 ? (const float(*)[4])tile->slots->color[slot].sums : NULL;
+    if (!cleared && !fetch->sums)
         fast_hold_color(tile, slot);
     for (int c = 0; c < 4; c++) {
         fetch->same[c] = cleared ? tile->slots->color[slot].value[c] : 1;
-        if (!cleared && c < channels)
+        if (!cleared && !fetch->sums && c < channels)
             fetch->plane[c] = fast_is_packed(fetch->format)
                                   ? planes->packed
                                   : (const uint32_t *)(const void *)planes->channel[c];
@@ -54,8 +55,32 @@ GP_INLINE itg load_places(const uint32_t *plane, const Places *places)
                   : itg_gather((const uint8_t *)plane, places->at * 4);
 }
 
+/* Of fours that stand side by side. */
+GP_INLINE void read_sums(const float (*sums)[4], const Places *places, itg rgba[4])
+{
+    const FastPacket *packet = places->packet;
+    if (packet && packet->wide) {
+        lanes_load4_row(sums[fast_at(packet->x, packet->y)], rgba);
+        return;
+    }
+    const itg at = packet ? packet_y(packet) * FAST_PITCH + packet_x(packet) : places->at;
+    const void *record[GP_LANES];
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        record[lane] = sums[at[lane]];
+    lanes_load4(record, rgba);
+}
+
 GP_INLINE void read_planes(const FastFetch *fetch, const Places *places, flt rgba[4])
 {
+    if (fetch->sums) {
+        itg words[4];
+        read_sums(fetch->sums, places, words);
+        GP_UNROLL
+        for (int c = 0; c < 4; c++)
+            rgba[c] = (flt)words[c];
+        return;
+    }
     if (fetch->is_float) {
         GP_UNROLL
         for (int c = 0; c < 4; c++)

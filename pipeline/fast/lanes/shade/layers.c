@@ -114,7 +114,7 @@ static bool are_alike(Tile *tile)
         const int slot = __builtin_ctz(left);
         const FastFetch *fetch = &tile->block->fetch[slot];
         fast_begin_fetch(tile, d->draw->textures, slot);
-        if (fetch->format == GP_FORMAT_NONE || fetch->plane[0])
+        if (fetch->format == GP_FORMAT_NONE || fetch->sums || fetch->plane[0])
             return false;
     }
     return true;

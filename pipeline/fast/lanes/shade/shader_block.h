@@ -10,6 +10,7 @@ enum { FAST_AHEAD = 4 }; /* packets whose inputs may be written at once, past th
 typedef struct FastFetch {
     GpFormat format;          /* GP_FORMAT_NONE: a surface that no slot of the tile holds */
     bool is_float;            /* words of the planes are what is read */
+    const float (*sums)[4];   /* a pixel's channels side by side (sums.h), or NULL, and: */
     const uint32_t *plane[4]; /* of each channel, NULL where all pixels have the same: */
     float same[4];
 } FastFetch;

@@ -5,7 +5,7 @@
 #include "pipeline/fast/lanes/geometry/sprites.h"
 #include "pipeline/fast/lanes/geometry/vertices.h"
 #include "pipeline/fast/lanes/memory/slots.h"
-#include "pipeline/fast/lanes/output/blend_add.h"
+#include "pipeline/fast/lanes/memory/sums.h"
 #include "pipeline/fast/lanes/raster/even_tile.h"
 #include "pipeline/fast/lanes/raster/fill_triangles.h"
 #include "pipeline/fast/lanes/raster/hierarchical_depth.h"
@@ -42,18 +42,12 @@ static void flush_draw(Tile *tile)
     fast_end_repeated(tile);
 }
 
-static void end_draw(Tile *tile)
-{
-    flush_draw(tile);
-    fast_end_sums(tile);
-}
-
-/* Whether a draw adds to what the tile's sums hold already: many small ones in a row do. */
-static bool adds_to_sums(const Tile *tile, const FastDraw *d)
+/* Those that the draw writes, as it wants them. */
+static void hold_targets(Tile *tile, const FastDraw *d)
 {
     const int written = gp_program_targets(d->draw->program);
-    return d->only_adds && d->packs_points &&
-           tile->sums->targets == (written < tile->targets ? written : tile->targets);
+    fast_hold_targets(tile, written < tile->targets ? written : tile->targets,
+                      d->only_adds && d->packs_points);
 }
 
 /* Between draws: packets wait for one draw only, and what is visible must be shaded before a draw that
@@ -63,15 +57,11 @@ static void begin_draw(Tile *tile, uint32_t number)
     flush_draw(tile);
     tile->draw = &tile->pass->draws[number];
     tile->is_drawn = false;
-    const bool adds = adds_to_sums(tile, tile->draw);
-    if (!adds)
-        fast_end_sums(tile);
     fast_keep_hierarchical_depth(tile, tile->draw);
     tile->draw_number = number;
     if (tile->draw->path == FAST_ORDERED)
         fast_flush_visibility(tile);
-    if (!adds && tile->draw->only_adds && tile->draw->packs_points)
-        fast_begin_sums(tile, tile->draw);
+    hold_targets(tile, tile->draw);
     if (tile->draw->repeated && tile->is_group_whole)
         tile->is_drawn = !fast_find_repeated_fragments(tile);
 }
@@ -234,11 +224,10 @@ static void draw_slice(Tile *tile, const FastPass *pass, uint32_t number)
     fast_keep_hierarchical_depth(tile, NULL);
     tile->queue->count = tile->queue->layers.count = tile->queue->colors = 0;
     tile->sorted->count = 0;
-    tile->sums->targets = 0;
     fast_begin_visibility(tile);
     fast_turn_to(tile, FAST_RASTER);
     draw_bins(tile, pass, number);
-    end_draw(tile);
+    flush_draw(tile);
     fast_flush_visibility(tile);
 }
 

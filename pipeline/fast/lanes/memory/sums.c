@@ -1,0 +1,57 @@
+#include "pipeline/fast/lanes/memory/sums.h"
+
+GP_INLINE void to_sums(const Tile *tile, const FastPlanes *planes, int channels, float (*pixel)[4])
+{
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
+            const uint32_t at = fast_at(x, y);
+            itg channel[4];
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                channel[c] = c < channels ? (itg)flt_load(planes->channel[c] + at) : itg_set(0);
+            lanes_store4_row(pixel[at], channel);
+        }
+}
+
+GP_INLINE void to_planes(const Tile *tile, const float (*pixel)[4], int channels,
+                         FastPlanes *planes)
+{
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x += GP_LANES) {
+            const uint32_t at = fast_at(x, y);
+            itg channel[4];
+            lanes_load4_row(pixel[at], channel);
+            GP_UNROLL
+            for (int c = 0; c < 4; c++)
+                if (c < channels)
+                    flt_store(planes->channel[c] + at, (flt)channel[c]);
+        }
+}
+
+void fast_planes_to_sums(const Tile *tile, const FastPlanes *planes, int channels,
+                         float (*pixel)[4])
+{
+    if (channels == 4)
+        to_sums(tile, planes, 4, pixel);
+    else
+        to_sums(tile, planes, channels, pixel);
+}
+
+void fast_sums_to_planes(const Tile *tile, const float (*pixel)[4], int channels,
+                         FastPlanes *planes)
+{
+    if (channels == 4)
+        to_planes(tile, pixel, 4, planes);
+    else
+        to_planes(tile, pixel, channels, planes);
+}
+
+void fast_fill_sums(const Tile *tile, const float value[4], float (*pixel)[4])
+{
+    flt fours;
+    for (int lane = 0; lane < GP_LANES; lane++)
+        fours[lane] = value[lane % 4];
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < FAST_TILE; x += GP_LANES / 4)
+            flt_store(pixel[fast_at(x, y)], fours);
+}
