@@ -164,8 +164,9 @@ static void fetch(const FastDraw *d, uint32_t first, uint32_t count, Block *bloc
 
 /* --- places ----------------------------------------------------------------------------------- */
 
-/* Bits of the planes that a vertex is outside of, as gp_clip_triangle decides. */
-static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
+/* Bits of the planes that a vertex is outside of, as gp_clip_triangle decides; of a point, as gp_clip_point does,
+ * where z and w may both be infinite: their difference is no number. */
+static itg outside_planes(const GpGuardBand *band, bool is_point, flt x, flt y, flt z, flt w)
 {
     const flt distance[GP_CLIP_PLANES] = {
         [GP_CLIP_LEFT] = x - band->left * w,
@@ -179,6 +180,8 @@ static itg outside_planes(const GpGuardBand *band, flt x, flt y, flt z, flt w)
     GP_UNROLL
     for (int i = 0; i < GP_CLIP_PLANES; i++)
         bits |= ~(itg)(distance[i] >= 0.0f) & itg_set(1 << i);
+    if (is_point)
+        bits &= ~((itg)(z <= w) & itg_set(1 << GP_CLIP_FAR));
     return bits;
 }
 
@@ -198,7 +201,8 @@ static msk viewport_transform(const FastDraw *d, const flt position[4], flt size
 {
     const GpViewport *v = &d->viewport;
     flt x = position[0], y = position[1], z = position[2], w = position[3];
-    itg outside = outside_planes(&d->band, x, y, z, w);
+    const bool is_point = d->draw->geometry.primitive == GP_POINTS;
+    itg outside = outside_planes(&d->band, is_point, x, y, z, w);
     flt rw = 1.0f / w;
     flt screen_x = (x * rw + 1.0f) * v->width * 0.5f + v->x;
     flt screen_y = (1.0f - y * rw) * v->height * 0.5f + v->y;
@@ -212,7 +216,7 @@ static msk viewport_transform(const FastDraw *d, const flt position[4], flt size
     msk placed = (msk)(outside == 0);
     itg fixed_x = snap(flt_select(placed, screen_x, flt_set(0)));
     itg fixed_y = snap(flt_select(placed, screen_y, flt_set(0)));
-    flt last = d->draw->geometry.primitive == GP_POINTS ? size : rw;
+    flt last = is_point ? size : rw;
     const itg words[4] = { itg_select(placed, fixed_x, FAST_NOWHERE + outside), fixed_y,
                            (itg)screen_z, (itg)last };
     lanes_store4(to, sizeof *to, words);
