@@ -261,6 +261,18 @@ static Tested test_one(GpFormat format, const GpDepthStencil *desc, float depth,
     return result;
 }
 
+/* surface && mask: without a depth target no test is asked. */
+static void pixels_pass_where_there_is_no_depth_target(void **state)
+{
+    (void)state;
+    const GpDepthStencil unit = { .depth = { .test = GP_NEVER, .write = true },
+                                  .stencil = { .enable = true, .front.test = GP_NEVER } };
+    GpQuad quad = { .mask = 0xb, .front = true };
+    gp_depth_stencil(&unit, &quad);
+    assert_int_equal(quad.mask, 0xb);
+    assert_false(test_one(GP_D24S8, &unit, 0, true).mask);
+}
+
 /* stencil passed && depth passed && write: whether depth is stored; the first two: whether the pixel lives, and
  * which of the three operations is applied. */
 static void depth_is_stored_where_both_tests_pass_and_it_is_written(void **state)
@@ -386,6 +398,7 @@ int main(void)
         cmocka_unit_test(points_are_drawn_where_they_hold_a_centre),
         cmocka_unit_test(each_side_of_the_scissor_cuts),
         cmocka_unit_test(r30_every_comparison_by_every_relation),
+        cmocka_unit_test(pixels_pass_where_there_is_no_depth_target),
         cmocka_unit_test(depth_is_stored_where_both_tests_pass_and_it_is_written),
         cmocka_unit_test(the_back_serves_two_sided_stencils_of_backs),
         cmocka_unit_test(r18_each_end_of_the_range_clamps),

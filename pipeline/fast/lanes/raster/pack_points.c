@@ -225,6 +225,8 @@ static void queue_fragments(Fragments *f)
 
 /* --- boxes ------------------------------------------------------------------------------------ */
 
+_Static_assert(GP_LANES + GP_LANES * SMALL_BOX <= ROOM, "small boxes of a batch have room");
+
 /* Boxes of few pixels, all at once, a fragment of each at a time: combined bits have no order. */
 GP_INLINE void add_small(Fragments *f, unsigned small)
 {
@@ -232,8 +234,6 @@ GP_INLINE void add_small(Fragments *f, unsigned small)
     const itg lane = lane_numbers() << POINT_SHIFT, first = s->x0 | lane, last = s->x1 | lane;
     itg x = first, y = s->y0;
     for (; small; small &= msk_bits((msk)(y <= s->y1))) {
-        if (f->count > ROOM - GP_LANES)
-            queue_fragments(f);
         itg_compress(f->word + f->count, small, x | y << Y_SHIFT);
         f->count += (uint32_t)__builtin_popcount(small);
         const msk ends = (msk)(x == last);

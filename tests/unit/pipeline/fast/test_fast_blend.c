@@ -38,6 +38,50 @@ static void list_blends(void)
                                      .alpha_dst = dst });
 }
 
+/* States that have code of their own where they are exactly these, and each with one thing changed. */
+static void list_neighbours(void)
+{
+    static const GpBlend known[] = {
+        { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE },
+        { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA },
+        { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE },
+        { GP_BLEND_ADD, GP_ONE, GP_SRC_ALPHA, GP_BLEND_ADD, GP_ZERO, GP_SRC_ALPHA, 0 },
+        { GP_BLEND_ADD, GP_DEST_ALPHA, GP_ONE, GP_BLEND_ADD, GP_ZERO, GP_SRC_ALPHA, 0 },
+    };
+    enum { CHANGES = 8 };
+    for (size_t i = 0; i < CHANGES * GP_COUNT(known); i++) {
+        GpBlend blend = known[i / CHANGES];
+        const bool separate = blend.alpha_op != GP_BLEND_OFF;
+        switch (i % CHANGES) {
+        case 1:
+            blend.src = GP_DEST_COLOR;
+            break;
+        case 2:
+            blend.dst = GP_DEST_COLOR;
+            break;
+        case 3:
+            blend.op = GP_BLEND_SUBTRACT;
+            break;
+        case 4:
+            blend.alpha_op = separate ? GP_BLEND_OFF : GP_BLEND_MAX;
+            break;
+        case 5:
+            blend.alpha_src = GP_DEST_COLOR;
+            break;
+        case 6:
+            blend.alpha_dst = GP_DEST_COLOR;
+            break;
+        case 7:
+            blend.keep = 2;
+            break;
+        default:
+            break;
+        }
+        assert_true(blend_count < MOST);
+        blends[blend_count++] = blend;
+    }
+}
+
 /* Bits are combined in unorm targets alone. */
 static GpBlend blend_for(GpFormat format, int number)
 {
@@ -128,6 +172,7 @@ static void every_blend_into_every_format(void **state)
     (void)state;
     GpFormat next = GP_FORMAT_NONE + 1, formats[GP_MAX_TARGETS];
     list_blends();
+    list_neighbours();
     while (take_formats(&next, formats)) {
         draw_cells(formats, false);
         draw_cells(formats, true);

@@ -141,9 +141,39 @@ static void triangles_with_no_corner_inside_have_their_colours(void **state)
     gp_surface_destroy(&c.target);
 }
 
+/* Each corner is beyond another side of the guard band: no plane has all of them outside. */
+static void a_triangle_beyond_three_sides_covers_what_it_holds(void **state)
+{
+    (void)state;
+    static const float plain[3][2] = { { -1, 3 }, { 3, -1 }, { -1, -1 } };
+    static const float wide[3][2] = { { -1000, -5 }, { 0, 1000 }, { 1000, -5 } };
+    Random random = { 1 };
+    for (int turn = 0; turn < 12; turn++) {
+        uint64_t hash[2];
+        for (int i = 0; i < 2; i++) {
+            Clipped c;
+            open_case(&random, &c);
+            c.draw.geometry.vertex_count = 3;
+            for (int k = 0; k < 3; k++) {
+                const int from = (turn / 2 + (turn % 2 ? 3 - k : k)) % 3;
+                const float *corner = i ? wide[from] : plain[from];
+                c.corners[0][k][0] = corner[0];
+                c.corners[0][k][1] = i && turn / 6 ? -corner[1] : corner[1];
+                c.corners[0][k][2] = 0;
+            }
+            set_pass(&c);
+            run_seed_everywhere(&c.pass, turn);
+            hash[i] = gp_surface_hash(c.target);
+            gp_surface_destroy(&c.target);
+        }
+        assert_int_equal(hash[0], hash[1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_triangle_beyond_three_sides_covers_what_it_holds),
         cmocka_unit_test(planes_of_any_size_cut_as_the_reference_does),
         cmocka_unit_test(what_planes_cut_away_is_not_shaded),
         cmocka_unit_test(triangles_with_no_corner_inside_have_their_colours),

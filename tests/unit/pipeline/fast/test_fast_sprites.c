@@ -84,7 +84,7 @@ static GpDepthState random_depth(Random *r)
 /* How a draw treats its targets: it adds to them, blends in some other way, replaces, or leaves them. */
 static GpBlend random_blend(Random *r)
 {
-    switch (random_int(r, 0, 7)) {
+    switch (random_int(r, 0, 8)) {
     case 0:
         return (GpBlend){ .op = GP_BLEND_OFF };
     case 1:
@@ -93,6 +93,9 @@ static GpBlend random_blend(Random *r)
         return (GpBlend){ .op = GP_BLEND_OFF, .keep = 15 };
     case 3:
         return (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE, .keep = 4 };
+    case 4: /* of two channels alpha is none, but there is a rule for it */
+        return (
+            GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE, .alpha_op = GP_BLEND_MAX };
     default:
         return (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
     }

@@ -370,7 +370,8 @@ static void reading_gives_texels_as_floats_and_as_they_are(void **state)
 static void reading_refuses_what_is_not_there(void **state)
 {
     (void)state;
-    static const GpRect bad[] = { { -1, 0, 2, 2 }, { 0, 0, 5, 2 }, { 0, 0, 2, 4 }, { 3, 0, 2, 1 } };
+    static const GpRect bad[] = { { -1, 0, 2, 2 }, { 0, -1, 2, 2 }, { 0, 0, 5, 2 },
+                                  { 0, 0, 2, 4 },  { 3, 0, 2, 1 },  { 0, 2, 2, 1 } };
     GpSurface *s = make(GP_R8, 4, 3, 1);
     uint8_t bytes[12];
     float rgba[48];

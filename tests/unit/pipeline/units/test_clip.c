@@ -224,6 +224,9 @@ static void points_are_kept_by_their_vertex_alone(void **state)
     assert_false(gp_clip_point(&before));
     assert_false(gp_clip_point(&behind));
     assert_false(gp_clip_point(&no_number));
+    GpVertex at_eye = vertex_at(0, 0, 0, 0), at_end = vertex_at(0, 0, INFINITY, INFINITY);
+    assert_false(gp_clip_point(&at_eye));
+    assert_true(gp_clip_point(&at_end));
 }
 
 int main(void)

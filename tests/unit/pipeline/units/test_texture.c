@@ -46,6 +46,21 @@ static void the_border_is_a_texel_of_the_format(void **state)
     }
 }
 
+static void r41_the_border_of_a_depth_texture_is_a_depth(void **state)
+{
+    (void)state;
+    static const float given[] = { -0.5f, 0, 0.25f, 1, 1.5f }, stored[] = { 0, 0, 0.25f, 1, 1 };
+    GpSurface *s = make(GP_D32F, 2, 2, 1);
+    for (size_t i = 0; i < GP_COUNT(given); i++) {
+        GpTexture texture = linear(s, GP_BORDER);
+        texture.sampler.border[0] = given[i];
+        float rgba[4];
+        sample(&texture, 3.0f, 3.0f, 0, rgba);
+        assert_true(rgba[0] == stored[i]);
+    }
+    gp_surface_destroy(&s);
+}
+
 static void missing_channels_sample_as_one_also_at_the_border(void **state)
 {
     (void)state;
@@ -264,6 +279,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(r41_the_border_wins_if_any_axis_is_out),
         cmocka_unit_test(the_border_is_a_texel_of_the_format),
+        cmocka_unit_test(r41_the_border_of_a_depth_texture_is_a_depth),
         cmocka_unit_test(missing_channels_sample_as_one_also_at_the_border),
         cmocka_unit_test(an_unbound_texture_is_opaque_black),
         cmocka_unit_test(r43_mip_filters_blend_levels_by_the_8_bit_fraction),

@@ -106,6 +106,9 @@ static void zero_viewport_means_the_whole_target(void **state)
     (void)state;
     GpViewport v = gp_viewport_resolve(&(GpViewport){ 0 }, 123, 45);
     assert_true(v.width == 123 && v.height == 45 && v.min_depth == 0 && v.max_depth == 1);
+    v = gp_viewport_resolve(&(GpViewport){ .height = 7 }, 123,
+                            45); /* no width is not none at all */
+    assert_true(v.width == 0 && v.height == 7);
 }
 
 static void positions_off_the_number_range_are_refused(void **state)
