@@ -170,9 +170,42 @@ static void a_triangle_beyond_three_sides_covers_what_it_holds(void **state)
     }
 }
 
+/* One edge is as long as edges are, and runs by the target at some rows' distance: of two rows, or columns, at the
+ * end of tiles it is far outside or inside, where its value hardly fits into 32 bits. */
+static void long_edges_pass_by_as_they_do_in_the_reference(void **state)
+{
+    (void)state;
+    Random random = { 9 };
+    for (int seed = 0; seed < 24; seed++) {
+        Clipped c;
+        const int along = seed % 2;
+        open_case(&random, &c);
+        for (int t = 0; t < TRIANGLES; t++)
+            for (int k = 0; k < 3; k++) {
+                float *corner = c.corners[t][k];
+                const float far = (float)random_int(&random, 20000, 32000), side = SIDE / 2;
+                const bool last = k == 2;
+                corner[along] = (k == 1 ? -far : far) / side;
+                corner[!along] =
+                    (last ? (t % 2 ? far : -far) : random_float(&random, -500, 500)) / side;
+                corner[2] = 0;
+            }
+        const int32_t end = 64 * random_int(&random, 1, SIDE / 64);
+        GpRasterState *raster = &c.draw.state.raster;
+        raster->scissor = true;
+        *(along ? &raster->scissor_x0 : &raster->scissor_y0) = end - 2;
+        *(along ? &raster->scissor_x1 : &raster->scissor_y1) = end;
+        *(along ? &raster->scissor_y1 : &raster->scissor_x1) = SIDE;
+        set_pass(&c);
+        run_seed_everywhere(&c.pass, seed);
+        gp_surface_destroy(&c.target);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(long_edges_pass_by_as_they_do_in_the_reference),
         cmocka_unit_test(a_triangle_beyond_three_sides_covers_what_it_holds),
         cmocka_unit_test(planes_of_any_size_cut_as_the_reference_does),
         cmocka_unit_test(what_planes_cut_away_is_not_shaded),

@@ -11,7 +11,7 @@ typedef struct Repeat {
     float corners[3 * TRIANGLES][CORNER_FLOATS], others[3 * TRIANGLES][CORNER_FLOATS];
     ExerciseUniforms uniforms, same, other;
     GpProgram variant; /* of exercise_color, whose vertex shader it has */
-    GpSurface *color, *second, *depth;
+    GpSurface *color, *second, *depth, *texture;
     GpDraw draws[3][2];
     GpPass passes[3];
     GpList list;
@@ -50,6 +50,7 @@ static void begin(Repeat *r)
     GpSurfaceDesc desc = { .format = GP_A16B16G16R16F, .width = SIDE, .height = SIDE };
     assert_int_equal(gp_surface_create(&desc, &r->color, NULL), GP_OK);
     assert_int_equal(gp_surface_create(&desc, &r->second, NULL), GP_OK);
+    assert_int_equal(gp_surface_create(&desc, &r->texture, NULL), GP_OK);
     desc.format = GP_D24S8;
     assert_int_equal(gp_surface_create(&desc, &r->depth, NULL), GP_OK);
     for (int p = 0; p < 3; p++) {
@@ -85,7 +86,7 @@ static void finish(Repeat *r, const char *what)
         if (hash != first)
             fail_msg("%s: %s draws other bits", what, device_name(device_here(d)));
     }
-    GpSurface **all[] = { &r->color, &r->second, &r->depth };
+    GpSurface **all[] = { &r->color, &r->second, &r->depth, &r->texture };
     for (size_t i = 0; i < GP_COUNT(all); i++)
         gp_surface_destroy(all[i]);
 }
@@ -137,6 +138,9 @@ static void programs_that_differ_in_one_thing(void **state)
     OTHER((r.variant.varyings[1].mode = GP_PERSPECTIVE, draw->program = &r.variant));
     OTHER((r.variant.varyings[2].mode = GP_PERSPECTIVE, draw->program = &r.variant));
     OTHER((r.variant.inputs[1].semantic = GP_NORMAL, draw->program = &r.variant));
+    OTHER((r.variant.uniform_bytes -= sizeof r.uniforms.scale, draw->program = &r.variant));
+    OTHER((r.variant.vertex_samplers = 1, draw->textures[0].surface = r.texture,
+           draw->program = &r.variant));
     OTHER((r.variant.uses_face = true, draw->program = &r.variant));
     OTHER((r.variant.uses_pixel = true, draw->program = &r.variant));
     OTHER((r.variant.uses_derivatives = true, draw->program = &r.variant));
@@ -161,11 +165,11 @@ static void tests_and_blends_that_differ_in_one_thing(void **state)
     OTHER((pass->color[0].clear = true, pass->color[0].clear_color[2] = 0.5f));
 }
 
-/* More repeats in a group than are kept of it, and a repeat of what lies further back. */
+/* More repeats in a group than are kept of it (64), and a repeat of what lies further back. */
 static void many_that_are_repeated(void **state)
 {
     (void)state;
-    enum { PASSES = 24 };
+    enum { PASSES = 136 };
     Repeat r;
     begin(&r);
     static GpPass passes[PASSES];
@@ -176,11 +180,39 @@ static void many_that_are_repeated(void **state)
         uniforms[p].matrix[0][3] = 0.125f * (float)(p / 2 % 6);
         draws[p] = r.draws[0][0];
         draws[p].uniforms = &uniforms[p];
+        draws[p].viewport = (GpViewport){ .width = 24, .height = 24 };
         passes[p] = r.passes[p ? 1 : 0];
         passes[p].draws = &draws[p];
     }
     r.list = (GpList){ passes, PASSES };
     finish(&r, "many");
+}
+
+/* A pass of so many draws is drawn in parts, of which the next one repeats none. */
+static void a_pass_that_is_drawn_in_parts_is_not_repeated(void **state)
+{
+    (void)state;
+    enum { DRAWS = 4100 };
+    Repeat r;
+    begin(&r);
+    static GpDraw draws[DRAWS];
+    for (int i = 0; i < DRAWS; i++) {
+        draws[i] = r.draws[0][0];
+        draws[i].geometry.vertex_count = 3;
+        draws[i].viewport = (GpViewport){ .width = 12, .height = 12 };
+        for (int s = 0; s < GP_SEMANTICS; s++) {
+            const GpStream *all = &r.draws[0][0].geometry.streams[s];
+            if (all->data)
+                draws[i].geometry.streams[s].data =
+                    (const uint8_t *)all->data + (size_t)(i % TRIANGLES * 3) * all->stride;
+        }
+    }
+    for (int p = 0; p < 2; p++) {
+        r.passes[p].draws = draws;
+        r.passes[p].draw_count = DRAWS;
+    }
+    r.list.pass_count = 2;
+    finish(&r, "in parts");
 }
 
 int main(void)
@@ -190,6 +222,7 @@ int main(void)
         cmocka_unit_test(programs_that_differ_in_one_thing),
         cmocka_unit_test(tests_and_blends_that_differ_in_one_thing),
         cmocka_unit_test(many_that_are_repeated),
+        cmocka_unit_test(a_pass_that_is_drawn_in_parts_is_not_repeated),
     };
     return cmocka_run_group_tests_name("repeats", tests, NULL, NULL);
 }

@@ -232,6 +232,8 @@ static void triangles_of_one_colour_but_for_one_thing(void **state)
     OTHER(begin_flat, (raster->clip_planes = 1, raster->clip_plane[0][0] = 1));
     OTHER(begin_flat,
           (raster->scissor = true, raster->scissor_x1 = 50, raster->scissor_y1 = HEIGHT));
+    OTHER(begin_flat, (c.program = exercise_depth, c.program.varyings[0].mode = GP_FLAT,
+                       c.program.varyings[1].mode = GP_FLAT));
     OTHER(begin_flat, s->depth.write = true);
     OTHER(begin_flat, s->depth = ((GpDepthState){ .test = GP_ALWAYS }));
     OTHER(begin_flat, s->depth = ((GpDepthState){ GP_LESS_EQUAL, true, true, 0.1f }));
