@@ -278,12 +278,53 @@ static void hidden_tiles_but_for_one_thing(void **state)
     OTHER(begin_hidden, s->blend[0].keep = 6);
 }
 
+/* What a tile knows of its farthest depths is forgotten where a draw may put something behind them. */
+static void depths_that_rise_again_hide_nothing(void **state)
+{
+    (void)state;
+    for (GpCompare test = GP_ALWAYS; test < GP_COMPARES; test++) {
+        Case c;
+        GpDraw draws[3];
+        float near[CORNERS][CORNER_FLOATS], cover[3][CORNER_FLOATS];
+        begin_hidden(&c);
+        depth_target(&c);
+        c.passes[1].depth.clear_stencil = true;
+        c.passes[1].depth.depth_value = 1;
+        for (int i = 0; i < CORNERS; i++)
+            c.corners[i][2] = 0.5f + 0.001f * (float)i; /* between the two below */
+        memcpy(near, c.corners, sizeof near);
+        for (int i = 0; i < CORNERS; i++) {
+            const bool last = i >= CORNERS - 3; /* a triangle all over the target comes first */
+            near[i][2] = 0.25f;
+            memcpy(near[i], c.corners[last ? i : CORNERS - 3 + i % 3], 2 * sizeof(float));
+        }
+        memcpy(cover, near, sizeof cover);
+        for (int i = 0; i < 3; i++)
+            cover[i][2] = 0.875f;
+        for (int i = 0; i < 3; i++) {
+            draws[i] = c.draw;
+            draws[i].state.depth = (GpDepthState){ .test = i == 1 ? test : GP_LESS, .write = true };
+        }
+        const float *data[] = { near[0], cover[0], c.corners[0] };
+        for (int i = 0; i < 2; i++) {
+            draws[i].geometry.vertex_count = i ? 3 : CORNERS;
+            draws[i].geometry.streams[GP_POSITION].data = data[i];
+            draws[i].geometry.streams[GP_COLOR].data = data[i] + 4;
+            draws[i].geometry.streams[GP_TEXCOORD0].data = data[i] + 8;
+        }
+        c.passes[1].draws = draws;
+        c.passes[1].draw_count = 3;
+        finish(&c, gp_compare_names[test]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(even_tiles_but_for_one_thing),
         cmocka_unit_test(copies_between_all_formats),
         cmocka_unit_test(hidden_tiles_but_for_one_thing),
+        cmocka_unit_test(depths_that_rise_again_hide_nothing),
         cmocka_unit_test(triangles_of_one_colour_but_for_one_thing),
     };
     return cmocka_run_group_tests_name("shortcuts", tests, NULL, NULL);
