@@ -179,7 +179,6 @@ static GpResult run_groups(GpFast *fast, FastCursor *at, const FastStages *stage
     return GP_OK;
 }
 
-
 uint64_t gp_fast_memory(const GpFast *fast, const GpList *list, int lanes)
 {
     return gp_fast_bytes(fast, list, find_stages(lanes)->tile_bytes(), FRAGMENT_BYTES);
