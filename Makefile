@@ -420,7 +420,7 @@ $(FAULT_RESULT): $(PROGRAM) $(FAULTS) $(FAIL_SO) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ $(FAULTS) $(PROGRAM) $(FAIL_SO) --most 6 \
 	    frames frames-resume render-dump chart test test-bless
 faults: $(PROGRAM) $(FAULTS) $(FAIL_SO)
-	@$(FAULTS) $(PROGRAM) $(FAIL_SO) $(if $(MOST),--most $(MOST)) $(COMMANDS)
+	@$(FAULTS) $(PROGRAM) $(FAIL_SO) $(if $(MOST),--most $(MOST)) $(if $(KIND),--kind $(KIND)) $(COMMANDS)
 
 # Branches of the pipeline that the tests take, and calls that fail, of a build of its own. What faults says
 # there is not asked: keeping counts makes calls, which fail too.
@@ -584,7 +584,7 @@ help:
 	@echo 'make fuzz        reads anything, under clang and its sanitizers; FUZZ_S= seconds a target, TARGETS=...'
 	@echo 'make matrix      a table of builds and processors: the same bits; BUILDS=, PROCESSORS=, PICTURES=N of a command'
 	@echo 'make soak        random lists for SOAK_S= seconds: the same bits, and no more memory'
-	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, COMMANDS=...'
+	@echo 'make faults      lets calls of every command fail once; MOST=N of a kind, KIND=, COMMANDS='
 	@echo 'make lessons     twelve questions about the pipeline, and eight ways to break it: out/lessons'
 	@echo 'make docs        the public headers as HTML in out/docs (doxygen)'
 	@echo 'make bench-peers    against llvmpipe in one run, with a chart in out/bench/'

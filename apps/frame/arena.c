@@ -19,6 +19,11 @@ static void *fail(Arena *arena, GpResult result, const char *reason)
     return NULL;
 }
 
+void arena_fail(Arena *arena)
+{
+    fail(arena, GP_ERROR_MEMORY, "out of memory");
+}
+
 /* Large blocks are chunks of their own, behind the one that small blocks are cut from. */
 static ArenaChunk *add_chunk(Arena *arena, size_t bytes)
 {

@@ -27,6 +27,9 @@ void *arena_alloc(Arena *arena, size_t count, size_t size);
 GpSurface *arena_surface(Arena *arena, const GpSurfaceDesc *desc);
 GpSurface *arena_own_surface(Arena *arena, GpSurface *surface);
 
+/* Other memory was missing for what it was to hold: a failure as its own. */
+void arena_fail(Arena *arena);
+
 /* The first failure, or GP_OK. */
 GpResult arena_result(const Arena *arena, GpError *error);
 

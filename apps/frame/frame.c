@@ -22,6 +22,11 @@ void *frame_alloc(Frame *frame, size_t count, size_t size)
     return arena_alloc(&frame->arena, count, size);
 }
 
+void frame_fail(Frame *frame)
+{
+    arena_fail(&frame->arena);
+}
+
 const void *frame_copy(Frame *frame, const void *data, size_t size)
 {
     void *copy = frame_alloc(frame, 1, size);

@@ -47,6 +47,9 @@ static inline GpSurface *frame_picture(const Frame *frame)
 /* Whether all memory was there. errors GP_ERROR_MEMORY */
 GpResult frame_result(const Frame *frame, GpError *error);
 
+/* Memory that is not its own was missing for what it draws: its result says so. */
+void frame_fail(Frame *frame);
+
 /* --- memory and surfaces: belong to the frame until frame_free -------------------------------- */
 
 void *frame_alloc(Frame *frame, size_t count, size_t size); /* zeroed; NULL: out of memory */

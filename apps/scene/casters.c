@@ -210,7 +210,7 @@ static void find_pieces(const GpGeometry *geometry, const bool *receives, uint32
         casts[place[geometry->indices[3 * i]]] |= !receives[i];
 }
 
-/* Leaves out the pieces all of whose triangles receive. Without memory all cast. */
+/* Leaves out the pieces all of whose triangles receive. Without memory all cast, and the frame knows. */
 static SceneCaster choose_triangles(const GpDraw *draw, const bool *receives, Frame *frame)
 {
     const GpGeometry *geometry = &draw->geometry;
@@ -227,8 +227,10 @@ static SceneCaster choose_triangles(const GpDraw *draw, const bool *receives, Fr
             draw_position(draw, i, position);
             positions[3 * (size_t)i + (size_t)k] = (float)position[k];
         }
-    if (positions && place && parent && casts && indices &&
-        !mesh_places(positions, vertices, place)) {
+    if (!positions || !place || !parent || !casts || !indices ||
+        mesh_places(positions, vertices, place)) {
+        frame_fail(frame);
+    } else {
         find_pieces(geometry, receives, place, parent, casts);
         for (uint32_t i = 0; i < geometry->index_count; i++)
             if (casts[place[geometry->indices[i - i % 3]]])
@@ -269,7 +271,9 @@ SceneCasters scene_casters(const Scene *scene, const SceneLight *light, Frame *f
     Candidate *candidates = gp_alloc(triangles, sizeof *candidates);
     bool *receives = gp_alloc(triangles, sizeof *receives);
     SceneCaster *objects = frame_alloc(frame, pass->draw_count, sizeof *objects);
-    if (candidates && receives && objects) {
+    if (!candidates || !receives || !objects) {
+        frame_fail(frame);
+    } else {
         find_farthest(&search);
         find_planes(&search, candidates, find_candidates(&search, candidates));
     }

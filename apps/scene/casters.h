@@ -23,7 +23,7 @@ typedef struct SceneCasters {
 } SceneCasters;
 
 /* Looks at the objects of the first pass.
- * owns   the frame; without memory there are no objects
+ * owns   the frame, which knows where memory was missing
  * note   A vertex within 2^-20 of the scene's largest coordinate from a plane lies on it: that is 16
  *        times what positions are rounded by, which turned ones are. What is shaded wrongly for it
  *        lies no deeper than that below a floor. A light so near to a plane, or as good as along it, is

@@ -1,6 +1,6 @@
 /* Lets every call of every command fail once, and looks at what is left.
  *
- *   faults PROGRAM LIBRARY [--most N] [--workers N] [COMMAND...]
+ *   faults PROGRAM LIBRARY [--most N] [--kind NAME] [--workers N] [COMMAND...]
  *
  * Each command of commands.c runs once as it is, with its calls counted (fail_calls.h), and then once more for
  * each call, which fails. What must hold each time: no signal; exit code 4 for memory, mappings and
@@ -11,6 +11,7 @@
  * first.
  *
  * --most N  at most N calls of a kind a command, evenly chosen; all otherwise
+ * --kind NAME  calls of that kind alone
  * Speaks TAP, a test a command, then counts points by the kind of failure; exit code 1 where there is a fault.
  */
 #include "tests/faults/run.h"
@@ -59,7 +60,8 @@ static const char *fault_of_done(const Command *command, const Run *good, const 
 /* Whether a library or the loader ended the program by itself, for want of memory: their words. */
 static bool is_theirs(FailKind kind, const Run *run)
 {
-    static const char *const words[] = { "GLib-ERROR", "memory for thread-local data: ABORT" };
+    static const char *const words[] = { "GLib-ERROR", "memory for thread-local data: ABORT",
+                                         "Out of memory allocating bitmask" /* libnuma */ };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         if (kind == FAIL_ALLOC && strstr(run->says, words[i]))
             return true;
@@ -104,6 +106,7 @@ enum { MOST_WORKERS = 64, MOST_FAULTS = 20 /* of a command: then it is left */ }
 typedef struct Sweep {
     Runner runner;
     unsigned long most;
+    const char *kind; /* NULL: all */
     int workers;
     char folder[MOST_WORKERS][64];
 } Sweep;
@@ -114,8 +117,10 @@ typedef struct Tally {
 
 /* Where OpenImageIO runs, a library below it ends the program for want of a thread or a file handle: these
  * two are not tried. */
-static bool is_tried(const Command *command, FailKind kind)
+static bool is_tried(const Sweep *sweep, const Command *command, FailKind kind)
 {
+    if (sweep->kind && strcmp(sweep->kind, fail_kind_names[kind]) != 0)
+        return false;
     return !strstr(command->line, ".exr") || (kind != FAIL_OPEN && kind != FAIL_THREAD);
 }
 
@@ -133,7 +138,7 @@ static void tell(const Command *command, const char *fail, const char *fault, co
 static void sweep_kind(const Sweep *sweep, const Command *command, const Run *good, FailKind kind,
                        int worker, Tally *tally)
 {
-    const unsigned long calls = is_tried(command, kind) ? good->calls[kind] : 0;
+    const unsigned long calls = is_tried(sweep, command, kind) ? good->calls[kind] : 0;
     const unsigned long points = sweep->most && sweep->most < calls ? sweep->most : calls;
     Run run;
     for (unsigned long i = (unsigned long)worker; i < points; i += (unsigned long)sweep->workers) {
@@ -220,13 +225,15 @@ int main(int argc, char **argv)
     Runner *runner = &sweep.runner;
     if (argc < 3 || !realpath(argv[1], runner->program) || !realpath(argv[2], runner->library) ||
         !realpath("scenes", runner->scenes)) {
-        fputs("usage: faults PROGRAM LIBRARY [--most N] [--workers N] [COMMAND...]\n", stderr);
+        fputs("usage: faults PROGRAM LIBRARY [--most N] [--kind NAME] [--workers N] [COMMAND...]\n", stderr);
         return 2;
     }
     int i = 3;
     for (; i + 1 < argc && argv[i][0] == '-'; i += 2)
         if (strcmp(argv[i], "--most") == 0)
             sweep.most = strtoul(argv[i + 1], NULL, 10);
+        else if (strcmp(argv[i], "--kind") == 0)
+            sweep.kind = argv[i + 1];
         else
             sweep.workers = atoi(argv[i + 1]);
     if (sweep.workers < 1 || sweep.workers > MOST_WORKERS)

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum {
@@ -174,19 +175,30 @@ static void start(const Runner *runner, const Command *command, const char *fail
     signal(SIGHUP, SIG_DFL);
     dup2(open("stdout", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDOUT_FILENO);
     dup2(open("stderr", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
-    alarm(SECONDS);
     execv(runner->program, word);
     _exit(127);
 }
 
+/* Seconds are counted one by one, so that a machine that stands still, with all that runs on it, is not taken
+ * for a command that hangs. */
 static int wait_for(const Runner *runner, const Command *command, const char *fail)
 {
+    const struct timespec second = { .tv_sec = 1 };
     int status = 0;
+    sigset_t ended, before;
+    sigemptyset(&ended);
+    sigaddset(&ended, SIGCHLD);
+    sigprocmask(SIG_BLOCK, &ended, &before);
     fflush(stdout);
     const pid_t child = fork();
-    if (child == 0)
+    if (child == 0) {
+        sigprocmask(SIG_SETMASK, &before, NULL);
         start(runner, command, fail);
-    waitpid(child, &status, 0);
+    }
+    for (int seconds = 0; waitpid(child, &status, WNOHANG) == 0;)
+        if (sigtimedwait(&ended, NULL, &second) < 0 && ++seconds == SECONDS)
+            kill(child, SIGALRM);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return status;
 }
 

@@ -1,10 +1,12 @@
 /* What only receives shadows, in scenes turned every way. */
 #include "apps/scene/casters.h"
+#include "tests/support/limited.h"
 #include "tests/support/random.h"
 #include "tests/support/scene_text.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <sys/resource.h>
 
 /* --- scenes ----------------------------------------------------------------------------------- */
 
@@ -162,12 +164,42 @@ static void what_reaches_below_a_floor_is_shaded_by_it(void **state)
     }
 }
 
+/* Another picture would be drawn, as if all cast. */
+static void memory_that_is_missing_is_told(void **state)
+{
+    (void)state;
+    enum { BALLS = 600 };
+    static char text[BALLS * 32 + 64];
+    size_t used = (size_t)sprintf(text, "{ \"size\": [8, 8], \"objects\": [ ");
+    for (int i = 0; i < BALLS; i++)
+        used += (size_t)sprintf(text + used, "%s{ \"mesh\": \"builtin:ball\" }", i ? ", " : "");
+    strcpy(text + used, " ] }");
+    Scene scene = load_scene(text);
+    const SceneLight light = { .position = { 9, 9, 9 } };
+    for (int limited = 0; limited <= limits_hold(); limited++) {
+        Frame frame = { .color = NULL };
+        GpError error;
+        struct rlimit before, little;
+        assert_non_null(frame_alloc(&frame, 1, 1)); /* and room for what is the frame's */
+        assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
+        little = before;
+        little.rlim_cur = 1 << 20;
+        assert_int_equal(setrlimit(RLIMIT_AS, limited ? &little : &before), 0);
+        scene_casters(&scene, &light, &frame);
+        assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
+        assert_int_equal(frame_result(&frame, &error), limited ? GP_ERROR_MEMORY : GP_OK);
+        frame_free(&frame);
+    }
+    scene_free(&scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_under_everything_only_receive),
         cmocka_unit_test(so_they_do_whichever_way_they_lie),
         cmocka_unit_test(what_reaches_below_a_floor_is_shaded_by_it),
+        cmocka_unit_test(memory_that_is_missing_is_told),
     };
     return cmocka_run_group_tests_name("casters", tests, NULL, NULL);
 }
