@@ -251,10 +251,8 @@ static bool find_layout(const GpProgram *program, Layout *layout)
 
 bool uniforms_are_known(const GpProgram *program)
 {
-    Layout *layout = gp_alloc(1, sizeof *layout);
-    const bool known = layout && (program->uniform_bytes == 0 || find_layout(program, layout));
-    gp_free(layout);
-    return known;
+    Layout layout = { .count = 0 };
+    return program->uniform_bytes == 0 || find_layout(program, &layout);
 }
 
 /* --- telling ---------------------------------------------------------------------------------- */
@@ -289,19 +287,16 @@ static json_t *member_json(const Member *member, const void *uniforms)
 json_t *uniforms_tell(const GpDraw *draw)
 {
     json_t *told = json_array();
-    Layout *layout = gp_alloc(1, sizeof *layout);
-    if (!layout || !draw->uniforms || !draw->program->uniform_bytes) {
-        gp_free(layout);
+    Layout layout = { .count = 0 };
+    if (!draw->uniforms || !draw->program->uniform_bytes)
         return told;
+    if (!find_layout(draw->program, &layout)) {
+        layout.count = 1;
+        layout.member[0] = (Member){ .name = "uniforms",
+                                     .is_float = true,
+                                     .columns = (int)(draw->program->uniform_bytes / 4) };
     }
-    if (!find_layout(draw->program, layout)) {
-        layout->count = 1;
-        layout->member[0] = (Member){ .name = "uniforms",
-                                      .is_float = true,
-                                      .columns = (int)(draw->program->uniform_bytes / 4) };
-    }
-    for (int i = 0; i < layout->count; i++)
-        json_array_append_new(told, member_json(&layout->member[i], draw->uniforms));
-    gp_free(layout);
+    for (int i = 0; i < layout.count; i++)
+        json_array_append_new(told, member_json(&layout.member[i], draw->uniforms));
     return told;
 }

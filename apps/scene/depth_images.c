@@ -41,13 +41,15 @@ static bool find_point(const DepthImage *image, uint32_t pixel, double point[3])
 }
 
 /* All points of all images, each with a normal, and behind them the first again three times, whose normals
- * are the axes. NULL: there is no point, or no memory. */
-static float (*all_points(const DepthModel *model, uint32_t *count))[6]
+ * are the axes. NULL: there is no point, or no memory, of which the object's reader knows. */
+static float (*all_points(const Node *object, const DepthModel *model, uint32_t *count))[6]
 {
     uint32_t room = 3, at = 0;
     for (uint32_t i = 0; i < model->count; i++)
         room += pixel_count(&model->images[i]);
     float(*points)[6] = gp_alloc(room, sizeof *points);
+    if (!points)
+        node_fail(object, GP_ERROR_MEMORY, "no memory");
     for (uint32_t i = 0; i < model->count && points; i++)
         for (uint32_t k = 0; k < pixel_count(&model->images[i]); k++) {
             double point[3];
@@ -75,7 +77,7 @@ static OwnSpace read_place(Node *object, const DepthModel *model)
     OwnSpace space = { .scale = 1 };
     double first[3] = { 0 };
     uint32_t count = 0;
-    float(*points)[6] = all_points(model, &count);
+    float(*points)[6] = all_points(object, model, &count);
     for (int k = 0; k < 3 && points; k++)
         first[k] = (double)points[0][k];
     const PlacedVertices all = { points ? points[0] : NULL, points ? points[0] + 3 : NULL,

@@ -85,6 +85,7 @@ typedef struct Track {
     json_t *const *values;
     size_t count;
     bool smooth;
+    bool *failed; /* without memory */
 } Track;
 
 /* The last key that is not after a time, or the first. */
@@ -131,7 +132,8 @@ static json_t *child_at(const Track *track, const char *name, size_t index, doub
 {
     double *times = gp_alloc(track->count, sizeof *times);
     json_t **values = gp_alloc(track->count, sizeof(json_t *));
-    Track child = { times, values, 0, track->smooth };
+    Track child = { times, values, 0, track->smooth, track->failed };
+    *track->failed |= !times || !values;
     for (size_t i = 0; times && values && i < track->count; i++) {
         json_t *value = name ? json_object_get(track->values[i], name)
                              : json_array_get(track->values[i], index);
@@ -197,10 +199,14 @@ static json_t *value_at(const Track *track, double time)
 
 json_t *path_at(const ScenePath *path, double time)
 {
-    const Track all = { path->times, path->keys, path->count, path->smooth };
+    bool failed = false;
+    const Track all = { path->times, path->keys, path->count, path->smooth, &failed };
     json_t *made = object_at(&all, time);
     json_object_del(made, "time");
-    return made;
+    if (!failed)
+        return made;
+    json_decref(made);
+    return NULL;
 }
 
 /* --- into a scene ----------------------------------------------------------------------------- */

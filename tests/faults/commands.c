@@ -11,7 +11,10 @@ const char *const fault_files[][2] = {
       "  { \"mesh\": \"corner.off\", \"material\": { \"program\": \"textured\",\n"
       "    \"textures\": [ { \"image\": \"old.png\" } ] } },\n"
       "  { \"points\": \"cloud.ply\", \"transform\": { \"translate\": [0.5, 0, 0] } },\n"
+      "  { \"depth_image\": \"builtin:cube\", \"pixels\": [8, 8], \"fit\": [0, 0.5, 0, 0.5] },\n"
       "  { \"volume\": \"box.raw\", \"transform\": { \"translate\": [0, 0, 0.5] } } ] }\n" },
+    { "way.json", "{ \"rate\": 1, \"keys\": [ { \"time\": 0, \"camera\": { \"fovy\": 30 } },\n"
+                  "  { \"time\": 1, \"camera\": { \"fovy\": 60 } } ] }\n" },
     { "corner.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n3 0 3 1\n" },
     { "cloud.ply", "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float "
                    "y\nproperty float z\n"
@@ -72,6 +75,9 @@ const Command fault_commands[] = {
     { .name = "frames",
       .line = "render SCENES/toon.json --size 16x16 --turn 3 --verify 50 -o t_##.png",
       .outputs = "t_00.png t_01.png t_02.png" },
+    { .name = "frames-path",
+      .line = "render SCENES/toon.json --size 16x16 --path way.json -o t_##.png",
+      .outputs = "t_00.png t_01.png" },
     { .name = "frames-resume",
       .line = "render SCENES/toon.json --size 16x16 --turn 3 --resume -o t_##.png",
       .outputs = "t_00.png t_01.png t_02.png",

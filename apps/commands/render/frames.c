@@ -144,6 +144,8 @@ static GpResult load(const Frames *frames, uint32_t frame, const GpRect *part, S
                      part->y1 == (int32_t)frames->whole[1];
     json_t *changes =
         frames->path.count ? path_at(&frames->path, number / frames->path.rate) : NULL;
+    if (frames->path.count && !changes)
+        return gp_fail(error, GP_ERROR_MEMORY, "%.200s: no memory for its changes", frames->scene);
     SceneOptions options = { .width = frames->whole[0],
                              .height = frames->whole[1],
                              .changes = changes,

@@ -1,8 +1,10 @@
 /* Paths: where things are at a time, between keys that name them and beyond. */
 #include "apps/scene/path.h"
+#include "tests/support/limited.h"
 #include "tests/support/scene_text.h"
 
 #include <math.h>
+#include <sys/resource.h>
 
 static ScenePath open_path(const char *text)
 {
@@ -114,6 +116,39 @@ static void the_camera_goes_round_what_it_looks_at(void **state)
     assert_true(fabs(camera.eye[0] - 3) < 1e-15 && fabs(camera.eye[2] - 2) < 1e-15);
 }
 
+/* Nothing that moves is left where it was. */
+static void memory_that_is_missing_is_told(void **state)
+{
+    (void)state;
+    enum { KEYS = 40000 };
+    char *text = gp_alloc(KEYS, 64);
+    size_t used = (size_t)sprintf(text, "{ \"keys\": [");
+    for (int i = 0; i < KEYS; i++)
+        used += (size_t)sprintf(text + used, "%s{ \"time\": %d, \"camera\": { \"fovy\": 10 } }",
+                                i ? ", " : "", i);
+    strcpy(text + used, "] }");
+    ScenePath path = open_path(text);
+    gp_free(text);
+    for (int limited = 0; limited <= limits_hold(); limited++) {
+        struct rlimit before, little;
+        assert_int_equal(getrlimit(RLIMIT_AS, &before), 0);
+        little = before;
+        little.rlim_cur = 1 << 20;
+        void *held[2000]; /* what is free already */
+        int count = 0;
+        assert_int_equal(setrlimit(RLIMIT_AS, limited ? &little : &before), 0);
+        while (limited && count < 2000 && (held[count] = malloc(100000)))
+            count++;
+        json_t *changes = path_at(&path, 1.5);
+        while (count > 0)
+            free(held[--count]);
+        assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
+        assert_int_equal(changes == NULL, limited);
+        json_decref(changes);
+    }
+    path_close(&path);
+}
+
 static void wrong_paths_are_refused(void **state)
 {
     (void)state;
@@ -156,6 +191,7 @@ int main(void)
         cmocka_unit_test(smooth_curves),
         cmocka_unit_test(each_number_has_its_own_keys),
         cmocka_unit_test(the_camera_goes_round_what_it_looks_at),
+        cmocka_unit_test(memory_that_is_missing_is_told),
         cmocka_unit_test(wrong_paths_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
