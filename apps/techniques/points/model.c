@@ -242,7 +242,7 @@ static GpResult build_structure(PointsModel *model, PointsCompress form, GpPool 
 GpResult points_model_structure(PointsModel *model, PointsCompress form, int threads,
                                 GpError *error)
 {
-    GpPool *pool;
+    GpPool *pool = NULL;
     if (form ? model->compressed[form - 1].words != NULL : model->patches.surfels != NULL)
         return GP_OK;
     if (model->keeps && model->keeps != form)
@@ -288,7 +288,7 @@ static GpResult read_triangles(PointsModel *model, GpError *error)
 
 GpResult points_model_truth(PointsModel *model, int threads, GpError *error)
 {
-    GpPool *pool;
+    GpPool *pool = NULL;
     if (model->truth.color)
         return GP_OK;
     GpResult result = read_triangles(model, error);
