@@ -418,7 +418,7 @@ $(FAIL_SO): $(BUILD)/obj/tests/faults/fail_calls.o
 # In short, those that once took a failure badly.
 $(FAULT_RESULT): $(PROGRAM) $(FAULTS) $(FAIL_SO) always
 	$(call say,TEST,$(@F:.tap=))$(RUN_TEST) $@ $(FAULTS) $(PROGRAM) $(FAIL_SO) --most 6 \
-	    frames frames-resume render-dump chart test test-bless
+	    frames frames-path frames-resume points-file render-dump chart test test-bless
 faults: $(PROGRAM) $(FAULTS) $(FAIL_SO)
 	@$(FAULTS) $(PROGRAM) $(FAIL_SO) $(if $(MOST),--most $(MOST)) $(if $(KIND),--kind $(KIND)) $(COMMANDS)
 

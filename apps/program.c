@@ -45,9 +45,10 @@ static void close_stdout(void)
     }
 }
 
-/* Nothing is half written where this is called from. */
+/* Nothing is half written where this is called from, but other threads may be about to. */
 static void end_without_memory(void)
 {
+    gp_file_abandon();
     _exit(report(EXIT_INTERNAL, "no memory"));
 }
 

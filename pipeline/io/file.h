@@ -54,8 +54,8 @@ GpResult gp_file_add(GpFilePieces *pieces, const void *data, size_t size, GpErro
  * errors GP_ERROR_IO: nothing is left then */
 GpResult gp_file_end(GpFilePieces **pieces, bool whole, GpError *error);
 
-/* Removes what gp_file_write has begun, in whatever thread: for a signal handler that ends the program,
- * where it may be called at any moment. */
+/* Removes what gp_file_write has begun, in whatever thread: for what ends the program at any moment, a
+ * signal handler among it. */
 void gp_file_abandon(void);
 
 /* Finds a data file: the path as given, then in $GLASSPIPE_DATA, then in ../shared/data, then in

@@ -225,7 +225,8 @@ int main(int argc, char **argv)
     Runner *runner = &sweep.runner;
     if (argc < 3 || !realpath(argv[1], runner->program) || !realpath(argv[2], runner->library) ||
         !realpath("scenes", runner->scenes)) {
-        fputs("usage: faults PROGRAM LIBRARY [--most N] [--kind NAME] [--workers N] [COMMAND...]\n", stderr);
+        fputs("usage: faults PROGRAM LIBRARY [--most N] [--kind NAME] [--workers N] [COMMAND...]\n",
+              stderr);
         return 2;
     }
     int i = 3;
