@@ -52,8 +52,9 @@ static GpResult picture_of_image(const GpImage *image, const char *path, Picture
         return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
     if (image->type == GP_IMAGE_U8)
         load_bytes(image->data, count, values);
-    for (size_t i = 0; i < count && image->type != GP_IMAGE_U8; i++)
-        values[i] = load_sample(image, i);
+    else
+        for (size_t i = 0; i < count; i++)
+            values[i] = load_sample(image, i);
     *picture = (Picture){ image->width, image->height, (int)image->channels, values };
     return GP_OK;
 }

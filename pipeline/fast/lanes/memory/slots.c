@@ -171,10 +171,10 @@ static void begin_color(Tile *tile, const FastPass *pass, int target, bool touch
     tile->planes[target] = &tile->slots->color_planes[slot];
     if (cleared == CLEARED_WHOLE)
         clear_color(tile, slot, color->clear_color);
-    if (cleared == CLEARED_PARTS)
+    if (cleared == CLEARED_PARTS) {
         fast_hold_color(tile, slot);
-    if (cleared == CLEARED_PARTS)
         clear_color_parts(tile, slot, pass->pass, color->clear_color);
+    }
     tile->slots->color[slot].written |= cleared != CLEARED_NOWHERE || touched;
 }
 
