@@ -140,24 +140,29 @@ static void find_targets(const GpList *list, Targets *targets)
     }
 }
 
-void run_everywhere(const Frame *frame)
+void run_list_everywhere(const GpList *list, const char *what)
 {
     Targets targets = { .count = 0 };
     uint64_t first = 0;
-    find_targets(&frame->list, &targets);
+    find_targets(list, &targets);
     for (size_t d = 0; device_here(d); d++) {
         for (size_t i = 0; i < targets.count; i++) {
             const GpLevel *level = &targets.surface[i]->level[0];
             memcpy(level->texels, targets.before[i], level_bytes(level));
         }
-        run_list_on(device_here(d), &frame->list);
-        const uint64_t hash = hash_targets(&frame->list);
+        run_list_on(device_here(d), list);
+        const uint64_t hash = hash_targets(list);
         first = d == 0 ? hash : first;
         if (hash != first)
-            fail_msg("%s draws other bits", device_name(device_here(d)));
+            fail_msg("%s: %s draws other bits", what, device_name(device_here(d)));
     }
     for (size_t i = 0; i < targets.count; i++)
         gp_free(targets.before[i]);
+}
+
+void run_everywhere(const Frame *frame)
+{
+    run_list_everywhere(&frame->list, "the frame");
 }
 
 static uint64_t hash_pass(const GpPass *pass, const GpDeviceDesc *desc)

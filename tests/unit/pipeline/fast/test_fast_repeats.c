@@ -78,14 +78,7 @@ static void finish(Repeat *r, const char *what)
     GpError error;
     if (gp_list_check(&r->list, &error))
         fail_msg("%s: %s", what, error.text);
-    uint64_t first = 0;
-    for (size_t d = 0; device_here(d); d++) {
-        run_list_on(device_here(d), &r->list);
-        const uint64_t hash = hash_targets(&r->list);
-        first = d == 0 ? hash : first;
-        if (hash != first)
-            fail_msg("%s: %s draws other bits", what, device_name(device_here(d)));
-    }
+    run_list_everywhere(&r->list, what);
     GpSurface **all[] = { &r->color, &r->second, &r->depth, &r->texture };
     for (size_t i = 0; i < GP_COUNT(all); i++)
         gp_surface_destroy(all[i]);

@@ -6,6 +6,8 @@
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
+#include <stdio.h>
+
 enum { WIDTH = 150, HEIGHT = 100, POINTS = 150, SURFACES = 3, PASSES = 14, SEEDS = 60 };
 
 static const FlatPointsUniforms uniforms = { { WIDTH, HEIGHT } };
@@ -126,16 +128,11 @@ static void draw_seed(Drawing *drawing, int seed)
     const GpList list = { drawing->passes, PASSES };
     if (gp_list_check(&list, &error))
         fail_msg("seed %d: %s", seed, error.text);
-    uint64_t first = 0;
-    for (size_t d = 0; device_here(d); d++) {
-        for (int i = 0; i < SURFACES; i++)
-            gp_surface_clear_color(drawing->surfaces[i], (float[]){ 0.5f, 0.25f, 0.75f, 0.125f });
-        run_list_on(device_here(d), &list);
-        const uint64_t hash = hash_targets(&list);
-        first = d == 0 ? hash : first;
-        if (hash != first)
-            fail_msg("seed %d: %s draws other bits", seed, device_name(device_here(d)));
-    }
+    char what[32];
+    snprintf(what, sizeof what, "seed %d", seed);
+    for (int i = 0; i < SURFACES; i++)
+        gp_surface_clear_color(drawing->surfaces[i], (float[]){ 0.5f, 0.25f, 0.75f, 0.125f });
+    run_list_everywhere(&list, what);
     for (int i = 0; i < SURFACES; i++)
         gp_surface_destroy(&drawing->surfaces[i]);
 }
