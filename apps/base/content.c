@@ -9,7 +9,7 @@
 #include <string.h>
 #include <xxhash.h>
 
-enum { MOST_DEPTH = 16 }; /* of JSON, and of files that name each other */
+enum { MOST_DEPTH = 16, MOST_FILES = 256 }; /* of JSON, and of files that name each other */
 
 uint64_t content_hash_bytes(const void *bytes, size_t size, uint64_t seed)
 {
@@ -18,44 +18,74 @@ uint64_t content_hash_bytes(const void *bytes, size_t size, uint64_t seed)
 
 /* --- inputs ----------------------------------------------------------------------------------- */
 
-/* in named_by: the file that has the name; NULL: none, and what is no file counts by its name */
-static uint64_t hash_name(const char *named_by, const char *name, int depth, uint64_t seed);
+/* Files read so far, by the hash of their path: one that is named again counts by its number, so that files
+ * which name each other, and themselves, many times are read once. */
+typedef struct Files {
+    uint64_t path[MOST_FILES];
+    uint32_t count;
+    uint64_t hash; /* of all that was read */
+} Files;
 
-static uint64_t hash_texts(const char *file, const json_t *value, int depth, uint64_t seed)
+static void add(Files *files, const void *bytes, size_t size)
+{
+    files->hash = content_hash_bytes(bytes, size, files->hash);
+}
+
+/* Whether a file was not read yet, and there is room for it. */
+static bool is_new(Files *files, const char *path)
+{
+    const uint64_t own = content_hash_bytes(path, strlen(path), 0);
+    uint32_t number = 0;
+    while (number < files->count && files->path[number] != own)
+        number++;
+    add(files, &number, sizeof number);
+    if (number < files->count || number == MOST_FILES)
+        return false;
+    files->path[files->count++] = own;
+    return true;
+}
+
+/* in named_by: the file that has the name; NULL: none, and what is no file counts by its name */
+static void add_name(Files *files, const char *named_by, const char *name, int depth);
+
+static void add_texts(Files *files, const char *file, const json_t *value, int depth)
 {
     const char *key;
     json_t *member;
     size_t i;
     if (depth == MOST_DEPTH)
-        return seed;
+        return;
     if (json_is_string(value))
-        return hash_name(file, json_string_value(value), depth + 1, seed);
-    json_array_foreach(value, i, member) seed = hash_texts(file, member, depth + 1, seed);
-    json_object_foreach((json_t *)value, key, member) seed =
-        hash_texts(file, member, depth + 1, seed);
-    return seed;
+        add_name(files, file, json_string_value(value), depth + 1);
+    json_array_foreach(value, i, member) add_texts(files, file, member, depth + 1);
+    json_object_foreach((json_t *)value, key, member) add_texts(files, file, member, depth + 1);
 }
 
-static uint64_t hash_name(const char *named_by, const char *name, int depth, uint64_t seed)
+static void add_name(Files *files, const char *named_by, const char *name, int depth)
 {
     char path[PATH_MAX], extension[8];
     GpFile file;
-    if (gp_data_find_beside(named_by, name, path, sizeof path, NULL) ||
-        gp_file_read(path, &file, NULL))
-        return named_by ? seed : content_hash_bytes(name, strlen(name), seed);
-    seed = content_hash_bytes(file.data, file.size, seed);
+    if (gp_data_find_beside(named_by, name, path, sizeof path, NULL)) {
+        if (!named_by)
+            add(files, name, strlen(name));
+        return;
+    }
+    if (!is_new(files, path) || gp_file_read(path, &file, NULL))
+        return;
+    add(files, file.data, file.size);
     gp_file_extension(path, extension);
     json_t *root =
         strcmp(extension, "json") == 0 ? json_loadb(file.data, file.size, 0, NULL) : NULL;
-    seed = hash_texts(path, root, depth, seed);
+    add_texts(files, path, root, depth);
     json_decref(root);
     gp_file_free(&file);
-    return seed;
 }
 
 uint64_t content_hash(const char *name, uint64_t seed)
 {
-    return hash_name(NULL, name, 0, seed);
+    Files files = { .hash = seed };
+    add_name(&files, NULL, name, 0);
+    return files.hash;
 }
 
 /* --- the program ------------------------------------------------------------------------------ */

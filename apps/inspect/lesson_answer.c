@@ -230,12 +230,12 @@ static bool write_numbers(const LessonAnswer *answer, const json_t *found,
         all[i] = in_units(answer, json_array_get(found, i));
     }
     qsort(all, count, sizeof *all, by_size);
-    int at = 0;
-    for (size_t i = 0; i < count; i++)
+    size_t at = 0;
+    for (size_t i = 0; i < count && at < LESSON_ANSWER_TEXT; i++)
         if (!i || all[i] != all[i - 1])
-            at += snprintf(text + at, LESSON_ANSWER_TEXT - (size_t)at, "%s%.0f", i ? " " : "",
-                           all[i] == 0 ? 0 : all[i]);
-    return true;
+            at += (size_t)snprintf(text + at, LESSON_ANSWER_TEXT - at, "%s%.0f", i ? " " : "",
+                                   all[i] == 0 ? 0 : all[i]);
+    return at < LESSON_ANSWER_TEXT;
 }
 
 /* "none" where what is recorded is null. */

@@ -3,6 +3,7 @@
 #include "apps/base/json_reader.h"
 #include "pipeline/io/file.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -183,10 +184,17 @@ static bool all_arrays(const Track *track)
     return true;
 }
 
+/* Where the way between two keys leads beyond all numbers, the value changes at the keys. */
+static json_t *number_at(const Track *track, double time)
+{
+    const double number = interpolate(track, time);
+    return json_real(isfinite(number) ? number : number_of(track, key_before(track, time)));
+}
+
 static json_t *value_at(const Track *track, double time)
 {
     if (all_numbers(track))
-        return json_real(interpolate(track, time));
+        return number_at(track, time);
     if (all_objects(track))
         return object_at(track, time);
     if (!all_arrays(track))

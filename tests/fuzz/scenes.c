@@ -1,4 +1,5 @@
 /* Scenes, and what stands in files beside them: cameras of views and of depth pictures. */
+#include "apps/base/content.h"
 #include "apps/depth_images/making/rgbd.h"
 #include "apps/scene/camera_file.h"
 #include "apps/scene/scene.h"
@@ -53,6 +54,7 @@ static bool run_scene(const uint8_t *data, size_t size)
     Scene scene = { .light_count = 0 };
     GpError error = { "" };
     const char *path = fuzz_file(".json", data, size);
+    content_hash(path, 0); /* which follows the names in it */
     if (!fuzz_accepted(scene_load(path, &options, &scene, &error), &error))
         return false;
     uint8_t sum = 0;

@@ -13,6 +13,7 @@ extern const FuzzTarget fuzz_scene, fuzz_camera, fuzz_rgbd, fuzz_transfer;
 extern const FuzzTarget fuzz_chart, fuzz_measured;
 extern const FuzzTarget fuzz_cache, fuzz_pieces;
 extern const FuzzTarget fuzz_polynomial, fuzz_options;
+extern const FuzzTarget fuzz_path_file, fuzz_journal, fuzz_lesson;
 extern const FuzzTarget fuzz_list;
 
 #endif

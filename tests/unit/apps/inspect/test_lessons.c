@@ -150,7 +150,8 @@ static json_t *record_text(void)
         "{\"vertices\": [{\"vertex\": 7, \"reuse\": 2}, {\"vertex\": 3, \"reuse\": 1},"
         " {\"vertex\": 5, \"reuse\": 2}], \"setup\": [{\"reason\": null}],"
         " \"pixel\": {\"color\": [[0.0625, -0.0625, \"nan\"]]},"
-        " \"test\": [{\"unit\": \"depth\", \"passed\": false}]}",
+        " \"test\": [{\"unit\": \"depth\", \"passed\": false}],"
+        " \"far\": [1e200, 2e200]}",
         0, NULL);
 }
 
@@ -176,6 +177,7 @@ static void paths_name_members_elements_and_those_that_have_a_value(void **state
         { { .from = "test.passed=false.unit", .form = LESSON_CHOICE, .choices = choices },
           "depth" },
         { { .from = "test.0.passed", .form = LESSON_CHOICE, .choices = choices }, NULL },
+        { { .from = "far.*", .form = LESSON_SET, .times = 1 }, NULL }, /* 403 characters */
     };
     json_t *told = record_text();
     for (size_t i = 0; i < GP_COUNT(rows); i++) {

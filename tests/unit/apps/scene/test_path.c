@@ -70,6 +70,17 @@ static void smooth_curves(void **state)
     path_close(&path);
 }
 
+/* Whose difference, or slope, is beyond all numbers: there is a value all the same. */
+static void far_apart(void **state)
+{
+    (void)state;
+    ScenePath path = open_path("{ \"keys\": [ { \"time\": 0, \"camera\": { \"fovy\": 1e308 } },"
+                               " { \"time\": 1, \"camera\": { \"fovy\": -1e308 } } ] }");
+    assert_true(fovy_at(&path, 0.5) == 1e308);
+    assert_true(fovy_at(&path, 1) == -1e308);
+    path_close(&path);
+}
+
 #define SCENE                                                                                      \
     "{ \"camera\": { \"eye\": [0, 1, 4] }, \"lights\": [ { \"direction\": [0, 1, 0] },"            \
     " { \"direction\": [1, 0, 0] } ], \"objects\": ["                                              \
@@ -189,6 +200,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(between_keys),
         cmocka_unit_test(smooth_curves),
+        cmocka_unit_test(far_apart),
         cmocka_unit_test(each_number_has_its_own_keys),
         cmocka_unit_test(the_camera_goes_round_what_it_looks_at),
         cmocka_unit_test(memory_that_is_missing_is_told),
