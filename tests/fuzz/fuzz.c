@@ -2,6 +2,7 @@
 
 #include "pipeline/io/file.h"
 
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,21 +38,29 @@ GpDevice *fuzz_device(GpExecutor executor)
     return devices[executor];
 }
 
-const char *fuzz_path(const char *extension)
+static const char *path_of(const char *extension)
 {
     static char path[4096];
     const char *folder = getenv("TMPDIR");
     snprintf(path, sizeof path, "%s/glasspipe-fuzz-%d%s", folder ? folder : "/tmp", (int)getpid(),
              extension);
+    return path;
+}
+
+const char *fuzz_path(const char *extension)
+{
+    const char *path = path_of(extension);
     unlink(path);
     return path;
 }
 
+/* Written over what is there: to make a file anew takes as long as most readers do. */
 const char *fuzz_file(const char *extension, const void *data, size_t size)
 {
-    const char *path = fuzz_path(extension);
-    FILE *file = fopen(path, "wb");
-    fuzz_claim(file && fwrite(data, 1, size, file) == size && fclose(file) == 0,
+    const char *path = path_of(extension);
+    const int file = open(path, O_WRONLY | O_CREAT, 0666);
+    fuzz_claim(file >= 0 && write(file, data, size) == (ssize_t)size &&
+                   ftruncate(file, (off_t)size) == 0 && close(file) == 0,
                "the input can be written into $TMPDIR");
     return path;
 }
