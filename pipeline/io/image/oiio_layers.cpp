@@ -156,7 +156,7 @@ GpResult oiio_decode_layers(const GpImageSource *source, const char *attribute, 
     try {
         configure();
         ImageSpec spec;
-        Filesystem::IOMemReader proxy(source->file.data, source->file.size);
+        FileBytes proxy(source->file);
         auto input = ImageInput::create("openexr");
         if (!input || !input->set_ioproxy(&proxy))
             return fail(source->path, OIIO::geterror(), error);

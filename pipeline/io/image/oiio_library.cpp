@@ -65,7 +65,7 @@ GpResult decode(const GpImageSource *source, GpImage *image)
         configure();
         ImageSpec config, spec;
         config.attribute("oiio:UnassociatedAlpha", 1);
-        Filesystem::IOMemReader proxy(source->file.data, source->file.size);
+        FileBytes proxy(source->file);
         auto input = ImageInput::create(source->format == GP_IMAGE_EXR ? "openexr" : "targa");
         if (!input || !input->set_ioproxy(&proxy))
             return fail(source->path, OIIO::geterror(), error);

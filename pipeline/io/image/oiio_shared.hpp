@@ -5,6 +5,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstring>
 #include <mutex>
 #include <new>
@@ -23,6 +24,50 @@ inline void configure()
         OIIO::attribute("exr_threads", -1);
     });
 }
+
+/* A file's bytes, and none beside them: the library's own reader takes a place before the first, which a damaged
+ * table of offsets names, for one inside. */
+class FileBytes final : public OIIO::Filesystem::IOProxy
+{
+  public:
+    explicit FileBytes(const GpFile &file) : IOProxy("", Read), file(file)
+    {
+    }
+
+    const char *proxytype() const override
+    {
+        return "bytes";
+    }
+    size_t size() const override
+    {
+        return file.size;
+    }
+
+    bool seek(int64_t offset) override
+    {
+        m_pos = offset;
+        return offset >= 0 && size_t(offset) <= file.size;
+    }
+
+    size_t pread(void *to, size_t size, int64_t offset) override
+    {
+        if (offset < 0 || size_t(offset) > file.size)
+            return 0;
+        size = std::min(size, file.size - size_t(offset));
+        std::memcpy(to, file.data + offset, size);
+        return size;
+    }
+
+    size_t read(void *to, size_t size) override
+    {
+        size = pread(to, size, m_pos);
+        m_pos += int64_t(size);
+        return size;
+    }
+
+  private:
+    const GpFile &file;
+};
 
 /* The message of a codec is taken in any case: what is left would be printed later. */
 inline GpResult fail(const char *path, std::string reason, GpError *error)
