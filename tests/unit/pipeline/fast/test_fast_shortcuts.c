@@ -302,53 +302,6 @@ static void hidden_tiles_but_for_one_thing(void **state)
     OTHER(begin_hidden, s->blend[0].keep = 6);
 }
 
-/* What a tile knows of its farthest depths, of which it takes note after so many small triangles, is forgotten
- * where a draw may put something behind them. */
-static void depths_that_rise_again_hide_nothing(void **state)
-{
-    (void)state;
-    enum { MANY = 320 };
-    static uint32_t many[3 * MANY];
-    for (int i = 0; i < 3 * MANY; i++) /* a triangle all over the target comes first */
-        many[i] = (uint32_t)(i < 3 ? CORNERS - 3 + i : i % (CORNERS - 3));
-    for (int t = 0; t < 2 * GP_COMPARES; t++) {
-        const GpCompare test = (GpCompare)(t / 2), usual = t % 2 ? GP_LESS : GP_LESS_EQUAL;
-        static const float depths[3] = { 0.25f, 0.875f, 0.5f };
-        Case c;
-        GpDraw draws[3];
-        float corners[3][CORNERS][CORNER_FLOATS];
-        begin_hidden(&c);
-        depth_target(&c);
-        c.passes[1].depth.clear_stencil = true;
-        c.passes[1].depth.depth_value = 1;
-        for (int i = 0; i < CORNERS - 3; i++) { /* the small ones: of 4 pixels, in one tile */
-            c.corners[i][0] = -1 + (float)(i / 3 % 8 * 6 + 4 * (i % 3 == 1)) * 2 / WIDTH;
-            c.corners[i][1] = 1 - (float)(i / 24 * 6 + 4 * (i % 3 == 2)) * 2 / HEIGHT;
-        }
-        for (int d = 0; d < 3; d++) {
-            for (int i = 0; i < CORNERS; i++)
-                c.corners[i][2] = depths[d];
-            memcpy(corners[d], c.corners, sizeof c.corners);
-            draws[d] = c.draw;
-            draws[d].state.depth = (GpDepthState){ .test = d == 1 ? test : usual, .write = true };
-            draws[d].geometry.indices = many;
-            draws[d].geometry.index_count = d == 0 ? 3 * MANY : 3;
-            for (int s = 0; s < GP_SEMANTICS; s++)
-                if (draws[d].geometry.streams[s].data)
-                    draws[d].geometry.streams[s].data =
-                        (const uint8_t *)corners[d] +
-                        ((const uint8_t *)c.draw.geometry.streams[s].data -
-                         (const uint8_t *)c.corners);
-        }
-        draws[2].geometry.indices = NULL;
-        draws[2].geometry.index_count = 0;
-        draws[2].geometry.vertex_count = CORNERS - 3;
-        c.passes[1].draws = draws;
-        c.passes[1].draw_count = 3;
-        finish(&c, gp_compare_names[test]);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -356,7 +309,6 @@ int main(void)
         cmocka_unit_test(copies_between_all_formats),
         cmocka_unit_test(even_layers_but_for_one_thing),
         cmocka_unit_test(hidden_tiles_but_for_one_thing),
-        cmocka_unit_test(depths_that_rise_again_hide_nothing),
         cmocka_unit_test(triangles_of_one_colour_but_for_one_thing),
     };
     return cmocka_run_group_tests_name("shortcuts", tests, NULL, NULL);
