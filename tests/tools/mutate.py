@@ -65,14 +65,17 @@ def run(command, seconds=900, **environment):
     that a while in which everything here is stopped is one step: no test is slow for that."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                start_new_session=True, env={**os.environ, **environment})
-    for _ in range(int(seconds) + 1):
-        try:
-            return process.wait(timeout=1)
-        except subprocess.TimeoutExpired:
-            pass
-    os.killpg(process.pid, 9)
-    process.wait()
-    return -1
+    try:
+        for _ in range(int(seconds) + 1):
+            try:
+                return process.wait(timeout=1)
+            except subprocess.TimeoutExpired:
+                pass
+        return -1
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, 9)
+            process.wait()
 
 
 def make(*targets):

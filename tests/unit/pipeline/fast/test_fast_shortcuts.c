@@ -235,6 +235,14 @@ static void even_layers_but_for_one_thing(void **state)
     OTHER(begin_layers, s->alpha_test = ((GpAlphaTest){ GP_GREATER, 200 }));
 }
 
+/* So that several are found at a time. */
+static void make_small(Case *c)
+{
+    for (int i = 0; i < CORNERS; i++)
+        for (int k = 0; k < 2 && i % 3; k++)
+            c->corners[i][k] = c->corners[i - i % 3][k] + 0.1f * c->corners[i][k];
+}
+
 static void triangles_of_one_colour_but_for_one_thing(void **state)
 {
     (void)state;
@@ -260,6 +268,8 @@ static void triangles_of_one_colour_but_for_one_thing(void **state)
     OTHER(begin_flat, s->depth = ((GpDepthState){ .test = GP_ALWAYS }));
     OTHER(begin_flat, s->depth = ((GpDepthState){ GP_LESS_EQUAL, true, true, 0.1f }));
     OTHER(begin_flat, (s->stencil.enable = true, s->stencil.front.pass = GP_STENCIL_INCR));
+    OTHER(begin_flat, (make_small(&c), s->stencil.enable = s->stencil.two_sided = true,
+                       s->stencil.reference = 3, s->stencil.back.pass = GP_STENCIL_REPLACE));
     OTHER(begin_flat, s->blend[0].op = GP_BLEND_OFF);
     OTHER(begin_flat, s->blend[0].keep = 15);
     OTHER(begin_flat, (c.program = exercise_targets2, pass->color[1].surface = c.from,
