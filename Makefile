@@ -447,7 +447,7 @@ coverage: | packages
 # Operators of the pipeline made wrong, COUNT of them one at a time, in this checkout.
 .PHONY: mutants
 mutants: | packages
-	@python3 tests/tools/mutate.py $(or $(COUNT),20) $(or $(SEED),1) $(FILES)
+	@python3 tests/tools/mutate.py '$(LOG)' $(or $(COUNT),20) $(or $(SEED),1) $(FILES)
 
 # Readers under libFuzzer and the sanitizers: FUZZ_S seconds for each of TARGETS, or of all.
 FUZZER := $(BUILD)/test/fuzz
@@ -591,7 +591,7 @@ help:
 	@echo 'make check-peer  against an independent rasterizer (Mesa through EGL), where there is one'
 	@echo 'make differential SEEDS=A..B    random scenes: both executors, the same bits'
 	@echo 'make coverage    which branches of the pipeline the tests take (clang, llvm): out/coverage/branches.txt'
-	@echo 'make mutants     makes operators wrong, one at a time, and tells what notices; COUNT= SEED= FILES='
+	@echo 'make mutants     makes operators wrong, one at a time, and tells what notices; COUNT= SEED= FILES= LOG='
 	@echo 'make fuzz        reads anything, under clang and its sanitizers; FUZZ_S= seconds a target, TARGETS=...'
 	@echo 'make matrix      a table of builds and processors: the same bits; BUILDS=, PROCESSORS=, PICTURES=N of a command'
 	@echo 'make soak        random lists for SOAK_S= seconds: the same bits, and no more memory'

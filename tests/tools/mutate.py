@@ -1,4 +1,4 @@
-"""Whether the tests notice a wrong operator: mutate.py COUNT [SEED [FILE...]]
+"""Whether the tests notice a wrong operator: mutate.py LOG COUNT [SEED [FILE...]]
 
 Changes one operator at a time, of COUNT that chance (by SEED) takes out of pipeline/units and
 pipeline/fast, or out of the files that are named; builds, runs tests until one fails, and puts the file
@@ -8,7 +8,11 @@ mutants_alike.txt explains.
 
 Works in the checkout that it is run in, where nothing may be edited meanwhile, with a build of its own in
 out/mutants, of the narrowest lanes. A mutant meets the pipeline's own tests, those that noticed most in the
-least time before others; what survives them meets, in the end, the techniques' tests and the stored pictures.
+least time before others, and one that is explained only quick ones; what survives them meets, in the end, the
+techniques' tests and the stored pictures.
+
+LOG ("" for none) gets the lines as well. Places that it has lines of, though they moved, count as judged, but for
+what survived: that is asked again.
 """
 
 import collections
@@ -17,6 +21,7 @@ import os
 import platform
 import random
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -29,8 +34,10 @@ OTHER = {
     "+": "-", "-": "+", "*": "+", "/": "*", "<<": ">>", ">>": "<<", "&": "|", "|": "&",
 }
 OPERATOR = re.compile(r"(?<= )(<=|>=|==|!=|&&|\|\||<<|>>|[-+*/<>&|])(?= )")
+TOLD = re.compile(r"(\S+?):\d+:(\d+): (\S+) to \S+: (noticed by ([^:]+)|[^:]+): (.*)")
 SEEDS = "0..99"  # of differential
-LONG = 1  # seconds of a test that only those meet that no quick one noticed
+NO_CODE = "no other code"
+LONG = 1  # seconds of a test that what is explained does not meet
 
 
 def operators(path):
@@ -58,14 +65,17 @@ def run(command, seconds=900, **environment):
     that a while in which everything here is stopped is one step: no test is slow for that."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                start_new_session=True, env={**os.environ, **environment})
-    for _ in range(int(seconds) + 1):
-        try:
-            return process.wait(timeout=1)
-        except subprocess.TimeoutExpired:
-            pass
-    os.killpg(process.pid, 9)
-    process.wait()
-    return -1
+    try:
+        for _ in range(int(seconds) + 1):
+            try:
+                return process.wait(timeout=1)
+            except subprocess.TimeoutExpired:
+                pass
+        return -1
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, 9)
+            process.wait()
 
 
 def make(*targets):
@@ -181,10 +191,27 @@ def explained(place):
     return None
 
 
-def tell(place, what):
+def key_of(place):
+    path, _, column, operator = place
+    return path, column, operator, line_of(place)
+
+
+def told(log):
+    """What a log says of places: (who noticed it or None, the last verdict)."""
+    if not log or not os.path.exists(log):
+        return {}
+    with open(log, encoding="utf-8") as lines:
+        found = [match.groups() for match in map(TOLD.match, lines) if match]
+    return {(path, int(column) - 1, operator, line): (who, what) for path, column, operator, what, who, line in found}
+
+
+def tell(place, what, log):
     path, number, column, operator = place
-    line = line_of(place)
-    print(f"{path}:{number + 1}:{column + 1}: {operator} to {OTHER[operator]}: {what}: {line}", flush=True)
+    line = f"{path}:{number + 1}:{column + 1}: {operator} to {OTHER[operator]}: {what}: {line_of(place)}"
+    print(line, flush=True)
+    if log:
+        with open(log, "a", encoding="utf-8") as lines:
+            print(line, file=lines)
 
 
 def made(names):
@@ -201,45 +228,50 @@ def made(names):
 
 
 def main():
-    count = int(sys.argv[1])
-    chance = random.Random(int(sys.argv[2]) if len(sys.argv) > 2 else 1)
-    files = sys.argv[3:] or sorted(
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("stopped"))  # the file is put back first
+    log, count = sys.argv[1], int(sys.argv[2])
+    chance = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+    files = sys.argv[4:] or sorted(
         path for room in ("pipeline/units", "pipeline/fast")
         for path in glob.glob(room + "/**/*.[ch]", recursive=True))
     places = [(path, *place) for path in files for place in operators(path)]
     chance.shuffle(places)
+    known = told(log)
+    places = list({key_of(place): place for place in places}.values())
+    places.sort(key=lambda place: key_of(place) not in known)
     own = made([name for name in test_names("pipeline") if "/io/" not in name[1]] + [
         ("golden", ""), ("differential", "")])
-    late = [test for test in own if test.source and test.seconds > LONG]
-    own = [test for test in own if test not in late]
-    objects, begun, done, same, alike, left = Objects(), time.time(), 0, 0, 0, []
+    for test in own:
+        test.noticed = sum(who == test.name for who, _ in known.values())
+    quick = [test for test in own if test.seconds <= LONG]
+    objects, begun, verdicts, left = Objects(), time.time(), collections.Counter(), []
     for place in places:
-        if done == count:
+        if verdicts["noticed"] + verdicts["alike"] + len(left) == count:
             break
-        who = mutate(place, objects, lambda path: first_notice(own, path))
-        if who == "":
-            same += 1
+        who, what = known.get(key_of(place), (None, ""))
+        reason = explained(place)
+        if who or what == NO_CODE or (reason and what == "alike"):
+            verdicts["noticed" if who else what] += 1
             continue
-        done += 1
-        reason = explained(place) if who is None else None
-        if reason:
-            alike += 1
-        elif who is None:
+        who = mutate(place, objects, lambda path: first_notice(quick if reason else own, path))
+        verdict = NO_CODE if who == "" else "noticed" if who else "alike" if reason else "survives the pipeline's tests"
+        verdicts[verdict] += 1
+        if verdict.startswith("survives"):
             left.append(place)
-        tell(place, f"noticed by {who}" if who else reason or "survives the quick tests")
-    survived = 0
+        tell(place, f"noticed by {who}" if who else verdict, log)
+    late = 0
     if left:
-        others = late + made(test_names("apps/techniques") + test_names("shaders_c"))
+        others = made(test_names("apps/techniques") + test_names("shaders_c"))
         objects = Objects()
         for place in left:
             who = mutate(place, objects, lambda path: first_notice(others, path) or (
                 "pictures" if pictures_differ() else None))
-            survived += who is None
-            tell(place, f"noticed by {who}" if who else "SURVIVED")
-    asked = done - alike
-    print(f"{asked - survived} of {asked} noticed, {len(left) - survived} of them by slow tests and pictures alone; "
-          f"{alike} more make nothing else, {same} not even other code; {time.time() - begun:.0f} s")
-    sys.exit(asked == 0 or (asked - survived) * 100 < 95 * asked)
+            late += who is not None
+            tell(place, f"noticed by {who}" if who else "SURVIVED", log)
+    noticed, asked = verdicts["noticed"] + late, verdicts["noticed"] + len(left)
+    print(f"{noticed} of {asked} noticed, {late} of them by techniques' tests and pictures alone; {verdicts['alike']} "
+          f"more make nothing else, {verdicts[NO_CODE]} not even other code; {time.time() - begun:.0f} s")
+    sys.exit(asked == 0 or noticed * 100 < 95 * asked)
 
 
 main()

@@ -18,8 +18,8 @@ typedef struct Range {
 } Range;
 
 /* Depths in the tile, before they are rounded to binary32: least and greatest at corners of the
- * box, but for three roundings of the terms' size at most, there and anywhere. No range where some
- * corner has no number. */
+ * box, but for three roundings of the terms' size at most, there and anywhere. Numbers all: a corner
+ * has a place only with a finite depth (R3), and biases are finite. */
 static Range depth_range(const GpTriangle *t)
 {
     Range range = { HUGE_VAL, -HUGE_VAL };
@@ -46,15 +46,12 @@ static int32_t depth_code(const Filler *f, double z)
     return nearer_codes(f, f->early, flt_set((float)z))[0];
 }
 
-/* Where depth is no number it has a place of its own in the order, so the triangle keeps its
- * own. */
 static void find_codes(Tile *tile, FastSortedTriangle *sorted)
 {
     const Filler f = fast_filler(tile);
     const Range range = depth_range(&sorted->triangle);
-    const bool number = (range.low + range.high) * 0.0 == 0.0;
-    sorted->nearest = number ? depth_code(&f, range.low) : 0;
-    sorted->farthest = number ? depth_code(&f, range.high) : INT32_MAX;
+    sorted->nearest = depth_code(&f, range.low);
+    sorted->farthest = depth_code(&f, range.high);
 }
 
 /* Goes before those that it is nearer than, all of it. */
@@ -120,7 +117,7 @@ static bool cut_to_passing(const Tile *tile, int32_t bound, FastBox *box)
     box->x1 = right < box->x1 ? right : box->x1;
     box->y0 = passing.top;
     box->y1 = passing.bottom;
-    return box->x0 <= box->x1 && box->y0 <= box->y1;
+    return box->x0 <= box->x1; /* there are rows where there are columns */
 }
 
 static void fill_visible(Tile *tile, const Filler *f, FastSortedTriangle *sorted)

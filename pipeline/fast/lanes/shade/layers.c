@@ -102,13 +102,14 @@ static uint32_t layers_to_place(const FastDraw *d, bool plain, uint32_t layers)
     return first ? 1 : layers;
 }
 
-/* Whether the shader gives all pixels the same: it looks at nothing that differs. */
+/* Whether the shader gives all pixels the same colour, which layers are drawn for: it looks at nothing that
+ * differs. */
 static bool are_alike(Tile *tile)
 {
     const FastDraw *d = tile->draw;
     const GpProgram *program = d->draw->program;
     if (d->needs.varyings || program->samplers || program->uses_pixel || program->uses_face ||
-        program->may_discard || d->needs.alpha_test || !d->needs.color)
+        program->may_discard || d->needs.alpha_test)
         return false;
     for (unsigned left = program->local_reads; left; left &= left - 1) {
         const int slot = __builtin_ctz(left);

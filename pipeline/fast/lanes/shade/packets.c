@@ -144,13 +144,11 @@ static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *bloc
     tile->fragments_shaded += fragments;
 }
 
-/* The same of whole packets: for a full block, which is written without branches. */
-static void all_live(Tile *tile, const FastPacketBlock *block, unsigned live[FAST_BLOCK],
-                     unsigned replaced[FAST_BLOCK])
+/* The same of whole packets, none of which replaces: for a full block, which is written without branches. */
+static void all_live(Tile *tile, const FastPacketBlock *block, unsigned live[FAST_BLOCK])
 {
     for (int p = 0; p < FAST_BLOCK; p++)
         live[p] = ALL_LANES;
-    memset(replaced, 0, FAST_BLOCK * sizeof *replaced);
     tile->fragments_shaded += (uint32_t)block->count * GP_LANES;
 }
 
@@ -160,7 +158,7 @@ void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *blo
     if (d->needs.pixel_shader)
         fast_run_pixel_shader(tile, d, block);
     if (block->whole)
-        all_live(tile, block, live, replaced);
+        all_live(tile, block, live);
     else
         find_live(tile, d, block, live, replaced);
     const FastShaded shaded = { .block = *block,

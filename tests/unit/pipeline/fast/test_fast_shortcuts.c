@@ -166,7 +166,8 @@ static void even_tiles_but_for_one_thing(void **state)
     OTHER(begin_cover, (point_at(&c, 6), c.corners[3][0] = 0.5f)); /* a second one in a part */
     OTHER(begin_cover, (point_at(&c, 6), c.corners[3][0] = c.corners[4][0] = c.corners[5][0] = 7));
     OTHER(begin_cover, (c.corners[0][0] = -0.5f));
-    OTHER(begin_cover, (c.corners[1][2] = 2)); /* beyond the far plane */
+    OTHER(begin_cover, (c.corners[0][0] = 0.9f)); /* tiles in its box of which it covers nothing */
+    OTHER(begin_cover, (c.corners[1][2] = 2));    /* beyond the far plane */
     OTHER(begin_cover, (c.corners[2][3] = -1));
     OTHER(begin_cover, (c.draw.geometry.indices = c.indices, c.draw.geometry.index_count = 3));
     OTHER(begin_cover, (c.draw.geometry.indices = c.indices, c.draw.geometry.index_count = 3,
@@ -193,6 +194,15 @@ static void even_tiles_but_for_one_thing(void **state)
     }
 }
 
+/* Layers that cover tiles and add the same everywhere: one packet tells what all are. */
+static void begin_layers(Case *c)
+{
+    begin_cover(c);
+    point_at(c, 9);
+    c->draw.state.blend[0] = (GpBlend){ .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
+    c->draw.textures[1].surface = c->texture;
+}
+
 static void copies_between_all_formats(void **state)
 {
     (void)state;
@@ -203,7 +213,34 @@ static void copies_between_all_formats(void **state)
             OTHER(begin_cover, (give_target(&c, format), give_source(&c, format)));
             OTHER(begin_cover, (give_target(&c, format), pass->color[0].clear = false,
                                 c.passes[0].color[0].clear = false));
+            OTHER(begin_layers, (give_source(&c, format), c.passes[0].color[0].clear = false,
+                                 s->blend[0] = ((GpBlend){ .op = GP_BLEND_LOGIC_OR })));
         }
+}
+
+static void even_layers_but_for_one_thing(void **state)
+{
+    (void)state;
+    OTHER(begin_layers, (void)pass);
+    OTHER(begin_layers,
+          c.corners[3][0] = c.corners[5][0] = -0.9f);              /* a box of its own: it begins */
+    OTHER(begin_layers, c.corners[3][1] = c.corners[4][1] = 0.9f); /* further on, or ends earlier */
+    OTHER(begin_layers, (c.corners[3][0] = c.corners[5][0] = 0.9f, c.corners[4][0] = -3));
+    OTHER(begin_layers, (c.corners[3][1] = c.corners[4][1] = -0.9f, c.corners[5][1] = 3));
+    OTHER(begin_layers, c.program.samplers = 2);
+    OTHER(begin_layers, c.program.uses_pixel = true);
+    OTHER(begin_layers, c.program.uses_face = true);
+    OTHER(begin_layers, c.program.may_discard = true);
+    OTHER(begin_layers, s->alpha_test = ((GpAlphaTest){ GP_GREATER, 100 }));
+    OTHER(begin_layers, s->alpha_test = ((GpAlphaTest){ GP_GREATER, 200 }));
+}
+
+/* So that several are found at a time. */
+static void make_small(Case *c)
+{
+    for (int i = 0; i < CORNERS; i++)
+        for (int k = 0; k < 2 && i % 3; k++)
+            c->corners[i][k] = c->corners[i - i % 3][k] + 0.1f * c->corners[i][k];
 }
 
 static void triangles_of_one_colour_but_for_one_thing(void **state)
@@ -231,8 +268,12 @@ static void triangles_of_one_colour_but_for_one_thing(void **state)
     OTHER(begin_flat, s->depth = ((GpDepthState){ .test = GP_ALWAYS }));
     OTHER(begin_flat, s->depth = ((GpDepthState){ GP_LESS_EQUAL, true, true, 0.1f }));
     OTHER(begin_flat, (s->stencil.enable = true, s->stencil.front.pass = GP_STENCIL_INCR));
+    OTHER(begin_flat, (make_small(&c), s->stencil.enable = s->stencil.two_sided = true,
+                       s->stencil.reference = 3, s->stencil.back.pass = GP_STENCIL_REPLACE));
     OTHER(begin_flat, s->blend[0].op = GP_BLEND_OFF);
     OTHER(begin_flat, s->blend[0].keep = 15);
+    OTHER(begin_flat, (c.program = exercise_targets2, pass->color[1].surface = c.from,
+                       s->blend[1] = s->blend[0], s->blend[0].keep = 15));
     for (GpFormat format = GP_FORMAT_NONE + 1; format < GP_FORMATS; format++)
         if (gp_format_info(format)->is_target)
             OTHER(begin_flat, give_target(&c, format));
@@ -271,53 +312,13 @@ static void hidden_tiles_but_for_one_thing(void **state)
     OTHER(begin_hidden, s->blend[0].keep = 6);
 }
 
-/* What a tile knows of its farthest depths is forgotten where a draw may put something behind them. */
-static void depths_that_rise_again_hide_nothing(void **state)
-{
-    (void)state;
-    for (GpCompare test = GP_ALWAYS; test < GP_COMPARES; test++) {
-        Case c;
-        GpDraw draws[3];
-        float near[CORNERS][CORNER_FLOATS], cover[3][CORNER_FLOATS];
-        begin_hidden(&c);
-        depth_target(&c);
-        c.passes[1].depth.clear_stencil = true;
-        c.passes[1].depth.depth_value = 1;
-        for (int i = 0; i < CORNERS; i++)
-            c.corners[i][2] = 0.5f + 0.001f * (float)i; /* between the two below */
-        memcpy(near, c.corners, sizeof near);
-        for (int i = 0; i < CORNERS; i++) {
-            const bool last = i >= CORNERS - 3; /* a triangle all over the target comes first */
-            near[i][2] = 0.25f;
-            memcpy(near[i], c.corners[last ? i : CORNERS - 3 + i % 3], 2 * sizeof(float));
-        }
-        memcpy(cover, near, sizeof cover);
-        for (int i = 0; i < 3; i++)
-            cover[i][2] = 0.875f;
-        for (int i = 0; i < 3; i++) {
-            draws[i] = c.draw;
-            draws[i].state.depth = (GpDepthState){ .test = i == 1 ? test : GP_LESS, .write = true };
-        }
-        const float *data[] = { near[0], cover[0], c.corners[0] };
-        for (int i = 0; i < 2; i++) {
-            draws[i].geometry.vertex_count = i ? 3 : CORNERS;
-            draws[i].geometry.streams[GP_POSITION].data = data[i];
-            draws[i].geometry.streams[GP_COLOR].data = data[i] + 4;
-            draws[i].geometry.streams[GP_TEXCOORD0].data = data[i] + 8;
-        }
-        c.passes[1].draws = draws;
-        c.passes[1].draw_count = 3;
-        finish(&c, gp_compare_names[test]);
-    }
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(even_tiles_but_for_one_thing),
         cmocka_unit_test(copies_between_all_formats),
+        cmocka_unit_test(even_layers_but_for_one_thing),
         cmocka_unit_test(hidden_tiles_but_for_one_thing),
-        cmocka_unit_test(depths_that_rise_again_hide_nothing),
         cmocka_unit_test(triangles_of_one_colour_but_for_one_thing),
     };
     return cmocka_run_group_tests_name("shortcuts", tests, NULL, NULL);
