@@ -37,14 +37,15 @@ static FastFragmentPath choose_path(const FastDraw *d)
     return FAST_VISIBLE;
 }
 
-/* Only nearer fragments pass, and what survives the shader replaces all that was there. */
+/* Only nearer fragments pass, and what survives the shader replaces all that was there. What tests depth late
+ * has no path but the ordered one. */
 static bool nearest_wins(const FastDraw *d)
 {
     const GpState *state = &d->draw->state;
     const bool nearer = state->depth.test == GP_LESS || state->depth.test == GP_LESS_EQUAL;
-    return d->path == FAST_ORDERED && !d->sorted && d->late_depth && nearer && state->depth.write &&
-           !d->needs.ternary && !d->needs.stencil && !d->needs.shader_depth &&
-           replaces_everything(d->pass, d->draw) && d->draw->geometry.primitive != GP_POINTS;
+    return !d->sorted && d->late_depth && nearer && state->depth.write && !d->needs.ternary &&
+           !d->needs.stencil && !d->needs.shader_depth && replaces_everything(d->pass, d->draw) &&
+           d->draw->geometry.primitive != GP_POINTS;
 }
 
 static bool only_adds(const FastDraw *d)
