@@ -184,14 +184,17 @@ GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const Blend
 }
 
 /* Several whole layers, of some pixels that stay in registers: one packet's blends are found while
- * another's wait for each other. */
-GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBlock *m, int first,
-                            int count)
+ * another's wait for each other. Mostly colours need no clamping, which is looked for meanwhile.
+ * returns false, and leaves the target, where they were not clamped but needed it */
+GP_INLINE bool blend_pixels(const GpBlend *blend, GpFormat format, bool clamps, const BlendBlock *m,
+                            int first, int count)
 {
+    const bool looks = !clamps && (fast_is_packed(format) || format == GP_R8);
     const int next_layer = m->count / m->layers * m->stride;
     const flt *color = m->color + first * m->stride;
     uint32_t at[4];
     flt target[4][4];
+    utg most = (utg)itg_set(0);
     GP_UNROLL
     for (int i = 0; i < count; i++) {
         at[i] = place_of(m, first + i);
@@ -199,24 +202,37 @@ GP_INLINE void blend_pixels(const GpBlend *blend, GpFormat format, const BlendBl
     }
     for (int k = 0; k < m->layers; k++, color += next_layer) {
         GP_UNROLL
-        for (int i = 0; i < count; i++)
-            blend_stored(blend, format, m->constant, color + i * m->stride, target[i]);
+        for (int i = 0; i < count; i++) {
+            const flt *of = color + i * m->stride;
+            GP_UNROLL
+            for (int c = 0; c < 4 && looks; c++)
+                most = greater_bits(most, of[c]);
+            blend_clamped(blend, format, clamps, m->constant, of, target[i]);
+        }
     }
+    if (looks && msk_any((msk)(most > ONE_BITS)))
+        return false;
     GP_UNROLL
     for (int i = 0; i < count; i++)
         store_target(m, blend, format, SHAPE_WHOLE, first + i, at[i], target[i]);
+    return true;
 }
 
 GP_INLINE void blend_layers(const GpBlend *blend, GpFormat format, const BlendBlock *from)
 {
     const BlendBlock copy = *from, *m = &copy;
+    const bool is_packed = fast_is_packed(format), is_unorm = is_packed || format == GP_R8;
+    const bool tries =
+        blend == &over && GP_LANES > 4; /* four lanes have no instruction that looks */
     const int pixels = m->count / m->layers;
-    const int together = fast_is_packed(format) ? 4 : 2; /* codes make the longer chains */
+    const int together = is_packed ? 4 : 2; /* codes make the longer chains */
     int p = 0;
+    while (tries && p + together <= pixels && blend_pixels(blend, format, false, m, p, together))
+        p += together;
     for (; p + together <= pixels; p += together)
-        blend_pixels(blend, format, m, p, together);
+        blend_pixels(blend, format, is_unorm, m, p, together);
     for (; p < pixels; p++)
-        blend_pixels(blend, format, m, p, 1);
+        blend_pixels(blend, format, is_unorm, m, p, 1);
 }
 
 /* --- targets of any format -------------------------------------------------------------------- */

@@ -104,26 +104,33 @@ GP_INLINE bool is_average(const GpBlend *blend)
            blend->dst == GP_INV_SRC_ALPHA && blend->alpha_op == GP_BLEND_OFF;
 }
 
-/* One packet's colours, blended with what its pixels hold of a target, and as they are stored. Channel by
- * channel, alpha, which the others ask for, first and last: so the targets of several packets stay in
- * registers. */
-GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float constant[4],
-                            const flt color[4], flt target[4])
+/* One packet's colours, as the format clamps them, blended with what its pixels hold of a target, and as they
+ * are stored. Channel by channel, alpha, which the others ask for, first and last: so the targets of several
+ * packets stay in registers.
+ * in   clamps: false where the colours are known to be what clamping leaves */
+GP_INLINE void blend_clamped(const GpBlend *blend, GpFormat format, bool clamps,
+                             const float constant[4], const flt color[4], flt target[4])
 {
     const bool is_unorm = format == GP_R8 || format == GP_A8R8G8B8;
     Operands o;
     __builtin_memcpy(o.constant, constant, sizeof o.constant);
-    o.source[3] = is_unorm ? clamped(color[3]) : color[3];
+    o.source[3] = clamps ? clamped(color[3]) : color[3];
     o.target[3] = target[3];
     GP_UNROLL
     for (int c = 0; c < 4; c++) {
-        o.source[c] = is_unorm ? clamped(color[c]) : color[c];
+        o.source[c] = clamps ? clamped(color[c]) : color[c];
         o.target[c] = target[c];
         const flt result = blend->op == GP_BLEND_OFF ? color[c] : blend_channel(blend, c, &o);
         if (c < channels_of(format) && !(blend->keep >> c & 1))
             target[c] = is_unorm && is_average(blend) ? flt_quantize_unorm8(result)
                                                       : quantize(format, result);
     }
+}
+
+GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float constant[4],
+                            const flt color[4], flt target[4])
+{
+    blend_clamped(blend, format, format == GP_R8 || format == GP_A8R8G8B8, constant, color, target);
 }
 
 /* Blend factors, as the target clamps them. */

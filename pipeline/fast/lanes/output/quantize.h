@@ -10,6 +10,21 @@ GP_INLINE flt clamped(flt v)
     return flt_lesser(flt_greater(v, flt_set(0)), flt_set(1));
 }
 
+/* Whether clamping would change anything is seen from the greatest bits of all. */
+enum { ONE_BITS = 0x3f800000 }; /* of 1.0f: numbers from 0 to 1 have no greater ones */
+
+GP_INLINE utg greater_bits(utg a, flt b)
+{
+#ifdef GP_AVX2_LANES
+    return (utg)_mm256_max_epu32((__m256i)a, (__m256i)b);
+#elif defined GP_AVX512_LANES
+    return (utg)_mm512_max_epu32((__m512i)a, (__m512i)b);
+#else
+    const msk above = (msk)((utg)b > a);
+    return (utg)itg_select(above, (itg)b, (itg)a);
+#endif
+}
+
 GP_INLINE flt quantize(GpFormat format, flt v)
 {
     switch (format) {

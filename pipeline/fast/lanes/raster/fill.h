@@ -17,7 +17,8 @@ void fast_fill_one_color(const Filler *filler, const TriangleBatch *batch, unsig
 typedef enum FastCover { FAST_COVERS_NONE, FAST_COVERS_SOME, FAST_COVERS_ALL } FastCover;
 FastCover fast_cover(const Tile *tile, const GpTriangle *triangle);
 
-/* One set-up triangle of any size, by the path of its draw. Nearest: no depth's code is below. */
-void fast_fill_large(Tile *tile, const GpTriangle *triangle, int32_t nearest);
+/* One set-up triangle of any size, by the path of its draw. Bit i of strips[y]: not all of it is hidden in
+ * strip i, GP_LANES pixels wide, of row y of the tile; strips: NULL where that is not known. */
+void fast_fill_large(Tile *tile, const GpTriangle *triangle, const uint16_t strips[FAST_TILE]);
 
 #endif

@@ -81,8 +81,8 @@ typedef struct InsideRow {
     itg rows;               /* the same up and down, which no step changes */
 } InsideRow;
 
-static InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps, int32_t x, int32_t y,
-                            int32_t wide)
+GP_INLINE InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps, int32_t x,
+                               int32_t y, int32_t wide)
 {
     const itg column = steps->column + x, row = steps->row + y;
     InsideRow inside = { .right = coverage->x1 - column,
@@ -96,6 +96,16 @@ static InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps, in
         inside.across[i] = (utg)itg_set((int32_t)((uint32_t)e->right * (uint32_t)wide));
     }
     return inside;
+}
+
+/* Moves on by some steps. */
+GP_INLINE void skip_right(InsideRow *inside, int32_t pixels, int32_t wide)
+{
+    GP_UNROLL
+    for (int i = 0; i < 3; i++)
+        inside->edge[i] += inside->across[i] * (uint32_t)(pixels / wide);
+    inside->right -= pixels;
+    inside->left += pixels;
 }
 
 /* Lanes that are covered; moves on. */
@@ -239,32 +249,40 @@ static void queue_rows(const Filler *f, const Coverage *coverage)
     }
 }
 
-static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage,
-                         int32_t nearest)
+/* The first place from x on in one of a row's strips; past the tile where there is none. */
+GP_INLINE int32_t next_place(unsigned row, int32_t x)
+{
+    const int32_t strip = x / GP_LANES;
+    const unsigned left = row >> strip;
+    if (left & 1)
+        return x;
+    return left ? (strip + __builtin_ctz(left)) * GP_LANES : FAST_TILE;
+}
+
+GP_INLINE void fill_rows(const Filler *f, const GpTriangle *t, const Coverage *coverage, bool quads,
+                         EarlyTest early, const uint16_t *strips)
 {
     const FastDraw *d = f->d;
-    const bool quads = d->path == FAST_ORDERED && d->needs.quads;
     const int32_t wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
-    const int32_t first_x = quads ? coverage->x0 & ~1 : coverage->x0;
+    const int32_t first_x = coverage->x0 & (strips ? -GP_LANES : quads ? -2 : -1);
     const int32_t first_y = quads ? coverage->y0 & ~1 : coverage->y0;
-    const EarlyTest early = early_test(f, t);
-    if (early == EARLY_NONE && d->path == FAST_ORDERED && !quads && !d->needs.clip_planes) {
-        const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
-        if (coverage->whole && !d->repeated)
-            fast_queue_box(f->tile, f->number, &box);
-        else
-            queue_rows(f, coverage);
-        return;
-    }
     const DepthPlane plane = depth_plane(f->tile, t);
     const LaneSteps steps = lane_steps(t, quads);
     for (int32_t y = first_y; y <= coverage->y1; y += high) {
+        const unsigned row = strips ? strips[y] | (quads ? strips[y + 1] : 0u) : ~0u;
+        if (!row)
+            continue;
         InsideRow inside = inside_row(coverage, &steps, first_x, y, wide);
-        for (int32_t x = first_x; x <= coverage->x1; x += wide) {
+        for (int32_t x = first_x, at = x; x <= coverage->x1; x += wide) {
+            if (strips) {
+                x = next_place(row, x);
+                if (x > coverage->x1)
+                    break;
+                if (x != at)
+                    skip_right(&inside, x - at, wide);
+                at = x + wide;
+            }
             msk live = step_right(&inside, wide);
-            if (nearest) /* worth finding only where much is hidden: 0 elsewhere */
-                live &= (msk)(nearest - f->allowance <
-                              load_lanes(f->tile->depth + fast_at(x, y), quads));
             if (!msk_bits(live))
                 continue;
             if (d->needs.clip_planes)
@@ -273,6 +291,24 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
             send_lanes(f, early, d->path, quads, x, y, live, z);
         }
     }
+}
+
+static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage,
+                         const uint16_t *strips)
+{
+    const FastDraw *d = f->d;
+    const bool quads = d->path == FAST_ORDERED && d->needs.quads;
+    const EarlyTest early = early_test(f, t);
+    if (early == EARLY_NONE && d->path == FAST_ORDERED && !quads && !d->needs.clip_planes) {
+        const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
+        if (coverage->whole && !d->repeated)
+            fast_queue_box(f->tile, f->number, &box);
+        else
+            queue_rows(f, coverage);
+    } else if (strips)
+        fill_rows(f, t, coverage, quads, early, strips);
+    else
+        fill_rows(f, t, coverage, quads, early, NULL);
 }
 
 static bool covers_tile(const Tile *tile, const Coverage *coverage)
@@ -314,7 +350,7 @@ static void write_record(Tile *tile, const GpTriangle *t, FastTriangleRecord *re
     }
 }
 
-void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
+void fast_fill_large(Tile *tile, const GpTriangle *t, const uint16_t strips[FAST_TILE])
 {
     const FastDraw *d = tile->draw;
     Coverage coverage;
@@ -332,5 +368,5 @@ void fast_fill_large(Tile *tile, const GpTriangle *t, int32_t nearest)
     if (hides_tile(&filler, &coverage))
         tile->visibility->occluder = filler.number;
     else
-        fill_covered(&filler, t, &coverage, nearest);
+        fill_covered(&filler, t, &coverage, strips);
 }

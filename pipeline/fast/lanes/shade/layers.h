@@ -6,7 +6,7 @@
 
 #include "pipeline/fast/lanes/memory/packet.h"
 
-enum { FAST_LAYERS = 4 };
+enum { FAST_LAYERS = 8 };
 
 typedef struct FastLayers {
     uint32_t count;

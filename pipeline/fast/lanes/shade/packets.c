@@ -144,13 +144,8 @@ static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *bloc
     tile->fragments_shaded += fragments;
 }
 
-/* The same of whole packets, none of which replaces: for a full block, which is written without branches. */
-static void all_live(Tile *tile, const FastPacketBlock *block, unsigned live[FAST_BLOCK])
-{
-    for (int p = 0; p < FAST_BLOCK; p++)
-        live[p] = ALL_LANES;
-    tile->fragments_shaded += (uint32_t)block->count * GP_LANES;
-}
+/* The same of whole packets, none of which replaces. */
+static const unsigned all_live[FAST_BLOCK] = { [0 ... FAST_BLOCK - 1] = ALL_LANES };
 
 void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *block)
 {
@@ -158,11 +153,11 @@ void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *blo
     if (d->needs.pixel_shader)
         fast_run_pixel_shader(tile, d, block);
     if (block->whole)
-        all_live(tile, block, live);
+        tile->fragments_shaded += (uint32_t)block->count * GP_LANES;
     else
         find_live(tile, d, block, live, replaced);
     const FastShaded shaded = { .block = *block,
-                                .live = live,
+                                .live = block->whole ? all_live : live,
                                 .replaced = replaced,
                                 .color = fast_colors(tile),
                                 .stride = 4 * gp_program_targets(d->draw->program) };
