@@ -361,6 +361,7 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGrou
         return false;
     while (p->draw_count < most && (p->draw_count == 0 || sorts ||
                                     (has_room(fast) && has_numbers(p, &pass->draws[at->draw])))) {
+        gp_prefetch_draws(pass, at->draw);
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
         FastDraw *d = &p->draws[p->draw_count];

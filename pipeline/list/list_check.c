@@ -420,13 +420,22 @@ static GpResult check_textures(const Place *place)
 
 /* --- the whole -------------------------------------------------------------------------------- */
 
-GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
-                             GpError *error)
+static GpResult check_draw(const Place *place)
 {
-    static GpResult (*const draw_checks[])(const Place *) = {
+    static GpResult (*const checks[])(const Place *) = {
         check_program,     check_geometry,    check_viewport, check_raster_state,
         check_depth_state, check_blend_state, check_textures,
     };
+    gp_prefetch_draws(pass_at(place), place->draw);
+    GpResult result = GP_OK;
+    for (size_t i = 0; i < GP_COUNT(checks) && !result; i++)
+        result = checks[i](place);
+    return result;
+}
+
+GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, GpIndexRanges *ranges,
+                             GpError *error)
+{
     if (list->pass_count && !list->passes)
         return gp_fail(error, GP_ERROR_INVALID, "passes: NULL, but pass_count is %u",
                        list->pass_count);
@@ -437,12 +446,11 @@ GpResult gp_list_check_again(const GpList *list, GpCheckedPrograms *programs, Gp
         if (result)
             return result;
         place.in_draw = true;
-        for (place.draw = 0; place.draw < pass_at(&place)->draw_count; place.draw++)
-            for (size_t i = 0; i < GP_COUNT(draw_checks); i++) {
-                result = draw_checks[i](&place);
-                if (result)
-                    return result;
-            }
+        for (place.draw = 0; place.draw < pass_at(&place)->draw_count; place.draw++) {
+            result = check_draw(&place);
+            if (result)
+                return result;
+        }
         place.in_draw = false;
         result = check_sorted_primitives(&place);
         if (result)

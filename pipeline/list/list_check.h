@@ -3,6 +3,7 @@
 #ifndef GP_LIST_CHECK_H
 #define GP_LIST_CHECK_H
 
+#include "pipeline/base/prefetch.h"
 #include "pipeline/list/index_range.h"
 #include "pipeline/list/list.h"
 #include "pipeline/list/needs.h"
@@ -10,6 +11,14 @@
 
 /* Primitives of a draw, and of all draws of a pass that sorts: bins number them, and keep a bit. */
 enum { GP_MAX_PRIMITIVES = 1 << 30 };
+
+/* For who goes through a pass from draw to draw, at draw `number`: those of a long list are in no cache. */
+static inline void gp_prefetch_draws(const GpPass *pass, uint32_t number)
+{
+    enum { AHEAD = 2 };
+    if (number + AHEAD < pass->draw_count)
+        gp_prefetch(&pass->draws[number + AHEAD], offsetof(GpDraw, textures));
+}
 
 /* Programs that were found right, the last few, as they were then. A zeroed one is empty. */
 enum { GP_CHECKED_PROGRAMS = 16 };

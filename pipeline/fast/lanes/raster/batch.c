@@ -268,5 +268,6 @@ void fast_write_record(const FastDraw *d, const TriangleBatch *b, uint32_t lane,
     for (int k = 0; k < 3; k++) {
         uint32_t number = (indices ? indices[at + order[k]] : at + order[k]) - d->first_vertex;
         record->corner[k] = d->varyings + (size_t)number * d->stride;
+        __builtin_prefetch(record->corner[k]); /* wanted when what is visible is shaded */
     }
 }
