@@ -111,6 +111,7 @@ void last_words_say(int number)
     }
     used = add(line, used, "; --resume goes on from what is done\n");
     (void)!write(STDERR_FILENO, line, used);
-    /* mpirun gives on what it reads, and may not look again at one who is gone */
-    nanosleep(&(struct timespec){ .tv_nsec = 100000000 }, NULL);
+    /* mpirun gives on what it reads, and may not look again at one who is gone; busy processors let it wait. After
+     * a second it ends whoever is left. */
+    nanosleep(&(struct timespec){ .tv_nsec = 500000000 }, NULL);
 }
