@@ -71,7 +71,7 @@ $(BUILD)/obj/pipeline/%.o: ALL_C += -fprofile-instr-generate -fcoverage-mapping 
 LINK     += -fprofile-instr-generate
 endif
 # libFuzzer looks at every counter after each run: none where no file is read, which is four fifths of them, and
-# comparisons only in readers. Three times as many runs a second.
+# comparisons only in readers. Looking took 78 of 100 of the time of options, and 39 of meshes.
 ifneq ($(findstring fuzzer,$(SANITIZE)),)
 NO_COMPARISONS := -fno-sanitize-coverage=trace-cmp
 NO_COUNTERS    := -fno-sanitize-coverage=trace-cmp,inline-8bit-counters,indirect-calls,pc-table
