@@ -19,6 +19,6 @@ FastCover fast_cover(const Tile *tile, const GpTriangle *triangle);
 
 /* One set-up triangle of any size, by the path of its draw. Bit i of strips[y]: not all of it is hidden in
  * strip i, GP_LANES pixels wide, of row y of the tile; strips: NULL where that is not known. */
-void fast_fill_large(Tile *tile, const GpTriangle *triangle, const uint16_t strips[FAST_TILE]);
+void fast_fill_large(Tile *tile, const GpTriangle *triangle, const uint32_t strips[FAST_TILE]);
 
 #endif

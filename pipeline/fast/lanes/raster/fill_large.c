@@ -260,7 +260,7 @@ GP_INLINE int32_t next_place(unsigned row, int32_t x)
 }
 
 GP_INLINE void fill_rows(const Filler *f, const GpTriangle *t, const Coverage *coverage, bool quads,
-                         EarlyTest early, const uint16_t *strips)
+                         EarlyTest early, const uint32_t *strips)
 {
     const FastDraw *d = f->d;
     const int32_t wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
@@ -294,7 +294,7 @@ GP_INLINE void fill_rows(const Filler *f, const GpTriangle *t, const Coverage *c
 }
 
 static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *coverage,
-                         const uint16_t *strips)
+                         const uint32_t *strips)
 {
     const FastDraw *d = f->d;
     const bool quads = d->path == FAST_ORDERED && d->needs.quads;
@@ -350,7 +350,7 @@ static void write_record(Tile *tile, const GpTriangle *t, FastTriangleRecord *re
     }
 }
 
-void fast_fill_large(Tile *tile, const GpTriangle *t, const uint16_t strips[FAST_TILE])
+void fast_fill_large(Tile *tile, const GpTriangle *t, const uint32_t strips[FAST_TILE])
 {
     const FastDraw *d = tile->draw;
     Coverage coverage;

@@ -80,10 +80,10 @@ enum { STRIPS = FAST_TILE / GP_LANES }; /* of a row */
 /* What is known to be hidden from codes of `nearest` on, as fast_fill_large wants it. */
 typedef struct Hidden {
     int32_t nearest;
-    uint16_t strips[FAST_TILE];
+    uint32_t strips[FAST_TILE];
 } Hidden;
 
-_Static_assert(STRIPS <= 16, "strips of a row have a bit each");
+_Static_assert(STRIPS <= 32, "strips of a row have a bit each");
 
 /* Where in the tile the nearest depth of a triangle would pass, as far as strips tell. */
 typedef struct Passing {
@@ -107,7 +107,7 @@ static void find_passing(const Tile *tile, const FastBox *box, int32_t bound, Hi
             passing->columns[i] |= before;
             passes |= (unsigned)(msk_bits((msk)(before < 0)) != 0) << i;
         }
-        hidden->strips[y] = (uint16_t)((hidden->strips[y] & ~inside) | passes);
+        hidden->strips[y] = (hidden->strips[y] & ~inside) | passes;
         if (!passes)
             continue;
         passing->top = passing->bottom < 0 ? y : passing->top;
