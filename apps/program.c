@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <jansson.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,21 +79,27 @@ void program_set_last_words(void (*say)(int number))
     last_words = say;
 }
 
-/* Ends the program as the signal would have, with no file left half made. */
+/* Ends the program as the signal would have, with no file left half made. Whoever sends one may send
+ * more, and another thread may be given them: the first is seen to its end. */
 static void end_by_signal(int number)
 {
+    static atomic_flag is_ending = ATOMIC_FLAG_INIT;
+    if (atomic_flag_test_and_set(&is_ending))
+        return;
     gp_file_abandon();
-    if (last_words)
+    if (last_words) {
         last_words(number);
-    raise(number); /* its default, since it was handled once */
+        gp_file_abandon(); /* other threads wrote on meanwhile */
+    }
+    signal(number, SIG_DFL);
+    raise(number); /* as soon as this returns */
 }
 
 /* What is ignored stays so: nohup asked for it. */
 static void handle_signals(void)
 {
     static const int ends[] = { SIGINT, SIGTERM, SIGHUP };
-    const struct sigaction handle = { .sa_handler = end_by_signal,
-                                      .sa_flags = (int)SA_RESETHAND | SA_NODEFER };
+    const struct sigaction handle = { .sa_handler = end_by_signal, .sa_flags = SA_RESTART };
     for (size_t i = 0; i < GP_COUNT(ends); i++) {
         struct sigaction old;
         if (sigaction(ends[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN)

@@ -73,11 +73,20 @@ static size_t add_rank(char line[1024], size_t used, int rank)
     return used;
 }
 
+static void wait_ms(int ms)
+{
+    nanosleep(&(struct timespec){ .tv_nsec = ms * 1000000L }, NULL);
+}
+
+/* mpirun may notice by its connection: one who dies closes that first, and is a process a little longer. */
 static int find_gone(void)
 {
-    for (int rank = 0; rank < rank_count; rank++)
-        if (rank != own_rank && is_gone(rank))
-            return rank;
+    for (int look = 0; look < 20; look++) {
+        for (int rank = 0; rank < rank_count; rank++)
+            if (rank != own_rank && is_gone(rank))
+                return rank;
+        wait_ms(10);
+    }
     return -1;
 }
 
@@ -113,5 +122,5 @@ void last_words_say(int number)
     (void)!write(STDERR_FILENO, line, used);
     /* mpirun gives on what it reads, and may not look again at one who is gone; busy processors let it wait. After
      * a second it ends whoever is left. */
-    nanosleep(&(struct timespec){ .tv_nsec = 500000000 }, NULL);
+    wait_ms(500);
 }
