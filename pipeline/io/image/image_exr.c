@@ -14,17 +14,18 @@ typedef struct ExrHeader {
     int64_t window[4]; /* x0 y0 x1 y1 of the data window, inclusive */
     unsigned compression;
     uint32_t tile[2];
-    uint32_t channels;
+    uint32_t channels, lists; /* of channels */
     bool has_window, has_compression, has_tile;
 } ExrHeader;
 
-/* Channels of a list: name, 0, then sixteen bytes; an empty name ends it. 0: it has none, or no end. */
+/* Channels of a list: name, 0, then sixteen bytes; an empty name ends it. 0: it has none, or no end, or one
+ * whose samples are not 32-bit integers, halves or floats: OpenImageIO ends the program over these. */
 static uint32_t count_channels(const unsigned char *at, size_t size)
 {
     uint32_t count = 0;
     while (size > 0 && *at) {
         const unsigned char *end = memchr(at, 0, size);
-        if (!end || size - (size_t)(end - at) < 17)
+        if (!end || size - (size_t)(end - at) < 17 || little(end + 1) > 2)
             return 0;
         size -= (size_t)(end - at) + 17;
         at = end + 17;
@@ -62,6 +63,7 @@ static GpResult parse_exr(const GpImageSource *source, ExrHeader *exr, size_t *b
             exr->has_compression = true;
         } else if (strcmp((const char *)name, "channels") == 0) {
             exr->channels = count_channels(value, size);
+            exr->lists++; /* which the library would join */
         } else if (strcmp((const char *)name, "tiles") == 0 && size == 9) {
             exr->tile[0] = little(value);
             exr->tile[1] = little(value + 4);
@@ -98,8 +100,8 @@ static GpResult check_part(GpImageSource *source, size_t *at, bool is_tiled, uin
         (is_tiled && !exr.has_tile))
         return gp_image_refuse(source, begin,
                                "a data window, a compression, and tiles in a tiled file");
-    if (pixel_size == 0 && exr.channels == 0)
-        return gp_image_refuse(source, begin, "a list of channels");
+    if (exr.channels == 0 || exr.lists != 1)
+        return gp_image_refuse(source, begin, "one list of channels of integers, halves or floats");
     pixel_size = pixel_size ? pixel_size : 4 * (uint64_t)exr.channels;
     int64_t width = exr.window[2] - exr.window[0] + 1, height = exr.window[3] - exr.window[1] + 1;
     result = gp_image_take_size(source, width > 0 ? (uint64_t)width : 0,

@@ -125,6 +125,36 @@ static void what_an_exr_promises_takes_no_memory(void **state)
     gp_image_free(&image);
 }
 
+/* Of samples that are of no known type, and of two lists joined, OpenImageIO ends the program. */
+static void exr_channels_are_checked(void **state)
+{
+    (void)state;
+    static const int32_t types[] = { 3, 256, -1 };
+    GpImage image = random_image(4, 4, 3, GP_IMAGE_F16, 1);
+    GpFile file;
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_OK);
+    assert_int_equal(gp_file_read(in_folder("a.exr"), &file, &error), GP_OK);
+    char *list = exr_value(&file, "channels", "chlist");
+    const size_t before = sizeof "channels\0chlist" + 4;
+    int32_t size;
+    memcpy(&size, list - 4, 4);
+    char twice[4096];
+    const size_t attribute = before + (size_t)size;
+    assert_true(file.size + attribute <= sizeof twice);
+    memcpy(twice, file.data, 8);
+    memcpy(twice + 8, list - before, attribute);
+    memcpy(twice + 8 + attribute, file.data + 8, file.size - 8);
+    assert_refused(put_file("b.exr", twice, file.size + attribute), GP_ERROR_FORMAT,
+                   "one list of channels");
+    for (size_t i = 0; i < GP_COUNT(types); i++) {
+        memcpy(list + 2, &types[i], 4);
+        assert_refused(put_file("b.exr", file.data, file.size), GP_ERROR_FORMAT,
+                       "one list of channels");
+    }
+    gp_file_free(&file);
+    gp_image_free(&image);
+}
+
 /* Overwrites the data window of an EXR file. */
 static void exr_windows_are_checked(void **state)
 {
@@ -352,6 +382,7 @@ int main(void)
         TEST(absurd_sizes_are_refused_before_any_allocation),
         TEST(what_an_exr_promises_takes_no_memory),
         TEST(exr_windows_are_checked),
+        TEST(exr_channels_are_checked),
         TEST(every_truncation_is_an_error),
         TEST(damaged_bytes_give_a_picture_or_an_error),
         TEST(what_a_format_cannot_hold_is_not_written),
