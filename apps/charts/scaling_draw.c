@@ -84,11 +84,13 @@ static int list_names(const TechniqueScaling *table, const char *names[MAX_NAMES
 static const ScalingPoint *next_point(const Panel *panel, int line, const ScalingPoint *point)
 {
     const Scaling *scaling = panel->scaling;
-    for (point = point ? point + 1 : scaling->points; point < scaling->points + scaling->count;
-         point++)
+    for (uint32_t i = point ? (uint32_t)(point - scaling->points) + 1 : 0; i < scaling->count;
+         i++) {
+        point = &scaling->points[i];
         if (point->panel == panel->number && (line == ANY_LINE || point->line == line) &&
             scaling_has_place(point))
             return point;
+    }
     return NULL;
 }
 

@@ -159,7 +159,7 @@ GpDraw *frame_draw_copied(Frame *frame, const GpProgram *program, const void *un
 
 uint32_t frame_take(Frame *frame, bool (*which)(const GpDraw *draw), GpDraw *taken)
 {
-    if (frame->arena.result)
+    if (frame->arena.result || frame->draw_count == 0)
         return 0;
     GP_ASSERT(frame->list.pass_count > 0);
     GpPass *pass = &frame->passes[frame->list.pass_count - 1];

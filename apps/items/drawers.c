@@ -26,6 +26,7 @@ struct Drawers {
     bool stop;
     pthread_mutex_t mutex;
     pthread_cond_t given, finished;
+    Drawers *next_left; /* as drawers_stop has it */
 };
 
 static void draw(Drawer *drawer)
@@ -134,8 +135,12 @@ void drawers_stop(Drawers **drawers, bool wait)
     for (uint32_t i = 0; i < all->count; i++)
         at_work = at_work || all->drawer[i].state == DRAWING;
     pthread_mutex_unlock(&all->mutex);
-    if (at_work && !wait)
+    if (at_work && !wait) {
+        static Drawers *left; /* to whoever draws, until the program ends */
+        all->next_left = left;
+        left = all;
         return;
+    }
     for (uint32_t i = 0; i < all->count; i++)
         if (all->drawer[i].started)
             pthread_join(all->drawer[i].thread, NULL);

@@ -189,6 +189,7 @@ static void draw_triangle(GpReferenceDraw *d)
         else
             gp_trace_missed_part(d);
         d->triangle = NULL;
+        d->corner = NULL;
     }
     gp_trace_missed_clip(d);
 }

@@ -12,7 +12,7 @@ typedef struct Vertex {
 
 /* What was heard of each pixel. */
 typedef struct Heard {
-    int drawn[SIDE][SIDE], missed[SIDE][SIDE];
+    int drawn[SIDE][SIDE], missed[SIDE][SIDE], set_up;
     const char *reason;
     bool front, has_depth;
     float depth;
@@ -23,6 +23,7 @@ static void hear(void *user, const GpTraceEvent *event)
     Heard *heard = user;
     if (event->kind == GP_TRACE_RASTER)
         heard->drawn[event->y][event->x]++;
+    heard->set_up += event->kind == GP_TRACE_SETUP;
     if (event->kind != GP_TRACE_MISSED)
         return;
     heard->missed[event->y][event->x]++;
@@ -143,6 +144,8 @@ static void one_pixel_is_watched_alone_and_nothing_comes_unasked(void **state)
     const Heard heard = draw(-0.5f, 0.5f, GP_CULL_NONE, one);
     assert_int_equal(sum(heard.missed), 1);
     assert_int_equal(heard.missed[5][3], 1);
+    assert_int_equal(heard.set_up, 0); /* the part that would cover it was cut away */
+    assert_int_equal(draw(0.25f, 0.25f, GP_CULL_CW, one).set_up, 1);
     assert_int_equal(sum(draw(-0.5f, 0.5f, GP_CULL_NONE, (GpTrace){ .missed = false }).missed), 0);
 }
 

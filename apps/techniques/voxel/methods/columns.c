@@ -66,7 +66,9 @@ static GpGeometry make_points(const VoxelModel *model, Frame *frame, const uint3
                               uint32_t count)
 {
     float *corners = frame_alloc(frame, (size_t)count * CORNERS, sizeof *corners);
-    for (uint32_t i = 0; corners && i < count; i++)
+    if (!corners)
+        return (GpGeometry){ .vertex_count = 0 };
+    for (uint32_t i = 0; i < count; i++)
         copy_corners(model, list[i], corners + (size_t)i * CORNERS);
     GpGeometry points = { .primitive = GP_POINTS, .vertex_count = count };
     bind_corners(&points, corners, CORNERS * sizeof *corners);
@@ -81,7 +83,9 @@ static GpGeometry make_rectangles(const VoxelModel *model, Frame *frame, const u
     static const uint32_t halves[6] = { 0, 1, 2, 0, 2, 3 };
     float *vertices = frame_alloc(frame, (size_t)count * 4 * FLOATS, sizeof *vertices);
     uint32_t *indices = frame_alloc(frame, (size_t)count * 6, sizeof *indices);
-    for (uint32_t i = 0; vertices && indices && i < count; i++) {
+    if (!vertices || !indices)
+        return (GpGeometry){ .vertex_count = 0 };
+    for (uint32_t i = 0; i < count; i++) {
         for (uint32_t j = 0; j < 4; j++) {
             float *vertex = vertices + ((size_t)i * 4 + j) * FLOATS;
             copy_corners(model, list[i], vertex);

@@ -74,6 +74,7 @@ static void points_lie_on_the_surface_with_its_normals_and_colors(void **state)
 {
     (void)state;
     GpMesh mesh = mesh_named("builtin:sphere");
+    gp_free(mesh.colors);
     mesh.colors = gp_alloc(4 * (size_t)mesh.vertex_count, sizeof(float));
     for (size_t v = 0; v < mesh.vertex_count; v++)
         mesh.colors[4 * v + 1] = mesh.positions[3 * v + 1] * 0.5F + 0.5F;
