@@ -80,7 +80,7 @@ GpResult bench_build_sheets(const BenchCase *bench, Frame *frame, GpError *error
     GpSurface *sheet =
         frame_surface(frame, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
     frame->color = frame_surface(frame, GP_A16B16G16R16F, BENCH_SMALL_SIZE, BENCH_SMALL_SIZE, 1);
-    for (int i = 0; i < SHEET_COUNT; i++) {
+    for (int i = 0; positions && i < SHEET_COUNT; i++) {
         GpGeometry points = bench_points(positions + (size_t)i * SHEET_POINTS * 3, SHEET_POINTS);
         frame_pass(frame, "sheet", sheet, NULL, bench_black);
         frame_draw(frame, &sheet_sprite_program, &sprite, &points)->state.blend[0] =

@@ -23,11 +23,12 @@ bool scaling_has_place(const ScalingPoint *point)
 static const ScalingPoint *next_larger(const Scaling *scaling, int panel, int line, double amount)
 {
     const ScalingPoint *next = NULL;
-    for (const ScalingPoint *point = scaling->points; point < scaling->points + scaling->count;
-         point++)
+    for (uint32_t i = 0; i < scaling->count; i++) {
+        const ScalingPoint *point = &scaling->points[i];
         if (point->panel == panel && point->line == line && scaling_has_place(point) &&
             point->amount > 0 && point->amount >= amount && (!next || point->amount < next->amount))
             next = point;
+    }
     return next;
 }
 
