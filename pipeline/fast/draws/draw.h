@@ -150,6 +150,12 @@ static inline bool fast_is_packed(GpFormat format)
     return format == GP_A8R8G8B8 || format == GP_X8R8G8B8;
 }
 
+/* Formats of bytes, which hold 0 to 1: colours are clamped before they are blended. */
+static inline bool fast_is_unorm8(GpFormat format)
+{
+    return fast_is_packed(format) || format == GP_R8;
+}
+
 /* Bits of a packed word that every store sets: the byte that X8R8G8B8 has no use for. */
 static inline uint32_t fast_filled_bits(GpFormat format)
 {

@@ -189,7 +189,7 @@ GP_INLINE void blend_channels(const GpBlend *blend, GpFormat format, const Blend
 GP_INLINE bool blend_pixels(const GpBlend *blend, GpFormat format, bool clamps, const BlendBlock *m,
                             int first, int count)
 {
-    const bool looks = !clamps && (fast_is_packed(format) || format == GP_R8);
+    const bool looks = !clamps && fast_is_unorm8(format);
     const int next_layer = m->count / m->layers * m->stride;
     const flt *color = m->color + first * m->stride;
     uint32_t at[4];
@@ -221,18 +221,17 @@ GP_INLINE bool blend_pixels(const GpBlend *blend, GpFormat format, bool clamps, 
 GP_INLINE void blend_layers(const GpBlend *blend, GpFormat format, const BlendBlock *from)
 {
     const BlendBlock copy = *from, *m = &copy;
-    const bool is_packed = fast_is_packed(format), is_unorm = is_packed || format == GP_R8;
     const bool tries =
         blend == &over && GP_LANES > 4; /* four lanes have no instruction that looks */
     const int pixels = m->count / m->layers;
-    const int together = is_packed ? 4 : 2; /* codes make the longer chains */
+    const int together = fast_is_packed(format) ? 4 : 2; /* codes make the longer chains */
     int p = 0;
     while (tries && p + together <= pixels && blend_pixels(blend, format, false, m, p, together))
         p += together;
     for (; p + together <= pixels; p += together)
-        blend_pixels(blend, format, is_unorm, m, p, together);
+        blend_pixels(blend, format, fast_is_unorm8(format), m, p, together);
     for (; p < pixels; p++)
-        blend_pixels(blend, format, is_unorm, m, p, 1);
+        blend_pixels(blend, format, fast_is_unorm8(format), m, p, 1);
 }
 
 /* --- targets of any format -------------------------------------------------------------------- */

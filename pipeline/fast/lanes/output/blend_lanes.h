@@ -111,7 +111,6 @@ GP_INLINE bool is_average(const GpBlend *blend)
 GP_INLINE void blend_clamped(const GpBlend *blend, GpFormat format, bool clamps,
                              const float constant[4], const flt color[4], flt target[4])
 {
-    const bool is_unorm = format == GP_R8 || format == GP_A8R8G8B8;
     Operands o;
     __builtin_memcpy(o.constant, constant, sizeof o.constant);
     o.source[3] = clamps ? clamped(color[3]) : color[3];
@@ -122,15 +121,15 @@ GP_INLINE void blend_clamped(const GpBlend *blend, GpFormat format, bool clamps,
         o.target[c] = target[c];
         const flt result = blend->op == GP_BLEND_OFF ? color[c] : blend_channel(blend, c, &o);
         if (c < channels_of(format) && !(blend->keep >> c & 1))
-            target[c] = is_unorm && is_average(blend) ? flt_quantize_unorm8(result)
-                                                      : quantize(format, result);
+            target[c] = fast_is_unorm8(format) && is_average(blend) ? flt_quantize_unorm8(result)
+                                                                    : quantize(format, result);
     }
 }
 
 GP_INLINE void blend_stored(const GpBlend *blend, GpFormat format, const float constant[4],
                             const flt color[4], flt target[4])
 {
-    blend_clamped(blend, format, format == GP_R8 || format == GP_A8R8G8B8, constant, color, target);
+    blend_clamped(blend, format, fast_is_unorm8(format), constant, color, target);
 }
 
 /* Blend factors, as the target clamps them. */
