@@ -12,8 +12,11 @@ with_arm64() {
         -o Dir::State::lists="$folder/apt/lists" -o Dir::Cache="$folder/apt/cache" "$@"
 }
 with_arm64 update || exit 1
-(cd "$folder/apt" && with_arm64 download libjansson-dev:arm64 libpng-dev:arm64 libpng16-16:arm64 zlib1g-dev:arm64) || exit 1
+(cd "$folder/apt" && with_arm64 download libjansson-dev:arm64 libpng-dev:arm64 libpng16-16:arm64 zlib1g-dev:arm64 zlib1g:arm64) || exit 1
 for package in "$folder"/apt/*.deb; do
     dpkg-deb -x "$package" "$folder" || exit 1
 done
+# zlib's link for compilers names its place on a whole system; beside the others it is found here.
+shared=$folder/usr/lib/aarch64-linux-gnu
+cp -P "$folder"/lib/aarch64-linux-gnu/libz.so.* "$shared/" && ln -sf libz.so.1 "$shared/libz.so" || exit 1
 rm -rf "$folder/apt"
