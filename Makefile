@@ -352,9 +352,11 @@ BREAK_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/break_it.tap)
 # Pages in a browser, where there is one.
 INSPECT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/inspect.tap $(BUILD)/test/lessons.tap)
 MPI_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/mpi.tap)
+# Lanes as processors have them for which there are no intrinsics.
+PLAIN_RESULT := $(if $(EMULATOR)$(SANITIZE)$(COVERAGE),,$(BUILD)/test/plain_lanes.tap)
 # Calls that fail: sanitizers and emulators have allocators of their own.
 FAULT_RESULT := $(if $(EMULATOR)$(SANITIZE),,$(BUILD)/test/faults.tap)
-RESULTS  = $(DIFFERENTIAL_TEST).tap $(MPI_RESULT) $(FAULT_RESULT) $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) $(BREAK_RESULT) \
+RESULTS  = $(DIFFERENTIAL_TEST).tap $(MPI_RESULT) $(FAULT_RESULT) $(PLAIN_RESULT) $(LIBRARY_RESULT) $(OTHER_RESULTS) $(PICTURE_RESULT) $(PRINTED_RESULT) $(SNIPPET_RESULT) $(INSPECT_RESULT) $(BREAK_RESULT) \
            $(TESTS:%=%.tap) $(GOLDEN_RESULTS)
 
 $(patsubst tests/cli/%.c,$(BUILD)/test/%.tap,$(filter tests/cli/%,$(TEST_SOURCES))): $(PROGRAM)
@@ -404,6 +406,13 @@ $(OTHER_RESULTS): $(BUILD)/test/as.%.tap: $(PROGRAM) $(GOLDEN_TEST) $(DIFFERENTI
                                           $(BUILD)/test/test_widths always
 	$(call say,TEST,"as $*")$(RUN_TEST) $@ sh tests/tools/other_processor.sh $* $(BUILD) \
 	    $(filter $(WIDTHS:lanes%=%),$(subst $(comma), ,$(patsubst $*:%,%,$(filter $*:%,$(OTHER_PROCESSORS)))))
+
+# The golden frames by the plain twins of all intrinsics, which ARM runs.
+PLAIN := $(BUILD)/plain-lanes
+$(PLAIN_RESULT): always
+	+@mkdir -p $(@D) && $(MAKE) --no-print-directory BUILD=$(PLAIN) OPT=-O1 CXX= ISAS=4:generic: \
+	    CPPFLAGS='$(CPPFLAGS) -DGP_PLAIN_LANES' $(PLAIN)/test/golden >$(PLAIN).log 2>&1 || { cat $(PLAIN).log; exit 1; }
+	$(call say,TEST,plain_lanes)$(RUN_TEST) $@ $(PLAIN)/test/golden
 
 test: all $(RESULTS)
 	@awk -f tests/tools/summary.awk $(RESULTS)

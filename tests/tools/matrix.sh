@@ -1,11 +1,12 @@
 #!/bin/sh
 # One table of builds and processors against pictures: `make matrix` runs this from the root: matrix.sh OUT
 #
-# Configurations: BUILDS (compiler-level, tile-SIDE, aarch64), each on PROCESSORS (this one, and by qemu-user
-# Nehalem with SSE2 only and Haswell with AVX2; ARM's program by qemu-aarch64), at each lane width that build
-# and processor have (-O1 and tiles are built with one alone), on 1 and 3 threads, and by the reference executor. Pictures: scenes and techniques, so
-# many of each command of tests/golden/pictures.txt (PICTURES, default 2; EMULATED of them where a processor
-# is emulated, default 1). Builds lie where `make check` has them, and are shared.
+# Configurations: BUILDS (compiler-level, tile-SIDE, plain without intrinsics, aarch64), each on PROCESSORS
+# (this one, and by qemu-user Nehalem with SSE2 only and Haswell with AVX2; ARM's program by qemu-aarch64), at
+# each lane width that build and processor have (-O1 and tiles are built with one alone), on 1 and 3 threads,
+# and by the reference executor. Pictures: scenes and techniques, so many of each command of
+# tests/golden/pictures.txt (PICTURES, default 2; EMULATED of them where a processor is emulated, default 1).
+# Builds lie where `make check` has them, and are shared.
 #
 #     make matrix BUILDS='gcc-O2 clang-O0' PROCESSORS='here Nehalem' PICTURES=4
 #
@@ -13,7 +14,7 @@
 # against those of the first build. One line for each build and processor, or why it was left out; then the
 # count of configurations, of pictures drawn, and of differences. Exit status 1 where there is any.
 out=$1
-builds=${BUILDS:-gcc-O2 clang-O2 gcc-O0 clang-O0 gcc-O1 clang-O1 gcc-O3 clang-O3 tile-16 tile-32 tile-128 aarch64}
+builds=${BUILDS:-gcc-O2 clang-O2 gcc-O0 clang-O0 gcc-O1 clang-O1 gcc-O3 clang-O3 tile-16 tile-32 tile-128 plain aarch64}
 processors=${PROCESSORS:-here Nehalem Haswell-noTSX}
 mkdir -p "$out"
 here=$(mktemp -d)
@@ -41,6 +42,7 @@ build() { # NAME: the program, built
         [ "${name#*-O}" != 1 ] || set -- "$@" ISAS=4:sse2:
         ;;
     tile-*) set -- CC=gcc CXX=g++ ISAS=4:sse2: CPPFLAGS="-DGP_TILE=${name#tile-}" ;;
+    plain) set -- CC=gcc CXX=g++ ISAS="4:generic: 8:generic: 16:generic:" CPPFLAGS=-DGP_PLAIN_LANES ;;
     aarch64)
         sh tests/tools/aarch64_program.sh "$out" program >"$here/log" 2>&1
         return
@@ -114,7 +116,7 @@ configurations=0 drawn=0 differences=0 missed=0
 for name in $builds; do
     compiler=${name%-O*}
     case $name in
-    tile-*) compiler=gcc ;;
+    tile-* | plain) compiler=gcc ;;
     aarch64) compiler=aarch64-linux-gnu-gcc ;;
     esac
     command -v "$compiler" >/dev/null || { left_out "$name" all "$compiler is not installed"; continue; }

@@ -142,7 +142,7 @@ GP_INLINE itg itg_dot2(itg a, itg b)
 #endif
 }
 
-/* Bit i of the result: lane i of the mask. */
+/* Bit i of the result: the sign of lane i, which of a mask is whether it is set. */
 GP_INLINE unsigned msk_bits(msk mask)
 {
 #ifdef GP_SSE2_LANES
@@ -154,7 +154,7 @@ GP_INLINE unsigned msk_bits(msk mask)
 #else
     unsigned bits = 0;
     for (int lane = 0; lane < GP_LANES; lane++)
-        bits |= (unsigned)(mask[lane] & 1) << lane;
+        bits |= (unsigned)(mask[lane] < 0) << lane;
     return bits;
 #endif
 }
