@@ -1,7 +1,5 @@
 #include "apps/items/drawers.h"
 
-#include "apps/base/machine.h"
-
 #include <errno.h>
 #include <pthread.h>
 #include <time.h>
@@ -15,7 +13,6 @@ typedef struct Drawer {
     bool started;
     ItemTools tools;
     DrawerState state;
-    double since_ms;
     Drawn drawn;
 } Drawer;
 
@@ -139,6 +136,9 @@ void drawers_stop(Drawers **drawers, bool wait)
         static Drawers *left; /* to whoever draws, until the program ends */
         all->next_left = left;
         left = all;
+        for (uint32_t i = 0; i < all->count; i++)
+            if (all->drawer[i].started)
+                pthread_detach(all->drawer[i].thread);
         return;
     }
     for (uint32_t i = 0; i < all->count; i++)
@@ -153,12 +153,15 @@ void drawers_stop(Drawers **drawers, bool wait)
     gp_free(all);
 }
 
-int drawers_find_free(const Drawers *drawers, int from)
+int drawers_find_free(Drawers *drawers, int from)
 {
-    for (uint32_t i = (uint32_t)from; i < drawers->count; i++)
+    int found = -1; /* only the thread that asks makes it anything else */
+    pthread_mutex_lock(&drawers->mutex);
+    for (uint32_t i = (uint32_t)from; i < drawers->count && found < 0; i++)
         if (drawers->drawer[i].started && drawers->drawer[i].state == IDLE)
-            return (int)i; /* only the thread that asks makes it anything else */
-    return -1;
+            found = (int)i;
+    pthread_mutex_unlock(&drawers->mutex);
+    return found;
 }
 
 void drawers_give(Drawers *drawers, int number, uint32_t item)
@@ -166,7 +169,6 @@ void drawers_give(Drawers *drawers, int number, uint32_t item)
     Drawer *drawer = &drawers->drawer[number];
     pthread_mutex_lock(&drawers->mutex);
     drawer->drawn = (Drawn){ .item = item };
-    drawer->since_ms = machine_clock_ms(CLOCK_MONOTONIC);
     drawer->state = DRAWING;
     pthread_cond_broadcast(&drawers->given);
     pthread_mutex_unlock(&drawers->mutex);
@@ -199,14 +201,4 @@ bool drawers_wait(Drawers *drawers, double seconds, Drawn *drawn)
     }
     pthread_mutex_unlock(&drawers->mutex);
     return found != NULL;
-}
-
-bool drawers_look(const Drawers *drawers, int drawer, uint32_t *item, double *since_ms)
-{
-    const Drawer *one = &drawers->drawer[drawer];
-    if (one->state == IDLE)
-        return false;
-    *item = one->drawn.item;
-    *since_ms = one->since_ms;
-    return true;
 }

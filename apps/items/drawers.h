@@ -26,15 +26,12 @@ ItemsCode drawers_start(const ItemWork *work, const GpDeviceDesc *device, uint32
 void drawers_stop(Drawers **drawers, bool wait);
 
 /* The first thread from `from' on that has nothing to do, or -1. */
-int drawers_find_free(const Drawers *drawers, int from);
+int drawers_find_free(Drawers *drawers, int from);
 
 /* Gives it an item. */
 void drawers_give(Drawers *drawers, int drawer, uint32_t item);
 
 /* Waits so many seconds at most for an item to be drawn, whichever is first; false: none was. */
 bool drawers_wait(Drawers *drawers, double seconds, Drawn *drawn);
-
-/* The item that a thread is at, and since when by machine_clock_ms; false: none. */
-bool drawers_look(const Drawers *drawers, int drawer, uint32_t *item, double *since_ms);
 
 #endif

@@ -16,7 +16,7 @@ static const uint64_t max_texels = (uint64_t)1 << 30;
 /* Formats of depth targets, or of colour targets, in small letters; capitals are taken too. */
 static GpFormat read_format(Node node, bool depth, GpFormat fallback)
 {
-    static char names[GP_FORMATS][24];
+    char names[GP_FORMATS][24];
     const char *list[GP_FORMATS];
     GpFormat formats[GP_FORMATS];
     const char *given = node_string(node, NULL);

@@ -237,7 +237,7 @@ static WarpView sun_view(const Walk *walk, uint32_t map)
 /* World to the map: u, v and a depth a little before the surface's own. */
 static void map_matrix(const WarpView *view, double map[4][4])
 {
-    static double to_map[4][4] = {
+    double to_map[4][4] = {
         { 0.5, 0, 0, 0.5 }, { 0, -0.5, 0, 0.5 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 }
     };
     double eye[4][4], projection[4][4], clip[4][4];
