@@ -4,7 +4,7 @@
 # jansson, libpng and zlib, unpacked below FOLDER; nothing is installed, and apt's own lists stay as
 # they are. Does nothing where they are there already.
 folder=$(mkdir -p "$1" && cd "$1" && pwd) || exit 1
-[ -e "$folder/usr/include/png.h" ] && exit 0
+[ -e "$folder/usr/lib/aarch64-linux-gnu/libz.so" ] && exit 0 # made last, and to nowhere before that
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial" || exit 1
 with_arm64() {
     apt-get -q -o APT::Architecture="$(dpkg --print-architecture)" \
