@@ -234,18 +234,45 @@ GP_INLINE void cut_row(const TileEdge *e, int32_t y, int32_t *first, int32_t *la
         *last = *first - 1;
 }
 
-/* Rows of a draw that looks at no depth: each is one run of pixels. */
+/* The run of pixels that a row of the box has inside; false where there is none. */
+GP_INLINE bool find_run(const Coverage *coverage, int32_t y, int32_t *first, int32_t *last)
+{
+    *first = coverage->x0;
+    *last = coverage->x1;
+    for (int i = 0; i < 3 && *first <= *last; i++)
+        cut_row(&coverage->edge[i], y, first, last);
+    return *first <= *last;
+}
+
+/* Rows of a draw that looks at no depth, in its order. */
 static void queue_rows(const Filler *f, const Coverage *coverage)
 {
+    int32_t first, last;
     for (int32_t y = coverage->y0; y <= coverage->y1; y++) {
-        int32_t first = coverage->x0, last = coverage->x1;
-        for (int i = 0; i < 3 && first <= last; i++)
-            cut_row(&coverage->edge[i], y, &first, &last);
-        for (int32_t x = first & -GP_LANES; first <= last && x <= last; x += GP_LANES) {
+        if (!find_run(coverage, y, &first, &last))
+            continue;
+        for (int32_t x = first & -GP_LANES; x <= last; x += GP_LANES) {
             const unsigned from = x < first ? (unsigned)ALL_LANES << (first - x) : ALL_LANES;
             const unsigned to = last - x < GP_LANES ? (2u << (last - x)) - 1 : ALL_LANES;
             fast_queue_row(f->tile, f->number, x, y, from & to, flt_set(0));
         }
+    }
+}
+
+/* The same of a draw of which only the front is shaded: runs of the triangle's number. */
+static void show_rows(const Filler *f, const Coverage *coverage)
+{
+    const itg number = itg_set((int32_t)f->number);
+    int32_t first, last;
+    for (int32_t y = coverage->y0; y <= coverage->y1; y++) {
+        if (!find_run(coverage, y, &first, &last))
+            continue;
+        uint32_t *at = f->tile->visibility->record + fast_at(first, y);
+        int32_t pixels = last - first + 1;
+        for (; pixels >= GP_LANES; pixels -= GP_LANES, at += GP_LANES)
+            store_lanes(at, false, number);
+        const msk inside = (msk)(lane_numbers() < pixels);
+        store_lanes(at, false, itg_select(inside, number, load_lanes(at, false)));
     }
 }
 
@@ -299,13 +326,15 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
     const FastDraw *d = f->d;
     const bool quads = d->path == FAST_ORDERED && d->needs.quads;
     const EarlyTest early = early_test(f, t);
-    if (early == EARLY_NONE && d->path == FAST_ORDERED && !quads && !d->needs.clip_planes) {
-        const FastBox box = { coverage->x0, coverage->y0, coverage->x1, coverage->y1 };
-        if (coverage->whole && !d->repeated)
-            fast_queue_box(f->tile, f->number, &box);
-        else
-            queue_rows(f, coverage);
-    } else if (strips)
+    const bool runs = early == EARLY_NONE && !quads && !d->needs.clip_planes;
+    if (runs && d->path == FAST_VISIBLE)
+        show_rows(f, coverage);
+    else if (runs && d->path == FAST_ORDERED && coverage->whole && !d->repeated)
+        fast_queue_box(f->tile, f->number,
+                       &(FastBox){ coverage->x0, coverage->y0, coverage->x1, coverage->y1 });
+    else if (runs && d->path == FAST_ORDERED)
+        queue_rows(f, coverage);
+    else if (strips)
         fill_rows(f, t, coverage, quads, early, strips);
     else
         fill_rows(f, t, coverage, quads, early, NULL);

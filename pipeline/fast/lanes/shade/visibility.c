@@ -3,6 +3,7 @@
 #include "pipeline/fast/lanes/shade/visibility.h"
 
 #include "pipeline/fast/lanes/shade/gathered.h"
+#include "pipeline/fast/lanes/shade/layers.h"
 #include "pipeline/fast/lanes/shade/packets.h"
 #include "pipeline/fast/lanes/shade/queue.h"
 
@@ -264,20 +265,47 @@ static void settle_occluder(FastVisibility *v)
     v->occluder = FAST_NO_RECORD;
 }
 
+/* Where nothing came after the full-tile occluder, the tile is one layer of it, and nobody looks at its
+ * records. Shaders that look at their neighbours want quads, which layers have not.
+ * returns false, and nothing done, where that is not so */
+static bool shade_occluder(Tile *tile)
+{
+    const FastVisibility *v = tile->visibility;
+    if (v->occluder == FAST_NO_RECORD || v->occluder + 1 != tile->records->count)
+        return false;
+    const FastDraw *d = &tile->pass->draws[v->runs[v->run_count - 1].draw], *before = tile->draw;
+    if (d->needs.quads)
+        return false;
+    tile->draw = d;
+    fast_shade_layers(tile,
+                      &(FastLayers){ .count = 1,
+                                     .box = { 0, 0, tile->width - 1, tile->height - 1 },
+                                     .record = { v->occluder } },
+                      tile->queue->packets);
+    tile->draw = before;
+    return true;
+}
+
+static void shade_runs(Tile *tile)
+{
+    settle_occluder(tile->visibility);
+    number_records(tile);
+    sort_cells(tile);
+    for (uint32_t run = 0; run < tile->visibility->run_count; run++)
+        if (tile->visibility->runs[run].cells)
+            shade_run(tile, run);
+}
+
 void fast_flush_visibility(Tile *tile)
 {
     FastVisibility *v = tile->visibility;
     FastPhase before = fast_turn_to(tile, FAST_SHADING);
-    settle_occluder(v);
     bool any = false;
     for (uint32_t run = 0; run < v->run_count; run++)
         any |= is_visible(tile, run);
     if (any) {
-        number_records(tile);
-        sort_cells(tile);
-        for (uint32_t run = 0; run < v->run_count; run++)
-            if (v->runs[run].cells)
-                shade_run(tile, run);
+        if (!shade_occluder(tile))
+            shade_runs(tile);
         memset(v->record, 0, sizeof v->record);
     }
     fast_begin_visibility(tile);
