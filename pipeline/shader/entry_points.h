@@ -74,6 +74,35 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
         ((msk *)(void *)gp->call->killed)[gp->packet] = gp->killed;
 }
 
+GP_INLINE void gp_interpolate(flt *in, int components, const flt *value, flt weight1, flt weight2)
+{
+    GP_UNROLL
+    for (int i = 0; i < components; i++)
+        in[i] = value[3 * i] + (weight1 * value[3 * i + 1] + weight2 * value[3 * i + 2]);
+}
+
+/* Of few components: interpolated in the shader's own loop they need not go through memory, which costs
+ * short shaders as much again. */
+#define GP_PIXEL_LAYERS(name, U, IN, OUT)                                                          \
+    const int packets = call->packets / call->layers;                                              \
+    for (int layer = 0, k = 0; layer < call->layers; layer++) {                                    \
+        const GpInterpolants *from = &call->interpolants[layer];                                   \
+        const flt *weight1 = (const flt *)(const void *)from->weight[0];                           \
+        const flt *weight2 = (const flt *)(const void *)from->weight[1];                           \
+        flt value[3 * GP_FEW_COMPONENTS]; /* which no store can change */                          \
+        GP_UNROLL                                                                                  \
+        for (int i = 0; i < 3 * name##_in; i++)                                                    \
+            value[i] = ((const flt *)(const void *)from->value)[i];                                \
+        for (int p = 0; p < packets; p++, k++) {                                                   \
+            GpInvocation invocation = { .call = call, .packet = k };                               \
+            IN at;                                                                                 \
+            gp_interpolate((flt *)(void *)&at, name##_in, value, weight1[p], weight2[p]);          \
+            name##_body(&invocation, (const U *)call->uniforms, &at, out + k);                     \
+            gp_end_packet(&invocation);                                                            \
+            used |= invocation.used;                                                               \
+        }                                                                                          \
+    }
+
 #ifndef GP_SHADER_PAIRS
 #define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
     for (int k = 0; k < call->packets; k++) {                                                      \
@@ -112,7 +141,11 @@ GP_INLINE void gp_end_packet(const GpInvocation *gp)
         const IN *in = (const IN *)(const void *)call->in;                                         \
         OUT *out = (OUT *)(void *)call->color;                                                     \
         uint32_t used = 0;                                                                         \
-        GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+        if (name##_in > 0 && (int)name##_in <= GP_FEW_COMPONENTS && call->interpolants) {          \
+            GP_PIXEL_LAYERS(name, U, IN, OUT)                                                      \
+        } else {                                                                                   \
+            GP_PIXEL_PACKETS(name, U, OUT)                                                         \
+        }                                                                                          \
         gp_tell(call, used);                                                                       \
     }                                                                                              \
     GP_INLINE void name##_body(__attribute__((unused)) GpInvocation *gp,                           \

@@ -96,6 +96,16 @@ typedef enum GpShaderUse {
     GP_USED_FUSED = 1 << 5, /* its code rounds a * b + c once: compiled with contraction (R50) */
 } GpShaderUse;
 
+/* The varyings of one triangle, for pixel shaders that interpolate them packet by packet:
+ * value[c][0] + (weight[0][p] value[c][1] + weight[1][p] value[c][2]), as CONVENTIONS.md has it. */
+typedef struct GpInterpolants {
+    const float *value;     /* [component][3][lanes]: at the first corner, and how the others differ */
+    const float *weight[2]; /* [packet][lanes]: of the other corners */
+} GpInterpolants;
+
+/* Pixel shaders of so few components of varyings can be called with interpolants. */
+enum { GP_FEW_COMPONENTS = 4 };
+
 /* One call: `packets` packets in a row. Arrays are [packet][component][lanes] floats, aligned to
  * a lane vector; the components are those of the shader's own structs, in order.
  * owns everything belongs to the caller; the shader reads and writes, and keeps nothing */
@@ -115,6 +125,8 @@ typedef struct GpShaderCall {
     float *point_size; /* [packet][lanes], pixels; NULL unless the program writes it */
 
     /* pixel shader: in */
+    const GpInterpolants *interpolants; /* of each layer, in place of `in`; NULL: inputs are there */
+    int layers;         /* with interpolants: parts of the packets, of equal length, on the same pixels */
     const float *pixel; /* [packet][2][lanes], x y of the pixel (vPos); NULL unless used */
     const float *face;  /* [packet][lanes], +1 clockwise (front), -1; NULL unless used */
     /* pixel shader: out */

@@ -38,6 +38,7 @@ typedef struct FastPacketBlock {
     const FastGathered *gathered; /* of the same numbers */
     const float *depths; /* [packet][lane], where tests come late or fragments are sorted */
     const float *in;     /* [packet][component][lane]; NULL: where the shader block has them */
+    const GpInterpolants *interpolants; /* of each layer, in place of inputs; or NULL */
     int count;
     int layers; /* packets are [layer][pixels], all layers on the same pixels; 0: no layers */
     bool whole; /* every packet is known to be a row that lives in all lanes, to the end */

@@ -42,7 +42,34 @@ static bool find_layers(const Tile *tile, const FastLayers *layers, Layer *layer
     return true;
 }
 
-/* The inputs of a block, whose packets are [layer][pixels]. */
+/* Whether the shader can interpolate: what varies varies in one way, and all layers have one shape. */
+static bool leaves_interpolation(const FastDraw *d, const FastLayers *layers, const Layer *layer)
+{
+    const uint64_t perspective = d->varyings_by[GP_PERSPECTIVE],
+                   screen = d->varyings_by[GP_LINEAR_SCREEN];
+    bool leaves = d->modes.components <= GP_FEW_COMPONENTS && !d->varyings_by[GP_FLAT] &&
+                  !perspective != !screen;
+    for (uint32_t k = 1; k < layers->count; k++)
+        leaves &= layer[k].as_last;
+    return leaves;
+}
+
+/* The interpolants of a block, whose packets are [layer][pixels], from weights that all layers share. */
+static void set_interpolants(const Tile *tile, const Layer *layer, const FastPacketBlock *block,
+                             FastWeights *weights, GpInterpolants *interpolants)
+{
+    fast_find_weights(tile->draw, layer->record, &layer->edges, layer->perspective, block->packets,
+                      block->count / block->layers, weights);
+    const flt(*weight)[FAST_BLOCK] =
+        weights->has_perspective ? weights->perspective : weights->screen;
+    for (int k = 0; k < block->layers; k++)
+        interpolants[k] =
+            (GpInterpolants){ .value = (const float *)(const void *)layer[k].component,
+                              .weight = { (const float *)(const void *)weight[0],
+                                          (const float *)(const void *)weight[1] } };
+}
+
+/* The inputs of such a block. */
 static void interpolate_layers(const Tile *tile, const Layer *layer, const FastPacketBlock *block)
 {
     const FastDraw *d = tile->draw;
@@ -139,7 +166,10 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
     const FastBox *box = &layers->box;
     const int room = FAST_BLOCK / (int)layers->count;
     Layer layer[FAST_LAYERS];
+    FastWeights weights;
+    GpInterpolants interpolants[FAST_LAYERS];
     const bool narrow = find_layers(tile, layers, layer), alike = are_alike(tile);
+    const bool leaves = narrow && leaves_interpolation(d, layers, layer);
     const bool even = (box->x1 - box->x0 + 1) % GP_LANES == 0;
     const bool whole = even && !d->draw->program->may_discard && !d->needs.alpha_test;
     const uint32_t placed = layers_to_place(d, whole && narrow, layers->count);
@@ -160,7 +190,11 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
         if (alike)
             blend_alike(tile, &block);
         else if (narrow) {
-            interpolate_layers(tile, layer, &block);
+            if (leaves) {
+                set_interpolants(tile, layer, &block, &weights, interpolants);
+                block.interpolants = interpolants;
+            } else
+                interpolate_layers(tile, layer, &block);
             fast_shade_inputs(tile, d, &block);
         } else
             fast_shade_packets(tile, d, &block);

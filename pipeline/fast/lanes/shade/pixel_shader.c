@@ -40,6 +40,8 @@ void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock 
         .uniforms = d->draw->uniforms,
         .packets = packets->count,
         .in = packets->in ? packets->in : block->in,
+        .interpolants = packets->interpolants,
+        .layers = packets->layers,
         .textures = d->draw->textures,
         .read_texture = fast_read_texture,
         .executor = (void *)d->samplers, /* only read */
