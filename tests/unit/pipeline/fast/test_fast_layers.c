@@ -1,5 +1,6 @@
 /* Layers that are blended into whole tiles, many at once, as if no colour needed a limit: one that does is limited
- * all the same, whichever it is. On every device the bits are the reference's. */
+ * all the same, whichever it is. Of few varyings shaders interpolate by themselves, where layers have one shape
+ * and varyings one kind: with others the pictures are right too. On every device the bits are the reference's. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
@@ -26,17 +27,17 @@ static void make_layers(void)
     }
 }
 
-static void draw_layers(GpFormat format, const char *what)
+static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
+
+static void draw_layers(const GpProgram *program, GpFormat format, const GpBlend *blend,
+                        uint32_t side, const char *what)
 {
-    static const GpBlend blend = { .op = GP_BLEND_ADD,
-                                   .src = GP_SRC_ALPHA,
-                                   .dst = GP_INV_SRC_ALPHA };
     ExerciseUniforms uniforms = { .color = { 1, 1, 1, 1 } };
     for (int i = 0; i < 4; i++)
         uniforms.matrix[i][i] = 1;
-    GpDraw draw = { .program = &exercise_color, .uniforms = &uniforms };
+    GpDraw draw = { .program = program, .uniforms = &uniforms };
     const uint32_t stride = sizeof corners[0];
-    draw.state.blend[0] = blend;
+    draw.state.blend[0] = *blend;
     draw.geometry.vertex_count = 3 * LAYERS;
     draw.geometry.streams[GP_POSITION] = (GpStream){ corners[0], stride, 4, GP_FLOAT32 };
     draw.geometry.streams[GP_COLOR] = (GpStream){ corners[0] + 4, stride, 4, GP_FLOAT32 };
@@ -44,7 +45,7 @@ static void draw_layers(GpFormat format, const char *what)
     GpPass pass = { .color[0] = { .clear = true, .clear_color = { 0.25f, 0.5f, 0.75f, 1 } },
                     .draws = &draw,
                     .draw_count = 1 };
-    const GpSurfaceDesc desc = { .format = format, .width = SIDE, .height = SIDE };
+    const GpSurfaceDesc desc = { .format = format, .width = side, .height = side };
     assert_int_equal(gp_surface_create(&desc, &pass.color[0].surface, NULL), GP_OK);
     run_list_everywhere(&(GpList){ &pass, 1 }, what);
     gp_surface_destroy(&pass.color[0].surface);
@@ -64,12 +65,52 @@ static void colours_beyond_the_limits(void **state)
         corners[3 * layer + (i % 2 ? 1 : 0)][4 + i % 4] =
             value; /* from there to the next corners */
         snprintf(what, sizeof what, "layer %d of %g", layer, (double)value);
-        draw_layers(formats[i % GP_COUNT(formats)], what);
+        draw_layers(&exercise_color, formats[i % GP_COUNT(formats)], &over, SIDE, what);
+    }
+}
+
+/* What makes layers differ from those that shaders can interpolate. */
+typedef enum Difference { NONE, DEPTHS, SHAPES, EDGES, DIFFERENCES } Difference;
+
+static void make_different(Difference what)
+{
+    make_layers();
+    for (int i = 0; i < 3 * LAYERS; i++) {
+        float *corner = corners[i];
+        const int layer = i / 3, k = i % 3;
+        const float w = what == DEPTHS ? 1 + 0.5f * (float)k : 1;
+        corner[0] += what == SHAPES && layer % 2 && k == 1 ? 1.0f : 0;
+        corner[1] -= what == EDGES && k == 2 && layer % 4 == 3 ? 2.5f : 0; /* cuts through tiles */
+        for (int c = 0; c < 3; c++)
+            corner[c] *= w;
+        corner[3] = w;
+    }
+}
+
+static void few_varyings(void **state)
+{
+    (void)state;
+    static const GpInterpolation modes[] = { GP_PERSPECTIVE, GP_LINEAR_SCREEN, GP_FLAT };
+    static const GpFormat formats[] = { GP_A8R8G8B8, GP_A16B16G16R16F, GP_A32B32G32R32F };
+    static const GpBlend opaque = { .op = GP_BLEND_OFF };
+    for (uint32_t i = 0; i < DIFFERENCES * GP_COUNT(modes) * GP_COUNT(formats) * 2; i++) {
+        const Difference difference = i % DIFFERENCES;
+        const uint32_t mode = i / DIFFERENCES % GP_COUNT(modes);
+        const uint32_t format = i / DIFFERENCES / GP_COUNT(modes) % GP_COUNT(formats);
+        const bool blends = i / DIFFERENCES / GP_COUNT(modes) / GP_COUNT(formats) == 0;
+        GpProgram program = exercise_flat; /* of four components */
+        char what[64];
+        program.varyings[0].mode = modes[mode];
+        make_different(difference);
+        snprintf(what, sizeof what, "difference %d, mode %u, format %u", (int)difference, mode,
+                 format);
+        draw_layers(&program, formats[format], blends ? &over : &opaque, 2 * SIDE + 13, what);
     }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(colours_beyond_the_limits) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(colours_beyond_the_limits),
+                                        cmocka_unit_test(few_varyings) };
     return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
 }
