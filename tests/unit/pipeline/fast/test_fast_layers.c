@@ -90,7 +90,11 @@ static void make_different(Difference what)
 static void few_varyings(void **state)
 {
     (void)state;
-    static const GpInterpolation modes[] = { GP_PERSPECTIVE, GP_LINEAR_SCREEN, GP_FLAT };
+    static const GpInterpolation modes[][2] = { { GP_PERSPECTIVE, GP_PERSPECTIVE },
+                                                { GP_LINEAR_SCREEN, GP_LINEAR_SCREEN },
+                                                { GP_FLAT, GP_FLAT },
+                                                { GP_PERSPECTIVE, GP_FLAT },
+                                                { GP_LINEAR_SCREEN, GP_PERSPECTIVE } };
     static const GpFormat formats[] = { GP_A8R8G8B8, GP_A16B16G16R16F, GP_A32B32G32R32F };
     static const GpBlend opaque = { .op = GP_BLEND_OFF };
     for (uint32_t i = 0; i < DIFFERENCES * GP_COUNT(modes) * GP_COUNT(formats) * 2; i++) {
@@ -100,7 +104,8 @@ static void few_varyings(void **state)
         const bool blends = i / DIFFERENCES / GP_COUNT(modes) / GP_COUNT(formats) == 0;
         GpProgram program = exercise_flat; /* of four components */
         char what[64];
-        program.varyings[0].mode = modes[mode];
+        program.varyings[0] = (GpVaryingDecl){ "color", 3, modes[mode][0] };
+        program.varyings[1] = (GpVaryingDecl){ "alpha", 1, modes[mode][1] };
         make_different(difference);
         snprintf(what, sizeof what, "difference %d, mode %u, format %u", (int)difference, mode,
                  format);
