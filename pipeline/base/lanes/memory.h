@@ -182,6 +182,9 @@ GP_INLINE void lanes_store4_row(float *records, const itg word[4])
 /* Without optimization these intrinsics are macros that the compiler's own warnings stumble over. */
 #if defined GP_AVX512_LANES && defined __OPTIMIZE__
 #define GP_GATHERS 1
+enum { GATHERS_BY_LANE = false };
+#else
+enum { GATHERS_BY_LANE = true }; /* a second one from the same offsets has its addresses at hand */
 #endif
 
 /* One 32-bit word for each lane, from `offset` bytes after base, at any alignment. Processors with
@@ -202,7 +205,7 @@ GP_INLINE itg itg_gather(const uint8_t *base, itg offset)
 #endif
 }
 
-/* Two neighbouring 32-bit words for each lane. */
+/* Two neighbouring 32-bit words for each lane; offsets are not negative. */
 GP_INLINE void itg_gather2(const uint8_t *base, itg offset, itg word[2])
 {
 #ifdef GP_GATHERS
@@ -216,10 +219,12 @@ GP_INLINE void itg_gather2(const uint8_t *base, itg offset, itg word[2])
         __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
 #elif defined GP_X86_LANES
     itg4 first[GP_LANES / 4], second[GP_LANES / 4];
+    uint32_t place[GP_LANES];
+    __builtin_memcpy(place, &offset, sizeof place);
     GP_UNROLL
     for (int i = 0; i < GP_LANES; i += 4) {
-        const uint8_t *at[4] = { base + offset[i], base + offset[i + 1], base + offset[i + 2],
-                                 base + offset[i + 3] };
+        const uint8_t *at[4] = { base + place[i], base + place[i + 1],
+                                 base + place[i + 2], base + place[i + 3] };
         __m128 left = (__m128)_mm_loadl_epi64((const __m128i *)(const void *)at[0]);
         __m128 right = (__m128)_mm_loadl_epi64((const __m128i *)(const void *)at[2]);
         left = _mm_loadh_pi(left, (const __m64 *)(const void *)at[1]);

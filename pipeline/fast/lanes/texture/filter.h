@@ -55,6 +55,9 @@ GP_INLINE void load_words(const FastSampler *s, const Footprint *f, int taps, it
         GP_UNROLL
         for (int i = 0; i < taps; i++)
             word[i] = load_narrow(f->texels, f->offset[i], 2);
+    } else if (taps == 4 && f->adjacent && f->stacked) {
+        itg_gather2(f->texels, f->offset[0], word);
+        itg_gather2(f->texels + f->pitch, f->offset[0], word + 2);
     } else if (taps == 4 && f->adjacent) {
         itg_gather2(f->texels, f->offset[0], word);
         itg_gather2(f->texels, f->offset[2], word + 2);

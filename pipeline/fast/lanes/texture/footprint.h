@@ -29,6 +29,8 @@ typedef struct Axis {
 typedef struct Footprint {
     const uint8_t *texels;
     bool adjacent; /* in all lanes right texels lie directly behind left ones in memory */
+    bool stacked;  /* and lower ones a pitch behind upper ones, where that saves looking for them */
+    int32_t pitch;
     itg offset[4]; /* bytes */
     msk border[4]; /* meaningful where the sampler has one */
     itg weight_x, weight_y;
@@ -134,6 +136,8 @@ GP_INLINE void find_texels(const FastSampler *s, const FastLevel *level, Variant
     f->weight_x = u.weight;
     f->weight_y = v.weight;
     f->adjacent = !msk_bits(u.at[1] - u.at[0] != 1);
+    f->stacked = GATHERS_BY_LANE && !msk_bits(v.at[1] - v.at[0] != 1);
+    f->pitch = level->pitch;
     f->offset[1] = v.at[0] * level->pitch + (u.at[1] << s->shift);
     f->offset[2] = v.at[1] * level->pitch + (u.at[0] << s->shift);
     f->offset[3] = v.at[1] * level->pitch + (u.at[1] << s->shift);
