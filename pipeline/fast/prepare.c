@@ -266,7 +266,8 @@ static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pas
     if (d->packs_points && d->needs.ternary) /* so that what replaces is known beside its colour */
         d->late_depth = true;
     d->shades_again = shades_again(d);
-    d->copied_slot = copies_words(d, &facts) ? facts.copied_slot : 0;
+    d->shown_slot = facts.copied_slot;
+    d->copies_words = copies_words(d, &facts);
 
     const GpIndexRange vertices = gp_index_range(indices, &draw->geometry);
     d->first_vertex = vertices.low;

@@ -69,7 +69,7 @@ enum { LEAST_PRIMITIVES = 32 };
 static bool has_plain_fragments(const FastDraw *d)
 {
     return d->path == FAST_ORDERED && !d->sorted && !d->needs.quads && !d->needs.stencil &&
-           !d->needs.ternary && !d->draw->program->uses_face && !d->copied_slot &&
+           !d->needs.ternary && !d->draw->program->uses_face && !d->copies_words &&
            d->primitive_count >= LEAST_PRIMITIVES;
 }
 

@@ -205,9 +205,9 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
 static bool copy_layers(Tile *tile, const FastLayers *layers)
 {
     const GpDraw *draw = tile->draw->draw;
-    const int slot = tile->draw->copied_slot - 1;
+    const int slot = tile->draw->shown_slot - 1;
     const FastBox *box = &layers->box;
-    if (slot < 0)
+    if (!tile->draw->copies_words)
         return false;
     fast_begin_fetch(tile, draw->textures, slot);
     const FastFetch *fetch = &tile->block->fetch[slot];

@@ -25,6 +25,13 @@ static void set_faces(const Tile *tile, const FastPacketBlock *packets, float *f
                 face[lane] = records[packets->gathered[p].record[lane]].face;
 }
 
+/* Of a shader that gives what it reads and no more: it is not asked. */
+static void show_texels(const GpShaderCall *call, int slot)
+{
+    for (int p = 0; p < call->packets; p++)
+        fast_fetch_framebuffer(call, slot, p, GP_LANES, call->color + p * 4 * GP_LANES);
+}
+
 void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock *packets)
 {
     const GpProgram *program = d->draw->program;
@@ -53,5 +60,8 @@ void fast_run_pixel_shader(Tile *tile, const FastDraw *d, const FastPacketBlock 
         .depth = program->writes_depth ? block->shader_depth : NULL,
         .killed = program->may_discard ? block->killed : NULL,
     };
-    d->code->pixel(&call);
+    if (d->shown_slot)
+        show_texels(&call, d->shown_slot - 1);
+    else
+        d->code->pixel(&call);
 }
