@@ -164,12 +164,12 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
 {
     const FastDraw *d = tile->draw;
     const FastBox *box = &layers->box;
-    const int room = FAST_BLOCK / (int)layers->count;
     Layer layer[FAST_LAYERS];
     FastWeights weights;
     GpInterpolants interpolants[FAST_LAYERS];
     const bool narrow = find_layers(tile, layers, layer), alike = are_alike(tile);
     const bool leaves = narrow && leaves_interpolation(d, layers, layer);
+    const int room = (leaves && layers->count > 1 ? FAST_MOST : FAST_BLOCK) / (int)layers->count;
     const bool even = (box->x1 - box->x0 + 1) % GP_LANES == 0;
     const bool whole = even && !d->draw->program->may_discard && !d->needs.alpha_test;
     const uint32_t placed = layers_to_place(d, whole && narrow, layers->count);

@@ -14,7 +14,7 @@ typedef struct FastLayers {
     uint32_t record[FAST_LAYERS];
 } FastLayers;
 
-/* Shades all pixels of the layers, of the tile's present draw; room: FAST_BLOCK packets. */
+/* Shades all pixels of the layers, of the tile's present draw; room: FAST_MOST packets. */
 void fast_shade_layers(Tile *tile, const FastLayers *layers, FastPacket *room);
 
 #endif

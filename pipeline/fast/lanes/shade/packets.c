@@ -127,7 +127,7 @@ static unsigned late_tests(Tile *tile, const FastDraw *d, const FastPacketBlock 
 
 /* Lanes of a block's shaded packets that pass all tests; those of them that replace. */
 static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *block,
-                      unsigned live[FAST_BLOCK], unsigned replaced[FAST_BLOCK])
+                      unsigned live[FAST_MOST], unsigned replaced[FAST_MOST])
 {
     const bool late = d->needs.alpha_test || d->late_depth;
     const itg *killed = d->draw->program->may_discard ? killed_lanes(tile) : NULL;
@@ -145,11 +145,11 @@ static void find_live(Tile *tile, const FastDraw *d, const FastPacketBlock *bloc
 }
 
 /* The same of whole packets, none of which replaces. */
-static const unsigned all_live[FAST_BLOCK] = { [0 ... FAST_BLOCK - 1] = ALL_LANES };
+static const unsigned all_live[FAST_MOST] = { [0 ... FAST_MOST - 1] = ALL_LANES };
 
 void fast_shade_inputs(Tile *tile, const FastDraw *d, const FastPacketBlock *block)
 {
-    unsigned live[FAST_BLOCK], replaced[FAST_BLOCK];
+    unsigned live[FAST_MOST], replaced[FAST_MOST];
     if (d->needs.pixel_shader)
         fast_run_pixel_shader(tile, d, block);
     if (block->whole)

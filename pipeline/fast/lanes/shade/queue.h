@@ -13,7 +13,7 @@ typedef struct FastQueue {
     uint32_t color_record[FAST_COLORS];
     uint32_t taken;    /* lanes of the last packet, where points have left some: else 0 */
     FastLayers layers; /* while any wait, no packets do */
-    _Alignas(64) FastPacket packets[FAST_BLOCK];
+    _Alignas(64) FastPacket packets[FAST_MOST];
     _Alignas(64) float depths[FAST_BLOCK * GP_LANES]; /* of packets whose tests come late */
     _Alignas(64) FastGathered gathered[FAST_BLOCK];
 } FastQueue;

@@ -21,11 +21,11 @@ typedef struct FastShaderBlock {
 
     /* [packet][component][lane] */
     _Alignas(64) float in[(FAST_BLOCK + FAST_AHEAD) * GP_MAX_VARYINGS * GP_LANES];
-    _Alignas(64) float color[FAST_BLOCK * GP_MAX_TARGETS * 4 * GP_LANES];
-    _Alignas(64) float pixel[FAST_BLOCK * 2 * GP_LANES];
-    _Alignas(64) float face[FAST_BLOCK * GP_LANES];
-    _Alignas(64) float shader_depth[FAST_BLOCK * GP_LANES];
-    _Alignas(64) int32_t killed[FAST_BLOCK * GP_LANES];
+    _Alignas(64) float color[FAST_MOST * GP_MAX_TARGETS * 4 * GP_LANES];
+    _Alignas(64) float pixel[FAST_MOST * 2 * GP_LANES];
+    _Alignas(64) float face[FAST_MOST * GP_LANES];
+    _Alignas(64) float shader_depth[FAST_MOST * GP_LANES];
+    _Alignas(64) int32_t killed[FAST_MOST * GP_LANES];
 } FastShaderBlock;
 
 /* The same as vectors: [packet][component], and [packet][target][channel]. */
