@@ -99,7 +99,7 @@ typedef enum GpShaderUse {
 /* The varyings of one triangle, for pixel shaders that interpolate them packet by packet:
  * value[c][0] + (weight[0][p] value[c][1] + weight[1][p] value[c][2]), as CONVENTIONS.md has it. */
 typedef struct GpInterpolants {
-    const float *value;     /* [component][3][lanes]: at the first corner, and how the others differ */
+    const float *value; /* [component][3][lanes]: at the first corner, and how the others differ */
     const float *weight[2]; /* [packet][lanes]: of the other corners */
 } GpInterpolants;
 
@@ -125,8 +125,9 @@ typedef struct GpShaderCall {
     float *point_size; /* [packet][lanes], pixels; NULL unless the program writes it */
 
     /* pixel shader: in */
-    const GpInterpolants *interpolants; /* of each layer, in place of `in`; NULL: inputs are there */
-    int layers;         /* with interpolants: parts of the packets, of equal length, on the same pixels */
+    const GpInterpolants
+        *interpolants; /* of each layer, in place of `in`; NULL: inputs are there */
+    int layers; /* with interpolants: parts of the packets, of equal length, on the same pixels */
     const float *pixel; /* [packet][2][lanes], x y of the pixel (vPos); NULL unless used */
     const float *face;  /* [packet][lanes], +1 clockwise (front), -1; NULL unless used */
     /* pixel shader: out */

@@ -223,8 +223,8 @@ GP_INLINE void itg_gather2(const uint8_t *base, itg offset, itg word[2])
     __builtin_memcpy(place, &offset, sizeof place);
     GP_UNROLL
     for (int i = 0; i < GP_LANES; i += 4) {
-        const uint8_t *at[4] = { base + place[i], base + place[i + 1],
-                                 base + place[i + 2], base + place[i + 3] };
+        const uint8_t *at[4] = { base + place[i], base + place[i + 1], base + place[i + 2],
+                                 base + place[i + 3] };
         __m128 left = (__m128)_mm_loadl_epi64((const __m128i *)(const void *)at[0]);
         __m128 right = (__m128)_mm_loadl_epi64((const __m128i *)(const void *)at[2]);
         left = _mm_loadh_pi(left, (const __m64 *)(const void *)at[1]);

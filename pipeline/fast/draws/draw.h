@@ -106,7 +106,7 @@ typedef struct FastDraw {
     bool packs_points; /* fragments of several points share packets: see pack_points.c */
     bool only_adds;    /* blending does nothing but add, to targets of floats */
     bool shades_again; /* varyings are not stored, but found where points are packed */
-    int shown_slot;  /* 1 + the slot whose texels, read in place, are all that its shader gives; or 0 */
+    int shown_slot; /* 1 + the slot whose texels, read in place, are all that its shader gives; or 0 */
     bool copies_words; /* of that slot, as they are, into its target's */
     GpVaryingModes modes;
     uint64_t varyings_by[3];       /* components that are read, by GpInterpolation */

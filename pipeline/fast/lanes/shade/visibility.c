@@ -253,13 +253,14 @@ static bool is_visible(const Tile *tile, uint32_t run)
 }
 
 /* Brings the records up to date with the full-tile occluder. */
-static void settle_occluder(FastVisibility *v)
+static void settle_occluder(Tile *tile)
 {
+    FastVisibility *v = tile->visibility;
     if (v->occluder == FAST_NO_RECORD)
         return;
-    for (uint32_t y = 0; y < FAST_TILE; y++)
-        for (uint32_t x = 0; x < FAST_TILE; x++) {
-            uint32_t *record = &v->record[y * FAST_PITCH + x];
+    for (int32_t y = 0; y < tile->height; y++)
+        for (int32_t x = 0; x < tile->width; x++) {
+            uint32_t *record = &v->record[fast_at(x, y)];
             *record = *record > v->occluder ? *record : v->occluder;
         }
     v->occluder = FAST_NO_RECORD;
@@ -288,7 +289,7 @@ static bool shade_occluder(Tile *tile)
 
 static void shade_runs(Tile *tile)
 {
-    settle_occluder(tile->visibility);
+    settle_occluder(tile);
     number_records(tile);
     sort_cells(tile);
     for (uint32_t run = 0; run < tile->visibility->run_count; run++)

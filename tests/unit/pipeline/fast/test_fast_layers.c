@@ -1,6 +1,7 @@
 /* Layers that are blended into whole tiles, many at once, as if no colour needed a limit: one that does is limited
  * all the same, whichever it is. Of few varyings shaders interpolate by themselves, where layers have one shape
- * and varyings one kind: with others the pictures are right too. On every device the bits are the reference's. */
+ * and varyings one kind: with others the pictures are right too. On every device the bits are the reference's. And
+ * what covers tiles that the target ends in is shaded once a pixel, and nowhere else. */
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
@@ -29,19 +30,32 @@ static void make_layers(void)
 
 static const GpBlend over = { .op = GP_BLEND_ADD, .src = GP_SRC_ALPHA, .dst = GP_INV_SRC_ALPHA };
 
-static void draw_layers(const GpProgram *program, GpFormat format, const GpBlend *blend,
-                        uint32_t side, const char *what)
+static ExerciseUniforms plain_uniforms(void)
 {
     ExerciseUniforms uniforms = { .color = { 1, 1, 1, 1 } };
     for (int i = 0; i < 4; i++)
         uniforms.matrix[i][i] = 1;
-    GpDraw draw = { .program = program, .uniforms = &uniforms };
+    return uniforms;
+}
+
+static GpGeometry geometry_of(uint32_t vertices)
+{
     const uint32_t stride = sizeof corners[0];
+    return (
+        GpGeometry){ .vertex_count = vertices,
+                     .streams = { [GP_POSITION] = { corners[0], stride, 4, GP_FLOAT32 },
+                                  [GP_COLOR] = { corners[0] + 4, stride, 4, GP_FLOAT32 },
+                                  [GP_TEXCOORD0] = { corners[0] + 8, stride, 2, GP_FLOAT32 } } };
+}
+
+static void draw_layers(const GpProgram *program, GpFormat format, const GpBlend *blend,
+                        uint32_t side, const char *what)
+{
+    const ExerciseUniforms uniforms = plain_uniforms();
+    GpDraw draw = { .program = program,
+                    .uniforms = &uniforms,
+                    .geometry = geometry_of(3 * LAYERS) };
     draw.state.blend[0] = *blend;
-    draw.geometry.vertex_count = 3 * LAYERS;
-    draw.geometry.streams[GP_POSITION] = (GpStream){ corners[0], stride, 4, GP_FLOAT32 };
-    draw.geometry.streams[GP_COLOR] = (GpStream){ corners[0] + 4, stride, 4, GP_FLOAT32 };
-    draw.geometry.streams[GP_TEXCOORD0] = (GpStream){ corners[0] + 8, stride, 2, GP_FLOAT32 };
     GpPass pass = { .color[0] = { .clear = true, .clear_color = { 0.25f, 0.5f, 0.75f, 1 } },
                     .draws = &draw,
                     .draw_count = 1 };
@@ -113,9 +127,43 @@ static void few_varyings(void **state)
     }
 }
 
+static void count_covered(GpProgram *program, uint32_t triangles)
+{
+    const ExerciseUniforms uniforms = plain_uniforms();
+    const GpDraw draw = { .program = program,
+                          .uniforms = &uniforms,
+                          .geometry = geometry_of(3 * triangles) };
+    GpPass pass = { .color[0] = { .clear = true }, .draws = &draw, .draw_count = 1 };
+    const GpSurfaceDesc desc = { .format = GP_A8R8G8B8, .width = 101, .height = 77 };
+    assert_int_equal(gp_surface_create(&desc, &pass.color[0].surface, NULL), GP_OK);
+    for (size_t i = 0; device_here(i); i++) {
+        if (device_here(i)->executor == GP_EXECUTOR_REFERENCE) /* which shades what is hidden too */
+            continue;
+        GpDevice *device = device_open(device_here(i));
+        assert_int_equal(gp_device_run(device, &(GpList){ &pass, 1 }, NULL), GP_OK);
+        assert_int_equal(gp_device_counters(device)->fragments_shaded, desc.width * desc.height);
+        gp_device_destroy(&device);
+    }
+    gp_surface_destroy(&pass.color[0].surface);
+}
+
+static void covered_pixels_are_shaded_once(void **state)
+{
+    (void)state;
+    for (uint32_t i = 0; i < 4; i++) {
+        GpProgram program = exercise_color;
+        program.uses_derivatives = i % 2;
+        make_layers();
+        corners[4][0] = -0.5f; /* the second triangle is a small one, in front of the first */
+        corners[5][1] = -0.5f;
+        count_covered(&program, 1 + i / 2);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(colours_beyond_the_limits),
-                                        cmocka_unit_test(few_varyings) };
+                                        cmocka_unit_test(few_varyings),
+                                        cmocka_unit_test(covered_pixels_are_shaded_once) };
     return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
 }
