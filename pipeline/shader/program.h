@@ -125,8 +125,7 @@ typedef struct GpShaderCall {
     float *point_size; /* [packet][lanes], pixels; NULL unless the program writes it */
 
     /* pixel shader: in */
-    const GpInterpolants
-        *interpolants; /* of each layer, in place of `in`; NULL: inputs are there */
+    const GpInterpolants *interpolants; /* of each layer, in place of `in`; or NULL */
     int layers; /* with interpolants: parts of the packets, of equal length, on the same pixels */
     const float *pixel; /* [packet][2][lanes], x y of the pixel (vPos); NULL unless used */
     const float *face;  /* [packet][lanes], +1 clockwise (front), -1; NULL unless used */
