@@ -82,7 +82,7 @@ GP_INLINE void gp_interpolate(flt *in, int components, const flt *value, flt wei
 }
 
 /* Of few components: interpolated in the shader's own loop they need not go through memory, which costs
- * short shaders as much again. */
+ * short shaders as much again (fill_blend32f takes 14 % less, with AVX-512 20 %). */
 #define GP_PIXEL_LAYERS(name, U, IN, OUT)                                                          \
     const int packets = call->packets / call->layers;                                              \
     for (int layer = 0, k = 0; layer < call->layers; layer++) {                                    \

@@ -8,7 +8,7 @@ enum {
     ALL_LANES = (1 << GP_LANES) - 1,
     QUADS_WIDE = GP_LANES / 2,   /* pixels across a packet of quads */
     FAST_BLOCK = 512 / GP_LANES, /* packets of one call of a shader */
-    FAST_MOST = 2 * FAST_BLOCK,  /* of layers, where their inputs take no room */
+    FAST_MOST = 2 * FAST_BLOCK,  /* of layers, where their inputs take no room (layers.h) */
 };
 
 /* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose

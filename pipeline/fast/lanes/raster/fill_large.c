@@ -259,7 +259,8 @@ static void queue_rows(const Filler *f, const Coverage *coverage)
     }
 }
 
-/* The same of a draw of which only the front is shaded: runs of the triangle's number. */
+/* The same of a draw of which only the front is shaded: runs of the triangle's number. A hundred rectangles
+ * on each other take a quarter less than with every pixel asked. */
 static void show_rows(const Filler *f, const Coverage *coverage)
 {
     const itg number = itg_set((int32_t)f->number);

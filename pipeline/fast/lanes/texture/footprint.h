@@ -29,7 +29,7 @@ typedef struct Axis {
 typedef struct Footprint {
     const uint8_t *texels;
     bool adjacent; /* in all lanes right texels lie directly behind left ones in memory */
-    bool stacked;  /* and lower ones a pitch behind upper ones, where that saves looking for them */
+    bool stacked; /* and lower ones a pitch behind upper ones: looked at where it saves addresses */
     int32_t pitch;
     itg offset[4]; /* bytes */
     msk border[4]; /* meaningful where the sampler has one */
