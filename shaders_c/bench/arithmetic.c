@@ -79,7 +79,7 @@ GP_INLINE Orbit turn(Orbit at, flt cx, flt cy)
 {
     flt x = at.x * at.x - at.y * at.y + cx, y = 2.0f * at.x * at.y + cy;
     msk inside = at.inside & (x * x + y * y <= 4.0f);
-    return (Orbit){ x, y, sel(inside, at.steps + 1.0f, at.steps), inside };
+    return (Orbit){ x, y, at.steps + sel(inside, bcast(1), 0), inside };
 }
 
 /* Whether all are outside is asked at every fourth turn: the answer, which a processor can only guess,
