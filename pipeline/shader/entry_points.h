@@ -81,11 +81,46 @@ GP_INLINE void gp_interpolate(flt *in, int components, const flt *value, flt wei
         in[i] = value[3 * i] + (weight1 * value[3 * i + 1] + weight2 * value[3 * i + 2]);
 }
 
+/* One packet, or two side by side: packet k of inputs `from`, and l of `other`. */
+#ifndef GP_SHADER_PAIRS
+enum { GP_AT_ONCE = 1 };
+#define GP_PIXEL_STEP(name, U, OUT, k, l, from, other)                                             \
+    GpInvocation invocation = { .call = call, .packet = k };                                       \
+    name##_body(&invocation, (const U *)call->uniforms, from, out + (k));                          \
+    gp_end_packet(&invocation);                                                                    \
+    used |= invocation.used;
+#else
+/* What a shader leaves unwritten stays as it was: all of it is written, or the program is refused. */
+enum { GP_AT_ONCE = 2 };
+#define GP_PIXEL_STEP(name, U, OUT, k, l, from, other)                                             \
+    GpInvocation left = { .call = call, .packet = k }, right = { .call = call, .packet = l };      \
+    OUT left_out = out[k], right_out = out[l];                                                     \
+    name##_body(&left, (const U *)call->uniforms, from, &left_out);                                \
+    name##_body(&right, (const U *)call->uniforms, other, &right_out);                             \
+    out[k] = left_out;                                                                             \
+    out[l] = right_out;                                                                            \
+    gp_end_packet(&left);                                                                          \
+    gp_end_packet(&right);                                                                         \
+    used |= left.used;
+#endif
+
+/* The packet beside packet k of `count`: of an odd one, itself once more. */
+GP_INLINE int gp_beside(int k, int count)
+{
+    return k + GP_AT_ONCE <= count ? k + GP_AT_ONCE - 1 : k;
+}
+
+#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
+    for (int k = 0; k < call->packets; k += GP_AT_ONCE) {                                          \
+        GP_PIXEL_STEP(name, U, OUT, k, gp_beside(k, call->packets), in + k,                        \
+                      in + gp_beside(k, call->packets))                                            \
+    }
+
 /* Of few components: interpolated in the shader's own loop they need not go through memory, which costs
  * short shaders as much again (fill_blend32f takes 14 % less, with AVX-512 20 %). */
 #define GP_PIXEL_LAYERS(name, U, IN, OUT)                                                          \
     const int packets = call->packets / call->layers;                                              \
-    for (int layer = 0, k = 0; layer < call->layers; layer++) {                                    \
+    for (int layer = 0, first = 0; layer < call->layers; layer++, first += packets) {              \
         const GpInterpolants *from = &call->interpolants[layer];                                   \
         const flt *weight1 = (const flt *)(const void *)from->weight[0];                           \
         const flt *weight2 = (const flt *)(const void *)from->weight[1];                           \
@@ -93,40 +128,14 @@ GP_INLINE void gp_interpolate(flt *in, int components, const flt *value, flt wei
         GP_UNROLL                                                                                  \
         for (int i = 0; i < 3 * name##_in; i++)                                                    \
             value[i] = ((const flt *)(const void *)from->value)[i];                                \
-        for (int p = 0; p < packets; p++, k++) {                                                   \
-            GpInvocation invocation = { .call = call, .packet = k };                               \
-            IN at;                                                                                 \
+        for (int p = 0; p < packets; p += GP_AT_ONCE) {                                            \
+            const int q = gp_beside(p, packets);                                                   \
+            IN at, beside;                                                                         \
             gp_interpolate((flt *)(void *)&at, name##_in, value, weight1[p], weight2[p]);          \
-            name##_body(&invocation, (const U *)call->uniforms, &at, out + k);                     \
-            gp_end_packet(&invocation);                                                            \
-            used |= invocation.used;                                                               \
+            gp_interpolate((flt *)(void *)&beside, name##_in, value, weight1[q], weight2[q]);      \
+            GP_PIXEL_STEP(name, U, OUT, first + p, first + q, &at, &beside)                        \
         }                                                                                          \
     }
-
-#ifndef GP_SHADER_PAIRS
-#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
-    for (int k = 0; k < call->packets; k++) {                                                      \
-        GpInvocation invocation = { .call = call, .packet = k };                                   \
-        name##_body(&invocation, (const U *)call->uniforms, in + k, out + k);                      \
-        gp_end_packet(&invocation);                                                                \
-        used |= invocation.used;                                                                   \
-    }
-#else
-/* What a shader leaves unwritten stays as it was: all of it is written, or the program is refused. */
-#define GP_PIXEL_PACKETS(name, U, OUT)                                                             \
-    for (int k = 0; k < call->packets; k += 2) {                                                   \
-        const int l = k + 1 < call->packets ? k + 1 : k; /* the odd last one, once more */         \
-        GpInvocation left = { .call = call, .packet = k }, right = { .call = call, .packet = l };  \
-        OUT left_out = out[k], right_out = out[l];                                                 \
-        name##_body(&left, (const U *)call->uniforms, in + k, &left_out);                          \
-        name##_body(&right, (const U *)call->uniforms, in + l, &right_out);                        \
-        out[k] = left_out;                                                                         \
-        out[l] = right_out;                                                                        \
-        gp_end_packet(&left);                                                                      \
-        gp_end_packet(&right);                                                                     \
-        used |= left.used;                                                                         \
-    }
-#endif
 
 /* A pixel shader that writes a struct of float4, one a target. */
 #define pixel_shader_targets(name, U, IN, OUT)                                                     \

@@ -116,7 +116,7 @@ static void few_varyings(void **state)
         const uint32_t mode = i / DIFFERENCES % GP_COUNT(modes);
         const uint32_t format = i / DIFFERENCES / GP_COUNT(modes) % GP_COUNT(formats);
         const bool blends = i / DIFFERENCES / GP_COUNT(modes) / GP_COUNT(formats) == 0;
-        GpProgram program = exercise_flat; /* of four components */
+        GpProgram program = i / DIFFERENCES % 2 ? exercise_pairs : exercise_flat; /* of four */
         char what[64];
         program.varyings[0] = (GpVaryingDecl){ "color", 3, modes[mode][0] };
         program.varyings[1] = (GpVaryingDecl){ "alpha", 1, modes[mode][1] };

@@ -1,0 +1,22 @@
+/* Few varyings, in packets that go through the shader in pairs. */
+#define GP_SHADER_PAIRS
+#include "tests/shaders/exercise.h"
+#include "tests/shaders/exercise_shared.h"
+
+typedef struct Varying {
+    float4 color;
+} Varying;
+
+vertex_shader(pairs_vs, ExerciseUniforms, Vertex, Varying)
+{
+    *position = m4x4(in->position, c->matrix);
+    out->color = in->color;
+}
+
+pixel_shader(pairs_ps, ExerciseUniforms, Varying)
+{
+    return mad(in->color, in->color.w, mul(in->color, u4(c->color)));
+}
+
+program(exercise_pairs, pairs_vs, pairs_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+        .inputs = INPUTS, .varyings = { { "color", 4, GP_PERSPECTIVE } })
