@@ -36,17 +36,9 @@ pixel_shader(color_ps, ExerciseUniforms, Varying)
 }
 
 /* One colour a triangle. */
-typedef struct FlatVarying {
-    float4 color;
-} FlatVarying;
+colored_vertex_shader(flat_vs);
 
-vertex_shader(flat_vs, ExerciseUniforms, Vertex, FlatVarying)
-{
-    *position = m4x4(in->position, c->matrix);
-    out->color = in->color;
-}
-
-pixel_shader(flat_ps, ExerciseUniforms, FlatVarying)
+pixel_shader(flat_ps, ExerciseUniforms, OneColor)
 {
     return mul(in->color, max(vface(), 0.5f));
 }

@@ -3,17 +3,9 @@
 #include "tests/shaders/exercise.h"
 #include "tests/shaders/exercise_shared.h"
 
-typedef struct Varying {
-    float4 color;
-} Varying;
+colored_vertex_shader(pairs_vs);
 
-vertex_shader(pairs_vs, ExerciseUniforms, Vertex, Varying)
-{
-    *position = m4x4(in->position, c->matrix);
-    out->color = in->color;
-}
-
-pixel_shader(pairs_ps, ExerciseUniforms, Varying)
+pixel_shader(pairs_ps, ExerciseUniforms, OneColor)
 {
     return mad(in->color, in->color.w, mul(in->color, u4(c->color)));
 }

@@ -54,8 +54,9 @@ static bool leaves_interpolation(const FastDraw *d, const FastLayers *layers, co
     return leaves;
 }
 
-/* The interpolants of a block, whose packets are [layer][pixels], from weights that all layers share. */
-static void set_interpolants(const Tile *tile, const Layer *layer, const FastPacketBlock *block,
+/* Gives a block, whose packets are [layer][pixels], interpolants from weights that all layers share.
+ * out  weights, interpolants: what the block then points at */
+static void set_interpolants(const Tile *tile, const Layer *layer, FastPacketBlock *block,
                              FastWeights *weights, GpInterpolants *interpolants)
 {
     fast_find_weights(tile->draw, layer->record, &layer->edges, layer->perspective, block->packets,
@@ -67,6 +68,7 @@ static void set_interpolants(const Tile *tile, const Layer *layer, const FastPac
             (GpInterpolants){ .value = (const float *)(const void *)layer[k].component,
                               .weight = { (const float *)(const void *)weight[0],
                                           (const float *)(const void *)weight[1] } };
+    block->interpolants = interpolants;
 }
 
 /* The inputs of such a block. */
@@ -189,15 +191,15 @@ static void shade_blocks(Tile *tile, const FastLayers *layers, FastPacket *packe
         block.count = block.layers * count;
         if (alike)
             blend_alike(tile, &block);
-        else if (narrow) {
-            if (leaves) {
+        else if (!narrow)
+            fast_shade_packets(tile, d, &block);
+        else {
+            if (leaves)
                 set_interpolants(tile, layer, &block, &weights, interpolants);
-                block.interpolants = interpolants;
-            } else
+            else
                 interpolate_layers(tile, layer, &block);
             fast_shade_inputs(tile, d, &block);
-        } else
-            fast_shade_packets(tile, d, &block);
+        }
     }
 }
 
