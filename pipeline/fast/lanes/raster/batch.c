@@ -10,39 +10,6 @@ enum { FITS = 1 << 14 };
 /* Tiny triangles that are worth a look at all of a batch. */
 enum { WORTH_IT = GP_LANES / 4 };
 
-/* Corners of the batch's triangles: x and y from the tile's first centre, in sub-pixels; z, rw. */
-typedef struct Corners {
-    itg at[3][4];
-    itg area2;
-} Corners;
-
-void fast_find_corners(const FastDraw *d, const uint32_t *primitives, uint32_t count,
-                       BatchCorners *corners)
-{
-    const uint32_t *indices = d->indices;
-    corners->primitives = primitives;
-    corners->count = count < GP_LANES ? count : GP_LANES;
-    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
-        const uint32_t at = 3 * (primitives[lane < count ? lane : 0] - d->first_primitive);
-        const uint32_t made[3] = { at, at + 1, at + 2 }, *number = indices ? indices + at : made;
-        GP_UNROLL
-        for (uint32_t k = 0; k < 3; k++) {
-            corners->corner[k][lane] = &d->positions[number[k] - d->first_vertex];
-            __builtin_prefetch(corners->corner[k][lane]);
-        }
-    }
-}
-
-static void load_corners(const Tile *tile, const BatchCorners *from, Corners *corners)
-{
-    for (int k = 0; k < 3; k++) {
-        itg *at = corners->at[k];
-        lanes_load4((const void *const *)from->corner[k], at);
-        at[0] -= tile->x0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
-        at[1] -= tile->y0 * GP_SUBPIXELS + GP_SUBPIXELS / 2;
-    }
-}
-
 /* Boxes of pixels, cut to what the draw may touch; returns the lanes that have one. */
 static unsigned set_boxes(const Tile *tile, const GpRect *rect, bool quads, const Corners *corners,
                           TriangleBatch *b, unsigned *large)
@@ -203,6 +170,8 @@ void fast_set_up_batch(const Filler *f, const BatchCorners *found, TriangleBatch
     const unsigned numbers = d->wants_depth ? set_nearest(d, &corners, b) : wanted;
     if (is_usual(f->early))
         drawn &= ~occluded_boxes(f, drawn & numbers, b->x, b->y, b->width, b->height, b->nearest);
+    if (large)
+        large &= ~fast_between_corners(tile, &corners, &rect).none;
     b->primitives = found->primitives;
     b->alone = wanted & (large | (drawn & ~numbers));
     b->small = drawn & numbers;

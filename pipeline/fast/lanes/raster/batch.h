@@ -2,14 +2,8 @@
 #ifndef GP_FAST_BATCH_H
 #define GP_FAST_BATCH_H
 
+#include "pipeline/fast/lanes/raster/corners.h"
 #include "pipeline/fast/lanes/raster/fragment_path.h"
-
-/* Where the corners of a batch's triangles are; beyond `count` the first triangle's stand in. */
-typedef struct BatchCorners {
-    const uint32_t *primitives;
-    uint32_t count;
-    const FastPosition *corner[3][GP_LANES];
-} BatchCorners;
 
 /* Vectors that are then taken apart by lanes. Places are in the tile; edges are those at (x, y). */
 typedef struct TriangleBatch {
@@ -31,11 +25,6 @@ typedef struct TriangleBatch {
     itg shade_edge[2], shade_steps[2];
     flt ratio[2];
 } TriangleBatch;
-
-/* Looks up the corners of the first of `count` triangles, up to GP_LANES, and asks memory for them:
- * some time before they are set up, for they are rarely near. */
-void fast_find_corners(const FastDraw *draw, const uint32_t *primitives, uint32_t count,
-                       BatchCorners *corners);
 
 /* Sets up triangles of the present draw. */
 void fast_set_up_batch(const Filler *filler, const BatchCorners *corners, TriangleBatch *batch);

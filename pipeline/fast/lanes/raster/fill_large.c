@@ -358,8 +358,7 @@ FastCover fast_cover(const Tile *tile, const GpTriangle *t)
 /* Nothing that was visible in the tile is so any more: all shows one record. */
 static bool hides_tile(const Filler *f, const Coverage *coverage)
 {
-    return f->d->path == FAST_VISIBLE && f->early == EARLY_NONE && !f->d->needs.clip_planes &&
-           covers_tile(f->tile, coverage);
+    return covers_hide(f) && covers_tile(f->tile, coverage);
 }
 
 static void write_record(Tile *tile, const GpTriangle *t, FastTriangleRecord *record)

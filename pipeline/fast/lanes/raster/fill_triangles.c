@@ -84,6 +84,11 @@ void fast_fill_triangles(Tile *tile, const uint32_t *primitives, uint32_t count)
     const Filler filler = fast_filler(tile);
     if (is_usual(filler.early))
         renew_hierarchical_depth(tile, count);
+    if (covers_hide(&filler)) {
+        const uint32_t hidden = fast_hidden_by_cover(tile, primitives, count);
+        primitives += hidden;
+        count -= hidden;
+    }
     BatchCorners corners[2]; /* those of the next batch are found while this one is filled */
     fast_find_corners(tile->draw, primitives, count, &corners[0]);
     for (uint32_t batch = 0; count; batch++) {

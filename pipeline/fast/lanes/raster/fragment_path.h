@@ -42,6 +42,12 @@ typedef struct Filler {
 
 Filler fast_filler(Tile *tile);
 
+/* Whether a triangle that covers the tile hides all that was there. */
+GP_INLINE bool covers_hide(const Filler *f)
+{
+    return f->d->path == FAST_VISIBLE && f->early == EARLY_NONE && !f->d->needs.clip_planes;
+}
+
 /* Codes of finite depths, for the usual test. The greater one comes out as `low` where both are 0,
  * so that no -0 is left. */
 GP_INLINE itg nearer_codes(const Filler *f, EarlyTest early, flt z)
