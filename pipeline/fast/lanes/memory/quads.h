@@ -71,6 +71,8 @@ GP_INLINE void store_lanes(uint32_t *to, bool quads, itg words)
 /* Rows of `wide` pixels: four, or half of the lanes. */
 GP_INLINE itg load_rows(const uint32_t *from, int32_t wide)
 {
+    if (wide == GP_LANES)
+        return load_lanes(from, false);
     if (wide == 4) {
         itg4 row[GP_LANES / 4];
         GP_UNROLL
@@ -86,6 +88,10 @@ GP_INLINE itg load_rows(const uint32_t *from, int32_t wide)
 
 GP_INLINE void store_rows(uint32_t *to, int32_t wide, itg words)
 {
+    if (wide == GP_LANES) {
+        store_lanes(to, false, words);
+        return;
+    }
     if (wide == 4) {
         itg4 row[GP_LANES / 4];
         itg_split_fours(words, row);

@@ -18,18 +18,13 @@ GP_INLINE msk can_pass(const Filling *w, itg stored)
     return (msk)(w->code - w->f->allowance < stored);
 }
 
-/* The usual test, where nothing is ordered. Steps of which nothing is visible go no further; but
- * where depth is all, going on is cheaper than a branch that is hard to foresee. */
+/* The usual test, where nothing is ordered. Steps of which nothing is visible go on: a branch there is hard to
+ * foresee (meshes take 2 to 7 % less; small draws that hide each other 3 % more). */
 GP_INLINE msk fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y, msk live)
 {
     Tile *tile = w->f->tile;
     const uint32_t at = fast_at(x, y);
     const itg stored = load_rows(tile->depth + at, c->wide);
-    if (w->path == FAST_VISIBLE) {
-        live &= can_pass(w, stored);
-        if (!msk_any(live))
-            return live;
-    }
     const itg code = nearer_codes(w->f, w->early, depth_of(w->b, w->lane, c));
     live &= (code - w->f->allowance - stored) >> 31; /* codes are not negative */
     store_rows(tile->depth + at, c->wide, itg_select(live, code, stored));
@@ -70,7 +65,7 @@ GP_INLINE msk fill_triangle(const Filling *w)
     const bool rows = w->path != FAST_ORDERED && is_usual(w->early);
     const int32_t right = w->b->x[w->lane] + w->b->width[w->lane];
     msk passed = itg_set(0);
-    for (int32_t left = w->b->x[w->lane]; left <= right; left += WIDE) {
+    for (int32_t left = w->b->x[w->lane]; left <= right; left += rows ? WIDE : QUADS_WIDE) {
         if (!rows)
             passed |= fill_column(w, left, 0);
         else if (NARROW < WIDE && right - left < NARROW)
