@@ -50,6 +50,9 @@
 #endif
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
+#elif defined GP_SHADER_PAIRS && defined __OPTIMIZE__ && !defined __cplusplus
+/* Without it gcc has one packet after the other, and both wait as one alone would: Phong takes a third less. */
+#pragma GCC optimize("schedule-insns", "sched-pressure")
 #endif
 
 #if defined __cplusplus && __cplusplus < 202002L
