@@ -181,21 +181,48 @@ static void set_weights(const Tile *tile, const FastDraw *d, const FastGathered 
     }
 }
 
-/* v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
-static void interpolate_component(const float corner[3][FAST_LANE_RUNS], const Spread *spread,
-                                  const flt *s1, const flt *s2, int count, int stride, flt *in)
+/* Neighbouring components of one mode: v0 + (s1 (v1 - v0) + s2 (v2 - v0)), with the differences at hand. */
+GP_INLINE void interpolate_neighbours(const FastLaneRuns *runs, const Spread *spread,
+                                      const flt weight[2][FAST_BLOCK], int first, int components,
+                                      int count, int stride, flt *in)
 {
-    for (int p = 0; p < count; p++)
-        in[p * stride] =
-            spread_flt(corner[0], &spread[p]) +
-            (s1[p] * spread_flt(corner[1], &spread[p]) + s2[p] * spread_flt(corner[2], &spread[p]));
+    for (int p = 0; p < count; p++, in += stride) {
+        const Spread at = spread[p];
+        const flt s1 = weight[0][p], s2 = weight[1][p];
+        GP_UNROLL
+        for (int i = 0; i < components; i++) {
+            const float(*corner)[FAST_LANE_RUNS] = runs->corner[first + i];
+            in[first + i] = spread_flt(corner[0], &at) +
+                            (s1 * spread_flt(corner[1], &at) + s2 * spread_flt(corner[2], &at));
+        }
+    }
 }
 
-static void repeat_component(const float *corner, const Spread *spread, int count, int stride,
-                             flt *in)
+static void interpolate_components(const FastLaneRuns *runs, const Spread *spread,
+                                   const flt weight[2][FAST_BLOCK], uint64_t components, int count,
+                                   int stride, flt *in)
 {
-    for (int p = 0; p < count; p++)
-        in[p * stride] = spread_flt(corner, &spread[p]);
+    for (uint64_t left = components; left;) {
+        const int first = __builtin_ctzll(left);
+        const int found = __builtin_ctz(~(unsigned)(left >> first & 7));
+        left &= ~((uint64_t)((1 << found) - 1) << first);
+        if (found == 3)
+            interpolate_neighbours(runs, spread, weight, first, 3, count, stride, in);
+        else if (found == 2)
+            interpolate_neighbours(runs, spread, weight, first, 2, count, stride, in);
+        else
+            interpolate_neighbours(runs, spread, weight, first, 1, count, stride, in);
+    }
+}
+
+static void repeat_components(const FastLaneRuns *runs, const Spread *spread, uint64_t components,
+                              int count, int stride, flt *in)
+{
+    for (uint64_t left = components; left; left &= left - 1) {
+        const int c = __builtin_ctzll(left);
+        for (int p = 0; p < count; p++)
+            in[c + p * stride] = spread_flt(runs->corner[c][0], &spread[p]);
+    }
 }
 
 static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastGathered *gathered,
@@ -211,16 +238,11 @@ static void interpolate_triangles(Tile *tile, const FastDraw *d, const FastGathe
     fetch_runs(d, tile->records->record, runs);
     for (int p = 0; p < count; p++)
         set_weights(tile, d, &gathered[p], &spread[p], p, &weights);
-    for (uint64_t left = d->needs.varyings; left; left &= left - 1) {
-        const int c = __builtin_ctzll(left);
-        const bool screen = d->modes.mode[c] == GP_LINEAR_SCREEN;
-        const flt *s1 = screen ? weights.screen[0] : weights.perspective[0];
-        const flt *s2 = screen ? weights.screen[1] : weights.perspective[1];
-        if (d->modes.mode[c] == GP_FLAT)
-            repeat_component(runs->corner[c][0], spread, count, stride, in + c);
-        else
-            interpolate_component(runs->corner[c], spread, s1, s2, count, stride, in + c);
-    }
+    interpolate_components(runs, spread, weights.perspective, d->varyings_by[GP_PERSPECTIVE], count,
+                           stride, in);
+    interpolate_components(runs, spread, weights.screen, d->varyings_by[GP_LINEAR_SCREEN], count,
+                           stride, in);
+    repeat_components(runs, spread, d->varyings_by[GP_FLAT], count, stride, in);
 }
 
 /* --- sprites ---------------------------------------------------------------------------------- */
