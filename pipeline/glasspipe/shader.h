@@ -24,8 +24,8 @@
  * constant bounds, and may be left where no lane changes any more: while (.. && any(mask)).
  *
  * #define GP_SHADER_PAIRS before the include where pixel shaders are long chains of arithmetic, each
- * step waiting for the one before: two packets then go through side by side. It changes no bit, costs
- * registers, and gains nothing across texture reads.
+ * step waiting for the one before: two packets, or two pairs, then go through side by side. It changes no bit,
+ * costs registers, and gains nothing across texture reads.
  *
  * #define GP_SHADER_SW before the include for the software profiles, in which rcp(0) and rsq(0) are
  * infinite instead of the largest float.
