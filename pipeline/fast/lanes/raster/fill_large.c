@@ -81,15 +81,15 @@ typedef struct InsideRow {
     itg rows;               /* the same up and down, which no step changes */
 } InsideRow;
 
-GP_INLINE InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps, int32_t x,
-                               int32_t y, int32_t wide)
+GP_INLINE InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps, bool whole,
+                               int32_t x, int32_t y, int32_t wide)
 {
     const itg column = steps->column + x, row = steps->row + y;
     InsideRow inside = { .right = coverage->x1 - column,
                          .left = column - coverage->x0,
                          .rows = (coverage->y1 - row) | (row - coverage->y0) };
     GP_UNROLL
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3 && !whole; i++) {
         const TileEdge *e = &coverage->edge[i];
         inside.edge[i] =
             (utg)column * (uint32_t)e->right + (utg)row * (uint32_t)e->down + (uint32_t)e->value;
@@ -99,23 +99,24 @@ GP_INLINE InsideRow inside_row(const Coverage *coverage, const LaneSteps *steps,
 }
 
 /* Moves on by some steps. */
-GP_INLINE void skip_right(InsideRow *inside, int32_t pixels, int32_t wide)
+GP_INLINE void skip_right(InsideRow *inside, bool whole, int32_t pixels, int32_t wide)
 {
     GP_UNROLL
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3 && !whole; i++)
         inside->edge[i] += inside->across[i] * (uint32_t)(pixels / wide);
     inside->right -= pixels;
     inside->left += pixels;
 }
 
 /* Lanes that are covered; moves on. */
-GP_INLINE msk step_right(InsideRow *inside, int32_t wide)
+GP_INLINE msk step_right(InsideRow *inside, bool whole, int32_t wide)
 {
-    const itg edges = (itg)(inside->edge[0] | inside->edge[1] | inside->edge[2]);
-    const itg out = edges | inside->right | inside->left | inside->rows;
+    itg out = inside->right | inside->left | inside->rows;
     GP_UNROLL
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3 && !whole; i++) {
+        out |= (itg)inside->edge[i];
         inside->edge[i] += inside->across[i];
+    }
     inside->right -= wide;
     inside->left += wide;
     return (msk)(out >= 0);
@@ -287,8 +288,9 @@ GP_INLINE int32_t next_place(unsigned row, int32_t x)
     return left ? (strip + __builtin_ctz(left)) * GP_LANES : FAST_TILE;
 }
 
-GP_INLINE void fill_rows(const Filler *f, const GpTriangle *t, const Coverage *coverage, bool quads,
-                         EarlyTest early, const uint32_t *strips)
+/* whole: as coverage->whole */
+GP_INLINE void fill_rows(const Filler *f, const GpTriangle *t, const Coverage *coverage, bool whole,
+                         bool quads, EarlyTest early, const uint32_t *strips)
 {
     const FastDraw *d = f->d;
     const int32_t wide = quads ? QUADS_WIDE : GP_LANES, high = quads ? 2 : 1;
@@ -300,17 +302,17 @@ GP_INLINE void fill_rows(const Filler *f, const GpTriangle *t, const Coverage *c
         const unsigned row = strips ? strips[y] | (quads ? strips[y + 1] : 0u) : ~0u;
         if (!row)
             continue;
-        InsideRow inside = inside_row(coverage, &steps, first_x, y, wide);
+        InsideRow inside = inside_row(coverage, &steps, whole, first_x, y, wide);
         for (int32_t x = first_x, at = x; x <= coverage->x1; x += wide) {
             if (strips) {
                 x = next_place(row, x);
                 if (x > coverage->x1)
                     break;
                 if (x != at)
-                    skip_right(&inside, x - at, wide);
+                    skip_right(&inside, whole, x - at, wide);
                 at = x + wide;
             }
-            msk live = step_right(&inside, wide);
+            msk live = step_right(&inside, whole, wide);
             if (!msk_bits(live))
                 continue;
             if (d->needs.clip_planes)
@@ -335,10 +337,14 @@ static void fill_covered(const Filler *f, const GpTriangle *t, const Coverage *c
                        &(FastBox){ coverage->x0, coverage->y0, coverage->x1, coverage->y1 });
     else if (runs && d->path == FAST_ORDERED)
         queue_rows(f, coverage);
+    else if (strips && coverage->whole)
+        fill_rows(f, t, coverage, true, quads, early, strips);
     else if (strips)
-        fill_rows(f, t, coverage, quads, early, strips);
+        fill_rows(f, t, coverage, false, quads, early, strips);
+    else if (coverage->whole)
+        fill_rows(f, t, coverage, true, quads, early, NULL);
     else
-        fill_rows(f, t, coverage, quads, early, NULL);
+        fill_rows(f, t, coverage, false, quads, early, NULL);
 }
 
 static bool covers_tile(const Tile *tile, const Coverage *coverage)
