@@ -84,12 +84,13 @@ FastChunk *fast_add_chunk(FastRange *range, uint32_t tile)
     return &chunks[number];
 }
 
-void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, const FastBox *box)
+void fast_bin_box(const FastPass *pass, FastRange *range, FastPrimitiveMask group,
+                  const FastBox *box)
 {
     for (int32_t y = box->y0 / FAST_TILE; y <= box->y1 / FAST_TILE; y++)
         for (int32_t x = box->x0 / FAST_TILE; x <= box->x1 / FAST_TILE; x++)
-            fast_add_to_tile(range, (uint32_t)y * pass->tiles_x + (uint32_t)x - pass->first_tile,
-                             (FastPrimitiveMask){ primitive, 1 });
+            fast_add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x - pass->first_tile,
+                              group);
 }
 
 const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive)
@@ -177,7 +178,7 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
     if (whole.x0 > whole.x1)
         return;
     if (store_polygon(d, range, primitive, &polygon, screen))
-        fast_bin_box(pass, range, primitive | FAST_CLIPPED_FLAG, &whole);
+        fast_bin_box(pass, range, (FastPrimitiveMask){ primitive | FAST_CLIPPED_FLAG, 1 }, &whole);
     else
         range->failed = true;
 }
@@ -185,8 +186,9 @@ static void bin_clipped(const FastPass *pass, const FastDraw *d, FastRange *rang
 /* --- triangles -------------------------------------------------------------------------------- */
 
 void fast_bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range,
-                       uint32_t primitive)
+                       FastPrimitiveMask group)
 {
+    const uint32_t primitive = group.first + (uint32_t)__builtin_ctz(group.lanes);
     uint32_t number[3];
     GpScreenVertex corner[3];
     GpTriangle t;
@@ -206,5 +208,5 @@ void fast_bin_triangle(const FastPass *pass, const FastDraw *d, FastRange *range
     if (any)
         bin_clipped(pass, d, range, primitive, number);
     else if (gp_setup_triangle(corner, &d->draw->state.raster, &d->rect, &t) == GP_SETUP_DRAWN)
-        fast_bin_box(pass, range, primitive, &(FastBox){ t.x0, t.y0, t.x1, t.y1 });
+        fast_bin_box(pass, range, group, &(FastBox){ t.x0, t.y0, t.x1, t.y1 });
 }

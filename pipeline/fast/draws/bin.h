@@ -83,13 +83,24 @@ static inline void fast_add_to_tile(FastRange *range, uint32_t tile, FastPrimiti
         chunk->group[chunk->count++] = group;
 }
 
-/* Adds a primitive to the bin of every tile that the pixels x0..x1, y0..y1 touch; notes a failure
- * in the range. */
-void fast_bin_box(const FastPass *pass, FastRange *range, uint32_t primitive, const FastBox *box);
+/* The same of one or some of the primitives from group.first on, of which the tile may have others. */
+static inline void fast_add_to_group(FastRange *range, uint32_t tile, FastPrimitiveMask group)
+{
+    FastPrimitiveMask *last = fast_last_group(range, tile);
+    if (last->first == group.first)
+        last->lanes |= group.lanes;
+    else
+        fast_add_to_tile(range, tile, group);
+}
+
+/* Adds a primitive, the only one of `group`, to the bin of every tile that the pixels x0..x1, y0..y1 touch;
+ * notes a failure in the range. */
+void fast_bin_box(const FastPass *pass, FastRange *range, FastPrimitiveMask group,
+                  const FastBox *box);
 
 /* Bins one triangle of any size, or one to be clipped. */
 void fast_bin_triangle(const FastPass *pass, const FastDraw *draw, FastRange *range,
-                       uint32_t primitive);
+                       FastPrimitiveMask group);
 
 /* The clip polygon of a primitive that was binned with FAST_CLIPPED_FLAG. */
 const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive);

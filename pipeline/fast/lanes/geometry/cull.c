@@ -140,16 +140,6 @@ GP_INLINE unsigned in_one_tile(const TileBoxes *tiles)
     return msk_bits((msk)(((tiles->x0 ^ tiles->x1) | (tiles->y0 ^ tiles->y1)) == 0));
 }
 
-/* One of the triangles from `first` on, of which the tile may have others. */
-GP_INLINE void add_to_group(FastRange *range, uint32_t tile, uint32_t first, unsigned lane)
-{
-    FastPrimitiveMask *last = fast_last_group(range, tile);
-    if (last->first == first)
-        last->lanes |= lane;
-    else
-        fast_add_to_tile(range, tile, (FastPrimitiveMask){ first, lane });
-}
-
 /* Puts triangles of the same tile there together, of all `lanes`. */
 GP_INLINE void bin_lanes(FastRange *range, uint32_t first, unsigned lanes, itg tiles)
 {
@@ -158,7 +148,7 @@ GP_INLINE void bin_lanes(FastRange *range, uint32_t first, unsigned lanes, itg t
     for (unsigned left = lanes; left;) {
         const int32_t present = tile[__builtin_ctz(left)];
         const unsigned in = lanes & msk_bits((msk)(tiles == present));
-        add_to_group(range, (uint32_t)present, first, in);
+        fast_add_to_group(range, (uint32_t)present, (FastPrimitiveMask){ first, in });
         left -= left & in; /* in a register for numbers: those for masks have no short way to it */
     }
 }
@@ -182,8 +172,9 @@ GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t fir
         const int lane = __builtin_ctz(left);
         for (int32_t y = tiles->y0[lane]; y <= tiles->y1[lane]; y++)
             for (int32_t x = tiles->x0[lane]; x <= tiles->x1[lane]; x++)
-                add_to_group(range, (uint32_t)y * pass->tiles_x + (uint32_t)x - pass->first_tile,
-                             first, left & -left);
+                fast_add_to_group(range,
+                                  (uint32_t)y * pass->tiles_x + (uint32_t)x - pass->first_tile,
+                                  (FastPrimitiveMask){ first, left & -left });
     }
 }
 
@@ -199,7 +190,7 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
     unsigned left = ((drawn_lanes(d, &b) & ~none) | alone) & (unsigned)((1u << count) - 1);
     if (left & alone) {
         for (; left; left &= left - 1)
-            fast_bin_triangle(pass, d, range, first + (uint32_t)__builtin_ctz(left));
+            fast_bin_triangle(pass, d, range, (FastPrimitiveMask){ first, left & -left });
         return;
     }
     const TileBoxes tiles = tile_boxes(pass, b.x0, b.y0, b.x1, b.y1);
@@ -242,7 +233,7 @@ static void bin_points(const FastPass *pass, const FastDraw *d, FastRange *range
             fast_add_to_tile(range, (uint32_t)tiles.first[lane],
                              (FastPrimitiveMask){ first + lane, 1 });
         else
-            fast_bin_box(pass, range, first + lane,
+            fast_bin_box(pass, range, (FastPrimitiveMask){ first + lane, 1 },
                          &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
     }
 }
