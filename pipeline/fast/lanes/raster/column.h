@@ -66,7 +66,8 @@ GP_INLINE Column column_at(const TriangleBatch *b, uint32_t lane, int32_t left, 
 /* By the sign, which stays in a register for vectors where a comparison might not. */
 GP_INLINE msk covered(const Column *c)
 {
-    return ~((c->inside[0] | c->inside[1] | c->inside[2] | c->beyond | c->below) >> 31);
+    const itg out = c->inside[0] | c->inside[1] | c->inside[2] | c->beyond;
+    return ~((c->rows == 1 ? out : out | c->below) >> 31); /* single rows end with the box */
 }
 
 GP_INLINE void go_down(Column *c)
