@@ -90,4 +90,14 @@ GP_INLINE itg itg_select(msk mask, itg a, itg b)
     return (a & mask) | (b & ~mask);
 }
 
+/* Per lane: sign < 0 ? a : b. */
+GP_INLINE itg itg_select_negative(itg sign, itg a, itg b)
+{
+#ifdef GP_AVX2_LANES /* one instruction in place of four */
+    return (itg)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)sign);
+#else
+    return itg_select((msk)(sign >> 31), a, b);
+#endif
+}
+
 #endif

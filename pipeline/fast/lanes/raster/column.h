@@ -63,11 +63,17 @@ GP_INLINE Column column_at(const TriangleBatch *b, uint32_t lane, int32_t left, 
     return c;
 }
 
+/* Negative outside. */
+GP_INLINE itg outside(const Column *c)
+{
+    const itg out = c->inside[0] | c->inside[1] | c->inside[2] | c->beyond;
+    return c->rows == 1 ? out : out | c->below; /* single rows end with the box */
+}
+
 /* By the sign, which stays in a register for vectors where a comparison might not. */
 GP_INLINE msk covered(const Column *c)
 {
-    const itg out = c->inside[0] | c->inside[1] | c->inside[2] | c->beyond;
-    return ~((c->rows == 1 ? out : out | c->below) >> 31); /* single rows end with the box */
+    return ~(outside(c) >> 31);
 }
 
 GP_INLINE void go_down(Column *c)

@@ -19,21 +19,23 @@ GP_INLINE msk can_pass(const Filling *w, itg stored)
 }
 
 /* The usual test, where nothing is ordered. Steps of which nothing is visible go on: a branch there is hard to
- * foresee (meshes take 2 to 7 % less; small draws that hide each other 3 % more). */
-GP_INLINE msk fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y, msk live)
+ * foresee (meshes take 2 to 7 % less; small draws that hide each other 3 % more).
+ * returns numbers that are negative in lanes that pass */
+GP_INLINE itg fill_rows(const Filling *w, const Column *c, int32_t x, int32_t y)
 {
     Tile *tile = w->f->tile;
     const uint32_t at = fast_at(x, y);
     const itg stored = load_rows(tile->depth + at, c->wide);
     const itg code = nearer_codes(w->f, w->early, depth_of(w->b, w->lane, c));
-    live &= (code - w->f->allowance - stored) >> 31; /* codes are not negative */
-    store_rows(tile->depth + at, c->wide, itg_select(live, code, stored));
+    const itg passes = (code - w->f->allowance - stored) & ~outside(c); /* codes are not negative */
+    store_rows(tile->depth + at, c->wide, itg_select_negative(passes, code, stored));
     if (w->path == FAST_VISIBLE) {
         const itg number = itg_set((int32_t)w->f->number);
         const itg shown = load_rows(tile->visibility->record + at, c->wide);
-        store_rows(tile->visibility->record + at, c->wide, itg_select(live, number, shown));
+        store_rows(tile->visibility->record + at, c->wide,
+                   itg_select_negative(passes, number, shown));
     }
-    return live;
+    return passes;
 }
 
 /* Any tests, any fragment path. */
@@ -51,12 +53,11 @@ GP_INLINE msk fill_column(const Filling *w, int32_t left, int32_t wide)
 {
     const TriangleBatch *b = w->b;
     const int32_t top = b->y[w->lane], bottom = top + b->height[w->lane];
-    msk passed = itg_set(0);
+    itg passed = itg_set(0);
     Column c = column_at(b, w->lane, left - b->x[w->lane], wide);
     for (int32_t y = top; y <= bottom; y += c.rows, go_down(&c))
-        passed |=
-            wide ? fill_rows(w, &c, left, y, covered(&c)) : fill_quads(w, &c, left, y, covered(&c));
-    return passed;
+        passed |= wide ? fill_rows(w, &c, left, y) : fill_quads(w, &c, left, y, covered(&c));
+    return (msk)(passed >> 31);
 }
 
 /* Returns the lanes that passed. */
