@@ -23,7 +23,8 @@
  * Inside a tile triangles are set up GP_LANES at a time (raster/batch.c): tiny ones are filled
  * pixel by pixel (raster/fill_tiny.c), small ones some rows at a time (raster/fill_small.c), large
  * ones row by row (raster/fill_large.c); those behind the hierarchical depth around them are left
- * out before. Point sprites have a short way of their own (raster/sprite.c); where they only
+ * out before, and, where nothing looks at depth, all that a later cover of the tile hides
+ * (raster/corners.h). Point sprites have a short way of their own (raster/sprite.c); where they only
  * combine bits, add to floats or leave their depth, their pixels share packets
  * (raster/pack_points.c), and sums of a pixel stand side by side (output/blend_add.c).
  *

@@ -68,7 +68,7 @@ GP_INLINE void store_lanes(uint32_t *to, bool quads, itg words)
     __builtin_memcpy(to, &words, sizeof words);
 }
 
-/* Rows of `wide` pixels: four, or half of the lanes. */
+/* Rows of `wide` pixels: four, half of the lanes, or all. */
 GP_INLINE itg load_rows(const uint32_t *from, int32_t wide)
 {
     if (wide == GP_LANES)
