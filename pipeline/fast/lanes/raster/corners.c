@@ -110,7 +110,7 @@ uint32_t fast_hidden_by_cover(const Tile *tile, const uint32_t *primitives, uint
     const GpRect rect = fast_tile_rect(tile, tile->draw);
     if (rect.x1 - rect.x0 < tile->width || rect.y1 - rect.y0 < tile->height)
         return 0;
-    for (uint32_t end = count, first; end; end = first) {
+    for (uint32_t end = count, first; end > 1; end = first) { /* one alone hides no other */
         first = (end - 1) & -(uint32_t)GP_LANES;
         BatchCorners found;
         Corners corners;

@@ -19,6 +19,17 @@ GP_INLINE void set_perspective(FastWeights *weights, int p, flt part0, flt part1
     weights->perspective[1][p] = part2 * w;
 }
 
+/* Takes the first neighbours away from a set of components, up to `most`; returns how many.
+ * out  first: of them */
+GP_INLINE int take_neighbours(uint64_t *components, int most, int *first)
+{
+    *first = __builtin_ctzll(*components);
+    const unsigned near = (unsigned)(*components >> *first) & ((1u << most) - 1);
+    const int found = __builtin_ctz(~near);
+    *components &= ~((uint64_t)((1 << found) - 1) << *first);
+    return found;
+}
+
 /* The place of pixels, in sub-pixels, along one axis of a sprite, 0..1. */
 GP_INLINE flt place_in_sprite(itg subpixel, int32_t start, float per_step)
 {

@@ -202,10 +202,9 @@ static void interpolate_components(const FastLaneRuns *runs, const Spread *sprea
                                    const flt weight[2][FAST_BLOCK], uint64_t components, int count,
                                    int stride, flt *in)
 {
-    for (uint64_t left = components; left;) {
-        const int first = __builtin_ctzll(left);
-        const int found = __builtin_ctz(~(unsigned)(left >> first & 7));
-        left &= ~((uint64_t)((1 << found) - 1) << first);
+    while (components) {
+        int first;
+        const int found = take_neighbours(&components, 3, &first);
         if (found == 3)
             interpolate_neighbours(runs, spread, weight, first, 3, count, stride, in);
         else if (found == 2)

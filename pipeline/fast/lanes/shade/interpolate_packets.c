@@ -172,9 +172,8 @@ GP_INLINE void blend_run(const FastTriangleRecord *r, const FastComponent *prepa
                          int stride, flt *in)
 {
     while (components) {
-        const int first = __builtin_ctzll(components);
-        const int found = __builtin_ctz(~(unsigned)(components >> first & 15));
-        components &= ~((uint64_t)((1 << found) - 1) << first);
+        int first;
+        const int found = take_neighbours(&components, AT_ONCE, &first);
         if (found == 4)
             blend_neighbours(r, prepared, weight, first, 4, count, stride, in);
         else if (found == 3)
