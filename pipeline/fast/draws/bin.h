@@ -93,14 +93,13 @@ static inline void fast_add_to_group(FastRange *range, uint32_t tile, FastPrimit
         fast_add_to_tile(range, tile, group);
 }
 
-/* Adds a primitive, the only one of `group`, to the bin of every tile that the pixels x0..x1, y0..y1 touch;
- * notes a failure in the range. */
+/* Adds the primitives of `group` to the bin of every tile that the box touches; notes a failure in the range. */
 void fast_bin_box(const FastPass *pass, FastRange *range, FastPrimitiveMask group,
                   const FastBox *box);
 
-/* Bins one triangle of any size, or one to be clipped. */
-void fast_bin_triangle(const FastPass *pass, const FastDraw *draw, FastRange *range,
-                       FastPrimitiveMask group);
+/* Bins triangles of any size, and such as are to be clipped. */
+void fast_bin_triangles(const FastPass *pass, const FastDraw *draw, FastRange *range,
+                        FastPrimitiveMask group);
 
 /* The clip polygon of a primitive that was binned with FAST_CLIPPED_FLAG. */
 const FastClipPolygon *fast_find_polygon(const FastRange *range, uint32_t primitive);

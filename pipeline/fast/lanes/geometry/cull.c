@@ -189,8 +189,7 @@ static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *ra
     unsigned alone = lanes_alone(&b, &none);
     unsigned left = ((drawn_lanes(d, &b) & ~none) | alone) & (unsigned)((1u << count) - 1);
     if (left & alone) {
-        for (; left; left &= left - 1)
-            fast_bin_triangle(pass, d, range, (FastPrimitiveMask){ first, left & -left });
+        fast_bin_triangles(pass, d, range, (FastPrimitiveMask){ first, left });
         return;
     }
     const TileBoxes tiles = tile_boxes(pass, b.x0, b.y0, b.x1, b.y1);
