@@ -126,11 +126,14 @@ GP_INLINE msk step_right(InsideRow *inside, bool whole, int32_t wide)
 typedef struct DepthPlane {
     double base, step[2];
     double edge[2], right[2], down[2];
+    bool flat; /* nothing is added to the base, whose zero then is not negative */
 } DepthPlane;
 
 static DepthPlane depth_plane(const Tile *tile, const GpTriangle *t)
 {
-    DepthPlane plane = { .base = t->z_base, .step = { t->z_step[0], t->z_step[1] } };
+    DepthPlane plane = { .base = t->z_base,
+                         .step = { t->z_step[0], t->z_step[1] },
+                         .flat = t->z_step[0] == 0 && t->z_step[1] == 0 };
     for (int i = 0; i < 2; i++) {
         plane.edge[i] = (double)edge_at_origin(tile, t, i + 1);
         plane.right[i] = (double)(t->a[i + 1] * GP_SUBPIXELS);
@@ -141,6 +144,8 @@ static DepthPlane depth_plane(const Tile *tile, const GpTriangle *t)
 
 GP_INLINE flt depth_at(const DepthPlane *p, const LaneSteps *steps, int32_t x, int32_t y)
 {
+    if (p->flat)
+        return flt_set((float)(p->base + 0.0));
     double e1 = p->edge[0] + p->right[0] * x + p->down[0] * y; /* exact: integers below 2^53 */
     double e2 = p->edge[1] + p->right[1] * x + p->down[1] * y;
     dbl z = p->base + ((e1 + steps->edge[0]) * p->step[0] + (e2 + steps->edge[1]) * p->step[1]);
