@@ -33,35 +33,30 @@ GP_INLINE void keep_lanes(void *to, itg lanes)
     __builtin_memcpy(to, &lanes, sizeof lanes);
 }
 
-static void fetch_words(const FastTriangleRecord *records, FastLaneRuns *runs)
+/* Of GP_LANES runs from `at` on: the words of their records. */
+GP_INLINE msk fetch_words(const FastTriangleRecord *const records[GP_LANES], uint32_t at,
+                          FastLaneRuns *runs)
 {
-    msk wide = itg_set(0);
-    for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
-        const void *from[GP_LANES];
-        itg word[8];
-        GP_UNROLL
-        for (uint32_t lane = 0; lane < GP_LANES; lane++)
-            from[lane] = &records[runs->record[at + lane]];
-        lanes_load8(from, word);
-        GP_UNROLL
-        for (int i = 0; i < 8; i++)
-            keep_lanes(runs->word[i] + at, word[i]);
-        wide |= (msk)(word[KIND] == FAST_EDGES_64);
-    }
-    runs->wide = msk_bits(wide);
+    const void *from[GP_LANES];
+    itg word[8];
+    GP_UNROLL
+    for (int lane = 0; lane < GP_LANES; lane++)
+        from[lane] = records[lane];
+    lanes_load8(from, word);
+    GP_UNROLL
+    for (int i = 0; i < 8; i++)
+        keep_lanes(runs->word[i] + at, word[i]);
+    return (msk)(word[KIND] == FAST_EDGES_64);
 }
 
-/* Four or eight components from `first` on, of a corner of each run; flat: of that which has the flat
- * values. */
-GP_INLINE void load_components(const FastTriangleRecord *records, const uint32_t *record,
-                               int corner, bool flat, int first, int components, itg v[8])
+/* Four or eight components from `first` on, of a corner of each; flat: of that which has the flat values. */
+GP_INLINE void load_components(const FastTriangleRecord *const records[GP_LANES], int corner,
+                               bool flat, int first, int components, itg v[8])
 {
     const void *from[GP_LANES];
     GP_UNROLL
-    for (uint32_t lane = 0; lane < GP_LANES; lane++) {
-        const FastTriangleRecord *r = &records[record[lane]];
-        from[lane] = r->corner[flat ? r->flat : corner] + first;
-    }
+    for (int lane = 0; lane < GP_LANES; lane++)
+        from[lane] = records[lane]->corner[flat ? records[lane]->flat : corner] + first;
     if (components > 4)
         lanes_load8(from, v);
     else
@@ -69,46 +64,53 @@ GP_INLINE void load_components(const FastTriangleRecord *records, const uint32_t
 }
 
 /* Components of the corners, from `first` on, of which some are wanted. */
-GP_INLINE void fetch_components(const FastTriangleRecord *records, int first, int components,
-                                unsigned wanted, unsigned flat, FastLaneRuns *runs)
+GP_INLINE void fetch_components(const FastTriangleRecord *const records[GP_LANES], uint32_t at,
+                                int first, int components, unsigned wanted, unsigned flat,
+                                FastLaneRuns *runs)
 {
-    for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
-        itg v[3][8];
-        if (wanted & flat) {
-            load_components(records, runs->record + at, 0, true, first, components, v[0]);
-            GP_UNROLL
-            for (int i = 0; i < components; i++)
-                if (wanted & flat & 1u << i)
-                    flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
-        }
-        if (!(wanted & ~flat))
+    itg v[3][8];
+    if (wanted & flat) {
+        load_components(records, 0, true, first, components, v[0]);
+        GP_UNROLL
+        for (int i = 0; i < components; i++)
+            if (wanted & flat & 1u << i)
+                flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
+    }
+    if (!(wanted & ~flat))
+        return;
+    GP_UNROLL
+    for (int k = 0; k < 3; k++)
+        load_components(records, k, false, first, components, v[k]);
+    GP_UNROLL
+    for (int i = 0; i < components; i++) {
+        if (!(wanted & ~flat & 1u << i))
             continue;
-        GP_UNROLL
-        for (int k = 0; k < 3; k++)
-            load_components(records, runs->record + at, k, false, first, components, v[k]);
-        GP_UNROLL
-        for (int i = 0; i < components; i++) {
-            if (!(wanted & ~flat & 1u << i))
-                continue;
-            flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
-            flt_store(runs->corner[first + i][1] + at, (flt)v[1][i] - (flt)v[0][i]);
-            flt_store(runs->corner[first + i][2] + at, (flt)v[2][i] - (flt)v[0][i]);
-        }
+        flt_store(runs->corner[first + i][0] + at, (flt)v[0][i]);
+        flt_store(runs->corner[first + i][1] + at, (flt)v[1][i] - (flt)v[0][i]);
+        flt_store(runs->corner[first + i][2] + at, (flt)v[2][i] - (flt)v[0][i]);
     }
 }
 
 static void fetch_runs(const FastDraw *d, const FastTriangleRecord *records, FastLaneRuns *runs)
 {
     const uint64_t wanted = d->needs.varyings, flat = d->modes.flat;
+    msk wide = itg_set(0);
     keep_lanes(runs->record + runs->count, itg_set((int32_t)runs->record[0]));
-    fetch_words(records, runs);
-    for (int first = 0; first < GP_MAX_VARYINGS && wanted >> first; first += 8) {
-        const unsigned eight = wanted >> first & 0xff, flat8 = flat >> first & 0xff;
-        if (eight >> 4)
-            fetch_components(records, first, 8, eight, flat8, runs);
-        else if (eight)
-            fetch_components(records, first, 4, eight, flat8, runs);
+    for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
+        const FastTriangleRecord *record[GP_LANES];
+        GP_UNROLL
+        for (uint32_t lane = 0; lane < GP_LANES; lane++)
+            record[lane] = &records[runs->record[at + lane]];
+        wide |= fetch_words(record, at, runs);
+        for (int first = 0; first < GP_MAX_VARYINGS && wanted >> first; first += 8) {
+            const unsigned eight = wanted >> first & 0xff, flat8 = flat >> first & 0xff;
+            if (eight >> 4)
+                fetch_components(record, at, first, 8, eight, flat8, runs);
+            else if (eight)
+                fetch_components(record, at, first, 4, eight, flat8, runs);
+        }
     }
+    runs->wide = msk_bits(wide);
 }
 
 GP_INLINE itg spread_itg(const void *values, const Spread *spread)
