@@ -241,6 +241,7 @@ static const GpBlend replace = { .op = GP_BLEND_OFF };
 static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 static const GpBlend under = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
 static const GpBlend most = { .op = GP_BLEND_MAX };
+static const GpBlend premultiplied = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
 static const GpBlend through = { .op = GP_BLEND_ADD,
                                  .src = GP_DEST_ALPHA,
                                  .dst = GP_ONE,
@@ -278,29 +279,42 @@ GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const Bl
 }
 
 /* What peeled layers are drawn and put together by, one layer at a time: an eighth of the time of peeling
- * and of dual peeling.
+ * and of dual peeling, and a fifth of that of convex pieces with AVX2.
  * returns whether it was one of these */
 GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
 {
-    if (format == GP_A16B16G16R16F && is_blend(blend, &replace))
-        blend_channels(&replace, GP_A16B16G16R16F, m, whole);
-    else if (format == GP_A16B16G16R16F && is_blend(blend, &through))
-        blend_channels(&through, GP_A16B16G16R16F, m, whole);
-    else if (format == GP_A16B16G16R16F && is_blend(blend, &in_front))
-        blend_channels(&in_front, GP_A16B16G16R16F, m, whole);
-    else if (format == GP_A16B16G16R16F && is_blend(blend, &most))
-        blend_channels(&most, GP_A16B16G16R16F, m, whole);
-    else if (format == GP_R32F && is_blend(blend, &most))
-        blend_channels(&most, GP_R32F, m, whole);
+    if (is_blend(blend, &replace))
+        blend_channels(&replace, format, m, whole);
+    else if (is_blend(blend, &through))
+        blend_channels(&through, format, m, whole);
+    else if (is_blend(blend, &in_front))
+        blend_channels(&in_front, format, m, whole);
+    else if (is_blend(blend, &most))
+        blend_channels(&most, format, m, whole);
+    else if (is_blend(blend, &premultiplied))
+        blend_channels(&premultiplied, format, m, whole);
     else
         return false;
+    return true;
+}
+
+/* The same of the formats that layers have. */
+GP_INLINE bool blend_layer(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
+{
+    if (format == GP_A16B16G16R16F)
+        return blend_peeled(blend, GP_A16B16G16R16F, m, whole);
+    if (format == GP_A32B32G32R32F)
+        return blend_peeled(blend, GP_A32B32G32R32F, m, whole);
+    if (format != GP_R32F || !is_blend(blend, &most))
+        return false;
+    blend_channels(&most, GP_R32F, m, whole);
     return true;
 }
 
 GP_INLINE void blend_channels_by(const GpBlend *blend, GpFormat format, const BlendBlock *m,
                                  bool whole)
 {
-    if (m->layers <= 1 && blend_peeled(blend, format, m, whole))
+    if (m->layers <= 1 && blend_layer(blend, format, m, whole))
         return;
     if (format == GP_A16B16G16R16F && is_blend(blend, &add))
         blend_channels_of(&add, GP_A16B16G16R16F, m, whole);
