@@ -241,7 +241,6 @@ static const GpBlend replace = { .op = GP_BLEND_OFF };
 static const GpBlend add = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_ONE };
 static const GpBlend under = { .op = GP_BLEND_ADD, .src = GP_INV_DEST_ALPHA, .dst = GP_ONE };
 static const GpBlend most = { .op = GP_BLEND_MAX };
-static const GpBlend premultiplied = { .op = GP_BLEND_ADD, .src = GP_ONE, .dst = GP_INV_SRC_ALPHA };
 static const GpBlend through = { .op = GP_BLEND_ADD,
                                  .src = GP_DEST_ALPHA,
                                  .dst = GP_ONE,
@@ -291,8 +290,8 @@ GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBl
         blend_channels(&in_front, format, m, whole);
     else if (is_blend(blend, &most))
         blend_channels(&most, format, m, whole);
-    else if (is_blend(blend, &premultiplied))
-        blend_channels(&premultiplied, format, m, whole);
+    else if (is_blend(blend, &over_multiplied))
+        blend_channels(&over_multiplied, format, m, whole);
     else
         return false;
     return true;

@@ -151,6 +151,10 @@ static const GpBlend in_front = { .op = GP_BLEND_ADD,
                                   .alpha_src = GP_ZERO,
                                   .alpha_dst = GP_SRC_ALPHA };
 
+static const GpBlend over_multiplied = { .op = GP_BLEND_ADD, /* colours are multiplied by alpha */
+                                         .src = GP_ONE,
+                                         .dst = GP_INV_SRC_ALPHA };
+
 /* Whether a blend does what a known one does; what it leaves alone does not count. */
 GP_INLINE bool is_blend(const GpBlend *blend, const GpBlend *known)
 {

@@ -21,7 +21,6 @@ GP_INLINE msk fill_column(const Filler *f, const TriangleBatch *b, uint32_t lane
                           int32_t wide)
 {
     const int32_t top = b->y[lane], bottom = top + b->height[lane];
-    const itg places = lane_numbers() % wide + lane_numbers() / wide * FAST_PITCH;
     msk kept = itg_set(0);
     Column c = column_at(b, lane, left - b->x[lane], wide);
     for (int32_t y = top; y <= bottom; y += c.rows, go_down(&c)) {
@@ -30,7 +29,7 @@ GP_INLINE msk fill_column(const Filler *f, const TriangleBatch *b, uint32_t lane
             continue;
         const flt z = depth_of(b, lane, &c);
         const uint32_t at = fast_at(left, y);
-        kept |= list_lanes(f, places + (int32_t)at, test_rows(f, at, wide, live, z), z);
+        kept |= list_rows(f, at, wide, test_rows(f, at, wide, live, z), z);
     }
     return kept;
 }

@@ -71,23 +71,17 @@ GP_INLINE msk test_usual(const Filler *f, bool writes, bool quads, uint32_t at, 
     return live;
 }
 
-/* Adds fragments of a triangle of one colour to their lists.
- * in   at: their places; z: a number, or not
+/* Adds fragments of a triangle of one colour to their lists: of some rows from a place on.
+ * in   z: a number, or not
  * returns those that were of the slice */
-GP_INLINE msk list_lanes(const Filler *f, itg at, msk live, flt z)
+GP_INLINE msk list_rows(const Filler *f, uint32_t at, int32_t wide, msk live, flt z)
 {
     FastFragments *fragments = f->tile->fragments;
-    uint32_t place[GP_LANES], key[GP_LANES];
     z = flt_select((msk)(z < f->low), flt_set(f->low), z);
     z = flt_select((msk)(z > f->high), flt_set(f->high), z);
     const itg keys = fast_order_keys(f->d, depth_codes(GP_D32F, z));
     live &= fast_of_slice(fragments, keys);
-    store_lanes(place, false, at);
-    store_lanes(key, false, keys);
-    for (unsigned lanes = msk_bits(live); lanes; lanes &= lanes - 1) {
-        const int lane = __builtin_ctz(lanes);
-        fast_add_fragment(fragments, place[lane], key[lane], f->color);
-    }
+    fast_add_fragments(fragments, at, wide, live, keys, f->color);
     return live;
 }
 
@@ -112,7 +106,7 @@ GP_INLINE msk send_lanes(const Filler *f, EarlyTest early, FastFragmentPath path
         store_lanes(tile->visibility->record + at, quads,
                     itg_select(live, itg_set((int32_t)f->number), shown));
     } else if (path == FAST_ORDERED && f->d->one_color) {
-        live = list_lanes(f, (int32_t)fast_at(x, y) + lane_numbers(), live, z);
+        live = list_rows(f, at, GP_LANES, live, z);
     } else if (path == FAST_ORDERED) {
         unsigned lanes = msk_bits(live);
         if (lanes) {

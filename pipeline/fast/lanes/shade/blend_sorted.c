@@ -161,12 +161,6 @@ GP_INLINE void blend_column_of(const Tile *tile, const Column *column, int t, co
         blend_column(tile, column, t, blend, format, constant);
 }
 
-/* One more of nearly all passes that sort: "over" of colours that are multiplied by alpha,
- * which is then what hides or what is let through. */
-static const GpBlend over_multiplied = { .op = GP_BLEND_ADD,
-                                         .src = GP_ONE,
-                                         .dst = GP_INV_SRC_ALPHA };
-
 static void blend_layers(const Tile *tile, const Column *column)
 {
     const FastDraw *d = &tile->pass->draws[0];
@@ -239,7 +233,7 @@ static void blend_layer(Tile *tile, const Column *column, int32_t layer)
 
 static bool find_column(const FastFragments *f, Column *column)
 {
-    column->waiting = itg_load_bytes(f->waiting + fast_at(column->x, column->y));
+    column->waiting = load_lanes(f->waiting + fast_at(column->x, column->y), false);
     column->most = 0;
     while (msk_any((msk)(column->waiting > column->most)))
         column->most++;

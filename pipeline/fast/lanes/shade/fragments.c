@@ -63,7 +63,7 @@ static uint32_t count_up_to(const FastFragments *f, const uint32_t *pixel, uint3
     itg count = itg_set(0);
     const uint32_t first = pixel ? *pixel : 0, end = pixel ? *pixel + 1 : FAST_PIXELS;
     for (uint32_t at = first; at < end; at += GP_LANES) {
-        itg waiting = itg_load_bytes(f->waiting + at);
+        itg waiting = load_lanes(f->waiting + at, false);
         waiting &= (itg)(lane_numbers() < (int32_t)(end - at));
         for (int32_t layer = 0; msk_any((msk)(layer < waiting)); layer++) {
             const itg keys = load_lanes(f->key + (size_t)layer * FAST_PIXELS + at, false);
@@ -92,7 +92,7 @@ static void shorten_lists(FastFragments *f)
 {
     for (uint32_t at = 0; at < FAST_PIXELS; at++) {
         size_t to = at;
-        uint8_t kept = 0;
+        uint32_t kept = 0;
         for (size_t layer = 0, from = at; layer < f->waiting[at]; layer++, from += FAST_PIXELS) {
             if (f->key[from] > f->last)
                 continue;
@@ -149,7 +149,7 @@ static uint32_t find_deepest(const FastFragments *f, uint32_t *pixel)
     itg most = itg_set(0);
     uint32_t deepest = 0;
     for (uint32_t at = 0; at < FAST_PIXELS; at += GP_LANES)
-        most = itg_greater(most, itg_load_bytes(f->waiting + at));
+        most = itg_greater(most, load_lanes(f->waiting + at, false));
     for (int lane = 0; lane < GP_LANES; lane++)
         deepest = (uint32_t)most[lane] > deepest ? (uint32_t)most[lane] : deepest;
     for (*pixel = 0; deepest == f->layers && f->waiting[*pixel] < deepest;)
