@@ -280,7 +280,8 @@ GP_INLINE void blend_channels_of(const GpBlend *blend, GpFormat format, const Bl
 /* What peeled layers are drawn and put together by, one layer at a time: an eighth of the time of peeling
  * and of dual peeling, and a fifth of that of convex pieces with AVX2.
  * returns whether it was one of these */
-GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
+GP_INLINE bool blend_peeled_of(const GpBlend *blend, GpFormat format, const BlendBlock *m,
+                               bool whole)
 {
     if (is_blend(blend, &replace))
         blend_channels(&replace, format, m, whole);
@@ -298,22 +299,19 @@ GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBl
 }
 
 /* The same of the formats that layers have. */
-GP_INLINE bool blend_layer(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
+GP_INLINE bool blend_peeled(const GpBlend *blend, GpFormat format, const BlendBlock *m, bool whole)
 {
     if (format == GP_A16B16G16R16F)
-        return blend_peeled(blend, GP_A16B16G16R16F, m, whole);
+        return blend_peeled_of(blend, GP_A16B16G16R16F, m, whole);
     if (format == GP_A32B32G32R32F)
-        return blend_peeled(blend, GP_A32B32G32R32F, m, whole);
-    if (format != GP_R32F || !is_blend(blend, &most))
-        return false;
-    blend_channels(&most, GP_R32F, m, whole);
-    return true;
+        return blend_peeled_of(blend, GP_A32B32G32R32F, m, whole);
+    return format == GP_R32F && blend_peeled_of(blend, GP_R32F, m, whole);
 }
 
 GP_INLINE void blend_channels_by(const GpBlend *blend, GpFormat format, const BlendBlock *m,
                                  bool whole)
 {
-    if (m->layers <= 1 && blend_layer(blend, format, m, whole))
+    if (m->layers <= 1 && blend_peeled(blend, format, m, whole))
         return;
     if (format == GP_A16B16G16R16F && is_blend(blend, &add))
         blend_channels_of(&add, GP_A16B16G16R16F, m, whole);

@@ -77,11 +77,9 @@ GP_INLINE void fast_add_fragments(FastFragments *f, uint32_t at, int32_t wide, m
                                   uint32_t shaded)
 {
     const itg waiting = load_rows(f->waiting + at, wide);
-    store_rows(f->waiting + at, wide, waiting - (itg)live);
     for (unsigned left = msk_bits(live); left;) {
         const int32_t lane = __builtin_ctz(left);
-        const uint32_t layer =
-            f->waiting[at + (uint32_t)(lane % wide + lane / wide * FAST_PITCH)] - 1;
+        const uint32_t layer = f->waiting[at + fast_at(lane % wide, lane / wide)];
         const msk same = live & (msk)(waiting == (int32_t)layer);
         const size_t place = (size_t)layer * FAST_PIXELS + at;
         store_rows(f->key + place, wide, itg_select(same, keys, load_rows(f->key + place, wide)));
@@ -89,6 +87,7 @@ GP_INLINE void fast_add_fragments(FastFragments *f, uint32_t at, int32_t wide, m
                    itg_select(same, itg_set((int32_t)shaded), load_rows(f->shaded + place, wide)));
         left &= ~msk_bits(same);
     }
+    store_rows(f->waiting + at, wide, waiting - (itg)live);
 }
 
 /* Adds the live fragments of shaded packets of an ordered draw, as far as they are of the slice. */

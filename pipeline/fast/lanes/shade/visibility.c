@@ -305,14 +305,13 @@ void fast_flush_visibility(Tile *tile)
     bool any = false;
     for (uint32_t run = 0; run < v->run_count; run++)
         any |= is_visible(tile, run);
-    /* no pixel has a record where the occluder was the first to come: fills take 3 to 7 % less */
-    bool fresh = v->occluder == FAST_NO_RECORD + 1 || !any;
-    if (any && !shade_occluder(tile)) {
-        shade_runs(tile);
-        fresh = false;
+    if (any) {
+        if (!shade_occluder(tile))
+            shade_runs(tile);
+        /* no pixel has a record where the occluder was the first to come, and all: fills take 3 to 7 % less */
+        if (v->occluder != FAST_NO_RECORD + 1)
+            memset(v->record, 0, sizeof v->record);
     }
-    if (!fresh)
-        memset(v->record, 0, sizeof v->record);
     fast_begin_visibility(tile);
     fast_turn_to(tile, before);
 }
