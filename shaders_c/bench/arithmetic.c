@@ -28,20 +28,13 @@ GP_INLINE float2 chains_end(Chains chains)
     return mul(add(add(add(chains.v0, chains.v1), chains.v2), chains.v3), 0.25f);
 }
 
-GP_INLINE float2 loop64(float2 start, float2 a, float2 b)
-{
-    Chains chains = chains_start(start);
-    for (int i = 0; i < 64; i++)
-        chains = step(chains, a, b);
-    return chains_end(chains);
-}
+typedef struct Halves {
+    Chains rg, ba;
+} Halves;
 
-pixel_shader(mad_loop_ps, ArithmeticUniforms, UvVarying)
+GP_INLINE Halves halves_start(float2 uv)
 {
-    float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
-    float2 rg = loop64(in->uv, u2(c->factor), u2(c->addend));
-    float2 ba = loop64(from_far, u2(c->factor + 2), u2(c->addend + 2));
-    return vec4(rg.x, rg.y, ba.x, ba.y);
+    return (Halves){ chains_start(uv), chains_start(vec2(1.0f - uv.x, 1.0f - uv.y)) };
 }
 
 GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
@@ -49,23 +42,38 @@ GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
     return step(step(step(step(chains, a, b), a, b), a, b), a, b);
 }
 
-GP_INLINE Chains step16(Chains chains, float2 a, float2 b)
+/* Four steps of one half, then of the other: a processor that looks ahead so far has both to do, where one
+ * waits for itself (a sixth less time with AVX2, a quarter with AVX-512). */
+GP_INLINE Halves halves_step4(Halves at, const ArithmeticUniforms *c)
 {
-    return step4(step4(step4(step4(chains, a, b), a, b), a, b), a, b);
+    return (Halves){ step4(at.rg, u2(c->factor), u2(c->addend)),
+                     step4(at.ba, u2(c->factor + 2), u2(c->addend + 2)) };
 }
 
-GP_INLINE float2 flat64(float2 start, float2 a, float2 b)
+GP_INLINE float4 halves_end(Halves at)
 {
-    Chains chains = chains_start(start);
-    return chains_end(step16(step16(step16(step16(chains, a, b), a, b), a, b), a, b));
+    float2 rg = chains_end(at.rg), ba = chains_end(at.ba);
+    return vec4(rg.x, rg.y, ba.x, ba.y);
+}
+
+pixel_shader(mad_loop_ps, ArithmeticUniforms, UvVarying)
+{
+    Halves at = halves_start(in->uv);
+    for (int i = 0; i < 64; i += 4)
+        at = halves_step4(at, c);
+    return halves_end(at);
+}
+
+GP_INLINE Halves halves_step16(Halves at, const ArithmeticUniforms *c)
+{
+    return halves_step4(halves_step4(halves_step4(halves_step4(at, c), c), c), c);
 }
 
 pixel_shader(mad_flat_ps, ArithmeticUniforms, UvVarying)
 {
-    float2 from_far = vec2(1.0f - in->uv.x, 1.0f - in->uv.y);
-    float2 rg = flat64(in->uv, u2(c->factor), u2(c->addend));
-    float2 ba = flat64(from_far, u2(c->factor + 2), u2(c->addend + 2));
-    return vec4(rg.x, rg.y, ba.x, ba.y);
+    Halves at = halves_start(in->uv);
+    at = halves_step16(halves_step16(halves_step16(halves_step16(at, c), c), c), c);
+    return halves_end(at);
 }
 
 /* --- the Mandelbrot set ------------------------------------------------------------------------- */

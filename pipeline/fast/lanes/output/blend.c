@@ -224,12 +224,12 @@ GP_INLINE void blend_layers(const GpBlend *blend, GpFormat format, const BlendBl
     const bool tries =
         blend == &over && GP_LANES > 4; /* four lanes have no instruction that looks */
     const int pixels = m->count / m->layers;
-    const int together = fast_is_packed(format) ? 4 : 2; /* codes make the longer chains */
+    enum { TOGETHER = 4 };
     int p = 0;
-    while (tries && p + together <= pixels && blend_pixels(blend, format, false, m, p, together))
-        p += together;
-    for (; p + together <= pixels; p += together)
-        blend_pixels(blend, format, fast_is_unorm8(format), m, p, together);
+    while (tries && p + TOGETHER <= pixels && blend_pixels(blend, format, false, m, p, TOGETHER))
+        p += TOGETHER;
+    for (; p + TOGETHER <= pixels; p += TOGETHER)
+        blend_pixels(blend, format, fast_is_unorm8(format), m, p, TOGETHER);
     for (; p < pixels; p++)
         blend_pixels(blend, format, fast_is_unorm8(format), m, p, 1);
 }
