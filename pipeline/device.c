@@ -95,13 +95,18 @@ static int widest_lanes(void)
     return lanes;
 }
 
+static int first_choice(const GpDevice *device)
+{
+    return device->forced_lanes ? device->forced_lanes : device->fast ? widest_lanes() : 4;
+}
+
 /* The width to run a list at: the one that was forced, else the widest that the processor and every
  * program have. The reference executor works on single quads, gains nothing from wider code, and
  * takes the narrowest. */
 static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, GpError *error)
 {
     const GpProgram *missing;
-    *lanes = device->forced_lanes ? device->forced_lanes : device->fast ? widest_lanes() : 4;
+    *lanes = first_choice(device);
     while (!gp_isa_serves(list, *lanes, &missing)) {
         if (device->forced_lanes || *lanes == 4)
             return gp_fail(error, GP_ERROR_UNSUPPORTED,
@@ -121,7 +126,7 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
     int lanes;
     double mark = fast_clock_ms();
     GpIndexRanges ranges = { .pool = NULL };
-    GpResult result = device->fast ? gp_fast_check(device->fast, list, error)
+    GpResult result = device->fast ? gp_fast_check(device->fast, list, first_choice(device), error)
                                    : gp_list_check_again(list, &device->programs, &ranges, error);
     if (result)
         return result;

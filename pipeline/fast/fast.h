@@ -100,7 +100,7 @@ uint64_t gp_fast_memory(const GpFast *fast, const GpList *list, int lanes);
 void gp_fast_set_limit(GpFast *fast, size_t bytes);
 
 /* As gp_list_check, by all threads. */
-GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error);
+GpResult gp_fast_check(GpFast *fast, const GpList *list, int lanes, GpError *error);
 
 /* Runs a checked list with shader code of a width that every program has.
  * in   timed: looks at the clock inside tiles too

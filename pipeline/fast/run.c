@@ -131,14 +131,14 @@ static bool make_tile_memory(GpFast *fast, int workers, const FastStages *stages
 }
 
 /* Arrays may have changed since the last list. */
-static void forget_indices(GpFast *fast)
+static void forget_indices(GpFast *fast, const FastStages *stages)
 {
-    fast->indices = (GpIndexRanges){ .pool = fast->pool };
+    fast->indices = (GpIndexRanges){ .pool = fast->pool, .read = stages->read_indices };
 }
 
-GpResult gp_fast_check(GpFast *fast, const GpList *list, GpError *error)
+GpResult gp_fast_check(GpFast *fast, const GpList *list, int lanes, GpError *error)
 {
-    forget_indices(fast);
+    forget_indices(fast, find_stages(lanes));
     return gp_list_check_again(list, &fast->programs, &fast->indices, error);
 }
 
@@ -209,6 +209,6 @@ GpResult gp_fast_run(GpFast *fast, const GpList *list, int lanes, bool timed, Gp
     for (int i = 0; i < gp_pool_threads(fast->pool) && fast->tiles[i]; i++)
         stages->add_counts(fast->tiles[i], counters, phases);
     gp_free(group_of);
-    forget_indices(fast);
+    forget_indices(fast, stages);
     return result;
 }

@@ -11,10 +11,14 @@ typedef struct GpIndexRange {
     uint32_t low, high;
 } GpIndexRange;
 
+/* Finds the range of an array. */
+typedef GpIndexRange (*GpReadIndices)(const uint32_t *indices, uint32_t count);
+
 /* The last few ranges of a list whose arrays do not change meanwhile. Starts as zeros, but for the
- * pool. */
+ * pool and its reader. */
 typedef struct GpIndexRanges {
-    GpPool *pool; /* NULL: large arrays are read by the calling thread alone */
+    GpPool *pool;       /* NULL: large arrays are read by the calling thread alone */
+    GpReadIndices read; /* NULL: by the lanes that every processor has */
     struct {
         const uint32_t *indices;
         uint32_t count;

@@ -18,6 +18,7 @@
 #include "pipeline/fast/lanes/shade/shader_block.h"
 #include "pipeline/fast/lanes/shade/visibility.h"
 #include "pipeline/fast/lanes/stages.h"
+#include "pipeline/list/read_indices.h"
 
 #include <string.h>
 
@@ -355,6 +356,7 @@ static void add_counts(const FastTileMemory *memory, GpCounters *counters, GpPha
 
 const FastStages STAGES_PASTE(GP_LANES) = {
     .lanes = GP_LANES,
+    .read_indices = gp_read_indices,
     .shade_vertices = fast_shade_vertices,
     .bin_range = fast_bin_range,
     .draw_tile = draw_tile,
