@@ -237,6 +237,38 @@ static void vertex_types_draw_what_their_floats_draw(void **state)
     gp_surface_destroy(&d.target);
 }
 
+/* Whatever the lanes that look for it, and wherever it stands: alone it is beyond, and a vertex more makes it
+ * right. */
+static void an_index_beyond_the_vertices_is_found_anywhere(void **state)
+{
+    (void)state;
+    enum { INDICES = 3 * 17 };
+    Drawing d;
+    uint32_t indices[INDICES];
+    set_up(&d, GP_TRIANGLES);
+    for (int i = 0; i < INDICES; i++)
+        indices[i] = (uint32_t)i % (CORNERS - 1);
+    d.draw.geometry.indices = indices;
+    for (size_t n = 0; device_here(n); n++) {
+        GpDevice *device = device_open(device_here(n));
+        for (uint32_t count = 3; count <= INDICES; count += 3)
+            for (uint32_t at = 0; at < count; at++) {
+                const uint32_t kept = indices[at];
+                indices[at] = CORNERS - 1;
+                d.draw.geometry.index_count = count;
+                d.draw.geometry.vertex_count = CORNERS - 1;
+                if (gp_device_run(device, &d.list, NULL) != GP_ERROR_INVALID)
+                    fail_msg("index %u of %u, %s", at, count, device_name(device_here(n)));
+                d.draw.geometry.vertex_count = CORNERS;
+                if (gp_device_run(device, &d.list, NULL) != GP_OK)
+                    fail_msg("index %u of %u, %s", at, count, device_name(device_here(n)));
+                indices[at] = kept;
+            }
+        gp_device_destroy(&device);
+    }
+    gp_surface_destroy(&d.target);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -245,6 +277,7 @@ int main(void)
         cmocka_unit_test(strips_and_fans_are_the_lists_that_they_stand_for),
         cmocka_unit_test(degenerate_triangles_join_strips),
         cmocka_unit_test(vertex_types_draw_what_their_floats_draw),
+        cmocka_unit_test(an_index_beyond_the_vertices_is_found_anywhere),
     };
     return cmocka_run_group_tests_name("primitives", tests, NULL, NULL);
 }
