@@ -95,14 +95,14 @@ static int widest_lanes(void)
     return lanes;
 }
 
+/* The width that was forced, else the widest. The reference executor works on single quads, gains nothing from
+ * wider code, and takes the narrowest. */
 static int first_choice(const GpDevice *device)
 {
     return device->forced_lanes ? device->forced_lanes : device->fast ? widest_lanes() : 4;
 }
 
-/* The width to run a list at: the one that was forced, else the widest that the processor and every
- * program have. The reference executor works on single quads, gains nothing from wider code, and
- * takes the narrowest. */
+/* The width to run a list at: the first choice, or the widest below it that every program has. */
 static GpResult choose_lanes(GpDevice *device, const GpList *list, int *lanes, GpError *error)
 {
     const GpProgram *missing;

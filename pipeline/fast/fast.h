@@ -99,7 +99,8 @@ uint64_t gp_fast_memory(const GpFast *fast, const GpList *list, int lanes);
  * for passes that sort; and of a tile's sorted fragments. Any number gives the same bits; for tests. */
 void gp_fast_set_limit(GpFast *fast, size_t bytes);
 
-/* As gp_list_check, by all threads. */
+/* As gp_list_check, by all threads, which read indices in lanes of a width that the build has and the processor
+ * runs; the list may run in another. */
 GpResult gp_fast_check(GpFast *fast, const GpList *list, int lanes, GpError *error);
 
 /* Runs a checked list with shader code of a width that every program has.
