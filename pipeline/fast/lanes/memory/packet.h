@@ -9,6 +9,7 @@ enum {
     QUADS_WIDE = GP_LANES / 2,   /* pixels across a packet of quads */
     FAST_BLOCK = 512 / GP_LANES, /* packets of one call of a shader */
     FAST_MOST = 2 * FAST_BLOCK,  /* of layers, where their inputs take no room (layers.h) */
+    PLACE_Y = 16,
 };
 
 /* GP_LANES pixels of one triangle or point: a row, or two rows as 2x2 quads side by side, whose
@@ -27,10 +28,9 @@ typedef struct FastPacket {
  * or packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
 typedef struct FastGathered {
     itg record;
-    itg x, y; /* in the tile */
+    itg place; /* x | y << PLACE_Y, in the tile. Of points one pixel may be there several times */
     uint32_t live;
     bool packed, quads;
-    itg at; /* of (x, y); only of ordered draws. Of points one pixel may be there several times */
 } FastGathered;
 
 /* Packets of one draw that are shaded together. */
@@ -93,17 +93,33 @@ GP_INLINE itg packet_y(const FastPacket *packet)
     return packet->y + packet_rows(packet->wide);
 }
 
+/* Where the lanes of a gathered packet are: their pixels, and these in a plane. */
+GP_INLINE itg gathered_x(const FastGathered *gathered)
+{
+    return gathered->place & ((1 << PLACE_Y) - 1);
+}
+
+GP_INLINE itg gathered_y(const FastGathered *gathered)
+{
+    return gathered->place >> PLACE_Y;
+}
+
+GP_INLINE itg gathered_at(const FastGathered *gathered)
+{
+    return itg_dot2(gathered->place, itg_set(1 | FAST_PITCH << PLACE_Y));
+}
+
 /* Where the lanes of packet p are. */
 GP_INLINE itg block_x(const FastPacketBlock *block, int p)
 {
     const bool placed = block->packets && !block->packets[p].gathered;
-    return placed ? packet_x(&block->packets[p]) : block->gathered[p].x;
+    return placed ? packet_x(&block->packets[p]) : gathered_x(&block->gathered[p]);
 }
 
 GP_INLINE itg block_y(const FastPacketBlock *block, int p)
 {
     const bool placed = block->packets && !block->packets[p].gathered;
-    return placed ? packet_y(&block->packets[p]) : block->gathered[p].y;
+    return placed ? packet_y(&block->packets[p]) : gathered_y(&block->gathered[p]);
 }
 
 /* Whether row r of a packet of rows has pixels that live. */

@@ -47,7 +47,7 @@ GP_INLINE itg load_pixels(const BlendBlock *m, Shape shape, int p, uint32_t at, 
     if (shape != SHAPE_ANY)
         return load_lanes((const uint32_t *)plane + at, false);
     if (m->packets[p].gathered)
-        return itg_gather(plane, m->gathered[p].at * 4);
+        return itg_gather(plane, gathered_at(&m->gathered[p]) * 4);
     return load_packet(plane, &m->packets[p]);
 }
 
@@ -65,10 +65,10 @@ GP_INLINE void store_pixels(const BlendBlock *m, Shape shape, int p, uint32_t at
         store_packet(plane, &m->packets[p], m->live[p], words);
         return;
     }
-    const itg *to = &m->gathered[p].at;
+    const itg to = gathered_at(&m->gathered[p]);
     for (unsigned live = m->live[p]; live; live &= live - 1) {
         const int lane = __builtin_ctz(live);
-        ((uint32_t *)plane)[(*to)[lane]] = (uint32_t)words[lane];
+        ((uint32_t *)plane)[to[lane]] = (uint32_t)words[lane];
     }
 }
 
@@ -204,9 +204,8 @@ GP_INLINE bool blend_pixels(const GpBlend *blend, GpFormat format, bool clamps, 
         GP_UNROLL
         for (int i = 0; i < count; i++) {
             const flt *of = color + i * m->stride;
-            GP_UNROLL
-            for (int c = 0; c < 4 && looks; c++)
-                most = greater_bits(most, of[c]);
+            if (looks)
+                most = greater_bits(most, greatest_bits(of));
             blend_clamped(blend, format, clamps, m->constant, of, target[i]);
         }
     }

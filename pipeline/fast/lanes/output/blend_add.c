@@ -55,7 +55,7 @@ GP_INLINE void add_all(float (*pixel)[4], bool halves, bool pairs, const FastSha
         const msk alive = mask_of(s->live[p]);
         uint32_t place[GP_LANES];
         itg channel[4];
-        store_lanes(place, false, s->block.gathered[p].at);
+        store_lanes(place, false, gathered_at(&s->block.gathered[p]));
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             channel[c] = itg_select(alive, (itg)color[c], itg_set(INT32_MIN));

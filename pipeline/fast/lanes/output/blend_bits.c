@@ -40,7 +40,7 @@ GP_INLINE void blend_all(GpBlendOp op, uint32_t *plane, const FastShaded *shaded
             continue;
         const FastPacket *packet = &s->block.packets[p];
         if (packet->gathered)
-            blend_gathered(op, plane, s->block.gathered[p].at, words);
+            blend_gathered(op, plane, gathered_at(&s->block.gathered[p]), words);
         else
             store_packet(plane, packet, ALL_LANES,
                          combine_lanes(op, load_packet(plane, packet), words));

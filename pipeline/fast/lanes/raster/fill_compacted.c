@@ -9,7 +9,7 @@ typedef struct Compaction {
     FastPacket *packet; /* NULL: none yet */
     FastGathered *gathered;
     int count;
-    itg at; /* as the gathered packet's own, which is written lane by lane */
+    itg place; /* as the gathered packet's own, which is written lane by lane */
 } Compaction;
 
 /* The last gathered packet may have room; the triangles of a gathered packet face one way. */
@@ -22,7 +22,7 @@ static Compaction last_gathered(Tile *tile)
     compaction.packet = last;
     compaction.gathered = &tile->queue->gathered[tile->queue->count - 1];
     compaction.count = __builtin_popcount(last->live);
-    compaction.at = compaction.gathered->at;
+    compaction.place = compaction.gathered->place;
     return compaction;
 }
 
@@ -35,23 +35,22 @@ static void begin_gathered(Compaction *compaction, uint32_t record)
         (FastPacket){ .record = record, .y = FAST_TILE, .wide = GP_LANES, .gathered = true };
     compaction->gathered = &tile->queue->gathered[compaction->packet - tile->queue->packets];
     compaction->count = 0;
-    compaction->at = itg_set((int32_t)fast_at(0, FAST_TILE));
-    *compaction->gathered =
-        (FastGathered){ .record = itg_set((int32_t)record), .at = compaction->at, .packed = true };
+    compaction->place = itg_set(FAST_TILE << PLACE_Y);
+    *compaction->gathered = (FastGathered){ .record = itg_set((int32_t)record),
+                                            .place = compaction->place,
+                                            .packed = true };
 }
 
-GP_INLINE void add_pixel(Compaction *compaction, uint32_t record, int32_t x, int32_t y)
+GP_INLINE void add_pixel(Compaction *compaction, uint32_t record, int32_t place)
 {
-    const int32_t at = (int32_t)fast_at(x, y);
-    if (!compaction->packet || compaction->count == GP_LANES || msk_any(compaction->at == at))
+    if (!compaction->packet || compaction->count == GP_LANES || msk_any(compaction->place == place))
         begin_gathered(compaction, record);
     FastGathered *gathered = compaction->gathered;
     const int lane = compaction->count++;
-    compaction->at = itg_select((msk)(lane_numbers() == lane), itg_set(at), compaction->at);
+    compaction->place =
+        itg_select((msk)(lane_numbers() == lane), itg_set(place), compaction->place);
     ((int32_t *)&gathered->record)[lane] = (int32_t)record;
-    ((int32_t *)&gathered->x)[lane] = x;
-    ((int32_t *)&gathered->y)[lane] = y;
-    ((int32_t *)&gathered->at)[lane] = at;
+    ((int32_t *)&gathered->place)[lane] = place;
     gathered->live = compaction->packet->live = (1u << compaction->count) - 1;
 }
 
@@ -65,9 +64,10 @@ void fast_fill_compacted(const Filler *f, const TriangleBatch *b, unsigned lanes
         if (compaction.packet && tile->records->record[compaction.packet->record].face !=
                                      tile->records->record[number].face)
             compaction.packet = NULL;
+        const int32_t first = b->x[lane] | b->y[lane] << PLACE_Y;
         for (uint32_t pixels = (uint32_t)b->covered[lane]; pixels; pixels &= pixels - 1) {
             const int32_t bit = __builtin_ctz(pixels);
-            add_pixel(&compaction, number, b->x[lane] + (bit & 3), b->y[lane] + (bit >> 2));
+            add_pixel(&compaction, number, first + (bit & 3) + (bit >> 2 << PLACE_Y));
         }
     }
 }

@@ -24,9 +24,8 @@ enum {
     ROOM = 64 * GP_LANES,
     SMALL_BOX = 2 * GP_LANES, /* pixels */
     POINT_SHIFT = 8,
-    Y_SHIFT = 16,
     BYTE = 255,
-    PLACE = BYTE | BYTE << Y_SHIFT,
+    PLACE = BYTE | BYTE << PLACE_Y,
     DEAD = INT32_MIN,
 };
 
@@ -40,7 +39,7 @@ typedef struct Fragments {
     bool pairs;   /* as fast_adds_pairs: two by two, the second may be dead */
     itg order;    /* of each lane, the number of its fragment in the packet */
     uint32_t taken, count;
-    uint32_t word[ROOM + GP_LANES]; /* x | lane << POINT_SHIFT | y << Y_SHIFT, and perhaps DEAD */
+    uint32_t word[ROOM + GP_LANES]; /* x | lane << POINT_SHIFT | y << PLACE_Y, and perhaps DEAD */
 } Fragments;
 
 /* --- packets ---------------------------------------------------------------------------------- */
@@ -87,8 +86,8 @@ static void begin_packets(Tile *tile)
 GP_INLINE void begin_packet(Tile *tile)
 {
     if (tile->queue->count == PACKETS)
-        fast_flush_packets(tile);
-    if (tile->queue->count == 0)
+        fast_flush_packets(tile); /* which leaves them as they began */
+    else if (tile->queue->count == 0)
         begin_packets(tile);
     tile->queue->count++;
 }
@@ -178,12 +177,8 @@ GP_INLINE void fill_packet(const Fragments *f, const Source *s, itg word, bool w
     FastGathered *gathered = &queue->gathered[at];
     FastPacket *packet = &queue->packets[at];
     const itg place = word & PLACE, point = word >> POINT_SHIFT & BYTE;
-    const itg x = place & BYTE, y = place >> Y_SHIFT;
-    const itg pixel = itg_dot2(place, itg_set(1 | FAST_PITCH << Y_SHIFT));
     const unsigned alive = ~msk_bits((msk)word) & ALL_LANES;
-    gathered->x = whole ? x : itg_select(s->fresh, x, gathered->x);
-    gathered->y = whole ? y : itg_select(s->fresh, y, gathered->y);
-    gathered->at = whole ? pixel : itg_select(s->fresh, pixel, gathered->at);
+    gathered->place = whole ? place : itg_select(s->fresh, place, gathered->place);
     packet->live = whole ? alive : packet->live | (alive & msk_bits(s->fresh));
     flt *in = fast_inputs(s->tile) + at * (uint32_t)s->components;
     if (GP_LANES > 4 || f->filler.d->shades_again) {
@@ -192,7 +187,7 @@ GP_INLINE void fill_packet(const Fragments *f, const Source *s, itg word, bool w
     } else
         fetch_values(f, point, in, s->fresh, whole);
     if (s->has_place)
-        fill_places(s, x, y, point, in + s->before, whole);
+        fill_places(s, place & BYTE, place >> PLACE_Y, point, in + s->before, whole);
     if (s->keeps_depth)
         keep_fresh((flt *)(void *)queue->depths + at, (flt)itg_permute((itg)s->batch->at.z, point),
                    s->fresh, whole);
@@ -234,7 +229,7 @@ GP_INLINE void add_small(Fragments *f, unsigned small)
     const itg lane = lane_numbers() << POINT_SHIFT, first = s->x0 | lane, last = s->x1 | lane;
     itg x = first, y = s->y0;
     for (; small; small &= msk_bits((msk)(y <= s->y1))) {
-        itg_compress(f->word + f->count, small, x | y << Y_SHIFT);
+        itg_compress(f->word + f->count, small, x | y << PLACE_Y);
         f->count += (uint32_t)__builtin_popcount(small);
         const msk ends = (msk)(x == last);
         x = itg_select(ends, first, x + 1);
@@ -263,7 +258,7 @@ GP_INLINE void add_rows(Fragments *f, EarlyTest early, int32_t x, int32_t pixels
     const msk inside = (msk)(lane_numbers() < pixels);
     const int32_t y0 = s->y0[point];
     const uint32_t odd = f->pairs && pixels % 2, fragments = (uint32_t)pixels + odd;
-    itg word = (lane_numbers() + (x | y0 << Y_SHIFT | point << POINT_SHIFT)) | (~inside & DEAD);
+    itg word = (lane_numbers() + (x | y0 << PLACE_Y | point << POINT_SHIFT)) | (~inside & DEAD);
     uint32_t at = fast_at(x, y0), count = f->count;
     for (int32_t left = s->y1[point] - y0; left >= 0; left--, at += FAST_PITCH) {
         if (count > ROOM - GP_LANES) {
@@ -279,7 +274,7 @@ GP_INLINE void add_rows(Fragments *f, EarlyTest early, int32_t x, int32_t pixels
             itg_compress(f->word + count, passed, word);
             count += (uint32_t)__builtin_popcount(passed);
         }
-        word += 1 << Y_SHIFT;
+        word += 1 << PLACE_Y;
     }
     f->count = count;
 }

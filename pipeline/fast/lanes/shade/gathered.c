@@ -16,8 +16,7 @@ typedef struct Written {
 GP_INLINE void scatter(const FastGathered *gathered, const Written *written, int planes)
 {
     uint32_t place[GP_LANES], word[4][GP_LANES];
-    const itg at = gathered->y * FAST_PITCH + gathered->x;
-    memcpy(place, &at, sizeof place);
+    store_lanes(place, false, gathered_at(gathered));
     memcpy(word, written->words, sizeof word);
     for (unsigned left = gathered->live; left; left &= left - 1) {
         const int lane = __builtin_ctz(left);
@@ -32,8 +31,9 @@ GP_INLINE void write_words(const FastGathered *gathered, const Written *written,
         scatter(gathered, written, planes);
         return;
     }
-    const FastPacket place = { .x = (uint8_t)gathered->x[0],
-                               .y = (uint8_t)gathered->y[0],
+    const int32_t first = gathered->place[0];
+    const FastPacket place = { .x = (uint8_t)first,
+                               .y = (uint8_t)(first >> PLACE_Y),
                                .wide = gathered->quads ? 0 : GP_LANES };
     for (int i = 0; i < planes; i++)
         store_packet(written->plane[i], &place, gathered->live, written->words[i]);

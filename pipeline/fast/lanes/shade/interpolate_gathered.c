@@ -133,7 +133,7 @@ static void set_edges_64(const Tile *tile, const FastGathered *gathered, flt edg
     for (int lane = 0; lane < GP_LANES; lane++) {
         const FastTriangleRecord *record = &tile->records->record[gathered->record[lane]];
         const FastEdges64 *edges = &tile->records->edges64[record->edges64];
-        const int64_t x = gathered->x[lane], y = gathered->y[lane];
+        const int64_t x = gathered_x(gathered)[lane], y = gathered_y(gathered)[lane];
         if (record->kind != FAST_EDGES_64)
             continue;
         int64_t sum = 0;
@@ -150,14 +150,13 @@ static void set_weights(const Tile *tile, const FastDraw *d, const FastGathered 
                         const Spread *spread, int p, FastWeights *weights)
 {
     const FastLaneRuns *runs = tile->lane_runs;
-    const itg place = gathered->x | gathered->y << 16;
     const itg area2 = spread_itg(runs->word[AREA], spread);
     itg left = area2;
     flt edge[3], area = flt_from_itg(area2);
     GP_UNROLL
     for (int i = 0; i < 2; i++) {
         itg first = spread_itg(runs->word[EDGE + 2 * i], spread);
-        itg stepped = itg_dot2(spread_itg(runs->word[STEP + 2 * i], spread), place);
+        itg stepped = itg_dot2(spread_itg(runs->word[STEP + 2 * i], spread), gathered->place);
         itg value = (itg)((utg)first + ((utg)stepped << GP_SUBPIXEL_BITS));
         left = (itg)((utg)left - (utg)value);
         edge[1 + i] = flt_from_itg(value);
@@ -260,7 +259,8 @@ static void interpolate_sprites(const Tile *tile, const FastDraw *d, const FastG
         if (d->modes.sprite < 0)
             continue;
         flt *at = in + d->modes.sprite;
-        int32_t x = gathered->x[lane] * GP_SUBPIXELS, y = gathered->y[lane] * GP_SUBPIXELS;
+        const int32_t x = gathered_x(gathered)[lane] * GP_SUBPIXELS;
+        const int32_t y = gathered_y(gathered)[lane] * GP_SUBPIXELS;
         at[0][lane] = (float)(x - edges->sprite.left) * edges->sprite.per_step;
         at[1][lane] = (float)(y - edges->sprite.top) * edges->sprite.per_step;
     }

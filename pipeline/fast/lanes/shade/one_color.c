@@ -27,7 +27,7 @@ static int gather(FastQueue *q)
     for (int p = 0; p < count; p++) {
         FastGathered *gathered = &q->gathered[p];
         gathered->record = load_lanes(q->color_record + p * GP_LANES, false);
-        gathered->x = gathered->y = gathered->at = itg_set(0);
+        gathered->place = itg_set(0);
         gathered->live = ALL_LANES;
         gathered->packed = true;
         gathered->quads = false;

@@ -66,18 +66,19 @@ static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered 
 {
     const bool usual = is_usual(d) && !d->needs.shader_depth; /* of the rasterizer, and clamped */
     const itg codes = usual ? depth_codes(tile->depth_format, z) : (itg)z;
+    const itg at = gathered_at(gathered);
     uint32_t place[GP_LANES], depth[2 * GP_LANES]; /* codes, or still floats */
     unsigned passed = 0;
     *replaced = 0;
     if (usual && d->needs.ternary) {
-        const itg stored = itg_gather((const uint8_t *)tile->depth, gathered->at * 4);
+        const itg stored = itg_gather((const uint8_t *)tile->depth, at * 4);
         if (!(live & msk_bits((msk)(codes < stored))))
             return live & msk_bits((msk)(codes <= put_back(tile, d, stored)));
     }
-    memcpy(place, &gathered->at, sizeof place);
+    store_lanes(place, false, at);
     store_lanes(depth, false, codes);
     store_lanes(depth + GP_LANES, false, (itg)z);
-    for (unsigned starts = run_starts(gathered->at); starts;) {
+    for (unsigned starts = run_starts(at); starts;) {
         int first;
         const unsigned run = (live & take_run(&starts, &first)) >> first;
         if (!run)

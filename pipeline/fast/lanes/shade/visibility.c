@@ -27,12 +27,12 @@ typedef struct Collector {
     int packets;  /* of one triangle each */
     int gathered; /* of several */
 
-    /* pixels of sparse parts, to be packed; a place is x, y << 8 and whether it lives */
+    /* pixels of sparse parts, to be packed; their places, and perhaps DEAD */
     uint32_t sparse;
     uint32_t record[2 * GP_LANES], place[2 * GP_LANES];
 } Collector;
 
-enum { PLACE_LIVES = 1 << 16 };
+static const int32_t DEAD = INT32_MIN;
 
 typedef enum GatheredShape { ROW, QUADS, PACKED } GatheredShape;
 
@@ -44,14 +44,13 @@ static void shade_collected_gathered(Collector *c)
 }
 
 /* Field by field, as set_patch. */
-static void add_gathered(Collector *c, itg record, itg x, itg y, unsigned live, GatheredShape shape)
+static void add_gathered(Collector *c, itg record, itg place, unsigned live, GatheredShape shape)
 {
     if (c->gathered == TOGETHER)
         shade_collected_gathered(c);
     FastGathered *gathered = &c->tile->queue->gathered[c->gathered++];
     gathered->record = record;
-    gathered->x = x;
-    gathered->y = y;
+    gathered->place = place;
     gathered->live = live;
     gathered->packed = shape == PACKED;
     gathered->quads = shape == QUADS;
@@ -68,8 +67,8 @@ static void add_packed(Collector *c)
     const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
     itg record = itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0]));
     itg place = itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]));
-    const unsigned live = msk_bits(filled & (msk)((place & PLACE_LIVES) != 0));
-    add_gathered(c, record, place & 255, place >> 8 & 255, live, PACKED);
+    const unsigned live = msk_bits(filled & ~(place >> 31));
+    add_gathered(c, record, place & ~DEAD, live, PACKED);
 }
 
 static void pack(Collector *c, unsigned lanes, itg record, itg place)
@@ -107,15 +106,15 @@ static void add_packet(Collector *c, uint32_t record, const FastPacket *place)
 
 static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine)
 {
-    unsigned live = msk_bits(mine);
+    const unsigned live = msk_bits(mine);
+    const itg place = packet_x(row) | packet_y(row) << PLACE_Y;
     uint32_t some = c->tile->visibility->record[fast_at(row->x + __builtin_ctz(live), row->y)];
     if (msk_bits(shown == (int32_t)some) == ALL_LANES)
         add_packet(c, some, row);
     else if (__builtin_popcount(live) >= DENSE)
-        add_gathered(c, itg_select(mine, shown, itg_set((int32_t)some)), packet_x(row),
-                     packet_y(row), live, ROW);
+        add_gathered(c, itg_select(mine, shown, itg_set((int32_t)some)), place, live, ROW);
     else
-        pack(c, live, shown, packet_x(row) | packet_y(row) << 8 | PLACE_LIVES);
+        pack(c, live, shown, place);
 }
 
 /* In every lane the greatest of its quad. */
@@ -126,10 +125,10 @@ static itg quad_greatest(itg a)
 }
 
 /* Quads stay together: there are whole ones only. */
-static void pack_quads(Collector *c, itg record, itg x, itg y, unsigned live)
+static void pack_quads(Collector *c, itg record, itg place, unsigned live)
 {
     unsigned any = (live | live >> 1 | live >> 2 | live >> 3) & 0x1111;
-    pack(c, any * 15, record, x | y << 8 | (mask_of(live) & PLACE_LIVES));
+    pack(c, any * 15, record, place | (~mask_of(live) & DEAD));
 }
 
 /* Whole quads, for shaders that look at their neighbours: a quad is shaded once for every triangle
@@ -141,16 +140,16 @@ static void collect_quads(Collector *c, const FastPacket *quads, itg shown, msk 
         return;
     }
     const itg some = itg_set(shown[__builtin_ctz(msk_bits(mine))]);
-    const itg x = packet_x(quads), y = packet_y(quads);
+    const itg place = packet_x(quads) | packet_y(quads) << PLACE_Y;
     for (itg left = shown & mine; msk_bits(left != 0); left &= ~mine) {
         itg record = quad_greatest(left);
         mine = (left == record) & (left != 0);
         const bool dense = __builtin_popcount(msk_bits(record != 0)) >= DENSE;
         record = itg_select(record != 0, record, some);
         if (dense)
-            add_gathered(c, record, x, y, msk_bits(mine), QUADS);
+            add_gathered(c, record, place, msk_bits(mine), QUADS);
         else
-            pack_quads(c, record, x, y, msk_bits(mine));
+            pack_quads(c, record, place, msk_bits(mine));
     }
 }
 
