@@ -23,7 +23,7 @@
  * pure: no statics, no libm, no allocation, no branches on lane values (select instead). Loops have
  * constant bounds, and may be left where no lane changes any more: while (.. && any(mask)).
  *
- * #define GP_SHADER_PAIRS before the include where pixel shaders are long chains of arithmetic, each
+ * #define GP_SHADER_FOURS before the include where pixel shaders are long chains of arithmetic, each
  * step waiting for the one before: two packets, or two pairs, then go through side by side. It changes no bit,
  * costs registers, and gains nothing across texture reads.
  *
@@ -50,7 +50,7 @@
 #endif
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
-#elif defined GP_SHADER_PAIRS && defined __OPTIMIZE__ && !defined __cplusplus
+#elif defined GP_SHADER_FOURS && defined __OPTIMIZE__ && !defined __cplusplus
 /* Without it gcc has one packet after the other, and both wait as one alone would: Phong takes a third less. */
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #endif

@@ -212,6 +212,21 @@ void gp_step_pixel(const GpProgram &declared, const GpStepRun &run,
     static float4 name##_color(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                   \
                                GP_UNUSED const IN *in)
 
+#define pixel_shader_begin(name, U, IN, BEGUN)                                                     \
+    static BEGUN name##_begin(GpInvocation *gp, const U *c, const IN *in);                         \
+    static float4 name##_end(GpInvocation *gp, const U *c, const IN *in, const BEGUN *begun);      \
+    pixel_shader_targets(name, U, IN, float4)                                                      \
+    {                                                                                              \
+        const BEGUN begun = name##_begin(gp, c, in);                                               \
+        *out = name##_end(gp, c, in, &begun);                                                      \
+    }                                                                                              \
+    static BEGUN name##_begin(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                    \
+                              GP_UNUSED const IN *in)
+
+#define pixel_shader_end(name, U, IN, BEGUN)                                                       \
+    static float4 name##_end(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                     \
+                             GP_UNUSED const IN *in, const BEGUN *begun)
+
 #define GP_STEP_OF(id, vertex_steps, pixel_steps)                                                  \
     extern "C" void id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run);       \
     extern "C" void id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run)        \

@@ -3,7 +3,7 @@
  * maps are Williams', "Casting curved shadows on curved surfaces", SIGGRAPH 1978; comparing before
  * filtering is Reeves, Salesin and Cook's, "Rendering antialiased shadows with depth maps",
  * SIGGRAPH 1987. */
-#define GP_SHADER_PAIRS /* three square roots, one after the other, and a power */
+#define GP_SHADER_FOURS /* three square roots, one after the other, and a power */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/two_sided.h"
 
@@ -65,18 +65,27 @@ GP_INLINE float3 map_place(const TwoSidedUniforms *c, float4 light_clip)
 }
 
 /* The map has one level, so texldl reads what texld would, without asking the neighbours. */
-pixel_shader(compare_ps, TwoSidedUniforms, ShadowVarying)
+pixel_shader_begin(compare_ps, TwoSidedUniforms, ShadowVarying, flt)
 {
     float3 place = map_place(c, in->light_clip);
-    flt lit = texldl(0, rgba(place, 0)).x;
-    return shade(c, &in->surface, lit);
+    return texldl(0, rgba(place, 0)).x;
 }
 
-pixel_shader(nearest_ps, TwoSidedUniforms, ShadowVarying)
+pixel_shader_end(compare_ps, TwoSidedUniforms, ShadowVarying, flt)
+{
+    return shade(c, &in->surface, *begun);
+}
+
+pixel_shader_begin(nearest_ps, TwoSidedUniforms, ShadowVarying, flt)
 {
     float3 place = map_place(c, in->light_clip);
     flt stored = texldl(0, vec4(place.x, place.y, 0, 0)).x;
-    return shade(c, &in->surface, sge(stored, place.z));
+    return sge(stored, place.z);
+}
+
+pixel_shader_end(nearest_ps, TwoSidedUniforms, ShadowVarying, flt)
+{
+    return shade(c, &in->surface, *begun);
 }
 
 /* 1 where the depth stored in the texel with its centre at (u, v) is not before `depth`, else 0. */
@@ -85,7 +94,7 @@ GP_INLINE flt tap(GpInvocation *gp, flt u, flt v, flt depth)
     return sge(texldl(0, vec4(u, v, 0, 0)).x, depth);
 }
 
-pixel_shader(pcf_ps, TwoSidedUniforms, ShadowVarying)
+pixel_shader_begin(pcf_ps, TwoSidedUniforms, ShadowVarying, flt)
 {
     float3 place = map_place(c, in->light_clip);
     flt size = bcast(c->map_size), step = rcp(size), depth = place.z;
@@ -95,7 +104,12 @@ pixel_shader(pcf_ps, TwoSidedUniforms, ShadowVarying)
 
     flt upper = lrp(frc(s), tap(gp, right, top, depth), tap(gp, left, top, depth));
     flt lower = lrp(frc(s), tap(gp, right, bottom, depth), tap(gp, left, bottom, depth));
-    return shade(c, &in->surface, lrp(frc(t), lower, upper));
+    return lrp(frc(t), lower, upper);
+}
+
+pixel_shader_end(pcf_ps, TwoSidedUniforms, ShadowVarying, flt)
+{
+    return shade(c, &in->surface, *begun);
 }
 
 /* clang-format off */

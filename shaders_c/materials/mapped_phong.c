@@ -1,6 +1,6 @@
 /* Colours and normals of two textures with Blinn-Phong lighting per pixel (see phong.c). Texture 0 is the
  * surface's colour, linear light; texture 1 its normals in the world, a component n as (n + 1) / 2. */
-#define GP_SHADER_PAIRS
+#define GP_SHADER_FOURS
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/mapped_phong.h"
 

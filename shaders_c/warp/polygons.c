@@ -1,6 +1,6 @@
 /* Triangles with colours of their vertices, or of their places, with alpha 1: what depth images are
  * taken of. */
-#define GP_SHADER_PAIRS /* square roots, one after the other, and a power */
+#define GP_SHADER_FOURS /* square roots, one after the other, and a power */
 #include "shaders_c/warp/polygons.h"
 
 #include "shaders_c/common/vertices_shared.h"

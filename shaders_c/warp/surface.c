@@ -1,4 +1,4 @@
-#define GP_SHADER_PAIRS
+#define GP_SHADER_FOURS
 #include "shaders_c/warp/surface.h"
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/warp/light_shared.h"

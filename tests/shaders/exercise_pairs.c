@@ -1,5 +1,5 @@
 /* Few varyings, in packets that go through the shader in pairs. */
-#define GP_SHADER_PAIRS
+#define GP_SHADER_FOURS
 #include "tests/shaders/exercise.h"
 #include "tests/shaders/exercise_shared.h"
 

@@ -3,7 +3,7 @@
  *        Pacific Graphics 2004: parametric surfaces evaluated in the vertex shader. DEVIATES: theirs
  *        are points, each of which sets its voxel; what the surface only grazes between them is lost,
  *        however close they are. */
-#define GP_SHADER_PAIRS
+#define GP_SHADER_FOURS
 #include "shaders_c/voxel/inputs/parametric.h"
 #include "shaders_c/voxel/methods/columns_shared.h"
 

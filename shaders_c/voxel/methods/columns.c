@@ -1,6 +1,6 @@
 /* Surface voxels by columns, exactly: no triangle is lost for being small or steep, and none is
  * drawn more than once, but where it reaches from slab to slab. */
-#define GP_SHADER_PAIRS
+#define GP_SHADER_FOURS
 #include "shaders_c/voxel/methods/columns_shared.h"
 
 /* --- vertices --------------------------------------------------------------------------------- */
