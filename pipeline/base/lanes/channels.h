@@ -110,6 +110,16 @@ GP_INLINE flt flt_quantize_unorm8(flt v)
 #endif
 }
 
+/* a + b by the units that multiply: rounding to halves, which goes before and after, keeps those that add busy. */
+GP_INLINE flt flt_sum_between_halves(flt a, flt b)
+{
+#ifdef GP_FUSED_LANES
+    return flt_fused(a, 1.0f, b);
+#else
+    return a + b;
+#endif
+}
+
 /* The value that a store and a load of a half leave (R27); of a NaN its upper bits, quiet. */
 GP_INLINE flt flt_quantize_half(flt v)
 {

@@ -94,6 +94,7 @@ GP_INLINE void blend_word(const GpBlend *blend, const BlendBlock *m, Shape shape
         Operands o;
         flt result[4];
         memcpy(o.constant, m->constant, sizeof o.constant);
+        o.halves = false;
         GP_UNROLL
         for (int c = 0; c < 4; c++)
             o.source[c] = clamped(color[c]);

@@ -10,6 +10,7 @@
 typedef struct Operands {
     flt source[4], target[4];
     float constant[4];
+    bool halves; /* the target's */
 } Operands;
 
 GP_INLINE flt factor(GpBlendFactor name, int c, const Operands *o)
@@ -66,7 +67,8 @@ GP_INLINE flt operate(GpBlendOp op, GpBlendFactor by_source, GpBlendFactor by_ta
     flt s = o->source[c], d = o->target[c];
     switch (op) {
     case GP_BLEND_ADD:
-        return scaled(s, by_source, c, o) + scaled(d, by_target, c, o);
+        s = scaled(s, by_source, c, o), d = scaled(d, by_target, c, o);
+        return o->halves ? flt_sum_between_halves(s, d) : s + d;
     case GP_BLEND_SUBTRACT:
         return scaled(s, by_source, c, o) - scaled(d, by_target, c, o);
     case GP_BLEND_REV_SUBTRACT:
@@ -115,6 +117,7 @@ GP_INLINE void blend_clamped(const GpBlend *blend, GpFormat format, bool clamps,
     __builtin_memcpy(o.constant, constant, sizeof o.constant);
     o.source[3] = clamps ? clamped(color[3]) : color[3];
     o.target[3] = target[3];
+    o.halves = format == GP_A16B16G16R16F || format == GP_G16R16F;
     GP_UNROLL
     for (int c = 0; c < 4; c++) {
         o.source[c] = clamps ? clamped(color[c]) : color[c];
