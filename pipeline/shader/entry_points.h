@@ -125,8 +125,9 @@ GP_INLINE int gp_beside(int k, int i, int count)
     }
 
 /* Of few components: interpolated in the shader's own loop they need not go through memory, which costs
- * short shaders as much again (fill_blend32f takes 14 % less, with AVX-512 20 %). */
-#define GP_PIXEL_LAYERS(name, U, IN, OUT)                                                          \
+ * short shaders as much again (fill_blend32f takes 14 % less, with AVX-512 20 %). The packets of a layer are those
+ * from `first` on; `step` takes packet k and those beside it. */
+#define GP_PIXEL_LAYERS(name, step, beside)                                                        \
     const int packets = call->packets / call->layers;                                              \
     for (int layer = 0, first = 0; layer < call->layers; layer++, first += packets) {              \
         const GpInterpolants *from = &call->interpolants[layer];                                   \
@@ -136,17 +137,23 @@ GP_INLINE int gp_beside(int k, int i, int count)
         GP_UNROLL                                                                                  \
         for (int i = 0; i < 3 * name##_in; i++)                                                    \
             value[i] = ((const flt *)(const void *)from->value)[i];                                \
-        for (int p = 0; p < packets; p += GP_AT_ONCE) {                                            \
-            IN inputs[GP_AT_ONCE];                                                                 \
-            GP_UNROLL                                                                              \
-            for (int i = 0; i < GP_AT_ONCE; i++) {                                                 \
-                const int at = gp_beside(p, i, packets);                                           \
-                gp_interpolate((flt *)(void *)&inputs[i], name##_in, value, weight1[at],           \
-                               weight2[at]);                                                       \
-            }                                                                                      \
-            GP_PIXEL_STEP(name, U, OUT, first, p, packets, &inputs[i])                             \
+        for (int k = 0; k < packets; k += beside) {                                                \
+            step                                                                                   \
         }                                                                                          \
     }
+
+#define GP_LAYER_STEP(name, U, IN, OUT)                                                            \
+    IN inputs[GP_AT_ONCE];                                                                         \
+    GP_UNROLL                                                                                      \
+    for (int i = 0; i < GP_AT_ONCE; i++) {                                                         \
+        const int at = gp_beside(k, i, packets);                                                   \
+        gp_interpolate((flt *)(void *)&inputs[i], name##_in, value, weight1[at], weight2[at]);     \
+    }                                                                                              \
+    GP_PIXEL_STEP(name, U, OUT, first, k, packets, &inputs[i])
+
+/* Whether a call leaves interpolation to the shader. */
+#define GP_INTERPOLATES(name)                                                                      \
+    (name##_in > 0 && (int)name##_in <= GP_FEW_COMPONENTS && call->interpolants)
 
 /* A pixel shader that writes a struct of float4, one a target. */
 #define pixel_shader_targets(name, U, IN, OUT)                                                     \
@@ -161,8 +168,8 @@ GP_INLINE int gp_beside(int k, int i, int count)
         const IN *in = (const IN *)(const void *)call->in;                                         \
         OUT *out = (OUT *)(void *)call->color;                                                     \
         uint32_t used = 0;                                                                         \
-        if (name##_in > 0 && (int)name##_in <= GP_FEW_COMPONENTS && call->interpolants) {          \
-            GP_PIXEL_LAYERS(name, U, IN, OUT)                                                      \
+        if (GP_INTERPOLATES(name)) {                                                               \
+            GP_PIXEL_LAYERS(name, GP_LAYER_STEP(name, U, IN, OUT), GP_AT_ONCE)                     \
         } else {                                                                                   \
             GP_PIXEL_PACKETS(name, U, OUT)                                                         \
         }                                                                                          \
@@ -172,38 +179,57 @@ GP_INLINE int gp_beside(int k, int i, int count)
                                __attribute__((unused)) const U *c,                                 \
                                __attribute__((unused)) const IN *in, OUT *out)
 
-/* What packets have begun with, of so many, until they end. */
+/* Packets that go through one part of a shader before they go through the next. */
 enum { GP_BEGUN = 32 };
 
-/* Packets first..first + count - 1, of inputs `from`, through both parts of a shader. */
-#define GP_PIXEL_PARTS(name, U, BEGUN, first, count, from)                                         \
-    do {                                                                                           \
-        GpInvocation invocation[GP_BEGUN];                                                         \
-        BEGUN begun[GP_BEGUN];                                                                     \
-        for (int k = 0; k < (count); k++) {                                                        \
-            invocation[k] = (GpInvocation){ .call = call, .packet = (first) + k };                 \
-            begun[k] = name##_begin(&invocation[k], (const U *)call->uniforms, (from) + k);        \
-        }                                                                                          \
-        for (int k = 0; k < (count); k += GP_AT_ONCE) {                                            \
-            float4 color[GP_AT_ONCE];                                                              \
-            GP_UNROLL                                                                              \
-            for (int i = 0; i < GP_AT_ONCE; i++) {                                                 \
-                const int at = gp_beside(k, i, count);                                             \
-                color[i] = name##_end(&invocation[at], (const U *)call->uniforms, (from) + at,     \
-                                      &begun[at]);                                                 \
-            }                                                                                      \
-            GP_UNROLL                                                                              \
-            for (int i = 0; i < GP_AT_ONCE; i++)                                                   \
-                out[(first) + gp_beside(k, i, count)] = color[i];                                  \
-        }                                                                                          \
-        for (int k = 0; k < (count); k++) {                                                        \
-            gp_end_packet(&invocation[k]);                                                         \
-            used |= invocation[k].used;                                                            \
-        }                                                                                          \
-    } while (0)
+/* How many of `count` packets go from packet k on. */
+GP_INLINE int gp_begun(int k, int count)
+{
+    return count - k < GP_BEGUN ? count - k : GP_BEGUN;
+}
 
-/* A pixel shader in two parts: what the first returns is `begun` for the second. All packets go through the first
- * before any goes through the second, which calls nothing, so that four of them go side by side. */
+/* Packets first..first + count - 1, of inputs `from`, through both parts. (Invocations field by field, or gcc
+ * clears each by one slow instruction.) */
+#define GP_PIXEL_PARTS(name, U, BEGUN, first, count, from)                                         \
+    GpInvocation invocation[GP_BEGUN];                                                             \
+    BEGUN begun[GP_BEGUN];                                                                         \
+    for (int i = 0; i < (count); i++) {                                                            \
+        GpInvocation *gp = &invocation[i];                                                         \
+        gp->call = call;                                                                           \
+        gp->packet = (first) + i;                                                                  \
+        gp->used = 0;                                                                              \
+        gp->killed = flt_set(0) != 0.0f;                                                           \
+        gp->depth = flt_set(0);                                                                    \
+        begun[i] = name##_begin(gp, (const U *)call->uniforms, (from) + i);                        \
+    }                                                                                              \
+    for (int i = 0; i < (count); i += GP_AT_ONCE) {                                                \
+        float4 color[GP_AT_ONCE];                                                                  \
+        GP_UNROLL                                                                                  \
+        for (int n = 0; n < GP_AT_ONCE; n++) {                                                     \
+            const int at = gp_beside(i, n, count);                                                 \
+            color[n] = name##_end(&invocation[at], (const U *)call->uniforms, (from) + at,         \
+                                  &begun[at]);                                                     \
+        }                                                                                          \
+        GP_UNROLL                                                                                  \
+        for (int n = 0; n < GP_AT_ONCE; n++)                                                       \
+            out[(first) + gp_beside(i, n, count)] = color[n];                                      \
+    }                                                                                              \
+    for (int i = 0; i < (count); i++) {                                                            \
+        gp_end_packet(&invocation[i]);                                                             \
+        used |= invocation[i].used;                                                                \
+    }
+
+#define GP_LAYER_PARTS(name, U, IN, BEGUN)                                                         \
+    IN inputs[GP_BEGUN];                                                                           \
+    const int count = gp_begun(k, packets);                                                        \
+    for (int i = 0; i < count; i++)                                                                \
+        gp_interpolate((flt *)(void *)&inputs[i], name##_in, value, weight1[k + i],                \
+                       weight2[k + i]);                                                            \
+    GP_PIXEL_PARTS(name, U, BEGUN, first + k, count, inputs)
+
+/* A pixel shader in two parts: what the first returns is `begun` for the second. Packets go through the first,
+ * which may call for textures, before any goes through the second, where four are side by side: of light behind a
+ * shadow map a shader takes a quarter less than in one part. */
 #define pixel_shader_begin(name, U, IN, BEGUN)                                                     \
     enum {                                                                                         \
         name##_in = sizeof(IN) / sizeof(flt),                                                      \
@@ -217,9 +243,13 @@ enum { GP_BEGUN = 32 };
         const IN *in = (const IN *)(const void *)call->in;                                         \
         float4 *out = (float4 *)(void *)call->color;                                               \
         uint32_t used = 0;                                                                         \
-        for (int first = 0; first < call->packets; first += GP_BEGUN) {                            \
-            const int left = call->packets - first, count = left < GP_BEGUN ? left : GP_BEGUN;     \
-            GP_PIXEL_PARTS(name, U, BEGUN, first, count, in + first);                              \
+        if (GP_INTERPOLATES(name)) {                                                               \
+            GP_PIXEL_LAYERS(name, GP_LAYER_PARTS(name, U, IN, BEGUN), GP_BEGUN)                    \
+        } else {                                                                                   \
+            for (int k = 0; k < call->packets; k += GP_BEGUN) {                                    \
+                const int count = gp_begun(k, call->packets);                                      \
+                GP_PIXEL_PARTS(name, U, BEGUN, k, count, in + k)                                   \
+            }                                                                                      \
         }                                                                                          \
         gp_tell(call, used);                                                                       \
     }                                                                                              \
