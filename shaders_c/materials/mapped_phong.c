@@ -21,11 +21,21 @@ vertex_shader(mapped_phong_vs, PhongUniforms, MappedVertex, Varying)
     out->uv = in->texcoord;
 }
 
-pixel_shader(mapped_phong_ps, PhongUniforms, Varying)
+typedef struct Texels {
+    float4 color, normal;
+} Texels;
+
+pixel_shader_begin(mapped_phong_ps, PhongUniforms, Varying, Texels)
 {
-    float4 texel = texld(0, in->uv), map = texld(1, in->uv);
+    float4 color = texld(0, in->uv);
+    return (Texels){ color, texld(1, in->uv) };
+}
+
+pixel_shader_end(mapped_phong_ps, PhongUniforms, Varying, Texels)
+{
+    float4 texel = begun->color;
     float3 L = u3(c->light);
-    float3 N = nrm(mad(xyz(map), 2, sp3(bcast(-1))));
+    float3 N = nrm(mad(xyz(begun->normal), 2, sp3(bcast(-1))));
     float3 V = nrm(sub(u3(c->eye), in->world));
     float3 H = nrm(add(V, L));
 

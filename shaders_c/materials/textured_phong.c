@@ -1,5 +1,6 @@
 /* A texture with Blinn-Phong lighting per pixel (see phong.c). Texture 0 is the surface's colour,
  * linear light. */
+#define GP_SHADER_FOURS
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/textured_phong.h"
 
@@ -14,9 +15,14 @@ vertex_shader(textured_phong_vs, PhongUniforms, TexturedVertex, Varying)
     out->uv = in->texcoord;
 }
 
-pixel_shader(textured_phong_ps, PhongUniforms, Varying)
+pixel_shader_begin(textured_phong_ps, PhongUniforms, Varying, float4)
 {
-    float4 texel = texld(0, in->uv);
+    return texld(0, in->uv);
+}
+
+pixel_shader_end(textured_phong_ps, PhongUniforms, Varying, float4)
+{
+    float4 texel = *begun;
     float3 L = u3(c->light);
     float3 N = nrm(in->surface.normal);
     float3 V = nrm(sub(u3(c->eye), in->surface.world));

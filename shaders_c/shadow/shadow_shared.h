@@ -6,6 +6,7 @@
 #ifndef SHADERS_SHADOW_SHARED_H
 #define SHADERS_SHADOW_SHARED_H
 
+#define GP_SHADER_FOURS /* square roots, one after the other, and a power, once the maps are read */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/shadow/shadow.h"
 
@@ -108,9 +109,19 @@ GP_INLINE flt hardware(GpInvocation *gp, const ShadowUniforms *c, const Varying 
 
 /* --- light -------------------------------------------------------------------------------------- */
 
-/* seen: what the map says. A surface that faces away is dark whatever it says, and so is all that is
+/* What the maps say of a surface. */
+typedef struct Asked {
+    flt seen, facing;
+} Asked;
+
+typedef struct AskedTextured {
+    Asked lit;
+    float3 texture;
+} AskedTextured;
+
+/* A surface that faces away is dark whatever it says, and so is all that is
  * beside the cone; behind the light the map says nothing. */
-GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt seen, flt facing,
+GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, const Asked *asked,
                                float3 texture)
 {
     float3 L = towards_light(c, in->surface.world);
@@ -118,8 +129,8 @@ GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt s
     float3 V = nrm(sub(u3(c->eye), in->surface.world));
     float3 H = nrm(add(V, L));
 
-    flt S = sel(in->place.w > c->least_w, seen, bcast(1));
-    S = sel(facing > 0.0f, S, bcast(0)) * sge(neg(dp3(L, u3(c->axis))), bcast(c->axis[3]));
+    flt S = sel(in->place.w > c->least_w, asked->seen, bcast(1));
+    S = sel(asked->facing > 0.0f, S, bcast(0)) * sge(neg(dp3(L, u3(c->axis))), bcast(c->axis[3]));
     float3 arriving = mul(u3(c->color), S);
 
     flt highlight = pow_(max(dp3(N, H), 0), bcast(c->shininess)) * c->specular;
@@ -137,15 +148,25 @@ GP_INLINE float4 light_surface(const ShadowUniforms *c, const Varying *in, flt s
  * in   U: uniforms; shadow: what of them, c, is ShadowUniforms; maps: bits of samplers; model: of the
  *      profiles, 2_0, 3_0 or 3_SW */
 #define SHADOW_PAIR(form, facing, U, shadow, maps, model, derivatives)                             \
-    pixel_shader(form##_##facing##_ps, U, Varying)                                                 \
+    pixel_shader_begin(form##_##facing##_ps, U, Varying, Asked)                                    \
     {                                                                                              \
-        return light_surface(shadow, in, form(gp, c, in), facing(gp, shadow, in), sp3(bcast(1)));      \
+        flt seen = form(gp, c, in);                                                                \
+        return (Asked){ seen, facing(gp, shadow, in) };                                            \
     }                                                                                              \
-    pixel_shader(form##_##facing##_textured_ps, U, TexturedVarying)                                \
+    pixel_shader_end(form##_##facing##_ps, U, Varying, Asked)                                      \
+    {                                                                                              \
+        return light_surface(shadow, in, begun, sp3(bcast(1)));                                    \
+    }                                                                                              \
+    pixel_shader_begin(form##_##facing##_textured_ps, U, TexturedVarying, AskedTextured)           \
     {                                                                                              \
         const Varying *lit = &in->lit;                                                             \
         float3 texture = xyz(texld(0, in->uv));                                                    \
-        return light_surface(shadow, lit, form(gp, c, lit), facing(gp, shadow, lit), texture);         \
+        flt seen = form(gp, c, lit);                                                               \
+        return (AskedTextured){ { seen, facing(gp, shadow, lit) }, texture };                      \
+    }                                                                                              \
+    pixel_shader_end(form##_##facing##_textured_ps, U, TexturedVarying, AskedTextured)             \
+    {                                                                                              \
+        return light_surface(shadow, &in->lit, &begun->lit, begun->texture);                       \
     }                                                                                              \
     program(shadow_##form##_##facing##_program, lit_vs, form##_##facing##_ps,                      \
             .vertex_profile = GP_VS_##model, .pixel_profile = GP_PS_##model,                       \

@@ -17,7 +17,8 @@ GP_INLINE Varying find_surface(const ShadowSplatsUniforms *c, const SplattedSurf
 GP_INLINE float4 light_splats(GpInvocation *gp, const ShadowSplatsUniforms *c,
                               const SplattedSurface *surface, const Varying *in, flt seen)
 {
-    return light_surface(&c->shadow, in, seen, smooth(gp, &c->shadow, in), surface->color);
+    const Asked asked = { seen, smooth(gp, &c->shadow, in) };
+    return light_surface(&c->shadow, in, &asked, surface->color);
 }
 
 #define SHADED(form)                                                                               \
