@@ -23,9 +23,15 @@
  * pure: no statics, no libm, no allocation, no branches on lane values (select instead). Loops have
  * constant bounds, and may be left where no lane changes any more: while (.. && any(mask)).
  *
- * #define GP_SHADER_FOURS before the include where pixel shaders are long chains of arithmetic, each
- * step waiting for the one before: two packets, or two pairs, then go through side by side. It changes no bit,
- * costs registers, and gains nothing across texture reads.
+ * A pixel shader may have two parts, which see the same c and in:
+ *
+ *   pixel_shader_begin(name, Uniforms, Varying, Begun)   returns a Begun, a type of the shader's own
+ *   pixel_shader_end(name, Uniforms, Varying, Begun)     finds it in *begun; returns the colour of target 0
+ *
+ * #define GP_SHADER_AT_ONCE 4 (or 2) before the include where pixel shaders are long chains of arithmetic, each
+ * step waiting for the one before: so many packets then go through side by side. It changes no bit, and costs
+ * registers: measure. It gains nothing across texture reads; a shader of both reads textures in its first part, and
+ * only what its second part does goes side by side.
  *
  * #define GP_SHADER_SW before the include for the software profiles, in which rcp(0) and rsq(0) are
  * infinite instead of the largest float.
@@ -50,7 +56,7 @@
 #endif
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF
-#elif defined GP_SHADER_FOURS && defined __OPTIMIZE__ && !defined __cplusplus
+#elif defined GP_SHADER_AT_ONCE && defined __OPTIMIZE__ && !defined __cplusplus
 /* Without it gcc has one packet after the other, and both wait as one alone would: Phong takes a third less. */
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #endif

@@ -3,7 +3,7 @@
  * maps are Williams', "Casting curved shadows on curved surfaces", SIGGRAPH 1978; comparing before
  * filtering is Reeves, Salesin and Cook's, "Rendering antialiased shadows with depth maps",
  * SIGGRAPH 1987. */
-#define GP_SHADER_FOURS /* three square roots, one after the other, and a power */
+#define GP_SHADER_AT_ONCE 4 /* three square roots, one after the other, and a power */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/bench/two_sided.h"
 

@@ -1,6 +1,6 @@
 /* Blinn-Phong lighting per pixel: Blinn, "Models of light reflection for computer synthesized
  * pictures", SIGGRAPH 1977. */
-#define GP_SHADER_FOURS /* three square roots, one after the other, and a power */
+#define GP_SHADER_AT_ONCE 4 /* three square roots, one after the other, and a power */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/phong.h"
 

@@ -1,6 +1,6 @@
 /* A texture with Blinn-Phong lighting per pixel (see phong.c). Texture 0 is the surface's colour,
  * linear light. */
-#define GP_SHADER_FOURS
+#define GP_SHADER_AT_ONCE 4
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/materials/textured_phong.h"
 

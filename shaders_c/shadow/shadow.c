@@ -1,5 +1,7 @@
 /* Per-pixel lighting under one shadow map. Filtering compares first and averages then: Reeves,
  * Salesin and Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987. */
+#define GP_SHADER_AT_ONCE                                                                          \
+    4 /* square roots, one after the other, and a power, once the maps are read */
 #include "shaders_c/shadow/shadow.h"
 #include "shaders_c/shadow/shadow_shared.h"
 

@@ -6,7 +6,6 @@
 #ifndef SHADERS_SHADOW_SHARED_H
 #define SHADERS_SHADOW_SHARED_H
 
-#define GP_SHADER_FOURS /* square roots, one after the other, and a power, once the maps are read */
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/shadow/shadow.h"
 

@@ -1,6 +1,5 @@
-/* Triangles with colours of their vertices, or of their places, with alpha 1: what depth images are
- * taken of. */
-#define GP_SHADER_FOURS /* square roots, one after the other, and a power */
+/* Triangles with colours of their vertices, with alpha 1: what depth images are taken of. */
+#define GP_SHADER_AT_ONCE 4 /* square roots, one after the other, and a power */
 #include "shaders_c/warp/polygons.h"
 
 #include "shaders_c/common/vertices_shared.h"
@@ -20,26 +19,6 @@ pixel_shader(polygons_ps, PolygonsUniforms, ColorVarying)
 program(polygons_program, polygons_vs, polygons_ps, MODEL_2_0,
         .inputs = { { GP_POSITION, 3 }, { GP_COLOR, 4 } },
         .varyings = { { "color", 4, GP_PERSPECTIVE } })
-
-typedef struct PlaceVarying {
-    float3 world;
-} PlaceVarying;
-
-vertex_shader(polygons_waves_vs, PolygonsUniforms, PointVertex, PlaceVarying)
-{
-    *position = m4x4(in->position, c->mvp);
-    out->world = in->position;
-}
-
-pixel_shader(polygons_waves_ps, PolygonsUniforms, PlaceVarying)
-{
-    float3 at = mul(in->world, c->waves);
-    float3 waves = vec3(sin_(at.x), sin_(at.y), sin_(at.z));
-    return rgba(mad(waves, 0.5f, bcast(0.5f)), 1);
-}
-
-program(polygons_waves_program, polygons_waves_vs, polygons_waves_ps, MODEL_2_0,
-        .inputs = { { GP_POSITION, 3 } }, .varyings = { { "world", 3, GP_PERSPECTIVE } })
 
 typedef struct LitVertex {
     float3 position, normal;

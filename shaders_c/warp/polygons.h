@@ -10,8 +10,7 @@ typedef struct PolygonsUniforms {
     WarpLightUniforms light; /* of polygons_lit */
 } PolygonsUniforms;
 
-extern const GpProgram polygons_program;       /* the vertices' colours, as they are */
-extern const GpProgram polygons_waves_program; /* waves instead */
-extern const GpProgram polygons_lit_program;   /* the vertices' colours, lit at each pixel */
+extern const GpProgram polygons_program;     /* the vertices' colours, as they are */
+extern const GpProgram polygons_lit_program; /* the vertices' colours, lit at each pixel */
 
 #endif

@@ -1,4 +1,4 @@
-#define GP_SHADER_FOURS
+#define GP_SHADER_AT_ONCE 4
 #include "shaders_c/warp/surface.h"
 #include "shaders_c/common/vertices_shared.h"
 #include "shaders_c/warp/light_shared.h"

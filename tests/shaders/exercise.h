@@ -19,7 +19,8 @@ typedef struct ExerciseUniforms {
 extern const GpProgram exercise_color, exercise_targets2, exercise_targets4, exercise_texture,
     exercise_dependent, exercise_discard, exercise_depth, exercise_derivatives, exercise_math,
     exercise_local, exercise_vertex_texture, exercise_point, exercise_depth_only, exercise_position,
-    exercise_flat, exercise_pairs, exercise_wide;
+    exercise_flat, exercise_at_once, exercise_few_in_parts, exercise_whole, exercise_in_parts,
+    exercise_wide;
 
 #ifdef __cplusplus
 }

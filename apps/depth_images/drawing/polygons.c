@@ -2,6 +2,7 @@
 
 #include "apps/depth_images/drawing/light.h"
 #include "shaders_c/warp/polygons.h"
+#include "shaders_c/warp/polygons_waves.h"
 
 static GpGeometry geometry_of(const Polygons *polygons)
 {

@@ -1,6 +1,6 @@
 /* Surface voxels by columns, exactly: no triangle is lost for being small or steep, and none is
  * drawn more than once, but where it reaches from slab to slab. */
-#define GP_SHADER_FOURS
+#define GP_SHADER_AT_ONCE 4
 #include "shaders_c/voxel/methods/columns_shared.h"
 
 /* --- vertices --------------------------------------------------------------------------------- */

@@ -111,12 +111,14 @@ static void few_varyings(void **state)
                                                 { GP_LINEAR_SCREEN, GP_PERSPECTIVE } };
     static const GpFormat formats[] = { GP_A8R8G8B8, GP_A16B16G16R16F, GP_A32B32G32R32F };
     static const GpBlend opaque = { .op = GP_BLEND_OFF };
-    for (uint32_t i = 0; i < DIFFERENCES * GP_COUNT(modes) * GP_COUNT(formats) * 2; i++) {
+    for (uint32_t i = 0; i < DIFFERENCES * GP_COUNT(modes) * GP_COUNT(formats) * 6; i++) {
         const Difference difference = i % DIFFERENCES;
         const uint32_t mode = i / DIFFERENCES % GP_COUNT(modes);
         const uint32_t format = i / DIFFERENCES / GP_COUNT(modes) % GP_COUNT(formats);
-        const bool blends = i / DIFFERENCES / GP_COUNT(modes) / GP_COUNT(formats) == 0;
-        GpProgram program = i / DIFFERENCES % 2 ? exercise_pairs : exercise_flat; /* of four */
+        const bool blends = i / DIFFERENCES / GP_COUNT(modes) / GP_COUNT(formats) % 2 == 0;
+        const GpProgram *const programs[] = { &exercise_flat, &exercise_at_once,
+                                              &exercise_few_in_parts };
+        GpProgram program = *programs[i / DIFFERENCES % GP_COUNT(programs)]; /* of four */
         char what[64];
         program.varyings[0] = (GpVaryingDecl){ "color", 3, modes[mode][0] };
         program.varyings[1] = (GpVaryingDecl){ "alpha", 1, modes[mode][1] };
