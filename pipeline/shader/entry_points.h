@@ -39,14 +39,18 @@ GP_INLINE void gp_tell(const GpShaderCall *call, uint32_t used)
         used |= invocation.used;                                                                   \
     }
 
-/* The loop over packets and the inlined body live together in the shader's object file: calling a
- * shader costs one indirect call a block. */
-#define vertex_shader(name, U, IN, OUT)                                                            \
+/* Floats of a shader's structs, and bytes of its uniforms. */
+#define GP_SHADER_SIZES(name, U, IN, OUT)                                                          \
     enum {                                                                                         \
         name##_in = sizeof(IN) / sizeof(flt),                                                      \
         name##_out = sizeof(OUT) / sizeof(flt),                                                    \
         name##_uniforms = sizeof(U)                                                                \
-    };                                                                                             \
+    };
+
+/* The loop over packets and the inlined body live together in the shader's object file: calling a
+ * shader costs one indirect call a block. */
+#define vertex_shader(name, U, IN, OUT)                                                            \
+    GP_SHADER_SIZES(name, U, IN, OUT)                                                              \
     GP_INLINE void name##_body(GpInvocation *gp, const U *c, const IN *in, float4 *position,       \
                                OUT *out, flt *point_size);                                         \
     static void name(const GpShaderCall *call)                                                     \
@@ -157,11 +161,7 @@ GP_INLINE int gp_beside(int k, int i, int count)
 
 /* A pixel shader that writes a struct of float4, one a target. */
 #define pixel_shader_targets(name, U, IN, OUT)                                                     \
-    enum {                                                                                         \
-        name##_in = sizeof(IN) / sizeof(flt),                                                      \
-        name##_out = sizeof(OUT) / sizeof(flt),                                                    \
-        name##_uniforms = sizeof(U)                                                                \
-    };                                                                                             \
+    GP_SHADER_SIZES(name, U, IN, OUT)                                                              \
     GP_INLINE void name##_body(GpInvocation *gp, const U *c, const IN *in, OUT *out);              \
     static void name(const GpShaderCall *call)                                                     \
     {                                                                                              \
@@ -231,11 +231,7 @@ GP_INLINE int gp_begun(int k, int count)
  * which may call for textures, before any goes through the second, where some are side by side: light behind a
  * shadow map takes 4 to 6 % less of a frame than in one part. */
 #define pixel_shader_begin(name, U, IN, BEGUN)                                                     \
-    enum {                                                                                         \
-        name##_in = sizeof(IN) / sizeof(flt),                                                      \
-        name##_out = sizeof(float4) / sizeof(flt),                                                 \
-        name##_uniforms = sizeof(U)                                                                \
-    };                                                                                             \
+    GP_SHADER_SIZES(name, U, IN, float4)                                                           \
     GP_INLINE BEGUN name##_begin(GpInvocation *gp, const U *c, const IN *in);                      \
     GP_INLINE float4 name##_end(GpInvocation *gp, const U *c, const IN *in, const BEGUN *begun);   \
     static void name(const GpShaderCall *call)                                                     \

@@ -1,7 +1,8 @@
 /* Per-pixel lighting under one shadow map. Filtering compares first and averages then: Reeves,
  * Salesin and Cook, "Rendering antialiased shadows with depth maps", SIGGRAPH 1987. */
-#define GP_SHADER_AT_ONCE                                                                          \
-    4 /* square roots, one after the other, and a power, once the maps are read */
+
+/* Square roots, one after the other, and a power, once the maps are read. */
+#define GP_SHADER_AT_ONCE 4
 #include "shaders_c/shadow/shadow.h"
 #include "shaders_c/shadow/shadow_shared.h"
 

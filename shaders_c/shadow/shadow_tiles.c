@@ -1,7 +1,8 @@
 /* Fernando, Fernandez, Bala and Greenberg, "Adaptive shadow maps", SIGGRAPH 2001: what the eye sees
  * asks for finer pieces of the map where it finds an edge of a shadow. */
-#define GP_SHADER_AT_ONCE                                                                          \
-    4 /* square roots, one after the other, and a power, once the maps are read */
+
+/* Square roots, one after the other, and a power, once the maps are read. */
+#define GP_SHADER_AT_ONCE 4
 #include "shaders_c/shadow/shadow_tiles.h"
 #include "shaders_c/shadow/shadow_shared.h"
 

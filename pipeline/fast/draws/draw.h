@@ -157,6 +157,12 @@ static inline bool fast_is_unorm8(GpFormat format)
     return fast_is_packed(format) || format == GP_R8;
 }
 
+/* Formats of halves. */
+static inline bool fast_is_half(GpFormat format)
+{
+    return format == GP_G16R16F || format == GP_A16B16G16R16F;
+}
+
 /* Bits of a packed word that every store sets: the byte that X8R8G8B8 has no use for. */
 static inline uint32_t fast_filled_bits(GpFormat format)
 {

@@ -82,7 +82,7 @@ void fast_add_packets(Tile *tile, const FastDraw *d, const FastShaded *shaded)
     for (int t = 0; t < written && t < tile->targets; t++) {
         const GpFormat format = d->pass->color[t].surface->format;
         const flt *color = shaded->color + 4 * t;
-        if (format == GP_G16R16F || format == GP_A16B16G16R16F)
+        if (fast_is_half(format))
             add_as(tile->sums->pixel[t], true, pairs, shaded, color);
         else
             add_as(tile->sums->pixel[t], false, pairs, shaded, color);

@@ -117,7 +117,7 @@ GP_INLINE void blend_clamped(const GpBlend *blend, GpFormat format, bool clamps,
     __builtin_memcpy(o.constant, constant, sizeof o.constant);
     o.source[3] = clamps ? clamped(color[3]) : color[3];
     o.target[3] = target[3];
-    o.halves = format == GP_A16B16G16R16F || format == GP_G16R16F;
+    o.halves = fast_is_half(format);
     GP_UNROLL
     for (int c = 0; c < 4; c++) {
         o.source[c] = clamps ? clamped(color[c]) : color[c];
