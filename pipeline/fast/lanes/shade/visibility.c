@@ -13,6 +13,7 @@ enum {
     /* gathered packets: all that they go through fits into a core's first cache */
     TOGETHER = FAST_BLOCK / 2,
     DENSE = GP_LANES * 5 / 8, /* a part of the tile with so many pixels is shaded as it is */
+    SPARSE = TOGETHER * GP_LANES,
 
     CELL_HIGH = 2, /* cells are GP_LANES pixels wide: two rows, or two packets of quads */
     CELLS_ACROSS = FAST_TILE / GP_LANES,
@@ -29,7 +30,7 @@ typedef struct Collector {
 
     /* pixels of sparse parts, to be packed; their places, and perhaps DEAD */
     uint32_t sparse;
-    uint32_t record[2 * GP_LANES], place[2 * GP_LANES];
+    _Alignas(64) uint32_t record[SPARSE + GP_LANES], place[SPARSE + GP_LANES];
 } Collector;
 
 static const int32_t DEAD = INT32_MIN;
@@ -61,27 +62,41 @@ GP_INLINE itg load_words(const uint32_t *from)
     return (itg)flt_load((const float *)(const void *)from);
 }
 
-/* Lanes that stay empty repeat the first. */
-static void add_packed(Collector *c)
+static void add_packed(Collector *c, itg record, itg place)
 {
-    const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
-    itg record = itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0]));
-    itg place = itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]));
-    const unsigned live = msk_bits(filled & ~(place >> 31));
-    add_gathered(c, record, place & ~DEAD, live, PACKED);
+    add_gathered(c, record, place & ~DEAD, msk_bits(~(place >> 31)), PACKED);
 }
 
+/* All that were packed, but those too few for one more packet. */
+static void add_all_packed(Collector *c)
+{
+    uint32_t at = 0;
+    for (; at + GP_LANES <= c->sparse; at += GP_LANES)
+        add_packed(c, load_words(c->record + at), load_words(c->place + at));
+    c->sparse -= at;
+    memcpy(c->record, c->record + at, sizeof(itg));
+    memcpy(c->place, c->place + at, sizeof(itg));
+}
+
+/* The last packet too, whose lanes that stay empty repeat the first. */
+static void end_packed(Collector *c)
+{
+    add_all_packed(c);
+    if (!c->sparse)
+        return;
+    const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
+    add_packed(c, itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0])),
+               itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]) | DEAD));
+}
+
+/* Many at a time become packets: whether one is full would be asked of each, and hard to foresee. */
 static void pack(Collector *c, unsigned lanes, itg record, itg place)
 {
     itg_compress(c->record + c->sparse, lanes, record);
     itg_compress(c->place + c->sparse, lanes, place);
     c->sparse += (uint32_t)__builtin_popcount(lanes);
-    if (c->sparse < GP_LANES)
-        return;
-    add_packed(c);
-    c->sparse -= GP_LANES;
-    memcpy(c->record, c->record + GP_LANES, sizeof(itg));
-    memcpy(c->place, c->place + GP_LANES, sizeof(itg));
+    if (c->sparse > SPARSE - GP_LANES)
+        add_all_packed(c);
 }
 
 static void shade_collected_packets(Collector *c)
@@ -230,7 +245,11 @@ static void collect_part(Collector *c, const FastPacket *part, uint32_t run)
 static void shade_run(Tile *tile, uint32_t run)
 {
     const FastVisibility *v = tile->visibility;
-    Collector c = { .tile = tile, .d = &tile->pass->draws[v->runs[run].draw] };
+    Collector c; /* the lists are not cleared */
+    c.tile = tile;
+    c.d = &tile->pass->draws[v->runs[run].draw];
+    c.packets = c.gathered = 0;
+    c.sparse = 0;
     const bool quads = c.d->needs.quads;
     const int across = quads ? QUADS_WIDE : 0, down = quads ? 0 : 1;
     for (uint32_t at = v->runs[run].cells; at; at = v->cells[at].next)
@@ -240,8 +259,7 @@ static void shade_run(Tile *tile, uint32_t run)
                                 .wide = quads ? 0 : GP_LANES };
             collect_part(&c, &part, run);
         }
-    if (c.sparse)
-        add_packed(&c);
+    end_packed(&c);
     shade_collected_gathered(&c);
     shade_collected_packets(&c);
 }
