@@ -24,13 +24,13 @@ typedef struct FastPacket {
     bool gathered;     /* pixels of several triangles: see the gathered packet of the same number */
 } FastPacket;
 
-/* GP_LANES pixels of one draw, each of a triangle or point of its own: placed as those of a packet,
- * or packed from anywhere in the tile. Lanes that are not live have some record of the draw too. */
+/* GP_LANES pixels of one draw, each of a triangle or point of its own, from anywhere in the tile. Lanes that are
+ * not live have some record of the draw too. */
 typedef struct FastGathered {
     itg record;
     itg place; /* x | y << PLACE_Y, in the tile. Of points one pixel may be there several times */
     uint32_t live;
-    bool packed, quads;
+    bool is_row; /* of neighbours, which are all live */
 } FastGathered;
 
 /* Packets of one draw that are shaded together. */

@@ -36,9 +36,8 @@ static void begin_gathered(Compaction *compaction, uint32_t record)
     compaction->gathered = &tile->queue->gathered[compaction->packet - tile->queue->packets];
     compaction->count = 0;
     compaction->place = itg_set(FAST_TILE << PLACE_Y);
-    *compaction->gathered = (FastGathered){ .record = itg_set((int32_t)record),
-                                            .place = compaction->place,
-                                            .packed = true };
+    *compaction->gathered =
+        (FastGathered){ .record = itg_set((int32_t)record), .place = compaction->place };
 }
 
 GP_INLINE void add_pixel(Compaction *compaction, uint32_t record, int32_t place)

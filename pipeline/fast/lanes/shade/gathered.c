@@ -27,16 +27,13 @@ GP_INLINE void scatter(const FastGathered *gathered, const Written *written, int
 
 GP_INLINE void write_words(const FastGathered *gathered, const Written *written, int planes)
 {
-    if (gathered->packed) {
+    if (!gathered->is_row) {
         scatter(gathered, written, planes);
         return;
     }
-    const int32_t first = gathered->place[0];
-    const FastPacket place = { .x = (uint8_t)first,
-                               .y = (uint8_t)(first >> PLACE_Y),
-                               .wide = gathered->quads ? 0 : GP_LANES };
+    const uint32_t at = (uint32_t)gathered_at(gathered)[0];
     for (int i = 0; i < planes; i++)
-        store_packet(written->plane[i], &place, gathered->live, written->words[i]);
+        store_lanes(written->plane[i] + at, false, written->words[i]);
 }
 
 /* Color: of the first packet, `stride` vectors before that of the next. */
