@@ -264,16 +264,11 @@ static void describe_draw(const FastPass *pass, const GpDraw *draw, GpPixelFacts
     d->copies_words = copies_words(d, &facts);
 }
 
-/* Whether a draw that reads no texture is described as another is. */
+/* Whether a draw is described as another is. */
 static bool is_described_as(const GpDraw *a, const GpDraw *b)
 {
-    const GpProgram *program = a->program;
-    return program == b->program &&
-           !(program->samplers | program->vertex_samplers | program->local_reads) &&
-           a->geometry.primitive == b->geometry.primitive &&
-           gp_geometry_is_indexed(&a->geometry) == gp_geometry_is_indexed(&b->geometry) &&
-           memcmp(&a->viewport, &b->viewport, sizeof a->viewport) == 0 &&
-           memcmp(&a->state, &b->state, sizeof a->state) == 0;
+    return gp_draws_alike(a, b) && a->geometry.primitive == b->geometry.primitive &&
+           gp_geometry_is_indexed(&a->geometry) == gp_geometry_is_indexed(&b->geometry);
 }
 
 /* What a draw shares with the one before it, in as few words. */
@@ -288,18 +283,17 @@ static void describe_as(const FastDraw *before, const GpDraw *draw, FastDraw *d)
     d->repeated = 0;
 }
 
-/* Appends a draw's work to that of its pass; false when memory is short. Small draws that do as the one before
- * them take 3 % less where they need not be described again.
- * in   facts: of the draw's program; first: the draw that this one seems to repeat, or NULL
+/* Appends a draw's work to that of its pass; false when memory is short.
+ * in   programs: those that were checked; first: the draw that this one seems to repeat, or NULL
  * out  d: of the pass's draws, the next */
 static bool prepare_draw(FastArena *arena, GpIndexRanges *indices, FastPass *pass,
-                         const GpDraw *draw, GpPixelFacts facts, int lanes, FastDraw *first,
-                         FastDraw *d)
+                         const GpDraw *draw, const GpCheckedPrograms *programs, int lanes,
+                         FastDraw *first, FastDraw *d)
 {
     if (pass->draw_count > 0 && is_described_as(d[-1].draw, draw))
         describe_as(&d[-1], draw, d);
     else
-        describe_draw(pass, draw, facts, lanes, d);
+        describe_draw(pass, draw, gp_checked_facts(programs, draw->program), lanes, d);
     d->first_block = pass->block_count;
     d->first_primitive = pass->primitive_count;
     d->primitive_count = d->path == FAST_NOTHING ? 0 : gp_geometry_primitives(&draw->geometry);
@@ -401,8 +395,7 @@ static bool prepare_pass(GpFast *fast, FastCursor *at, int lanes, const FastGrou
         const GpDraw *draw = &pass->draws[at->draw++];
         const size_t taken = fast->arena.taken;
         FastDraw *d = &p->draws[p->draw_count];
-        if (!prepare_draw(&fast->arena, &fast->indices, p, draw,
-                          gp_checked_facts(&fast->programs, draw->program), lanes,
+        if (!prepare_draw(&fast->arena, &fast->indices, p, draw, &fast->programs, lanes,
                           repeats ? &repeats->draws[p->draw_count] : NULL, d))
             return false;
         is_repeated = is_repeated && d->first;

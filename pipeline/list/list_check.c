@@ -420,6 +420,23 @@ static GpResult check_textures(const Place *place)
 
 /* --- the whole -------------------------------------------------------------------------------- */
 
+bool gp_draws_alike(const GpDraw *a, const GpDraw *b)
+{
+    const GpProgram *program = a->program;
+    return program == b->program &&
+           !(program->samplers | program->vertex_samplers | program->local_reads) &&
+           memcmp(&a->viewport, &b->viewport, sizeof a->viewport) == 0 &&
+           memcmp(&a->state, &b->state, sizeof a->state) == 0;
+}
+
+/* Whether all but a draw's geometry is as in the one before it, which was right. */
+static bool is_as_before(const Place *place)
+{
+    const GpDraw *draw = draw_at(place);
+    return place->draw > 0 && gp_draws_alike(draw, draw - 1) &&
+           (draw->uniforms || !draw->program->uniform_bytes);
+}
+
 static GpResult check_draw(const Place *place)
 {
     static GpResult (*const checks[])(const Place *) = {
@@ -428,6 +445,8 @@ static GpResult check_draw(const Place *place)
     };
     gp_prefetch_draws(pass_at(place), place->draw);
     GpResult result = GP_OK;
+    if (is_as_before(place))
+        return check_geometry(place);
     for (size_t i = 0; i < GP_COUNT(checks) && !result; i++)
         result = checks[i](place);
     return result;
