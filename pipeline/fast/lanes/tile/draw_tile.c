@@ -145,11 +145,11 @@ static bool is_of(const FastDraw *d, const FastPrimitiveMask *mask)
     return d && mask->first - d->first_primitive < d->primitive_count; /* cuts have a high flag */
 }
 
-/* Both of its lines. */
+/* All of its lines. */
 GP_INLINE void prefetch_chunk(const FastChunk *chunk)
 {
-    __builtin_prefetch(chunk);
-    __builtin_prefetch(&chunk->group[FAST_CHUNK / 2]);
+    for (size_t at = 0; at < sizeof *chunk; at += 64)
+        __builtin_prefetch((const char *)chunk + at);
 }
 
 static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Waiting *waiting)
