@@ -116,7 +116,8 @@ static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine
 {
     const unsigned live = msk_bits(mine);
     const itg place = packet_x(row) | packet_y(row) << PLACE_Y;
-    const uint32_t some = c->tile->visibility->record[fast_at(row->x + __builtin_ctz(live), row->y)];
+    const uint32_t some =
+        c->tile->visibility->record[fast_at(row->x + __builtin_ctz(live), row->y)];
     if (live != ALL_LANES)
         pack(c, live, shown, place);
     else if (msk_bits(shown == (int32_t)some) == ALL_LANES)

@@ -377,9 +377,44 @@ static void what_asks_for_nothing_may_miss_what_it_would_need(void **state)
     tear_down(&w);
 }
 
+/* Draws that are as the one before them are right as that one is: what one has of its own is looked at. */
+static void a_draw_is_refused_for_what_differs_from_the_one_before(void **state)
+{
+    (void)state;
+    Frame w;
+    set_up(&w);
+    GpDraw draws[3] = { w.draw, w.draw, w.draw };
+    w.pass.draws = draws;
+    w.pass.draw_count = 3;
+    assert_int_equal(gp_list_check(&w.list, NULL), GP_OK);
+    draws[2].uniforms = NULL;
+    refuses(&w, "draw 2 'tri': uniforms: NULL");
+    draws[2] = w.draw;
+    draws[2].geometry.vertex_count = 2;
+    w.indices[2] = 2;
+    refuses(&w, "draw 2 'tri': geometry.indices: index 2 is 2, but there are 2");
+    draws[2] = w.draw;
+    draws[2].geometry.streams[GP_COLOR].data = NULL;
+    refuses(&w, "draw 2 'tri': geometry.streams[");
+    draws[2] = w.draw;
+    draws[2].state.blend[3].alpha_op = GP_BLEND_ADD;
+    refuses(&w, "draw 2 'tri': state.blend[3]: alpha blends, but colour");
+    draws[2] = w.draw;
+    draws[2].viewport.max_depth = -1;
+    refuses(&w, "draw 2 'tri': viewport: ");
+    draws[2] = w.draw;
+    draws[2].program = &exercise_targets4;
+    refuses(&w, "draw 2 'tri': program: ");
+    draws[1].program = draws[2].program = &exercise_local; /* which reads a texture */
+    draws[1].textures[3].surface = w.other;
+    refuses(&w, "draw 2 'tri': textures[3].surface: not bound");
+    tear_down(&w);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_draw_is_refused_for_what_differs_from_the_one_before),
         cmocka_unit_test(no_target),
         cmocka_unit_test(gap_in_targets),
         cmocka_unit_test(target_twice),
