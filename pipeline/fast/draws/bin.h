@@ -21,10 +21,8 @@ typedef struct FastPrimitiveMask {
 /* On a group's first and only primitive: look it up in the clip polygons. */
 #define FAST_CLIPPED_FLAG 0x80000000u
 
-/* Some groups of one tile; chunks of a tile are linked in order. */
-enum {
-    FAST_CHUNK = 31
-}; /* fills 256 bytes, with what comes before them: of 15 points take 4 % more */
+/* Some groups of one tile; chunks of a tile are linked in order. (Of half the size points take 4 % more.) */
+enum { FAST_CHUNK = 31 }; /* fills 256 bytes, with what comes before them */
 typedef struct FastChunk {
     uint32_t count;
     uint32_t next; /* chunk number, 0: the last */
