@@ -29,7 +29,6 @@ static int gather(FastQueue *q)
         gathered->record = load_lanes(q->color_record + p * GP_LANES, false);
         gathered->place = itg_set(0);
         gathered->live = ALL_LANES;
-        gathered->is_row = false;
     }
     return count;
 }

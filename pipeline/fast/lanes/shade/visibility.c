@@ -53,17 +53,12 @@ static void add_gathered(Collector *c, itg record, itg place, bool is_row)
     gathered->is_row = is_row;
 }
 
-GP_INLINE itg load_words(const uint32_t *from)
-{
-    return (itg)flt_load((const float *)(const void *)from);
-}
-
 /* All that were packed, but those too few for one more packet. */
 static void add_all_packed(Collector *c)
 {
     uint32_t at = 0;
     for (; at + GP_LANES <= c->sparse; at += GP_LANES)
-        add_gathered(c, load_words(c->record + at), load_words(c->place + at), false);
+        add_gathered(c, load_lanes(c->record + at, false), load_lanes(c->place + at, false), false);
     c->sparse -= at;
     memcpy(c->record, c->record + at, sizeof(itg));
     memcpy(c->place, c->place + at, sizeof(itg));
@@ -72,13 +67,12 @@ static void add_all_packed(Collector *c)
 /* The last packet too, whose lanes that stay empty repeat the first. */
 static void end_packed(Collector *c)
 {
-    add_all_packed(c);
     if (!c->sparse)
         return;
-    const msk filled = (msk)(lane_numbers() < (int32_t)c->sparse);
-    add_gathered(c, itg_select(filled, load_words(c->record), itg_set((int32_t)c->record[0])),
-                 itg_select(filled, load_words(c->place), itg_set((int32_t)c->place[0]) | DEAD),
-                 false);
+    store_lanes(c->record + c->sparse, false, itg_set((int32_t)c->record[0]));
+    store_lanes(c->place + c->sparse, false, itg_set((int32_t)c->place[0] | DEAD));
+    c->sparse += GP_LANES - 1;
+    add_all_packed(c);
 }
 
 /* Many at a time become packets: whether one is full would be asked of each, and hard to foresee. */
@@ -116,12 +110,10 @@ static void collect_row(Collector *c, const FastPacket *row, itg shown, msk mine
 {
     const unsigned live = msk_bits(mine);
     const itg place = packet_x(row) | packet_y(row) << PLACE_Y;
-    const uint32_t some =
-        c->tile->visibility->record[fast_at(row->x + __builtin_ctz(live), row->y)];
     if (live != ALL_LANES)
         pack(c, live, shown, place);
-    else if (msk_bits(shown == (int32_t)some) == ALL_LANES)
-        add_packet(c, some, row);
+    else if (msk_bits(shown == shown[0]) == ALL_LANES)
+        add_packet(c, (uint32_t)shown[0], row);
     else
         add_gathered(c, shown, place, true);
 }
@@ -186,7 +178,7 @@ static uint16_t sort_cell(Tile *tile, int32_t x, int32_t y, uint16_t count)
 {
     FastVisibility *v = tile->visibility;
     const uint32_t *row[CELL_HIGH] = { v->record + fast_at(x, y), v->record + fast_at(x, y + 1) };
-    itg upper = load_words(row[0]), lower = load_words(row[1]);
+    itg upper = load_lanes(row[0], false), lower = load_lanes(row[1], false);
     for (;;) {
         const unsigned up = msk_bits(upper != 0), down = msk_bits(lower != 0);
         if (!(up | down))

@@ -1,5 +1,6 @@
 /* One tile: its primitives in submission order, from clear to store. */
 #include "pipeline/fast/draws/clear.h"
+#include "pipeline/base/prefetch.h"
 #include "pipeline/fast/draws/find.h"
 #include "pipeline/fast/lanes/geometry/cull.h"
 #include "pipeline/fast/lanes/geometry/sprites.h"
@@ -145,19 +146,12 @@ static bool is_of(const FastDraw *d, const FastPrimitiveMask *mask)
     return d && mask->first - d->first_primitive < d->primitive_count; /* cuts have a high flag */
 }
 
-/* All of its lines. */
-GP_INLINE void prefetch_chunk(const FastChunk *chunk)
-{
-    for (size_t at = 0; at < sizeof *chunk; at += 64)
-        __builtin_prefetch((const char *)chunk + at);
-}
-
 static void draw_range(Tile *tile, const FastRange *range, uint32_t number, Waiting *waiting)
 {
     for (uint32_t at = range->head[number]; at; at = range->chunks[at].next) {
         const FastChunk *chunk = &range->chunks[at];
         if (chunk->next) /* that one has been asked for: now the one after it */
-            prefetch_chunk(&range->chunks[range->chunks[chunk->next].next]);
+            gp_prefetch(&range->chunks[range->chunks[chunk->next].next], sizeof(FastChunk));
         for (uint32_t i = 0; i < chunk->count; i++) {
             if (!is_of(tile->draw, &chunk->group[i]))
                 draw_other(tile, range, &chunk->group[i], waiting);
@@ -203,7 +197,7 @@ GP_INLINE void prefetch_ranges(const FastPass *pass, uint32_t next, uint32_t num
     if (next + AHEAD < pass->ready_count)
         __builtin_prefetch(&pass->ranges[next + AHEAD].head[number]);
     if (next < pass->ready_count)
-        prefetch_chunk(&pass->ranges[next].chunks[pass->ranges[next].head[number]]);
+        gp_prefetch(&pass->ranges[next].chunks[pass->ranges[next].head[number]], sizeof(FastChunk));
 }
 
 static void draw_bins(Tile *tile, const FastPass *pass, uint32_t number)
