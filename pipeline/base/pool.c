@@ -19,6 +19,12 @@ typedef struct Worker {
  * Where threads are more than processors, whoever looks is in the way of one that works. */
 enum { LOOKS = 4000, LOOKS_IF_CROWDED = 200 };
 
+/* Items in a row that belong to one worker. Whoever is done takes those of others. */
+typedef struct Part {
+    _Alignas(64) atomic_uint next;
+    uint32_t end;
+} Part;
+
 struct GpPool {
     int threads;
     int started;     /* of them, worker 0 included */
@@ -35,8 +41,7 @@ struct GpPool {
 
     GpPoolFn function;
     void *context;
-    uint32_t count;
-    atomic_uint next; /* item */
+    Part *parts; /* of each worker; of those invited they are set */
 };
 
 static void pause_briefly(void)
@@ -48,15 +53,23 @@ static void pause_briefly(void)
 #endif
 }
 
-static void do_items(GpPool *pool, int worker)
+static void do_part(GpPool *pool, Part *part, int worker)
 {
-    GpFpControl control = gp_fp_enter();
     for (;;) {
-        uint32_t item = atomic_fetch_add_explicit(&pool->next, 1, memory_order_relaxed);
-        if (item >= pool->count)
+        const uint32_t item = atomic_fetch_add_explicit(&part->next, 1, memory_order_relaxed);
+        if (item >= part->end)
             break;
         pool->function(pool->context, item, worker);
     }
+}
+
+static void do_items(GpPool *pool, int worker)
+{
+    GpFpControl control = gp_fp_enter();
+    for (int i = worker; i < pool->invited; i++)
+        do_part(pool, &pool->parts[i], worker);
+    for (int i = 0; i < worker; i++)
+        do_part(pool, &pool->parts[i], worker);
     gp_fp_leave(control);
 }
 
@@ -101,6 +114,7 @@ static void stop_workers(GpPool *pool)
     pthread_cond_destroy(&pool->work_done);
     pthread_mutex_destroy(&pool->mutex);
     gp_free(pool->workers);
+    gp_free(pool->parts);
     gp_free(pool);
 }
 
@@ -109,15 +123,18 @@ GpResult gp_pool_create(int threads, GpPool **pool, GpError *error)
     GP_ASSERT(threads >= 1 && threads <= 1024);
     GpPool *p = gp_alloc(1, sizeof *p);
     Worker *workers = gp_alloc((size_t)threads, sizeof *workers);
-    if (!p || !workers) {
+    Part *parts = gp_alloc((size_t)threads, sizeof *parts);
+    if (!p || !workers || !parts) {
         gp_free(p);
         gp_free(workers);
+        gp_free(parts);
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %d threads", threads);
     }
     p->threads = threads;
     p->started = 1;
     p->looks = threads <= sysconf(_SC_NPROCESSORS_ONLN) ? LOOKS : LOOKS_IF_CROWDED;
     p->workers = workers;
+    p->parts = parts;
     pthread_mutex_init(&p->mutex, NULL);
     pthread_cond_init(&p->work_came, NULL);
     pthread_cond_init(&p->work_done, NULL);
@@ -172,20 +189,46 @@ static void close_round(GpPool *pool)
     pthread_mutex_unlock(&pool->mutex);
 }
 
-void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
+/* The first of the items of a worker, of which `sharers` have parts. */
+static uint32_t part_begin(uint32_t count, int worker, int sharers)
 {
-    GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
-    const int wanted = count < (uint32_t)pool->threads ? (int)count : pool->threads;
-    start_workers(pool, wanted);
-    pool->invited = wanted < pool->started ? wanted : pool->started;
-    bool alone = pool->invited <= 1;
+    return worker < sharers ? (uint32_t)((uint64_t)count * (uint64_t)worker / (uint64_t)sharers)
+                            : count;
+}
+
+static void run(GpPool *pool, uint32_t count, int sharers, GpPoolFn function, void *context)
+{
+    const bool alone = pool->invited <= 1;
     pool->function = function;
     pool->context = context;
-    pool->count = count;
-    atomic_store_explicit(&pool->next, 0, memory_order_relaxed);
+    for (int i = 0; i < pool->invited; i++) {
+        Part *part = &pool->parts[i];
+        atomic_store_explicit(&part->next, part_begin(count, i, sharers), memory_order_relaxed);
+        part->end = part_begin(count, i + 1, sharers);
+    }
     if (!alone)
         open_round(pool);
     do_items(pool, 0);
     if (!alone)
         close_round(pool);
+}
+
+static void invite_workers(GpPool *pool, uint32_t count)
+{
+    GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
+    const int wanted = count < (uint32_t)pool->threads ? (int)count : pool->threads;
+    start_workers(pool, wanted);
+    pool->invited = wanted < pool->started ? wanted : pool->started;
+}
+
+void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
+{
+    invite_workers(pool, count);
+    run(pool, count, pool->invited, function, context);
+}
+
+void gp_pool_run_in_order(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
+{
+    invite_workers(pool, count);
+    run(pool, count, 1, function, context);
 }

@@ -89,13 +89,13 @@ static void clear_item(void *context, uint32_t item, int worker)
 
 /* --- rounds ----------------------------------------------------------------------------------- */
 
-/* Bins as much as there is memory for. Returns the first range that is not binned whole, or the
- * count of ranges. */
+/* Bins as much as there is memory for, which in order is what can be drawn next. Returns the first range
+ * that is not binned whole, or the count of ranges. */
 static uint32_t bin_ranges(Job *job)
 {
     const FastRange *ranges = job->fast->ranges;
     uint32_t count = job->group->range_count, stop = job->first_range;
-    gp_pool_run(job->fast->pool, count - job->first_range, range_item, job);
+    gp_pool_run_in_order(job->fast->pool, count - job->first_range, range_item, job);
     while (stop < count && ranges[stop].reached == ranges[stop].end)
         stop++;
     return stop;

@@ -24,27 +24,40 @@
 #endif
 
 typedef int32_t itg4 __attribute__((vector_size(16)));
+typedef int32_t itg_half __attribute__((vector_size(2 * GP_LANES)));
+
+/* The lower lanes, then the upper ones. (By a shuffle, gcc would copy both halves first.) */
+GP_INLINE itg itg_join_halves(itg_half low, itg_half high)
+{
+#ifdef GP_AVX2_LANES
+    const __m256i lower = _mm256_castsi128_si256((__m128i)low);
+    return (itg)_mm256_inserti128_si256(lower, (__m128i)high, 1);
+#elif defined GP_AVX512_LANES
+    const __m512i lower = _mm512_castsi256_si512((__m256i)low);
+    return (itg)_mm512_inserti64x4(lower, (__m256i)high, 1);
+#elif GP_LANES == 4
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+#elif GP_LANES == 8
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+#endif
+}
 
 GP_INLINE itg itg_join_fours(const itg4 part[GP_LANES / 4])
 {
 #if GP_LANES == 4
     return part[0];
-#elif defined GP_AVX2_LANES /* gcc would shuffle registers */
-    __m256i low = _mm256_castsi128_si256((__m128i)part[0]);
-    return (itg)_mm256_inserti128_si256(low, (__m128i)part[1], 1);
-#elif defined GP_AVX512_LANES
-    __m256i low = _mm256_castsi128_si256((__m128i)part[0]);
-    __m256i high = _mm256_castsi128_si256((__m128i)part[2]);
-    low = _mm256_inserti128_si256(low, (__m128i)part[1], 1);
-    high = _mm256_inserti128_si256(high, (__m128i)part[3], 1);
-    return (itg)_mm512_inserti64x4(_mm512_castsi256_si512(low), high, 1);
 #elif GP_LANES == 8
-    return __builtin_shufflevector(part[0], part[1], 0, 1, 2, 3, 4, 5, 6, 7);
+    return itg_join_halves(part[0], part[1]);
+#elif defined GP_AVX512_LANES
+    const __m256i low = _mm256_castsi128_si256((__m128i)part[0]);
+    const __m256i high = _mm256_castsi128_si256((__m128i)part[2]);
+    return itg_join_halves((itg_half)_mm256_inserti128_si256(low, (__m128i)part[1], 1),
+                           (itg_half)_mm256_inserti128_si256(high, (__m128i)part[3], 1));
 #else
-    typedef int32_t itg8 __attribute__((vector_size(32)));
-    itg8 low = __builtin_shufflevector(part[0], part[1], 0, 1, 2, 3, 4, 5, 6, 7);
-    itg8 high = __builtin_shufflevector(part[2], part[3], 0, 1, 2, 3, 4, 5, 6, 7);
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    return itg_join_halves(__builtin_shufflevector(part[0], part[1], 0, 1, 2, 3, 4, 5, 6, 7),
+                           __builtin_shufflevector(part[2], part[3], 0, 1, 2, 3, 4, 5, 6, 7));
 #endif
 }
 

@@ -5,21 +5,17 @@
 
 #include "pipeline/fast/lanes/memory/tile.h"
 
-typedef int32_t itg_half __attribute__((vector_size(2 * GP_LANES)));
-
 /* Quads of two rows of half as many pixels, and back. */
 #if GP_LANES == 4
 #define JOIN_ROWS(upper, lower) __builtin_shufflevector(upper, lower, 0, 1, 2, 3)
 #define UPPER_ROW(quads)        __builtin_shufflevector(quads, quads, 0, 1)
 #define LOWER_ROW(quads)        __builtin_shufflevector(quads, quads, 2, 3)
-#define LANES_IN_ORDER          0, 1, 2, 3
 #define LOWER_LANES             0, 1
 #define UPPER_LANES             2, 3
 #elif GP_LANES == 8
 #define JOIN_ROWS(upper, lower) __builtin_shufflevector(upper, lower, 0, 1, 4, 5, 2, 3, 6, 7)
 #define UPPER_ROW(quads)        __builtin_shufflevector(quads, quads, 0, 1, 4, 5)
 #define LOWER_ROW(quads)        __builtin_shufflevector(quads, quads, 2, 3, 6, 7)
-#define LANES_IN_ORDER          0, 1, 2, 3, 4, 5, 6, 7
 #define LOWER_LANES             0, 1, 2, 3
 #define UPPER_LANES             4, 5, 6, 7
 #else
@@ -27,7 +23,6 @@ typedef int32_t itg_half __attribute__((vector_size(2 * GP_LANES)));
     __builtin_shufflevector(upper, lower, 0, 1, 8, 9, 2, 3, 10, 11, 4, 5, 12, 13, 6, 7, 14, 15)
 #define UPPER_ROW(quads) __builtin_shufflevector(quads, quads, 0, 1, 4, 5, 8, 9, 12, 13)
 #define LOWER_ROW(quads) __builtin_shufflevector(quads, quads, 2, 3, 6, 7, 10, 11, 14, 15)
-#define LANES_IN_ORDER   0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
 #define LOWER_LANES      0, 1, 2, 3, 4, 5, 6, 7
 #define UPPER_LANES      8, 9, 10, 11, 12, 13, 14, 15
 #endif
@@ -83,7 +78,7 @@ GP_INLINE itg load_rows(const uint32_t *from, int32_t wide)
     itg_half upper, lower;
     __builtin_memcpy(&upper, from, sizeof upper);
     __builtin_memcpy(&lower, from + FAST_PITCH, sizeof lower);
-    return __builtin_shufflevector(upper, lower, LANES_IN_ORDER);
+    return itg_join_halves(upper, lower);
 }
 
 GP_INLINE void store_rows(uint32_t *to, int32_t wide, itg words)

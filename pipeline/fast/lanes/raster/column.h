@@ -27,7 +27,7 @@ GP_INLINE flt flt_from_doubles(Doubles a)
     typedef float flt_half __attribute__((vector_size(2 * GP_LANES)));
     const flt_half low = __builtin_convertvector(a.part[0], flt_half);
     const flt_half high = __builtin_convertvector(a.part[1], flt_half);
-    return __builtin_shufflevector(low, high, LANES_IN_ORDER);
+    return (flt)itg_join_halves((itg_half)low, (itg_half)high);
 }
 
 /* Edges at the pixels of a packet of some rows, or of quads where `wide` is 0. They go down the

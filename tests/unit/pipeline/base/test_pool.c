@@ -47,12 +47,43 @@ static void each_item_runs_once_by_workers_below_the_count(void **state)
             static Seen seen;
             memset(&seen, 0, sizeof seen);
             const uint32_t count = counts[i % GP_COUNT(counts)];
-            gp_pool_run(pool, count, see, &seen);
+            (i / GP_COUNT(counts) % 2 ? gp_pool_run_in_order : gp_pool_run)(pool, count, see,
+                                                                            &seen);
             for (uint32_t item = 0; item < MOST; item++)
                 assert_int_equal(seen.times[item], item < count);
             assert_true(seen.highest < threads[t]);
             assert_true(seen.highest < (int)count || count == 0);
         }
+        gp_pool_destroy(&pool);
+    }
+}
+
+typedef struct Begun {
+    int threads;
+    atomic_uint count;
+    atomic_bool early; /* an item whose turn had not come */
+} Begun;
+
+/* Of the items below it, all but one for each other thread have begun. */
+static void begin(void *context, uint32_t item, int worker)
+{
+    (void)worker;
+    Begun *begun = context;
+    if (item >= atomic_fetch_add(&begun->count, 1) + (uint32_t)begun->threads)
+        atomic_store(&begun->early, true);
+}
+
+static void items_in_order_begin_by_rising_numbers(void **state)
+{
+    (void)state;
+    static const int threads[] = { 1, 2, 7 };
+    for (size_t t = 0; t < GP_COUNT(threads); t++) {
+        GpPool *pool;
+        Begun begun = { .threads = threads[t] };
+        assert_int_equal(gp_pool_create(threads[t], &pool, NULL), GP_OK);
+        gp_pool_run_in_order(pool, MOST, begin, &begun);
+        assert_int_equal(begun.count, MOST);
+        assert_false(begun.early);
         gp_pool_destroy(&pool);
     }
 }
@@ -80,6 +111,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_item_runs_once_by_workers_below_the_count),
+        cmocka_unit_test(items_in_order_begin_by_rising_numbers),
         cmocka_unit_test(threads_are_started_for_items_only),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
