@@ -57,6 +57,7 @@
 #define fast_keep_packets            FAST_NAME(fast_keep_packets)
 #define fast_keep_repeated           FAST_NAME(fast_keep_repeated)
 #define fast_least_fragment_bytes    FAST_NAME(fast_least_fragment_bytes)
+#define fast_least_repeated_bytes    FAST_NAME(fast_least_repeated_bytes)
 #define fast_load_tile               FAST_NAME(fast_load_tile)
 #define fast_make_layer              FAST_NAME(fast_make_layer)
 #define fast_narrow_edges            FAST_NAME(fast_narrow_edges)

@@ -9,17 +9,27 @@
 
 /* --- blocks of packets ------------------------------------------------------------------------ */
 
+/* Before all blocks: of each row's part the number of the first packet of the draw that is being found.
+ * Numbers of packets count from 1 on; 0: there is none yet. */
+enum { ROW_PARTS = FAST_PIXELS / GP_LANES };
+typedef uint32_t FirstPackets[ROW_PARTS];
+
 /* As many as a call of the shader takes. */
 typedef struct KeptBlock {
     FastPacket packets[FAST_BLOCK];
-    uint32_t next[FAST_BLOCK]; /* the packet of the same pixels' next fragments */
+    uint32_t next[FAST_BLOCK]; /* the number of that of the same pixels' next fragments */
     _Alignas(64) float depths[FAST_BLOCK * GP_LANES];
     _Alignas(64) float in[]; /* [packet][component][lane] */
 } KeptBlock;
 
-static size_t block_bytes(const FastDraw *d)
+static size_t block_bytes(int components)
 {
-    return sizeof(KeptBlock) + (size_t)d->modes.components * FAST_BLOCK * GP_LANES * sizeof(float);
+    return sizeof(KeptBlock) + (size_t)components * FAST_BLOCK * GP_LANES * sizeof(float);
+}
+
+size_t fast_least_repeated_bytes(void)
+{
+    return sizeof(FirstPackets) + block_bytes(GP_MAX_VARYINGS);
 }
 
 /* That a packet of the present draw is in, by its number from 0 on. */
@@ -31,7 +41,7 @@ GP_INLINE KeptBlock *block_of(const FastRepeated *r, uint32_t packet)
 static void set_blocks(FastRepeated *r, const FastDraw *d)
 {
     r->blocks = (char *)r->memory + r->kept[d->repeated].begin;
-    r->block_bytes = block_bytes(d);
+    r->block_bytes = block_bytes(d->modes.components);
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */
@@ -52,6 +62,7 @@ static void find_nearer(Tile *tile, const FastPacketBlock *block, FastPacket *pa
 {
     const FastDraw *d = tile->draw;
     const int words = d->modes.components * GP_LANES;
+    float *in = tile->block->in;
     *nearer = (FastPacketBlock){ .packets = packets, .depths = depths };
     for (int p = 0; p < block->count; p++) {
         const FastPacket *packet = &block->packets[p];
@@ -66,7 +77,8 @@ static void find_nearer(Tile *tile, const FastPacketBlock *block, FastPacket *pa
         packets[to] = *packet;
         packets[to].live = live;
         flt_store(depths + to * GP_LANES, z);
-        memcpy(tile->block->in + to * words, block->in + p * words, (size_t)words * sizeof(float));
+        for (int i = 0; i < words; i += GP_LANES, in += GP_LANES)
+            flt_store(in, flt_load(block->in + p * words + i));
     }
 }
 
@@ -107,7 +119,7 @@ static void draw_kept(Tile *tile, bool has_block)
 
 void fast_begin_repeated(Tile *tile)
 {
-    tile->repeated->used = 0;
+    tile->repeated->used = sizeof(FirstPackets);
     tile->repeated->finds = false;
     memset(tile->repeated->kept, 0, sizeof tile->repeated->kept);
 }
@@ -116,7 +128,9 @@ static void begin_finding(Tile *tile)
 {
     FastRepeated *r = tile->repeated;
     r->kept[tile->draw->repeated] = (FastKept){ .begin = r->used, .is_whole = true };
-    memset(r->first, 0, sizeof r->first);
+    memset(r->memory, 0, sizeof(FirstPackets));
+    for (uint32_t part = 0; part < ROW_PARTS; part++)
+        store_lanes(&r->link[part * GP_LANES], false, itg_set((int32_t)(part * sizeof(uint32_t))));
     set_blocks(r, tile->draw);
 }
 
@@ -152,7 +166,7 @@ static void make_room(Tile *tile)
     r->kept[tile->draw->repeated].is_whole = false;
 }
 
-/* A packet for a pixel's next fragment, and those beside it; returns its number, from 1 on. */
+/* A packet for a pixel's next fragment, and those beside it; returns its number. */
 static __attribute__((noinline)) uint32_t add_packet(Tile *tile, uint32_t at)
 {
     FastRepeated *r = tile->repeated;
@@ -170,29 +184,20 @@ static __attribute__((noinline)) uint32_t add_packet(Tile *tile, uint32_t at)
     return kept->count;
 }
 
-/* Where the number of the packet for a pixel's next fragment is, or 0. */
-GP_INLINE uint32_t *find_link(FastRepeated *r, uint32_t at)
+GP_INLINE uint32_t *link_of(FastRepeated *r, uint32_t at)
 {
-    uint32_t *first = &r->first[at / GP_LANES];
-    if (!*first) /* none of the pixels has come */
-        store_lanes(&r->last[at & -(uint32_t)GP_LANES], false, itg_set(0));
-    if (!r->last[at])
-        return first;
-    const uint32_t last = r->last[at] - 1;
-    return &block_of(r, last)->next[last % FAST_BLOCK];
+    return (uint32_t *)(void *)((char *)r->memory + r->link[at]);
 }
 
-/* The number, from 1 on, of the packet for a pixel's next fragment. */
+/* The number of the packet for a pixel's next fragment. */
 GP_INLINE uint32_t next_packet(Tile *tile, uint32_t at)
 {
     FastRepeated *r = tile->repeated;
-    uint32_t *link = find_link(r, at);
-    if (*link)
-        return *link;
+    const uint32_t present = *link_of(r, at);
+    if (present)
+        return present;
     const uint32_t number = add_packet(tile, at);
-    if (number == 1) /* what was there before, if anything, is forgotten */
-        link = find_link(r, at);
-    return *link = number;
+    return *link_of(r, at) = number; /* may be another link now: there may have been no room */
 }
 
 /* A packet's lanes, one by one: they lie in several rows, and go on in several packets. (By lanes of a row
@@ -210,7 +215,7 @@ static void keep_packet(Tile *tile, const FastPacketBlock *block, int p, const f
         const uint32_t place = (number - 1) % FAST_BLOCK;
         KeptBlock *kept = block_of(r, number - 1);
         float *kept_in = kept->in + place * (uint32_t)components * GP_LANES;
-        r->last[at] = number;
+        r->link[at] = (uint32_t)((char *)&kept->next[place] - (char *)r->memory);
         kept->depths[place * GP_LANES + to] = depths[from];
         if (!kept->packets[place].live)
             for (int c = 0; c < components; c++)

@@ -27,11 +27,12 @@ typedef struct FastRepeated {
     char *blocks;
     size_t block_bytes;
 
-    /* and numbers of packets, from 1 on; 0: none yet */
-    uint32_t first[FAST_PIXELS / GP_LANES]; /* of each row's part, the first packet */
-    uint32_t last
-        [FAST_PIXELS]; /* of each pixel, that with its last fragment; set with the first packet */
+    /* of each pixel, where in the memory the number of the packet for its next fragment is */
+    uint32_t link[FAST_PIXELS];
 } FastRepeated;
+
+/* Bytes of memory without which no draw can be kept. */
+size_t fast_least_repeated_bytes(void);
 
 /* Forgets what another tile kept. */
 void fast_begin_repeated(Tile *tile);

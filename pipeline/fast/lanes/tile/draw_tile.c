@@ -1,6 +1,6 @@
 /* One tile: its primitives in submission order, from clear to store. */
-#include "pipeline/fast/draws/clear.h"
 #include "pipeline/base/prefetch.h"
+#include "pipeline/fast/draws/clear.h"
 #include "pipeline/fast/draws/find.h"
 #include "pipeline/fast/lanes/geometry/cull.h"
 #include "pipeline/fast/lanes/geometry/sprites.h"
@@ -321,6 +321,12 @@ static size_t tile_bytes(void)
     return sizeof(FastTileMemory);
 }
 
+static size_t least_fragment_bytes(void)
+{
+    const size_t sorted = fast_least_fragment_bytes(), repeated = fast_least_repeated_bytes();
+    return sorted > repeated ? sorted : repeated;
+}
+
 static void give_fragments(FastTileMemory *memory, void *room, size_t bytes)
 {
     memory->fragments.memory = memory->repeated.memory = room;
@@ -355,7 +361,7 @@ const FastStages STAGES_PASTE(GP_LANES) = {
     .bin_range = fast_bin_range,
     .draw_tile = draw_tile,
     .tile_bytes = tile_bytes,
-    .least_fragment_bytes = fast_least_fragment_bytes,
+    .least_fragment_bytes = least_fragment_bytes,
     .give_fragments = give_fragments,
     .start_counting = start_counting,
     .add_counts = add_counts,
