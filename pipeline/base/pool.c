@@ -53,13 +53,13 @@ static void pause_briefly(void)
 #endif
 }
 
+/* Looks before it takes, so that many who are done do not fight over parts that have nothing left. */
 static void do_part(GpPool *pool, Part *part, int worker)
 {
-    for (;;) {
+    while (atomic_load_explicit(&part->next, memory_order_relaxed) < part->end) {
         const uint32_t item = atomic_fetch_add_explicit(&part->next, 1, memory_order_relaxed);
-        if (item >= part->end)
-            break;
-        pool->function(pool->context, item, worker);
+        if (item < part->end)
+            pool->function(pool->context, item, worker);
     }
 }
 

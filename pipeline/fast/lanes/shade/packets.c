@@ -80,7 +80,8 @@ static unsigned test_gathered(Tile *tile, const FastDraw *d, const FastGathered 
     store_lanes(depth + GP_LANES, false, (itg)z);
     for (unsigned starts = run_starts(at); starts;) {
         int first;
-        const unsigned run = (live & take_run(&starts, &first)) >> first;
+        const unsigned lanes = live & take_run(&starts, &first);
+        const unsigned run = lanes >> first; /* `first` is known by now */
         if (!run)
             continue;
         const itg coming = load_lanes(depth + first, false);

@@ -12,7 +12,9 @@
 /* Before all blocks: of each row's part the number of the first packet of the draw that is being found.
  * Numbers of packets count from 1 on; 0: there is none yet. */
 enum { ROW_PARTS = FAST_PIXELS / GP_LANES };
-typedef uint32_t FirstPackets[ROW_PARTS];
+typedef struct FirstPackets {
+    _Alignas(64) uint32_t number[ROW_PARTS];
+} FirstPackets;
 
 /* As many as a call of the shader takes. */
 typedef struct KeptBlock {
