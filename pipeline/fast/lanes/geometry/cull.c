@@ -27,13 +27,6 @@ GP_INLINE itg most(const itg a[3])
     return itg_greater(a[0], itg_greater(a[1], a[2]));
 }
 
-/* Up to GP_LANES primitives of those from `first` on. */
-GP_INLINE FastPrimitiveMask run_from(uint32_t first, uint32_t stop)
-{
-    const uint32_t count = stop - first < GP_LANES ? stop - first : GP_LANES;
-    return (FastPrimitiveMask){ first, (1u << count) - 1 };
-}
-
 /* Corners of a run of triangles; beyond its end the first one's stand in. */
 GP_INLINE void load_corners(const FastDraw *d, FastPrimitiveMask run, ScreenTriangles *b)
 {
@@ -214,42 +207,20 @@ GP_INLINE void bin_together(const FastPass *pass, FastRange *range, uint32_t fir
 }
 
 /* A run of triangles of one draw, whose corners are loaded. */
-static void bin_triangle_run(const FastPass *pass, const FastDraw *d, FastRange *range,
-                             FastPrimitiveMask run, ScreenTriangles *b)
+static void bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *range,
+                          FastPrimitiveMask run, const ScreenTriangles *loaded)
 {
+    ScreenTriangles b = *loaded;
     unsigned none;
-    set_boxes(d, b);
-    unsigned alone = lanes_alone(b, &none);
-    unsigned left = ((drawn_lanes(d, b) & ~none) | alone) & run.lanes;
+    set_boxes(d, &b);
+    unsigned alone = lanes_alone(&b, &none);
+    unsigned left = ((drawn_lanes(d, &b) & ~none) | alone) & run.lanes;
     if (left & alone) {
         fast_bin_triangles(pass, d, range, (FastPrimitiveMask){ run.first, left });
         return;
     }
-    const TileBoxes tiles = tile_boxes(pass, b->x0, b->y0, b->x1, b->y1);
+    const TileBoxes tiles = tile_boxes(pass, b.x0, b.y0, b.x1, b.y1);
     bin_together(pass, range, run.first, left, &tiles);
-}
-
-/* Triangles of one draw, while there is memory; returns the first that is left. Corners are loaded a run ahead:
- * before its branches, which wait for them, and go the wrong way at times. (Two threads, one of which may have
- * shaded what the other bins, take a quarter less for it; one alone a tenth.) */
-static uint32_t bin_triangles(const FastPass *pass, const FastDraw *d, FastRange *range,
-                              uint32_t first, uint32_t stop)
-{
-    FastPrimitiveMask run = run_from(first, stop);
-    ScreenTriangles next;
-    load_corners(d, run, &next);
-    while (first < stop) {
-        const FastPrimitiveMask present_run = run;
-        ScreenTriangles present = next;
-        first += (uint32_t)__builtin_popcount(run.lanes);
-        run = run_from(first, stop);
-        if (first < stop)
-            load_corners(d, run, &next);
-        bin_triangle_run(pass, d, range, present_run, &present);
-        if (!fast_budget_left(range->budget))
-            break;
-    }
-    return first;
 }
 
 /* Whether half of `lanes` begin in the tile of the first of them: neighbours of a mesh mostly do,
@@ -263,9 +234,8 @@ static bool are_together(const TileBoxes *tiles, unsigned lanes)
     return 2 * __builtin_popcount(same) >= __builtin_popcount(lanes);
 }
 
-/* A run of points of one draw. */
-static void bin_point_run(const FastPass *pass, const FastDraw *d, FastRange *range,
-                          FastPrimitiveMask run)
+/* Points of a run; beyond its end the first one stands in. */
+GP_INLINE Sprites place_points(const FastDraw *d, FastPrimitiveMask run)
 {
     const uint32_t *indices = d->indices;
     uint32_t vertex[GP_LANES];
@@ -274,10 +244,16 @@ static void bin_point_run(const FastPass *pass, const FastDraw *d, FastRange *ra
         uint32_t at = run.first - d->first_primitive + (run.lanes >> lane & 1 ? lane : 0);
         vertex[lane] = (indices ? indices[at] : at) - d->first_vertex;
     }
-    Sprites s = place_sprites(d, vertex, &d->rect);
-    const TileBoxes tiles = tile_boxes(pass, s.x0, s.y0, s.x1, s.y1);
+    return place_sprites(d, vertex, &d->rect);
+}
+
+/* A run of points of one draw, at their places. */
+static void bin_points(const FastPass *pass, FastRange *range, FastPrimitiveMask run,
+                       const Sprites *s)
+{
+    const TileBoxes tiles = tile_boxes(pass, s->x0, s->y0, s->x1, s->y1);
     const unsigned one = in_one_tile(&tiles);
-    unsigned left = s.drawn & run.lanes;
+    unsigned left = s->drawn & run.lanes;
     if (are_together(&tiles, left)) {
         bin_together(pass, range, run.first, left, &tiles);
         return;
@@ -289,17 +265,48 @@ static void bin_point_run(const FastPass *pass, const FastDraw *d, FastRange *ra
                              (FastPrimitiveMask){ run.first + lane, 1 });
         else
             fast_bin_box(pass, range, (FastPrimitiveMask){ run.first + lane, 1 },
-                         &(FastBox){ s.x0[lane], s.y0[lane], s.x1[lane], s.y1[lane] });
+                         &(FastBox){ s->x0[lane], s->y0[lane], s->x1[lane], s->y1[lane] });
     }
 }
 
-static uint32_t bin_points(const FastPass *pass, const FastDraw *d, FastRange *range,
-                           uint32_t first, uint32_t stop)
+/* --- runs ------------------------------------------------------------------------------------- */
+
+/* Some primitives of one draw, and where they are: triangles or points. (In a union gcc would not keep them in
+ * registers.) */
+typedef struct Run {
+    FastPrimitiveMask primitives;
+    ScreenTriangles triangles;
+    Sprites sprites;
+} Run;
+
+/* Up to GP_LANES of those from `first` on. */
+GP_INLINE void load_run(const FastDraw *d, bool points, uint32_t first, uint32_t stop, Run *run)
 {
+    const uint32_t count = stop - first < GP_LANES ? stop - first : GP_LANES;
+    run->primitives = (FastPrimitiveMask){ first, (1u << count) - 1 };
+    if (points)
+        run->sprites = place_points(d, run->primitives);
+    else
+        load_corners(d, run->primitives, &run->triangles);
+}
+
+/* Primitives of one draw, while there is memory; returns the first that is left. Runs are loaded one ahead:
+ * before the branches of the present one, which wait for its places, and go the wrong way at times. (Two threads,
+ * one of which may have shaded what the other bins, take a quarter less for it; one alone a tenth.) */
+GP_INLINE uint32_t bin_draw(const FastPass *pass, const FastDraw *d, bool points, FastRange *range,
+                            uint32_t first, uint32_t stop)
+{
+    Run next;
+    load_run(d, points, first, stop, &next);
     while (first < stop) {
-        const FastPrimitiveMask run = run_from(first, stop);
-        bin_point_run(pass, d, range, run);
-        first += (uint32_t)__builtin_popcount(run.lanes);
+        const Run run = next;
+        first += (uint32_t)__builtin_popcount(run.primitives.lanes);
+        if (first < stop)
+            load_run(d, points, first, stop, &next);
+        if (points)
+            bin_points(pass, range, run.primitives, &run.sprites);
+        else
+            bin_triangles(pass, d, range, run.primitives, &run.triangles);
         if (!fast_budget_left(range->budget))
             break;
     }
@@ -317,8 +324,8 @@ void fast_bin_range(const FastPass *pass, FastRange *range)
         const uint32_t draw_end = d->first_primitive + d->primitive_count;
         stop = draw_end < range->end ? draw_end : range->end;
         first = d->draw->geometry.primitive == GP_POINTS
-                    ? bin_points(pass, d, range, first, stop)
-                    : bin_triangles(pass, d, range, first, stop);
+                    ? bin_draw(pass, d, true, range, first, stop)
+                    : bin_draw(pass, d, false, range, first, stop);
     }
     range->reached = first;
 }
