@@ -196,8 +196,18 @@ static uint32_t part_begin(uint32_t count, int worker, int sharers)
                             : count;
 }
 
-static void run(GpPool *pool, uint32_t count, int sharers, GpPoolFn function, void *context)
+static void invite_workers(GpPool *pool, uint32_t count)
 {
+    GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
+    const int wanted = count < (uint32_t)pool->threads ? (int)count : pool->threads;
+    start_workers(pool, wanted);
+    pool->invited = wanted < pool->started ? wanted : pool->started;
+}
+
+static void run(GpPool *pool, uint32_t count, bool in_order, GpPoolFn function, void *context)
+{
+    invite_workers(pool, count);
+    const int sharers = in_order ? 1 : pool->invited;
     const bool alone = pool->invited <= 1;
     pool->function = function;
     pool->context = context;
@@ -213,22 +223,12 @@ static void run(GpPool *pool, uint32_t count, int sharers, GpPoolFn function, vo
         close_round(pool);
 }
 
-static void invite_workers(GpPool *pool, uint32_t count)
-{
-    GP_ASSERT(count <= UINT32_MAX / 2); /* `next` must not wrap when every worker overshoots */
-    const int wanted = count < (uint32_t)pool->threads ? (int)count : pool->threads;
-    start_workers(pool, wanted);
-    pool->invited = wanted < pool->started ? wanted : pool->started;
-}
-
 void gp_pool_run(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
 {
-    invite_workers(pool, count);
-    run(pool, count, pool->invited, function, context);
+    run(pool, count, false, function, context);
 }
 
 void gp_pool_run_in_order(GpPool *pool, uint32_t count, GpPoolFn function, void *context)
 {
-    invite_workers(pool, count);
-    run(pool, count, 1, function, context);
+    run(pool, count, true, function, context);
 }

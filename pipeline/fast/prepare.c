@@ -324,7 +324,7 @@ static uint32_t range_size(uint32_t primitives, int threads)
 {
     if (threads == 1)
         return FAST_MOST_IN_RANGE;
-    uint32_t part = primitives / (2 * (uint32_t)threads);
+    uint32_t part = primitives / (4 * (uint32_t)threads);
     return part < FAST_LEAST_IN_RANGE  ? FAST_LEAST_IN_RANGE
            : part > FAST_MOST_IN_RANGE ? FAST_MOST_IN_RANGE
                                        : part;

@@ -108,8 +108,10 @@ GP_INLINE void lanes_load8(const void *const record[GP_LANES], itg word[8])
     GP_UNROLL
     for (int k = 0; k < 8; k++) {
         const int first = k < 4 ? k : k + 4;
-        __m512i low = _mm512_castsi256_si512(_mm256_loadu_si256(record[first]));
-        row[k] = (itg)_mm512_inserti64x4(low, _mm256_loadu_si256(record[first + 4]), 1);
+        itg_half one, other;
+        __builtin_memcpy(&one, record[first], sizeof one);
+        __builtin_memcpy(&other, record[first + 4], sizeof other);
+        row[k] = itg_join_halves(one, other);
     }
     itg block[8]; /* words 0..3 and 4..7 of four records, and then of the next four */
     lanes_transpose4(row, block);
