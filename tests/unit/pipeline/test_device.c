@@ -1,7 +1,7 @@
 /* Whole frames through the device: what must hold between units. */
 #include <glasspipe/glasspipe.h>
-#include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
+#include "tests/support/lists/drawing.h"
 #include "tests/support/random_list.h"
 #include "tests/support/unit.h"
 
@@ -11,81 +11,6 @@
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
-
-enum { SIZE = 64 };
-
-typedef struct Corner {
-    float position[4], color[4], uv[2];
-} Corner;
-
-typedef struct Drawing {
-    GpSurface *color, *depth;
-    ExerciseUniforms uniforms;
-    GpDraw draw[8];
-    GpPass pass;
-    GpList list;
-    GpError error;
-} Drawing;
-
-static Drawing new_drawing(GpFormat color)
-{
-    Drawing f = { 0 };
-    assert_int_equal(
-        gp_surface_create(
-            &(GpSurfaceDesc){ .format = color, .width = SIZE, .height = SIZE, .name = "picture" },
-            &f.color, &f.error),
-        GP_OK);
-    assert_int_equal(
-        gp_surface_create(
-            &(GpSurfaceDesc){ .format = GP_D24S8, .width = SIZE, .height = SIZE, .name = "depth" },
-            &f.depth, &f.error),
-        GP_OK);
-    for (int i = 0; i < 4; i++)
-        f.uniforms.matrix[i][i] = 1;
-    return f;
-}
-
-/* Links its own parts; after this it must not move. */
-static void link_drawing(Drawing *f, uint32_t draws, const GpProgram *program,
-                         const Corner *corners, uint32_t count)
-{
-    f->pass = (GpPass){ .name = "main",
-                        .color[0] = { .surface = f->color, .clear = true },
-                        .depth = { .surface = f->depth,
-                                   .clear_depth = true,
-                                   .clear_stencil = true,
-                                   .depth_value = 1 },
-                        .draws = f->draw,
-                        .draw_count = draws };
-    f->list = (GpList){ &f->pass, 1 };
-    for (uint32_t i = 0; i < draws; i++) {
-        f->draw[i].name = "triangles";
-        f->draw[i].program = program;
-        f->draw[i].uniforms = &f->uniforms;
-        f->draw[i].geometry = (GpGeometry){
-            .vertex_count = count,
-            .streams = { [GP_POSITION] = { corners->position, sizeof *corners, 4, GP_FLOAT32 },
-                         [GP_COLOR] = { corners->color, sizeof *corners, 4, GP_FLOAT32 },
-                         [GP_TEXCOORD0] = { corners->uv, sizeof *corners, 2, GP_FLOAT32 } },
-        };
-    }
-}
-
-static void free_drawing(Drawing *f)
-{
-    gp_surface_destroy(&f->color);
-    gp_surface_destroy(&f->depth);
-}
-
-static GpResult run(const GpList *list, const GpDeviceDesc *desc, GpError *error)
-{
-    GpDevice *device = NULL;
-    GpResult result = gp_device_create(desc, &device, error);
-    if (result == GP_OK)
-        result = gp_device_run(device, list, error);
-    gp_device_destroy(&device);
-    return result;
-}
 
 static int pixels_not_zero(const GpSurface *surface)
 {
@@ -97,15 +22,6 @@ static int pixels_not_zero(const GpSurface *surface)
     }
     return count;
 }
-
-static const Corner full_screen[6] = {
-    { { -1, 1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 0, 0 } },
-    { { 1, 1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 1, 0 } },
-    { { 1, -1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 1, 1 } },
-    { { -1, 1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 0, 0 } },
-    { { 1, -1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 1, 1 } },
-    { { -1, -1, 0.5f, 1 }, { 1, 0, 0, 0.5f }, { 0, 1 } },
-};
 
 /* --- rules ------------------------------------------------------------------------------------ */
 
@@ -321,13 +237,6 @@ static void an_invalid_draw_is_named_and_changes_nothing(void **state)
     free_drawing(&f);
 }
 
-/* Counts events. */
-static void ignore_event(void *user, const GpTraceEvent *event)
-{
-    (void)event;
-    ++*(long *)user;
-}
-
 static void devices_refuse_what_they_cannot_be(void **state)
 {
     (void)state;
@@ -397,184 +306,6 @@ static void another_machines_instructions_are_refused(void **state)
     assert_null(device);
 }
 
-/* --- traces ----------------------------------------------------------------------------------- */
-
-typedef struct Seen {
-    int count[GP_TRACE_KINDS];
-    int last_kind;
-    bool in_order;
-} Seen;
-
-static void note_event(void *user, const GpTraceEvent *event)
-{
-    Seen *seen = user;
-    seen->count[event->kind]++;
-    if (event->kind == GP_TRACE_VERTEX || event->kind == GP_TRACE_CLEAR)
-        seen->last_kind = 0; /* a new primitive begins */
-    seen->in_order = seen->in_order && (int)event->kind >= seen->last_kind;
-    seen->last_kind = (int)event->kind;
-    if (event->kind >= GP_TRACE_RASTER)
-        assert_true(event->x == 20 && event->y == 30);
-}
-
-static void a_watched_pixel_reports_every_unit_in_order(void **state)
-{
-    (void)state;
-    Seen seen = { .in_order = true };
-    Drawing f = new_drawing(GP_A8R8G8B8);
-    link_drawing(&f, 3, &exercise_discard, full_screen, 6);
-    for (int i = 0; i < 3; i++)
-        f.draw[i].state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
-    GpDeviceDesc desc = {
-        .executor = GP_EXECUTOR_REFERENCE,
-        .trace = { .event = note_event, .user = &seen, .one_pixel = true, .x = 20, .y = 30 }
-    };
-    assert_int_equal(run(&f.list, &desc, &f.error), GP_OK);
-    assert_true(seen.in_order);
-    assert_int_equal(seen.count[GP_TRACE_CLEAR], 1);
-    assert_int_equal(seen.count[GP_TRACE_VERTEX], 9); /* one triangle of each draw covers it */
-    assert_int_equal(seen.count[GP_TRACE_CLIP], 3);
-    assert_int_equal(seen.count[GP_TRACE_SETUP], 3);
-    assert_int_equal(seen.count[GP_TRACE_RASTER], 3);
-    assert_int_equal(seen.count[GP_TRACE_INTERPOLATE], 3);
-    assert_int_equal(seen.count[GP_TRACE_PIXEL], 3);
-    assert_int_equal(seen.count[GP_TRACE_TEST], 3);
-    assert_int_equal(seen.count[GP_TRACE_OUTPUT], 1); /* the first one wins, the others tie */
-    free_drawing(&f);
-}
-
-/* Counts events, of which all must be of one pass, draw or primitive. */
-typedef struct Only {
-    const GpTrace *filter;
-    int count[GP_TRACE_KINDS];
-} Only;
-
-static void note_only(void *user, const GpTraceEvent *event)
-{
-    Only *only = user;
-    const GpTrace *filter = only->filter;
-    assert_true(!filter->one_pass || event->pass == filter->pass);
-    if (event->kind != GP_TRACE_CLEAR) {
-        assert_true(!filter->one_draw || event->draw == filter->draw);
-        assert_true(!filter->one_primitive || event->primitive == filter->primitive);
-    }
-    only->count[event->kind]++;
-}
-
-/* Three draws of two triangles in each of two passes, the second of each culled. */
-static void a_trace_tells_of_one_pass_draw_or_primitive_alone(void **state)
-{
-    (void)state;
-    static const struct {
-        bool pass, draw, primitive;
-        int seen; /* triangles set up */
-    } rows[] = { { false, false, false, 12 }, { true, false, false, 6 }, { false, true, false, 4 },
-                 { false, false, true, 6 },   { true, true, false, 2 },  { true, false, true, 3 },
-                 { false, true, true, 2 },    { true, true, true, 1 } };
-    Corner corners[6];
-    memcpy(corners, full_screen, sizeof corners);
-    corners[4] = full_screen[5];
-    corners[5] = full_screen[4];
-    for (size_t i = 0; i < GP_COUNT(rows); i++)
-        for (uint32_t primitive = 0; primitive < 2; primitive++) {
-            Drawing f = new_drawing(GP_A8R8G8B8);
-            link_drawing(&f, 3, &exercise_color, corners, 6);
-            const GpCull front = i % 2 ? GP_CULL_CW : GP_CULL_CCW;
-            for (int k = 0; k < 3; k++)
-                f.draw[k].state.raster.cull = front;
-            GpPass passes[2] = { f.pass, f.pass };
-            Only only = { .filter = NULL };
-            GpDeviceDesc desc = { .executor = GP_EXECUTOR_REFERENCE,
-                                  .trace = { .event = note_only,
-                                             .user = &only,
-                                             .missed = true,
-                                             .one_pass = rows[i].pass,
-                                             .pass = 1,
-                                             .one_draw = rows[i].draw,
-                                             .draw = 2,
-                                             .one_primitive = rows[i].primitive,
-                                             .primitive = primitive } };
-            only.filter = &desc.trace;
-            assert_int_equal(run(&(GpList){ passes, 2 }, &desc, &f.error), GP_OK);
-            assert_int_equal(only.count[GP_TRACE_SETUP], rows[i].seen);
-            if (rows[i].primitive) {
-                const bool drawn = only.count[GP_TRACE_RASTER] > 0;
-                assert_true(drawn != (only.count[GP_TRACE_MISSED] > 0));
-            }
-            free_drawing(&f);
-        }
-}
-
-/* Sums the varyings of a triangle's vertices by the shares that the trace reports. */
-typedef struct Shares {
-    float corner[3][4]; /* of the colour */
-    int corners;
-    int checked;
-} Shares;
-
-static void check_shares(void *user, const GpTraceEvent *event)
-{
-    Shares *shares = user;
-    if (event->kind == GP_TRACE_VERTEX)
-        memcpy(shares->corner[shares->corners++ % 3], event->vertex.varyings + 2,
-               sizeof shares->corner[0]);
-    if (event->kind != GP_TRACE_INTERPOLATE)
-        return;
-    for (int c = 0; c < 4; c++) {
-        float sum = 0;
-        for (int k = 0; k < 3; k++)
-            sum += event->interpolate.barycentric[k] * shares->corner[k][c];
-        assert_true(fabsf(sum - event->interpolate.varyings[2 + c]) < 1e-5f);
-    }
-    shares->checked++;
-}
-
-static void traced_shares_are_those_of_the_vertices_in_their_order(void **state)
-{
-    (void)state;
-    Corner corners[3] = { { { -1, -1, 0.5f, 1 }, { 1, 0, 0, 1 }, { 0, 0 } },
-                          { { 3, -1, 0.5f, 1 }, { 0, 1, 0, 1 }, { 0, 0 } },
-                          { { -1, 3, 0.5f, 1 }, { 0, 0, 1, 1 }, { 0, 0 } } };
-    for (int turn = 0; turn < 2; turn++) { /* counter-clockwise, then clockwise */
-        Shares shares = { .corners = 0 };
-        Drawing f = new_drawing(GP_A8R8G8B8);
-        link_drawing(&f, 1, &exercise_depth, corners, 3);
-        GpDeviceDesc desc = {
-            .executor = GP_EXECUTOR_REFERENCE,
-            .trace = { .event = check_shares, .user = &shares, .one_pixel = true, .x = 9, .y = 40 }
-        };
-        assert_int_equal(run(&f.list, &desc, &f.error), GP_OK);
-        assert_int_equal(shares.checked, 1);
-        free_drawing(&f);
-        Corner swap = corners[1];
-        corners[1] = corners[2];
-        corners[2] = swap;
-    }
-}
-
-static void watching_changes_no_bit(void **state)
-{
-    (void)state;
-    RandomList *random = gp_alloc(1, sizeof *random);
-    long events = 0;
-    for (uint64_t seed = 300; seed < 330; seed++) {
-        uint64_t hash[2];
-        for (int watched = 0; watched < 2; watched++) {
-            GpError error;
-            GpDeviceDesc desc = { .executor = GP_EXECUTOR_REFERENCE };
-            if (watched)
-                desc.trace = (GpTrace){ .event = ignore_event, .user = &events };
-            assert_true(random_list_create(seed, 24, random));
-            assert_int_equal(run(&random->list, &desc, &error), GP_OK);
-            hash[watched] = random_list_hash(random);
-            random_list_destroy(random);
-        }
-        assert_true(hash[0] == hash[1]);
-    }
-    assert_true(events > 10000);
-    gp_free(random);
-}
-
 /* --- groups ----------------------------------------------------------------------------------- */
 
 static void passes_that_read_in_place_form_a_group(void **state)
@@ -620,10 +351,6 @@ int main(void)
         cmocka_unit_test(devices_refuse_what_they_cannot_be),
         cmocka_unit_test(a_program_is_drawn_at_a_width_that_it_has),
         cmocka_unit_test(another_machines_instructions_are_refused),
-        cmocka_unit_test(a_watched_pixel_reports_every_unit_in_order),
-        cmocka_unit_test(a_trace_tells_of_one_pass_draw_or_primitive_alone),
-        cmocka_unit_test(traced_shares_are_those_of_the_vertices_in_their_order),
-        cmocka_unit_test(watching_changes_no_bit),
         cmocka_unit_test(passes_that_read_in_place_form_a_group),
     };
     return cmocka_run_group_tests_name("device", tests, NULL, NULL);
