@@ -37,9 +37,12 @@ GP_INLINE Halves halves_start(float2 uv)
     return (Halves){ chains_start(uv), chains_start(vec2(1.0f - uv.x, 1.0f - uv.y)) };
 }
 
+/* As a loop, which gcc leaves one: alu_flat takes 6 % less with AVX2 than in a line, alu_mad 2 %. */
 GP_INLINE Chains step4(Chains chains, float2 a, float2 b)
 {
-    return step(step(step(step(chains, a, b), a, b), a, b), a, b);
+    for (int i = 0; i < 4; i++)
+        chains = step(chains, a, b);
+    return chains;
 }
 
 /* Four steps of one half, then of the other: a processor that looks ahead so far has both to do, where one
