@@ -17,8 +17,18 @@ void fast_fill_one_color(const Filler *filler, const TriangleBatch *batch, unsig
 typedef enum FastCover { FAST_COVERS_NONE, FAST_COVERS_SOME, FAST_COVERS_ALL } FastCover;
 FastCover fast_cover(const Tile *tile, const GpTriangle *triangle);
 
-/* One set-up triangle of any size, by the path of its draw. Bit i of strips[y]: not all of it is hidden in
- * strip i, GP_LANES pixels wide, of row y of the tile; strips: NULL where that is not known. */
-void fast_fill_large(Tile *tile, const GpTriangle *triangle, const uint32_t strips[FAST_TILE]);
+/* Strips of a tile, GP_LANES pixels wide, of which not all is hidden from codes of `nearest` on: bit i of
+ * of_row[y] is that from x = i GP_LANES on. */
+typedef struct FastNotHidden {
+    int32_t nearest;
+    uint32_t of_row[FAST_TILE];
+} FastNotHidden;
+
+_Static_assert(FAST_TILE / GP_LANES < 32, "strips of a row have a bit each");
+
+/* One set-up triangle of any size, by the path of its draw.
+ * inout strips: of a draw whose nearest fragment wins, of which no code is nearer; what the tile's depths now
+ *       hide leaves them. NULL: nothing is known */
+void fast_fill_large(Tile *tile, const GpTriangle *triangle, FastNotHidden *strips);
 
 #endif

@@ -75,91 +75,34 @@ static void sort_triangle(Tile *tile, const GpTriangle *triangle)
 
 /* --- what is hidden --------------------------------------------------------------------------- */
 
-enum { STRIPS = FAST_TILE / GP_LANES }; /* of a row */
-
-/* What is known to be hidden from codes of `nearest` on, as fast_fill_large wants it. */
-typedef struct Hidden {
-    int32_t nearest;
-    uint32_t strips[FAST_TILE];
-} Hidden;
-
-_Static_assert(STRIPS <= 32, "strips of a row have a bit each");
-
-/* Where in the tile the nearest depth of a triangle would pass, as far as strips tell. */
-typedef struct Passing {
-    int32_t top, bottom; /* rows */
-    itg columns[STRIPS]; /* negative: in some row */
-} Passing;
+/* Whether any strip of a triangle's rows is left. */
+static bool is_any_left(const FastNotHidden *strips, int32_t first, int32_t last)
+{
+    uint32_t any = 0;
+    for (int32_t y = first; y <= last; y++)
+        any |= strips->of_row[y];
+    return any;
+}
 
 /* What is hidden stays so while depths only come nearer, and triangles are not nearer than the one for
- * which it was found: of a row only strips that were not hidden are looked at again. */
-static void find_passing(const Tile *tile, const FastBox *box, int32_t bound, Hidden *hidden,
-                         Passing *passing)
+ * which it was found. */
+static void fill_visible(Tile *tile, const FastSortedTriangle *sorted, FastNotHidden *strips)
 {
-    const unsigned inside = (2u << box->x1 / GP_LANES) - (1u << box->x0 / GP_LANES);
-    *passing = (Passing){ .top = FAST_TILE, .bottom = -1 };
-    for (int32_t y = box->y0; y <= box->y1; y++) {
-        const uint32_t *row = tile->depth + fast_at(0, y);
-        unsigned passes = 0;
-        for (unsigned left = hidden->strips[y] & inside; left; left &= left - 1) {
-            const int i = __builtin_ctz(left);
-            const itg before = bound - load_lanes(row + i * GP_LANES, false);
-            passing->columns[i] |= before;
-            passes |= (unsigned)(msk_bits((msk)(before < 0)) != 0) << i;
-        }
-        hidden->strips[y] = (hidden->strips[y] & ~inside) | passes;
-        if (!passes)
-            continue;
-        passing->top = passing->bottom < 0 ? y : passing->top;
-        passing->bottom = y;
-    }
-}
-
-/* Cuts a box in the tile to where the nearest depth would pass; false: nowhere. */
-static bool cut_to_passing(const Tile *tile, int32_t bound, Hidden *hidden, FastBox *box)
-{
-    Passing passing;
-    find_passing(tile, box, bound, hidden, &passing);
-    int32_t left = FAST_TILE, right = -1;
-    for (int32_t i = 0; i < STRIPS; i++) {
-        const unsigned bits = msk_bits((msk)(passing.columns[i] < 0));
-        if (!bits)
-            continue;
-        left = right < 0 ? i * GP_LANES + __builtin_ctz(bits) : left;
-        right = i * GP_LANES + 31 - __builtin_clz(bits);
-    }
-    box->x0 = left > box->x0 ? left : box->x0;
-    box->x1 = right < box->x1 ? right : box->x1;
-    box->y0 = passing.top;
-    box->y1 = passing.bottom;
-    return box->x0 <= box->x1; /* there are rows where there are columns */
-}
-
-static void fill_visible(Tile *tile, const Filler *f, FastSortedTriangle *sorted, Hidden *hidden)
-{
-    GpTriangle *t = &sorted->triangle;
-    FastBox box = { t->x0 - tile->x0, t->y0 - tile->y0, t->x1 - tile->x0, t->y1 - tile->y0 };
-    if (sorted->nearest < hidden->nearest)
-        memset(hidden->strips, 255, sizeof hidden->strips);
-    hidden->nearest = sorted->nearest;
-    if (!cut_to_passing(tile, sorted->nearest - f->allowance, hidden, &box))
-        return;
-    t->x0 = tile->x0 + box.x0;
-    t->y0 = tile->y0 + box.y0;
-    t->x1 = tile->x0 + box.x1;
-    t->y1 = tile->y0 + box.y1;
-    fast_fill_large(tile, t, hidden->strips);
+    const GpTriangle *t = &sorted->triangle;
+    if (sorted->nearest < strips->nearest)
+        memset(strips->of_row, 255, sizeof strips->of_row);
+    strips->nearest = sorted->nearest;
+    if (is_any_left(strips, t->y0 - tile->y0, t->y1 - tile->y0))
+        fast_fill_large(tile, t, strips);
 }
 
 void fast_fill_sorted(Tile *tile)
 {
-    if (!tile->sorted->count)
-        return;
-    const Filler f = fast_filler(tile);
-    Hidden hidden = { .nearest = INT32_MAX };
+    FastNotHidden strips;
+    strips.nearest = INT32_MAX;
     for (uint32_t i = 0; i < tile->sorted->count; i++) {
         fast_flush_packets(tile); /* they may hide it */
-        fill_visible(tile, &f, &tile->sorted->triangle[tile->sorted->order[i]], &hidden);
+        fill_visible(tile, &tile->sorted->triangle[tile->sorted->order[i]], &strips);
     }
     tile->sorted->count = 0;
 }

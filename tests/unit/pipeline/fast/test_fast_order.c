@@ -96,9 +96,11 @@ static void equal_depths_keep_their_order(void **state)
         GpSurface *texture = checker(&random), *color = create(GP_A8R8G8B8, SIZE);
         GpSurface *depth = create(formats[seed / 3 % 3], SIZE);
         set_cut_outs(&random, seed);
+        /* where filters differ, shaders look at quads of pixels */
+        const GpSampler sampler = { .mag = seed / 2 % 2 ? GP_LINEAR : GP_POINT };
         GpDraw draw = { .program = &cut_out_program,
                         .geometry = quads(QUADS),
-                        .textures[0] = { .surface = texture } };
+                        .textures[0] = { .surface = texture, .sampler = sampler } };
         draw.state.depth =
             (GpDepthState){ .test = seed % 2 ? GP_LESS : GP_LESS_EQUAL, .write = true };
         const GpPass pass = { .name = "cut-outs",
