@@ -4,9 +4,8 @@
 
 #include "pipeline/fast/lanes/raster/batch.h"
 
-/* Pixels across a column of rows: of most small boxes all, of many no more than four. (Sixteen lanes have two
- * rows of eight, and gain nothing by four of four.) */
-enum { WIDE = GP_LANES < 8 ? GP_LANES : 8, NARROW = GP_LANES == 8 ? 4 : WIDE };
+/* Pixels across a column of rows: of most small boxes all, of many no more than four. */
+enum { WIDE = GP_LANES < 8 ? GP_LANES : 8, NARROW = 4 };
 
 /* GP_LANES doubles, in two vectors of a register's width. */
 typedef double dbl_half __attribute__((vector_size(4 * GP_LANES)));
