@@ -28,11 +28,6 @@ static Spread add_runs(const FastGathered *gathered, FastLaneRuns *runs)
     return spread;
 }
 
-GP_INLINE void keep_lanes(void *to, itg lanes)
-{
-    __builtin_memcpy(to, &lanes, sizeof lanes);
-}
-
 /* Of GP_LANES runs from `at` on: the words of their records. */
 GP_INLINE msk fetch_words(const FastTriangleRecord *const records[GP_LANES], uint32_t at,
                           FastLaneRuns *runs)
@@ -45,7 +40,7 @@ GP_INLINE msk fetch_words(const FastTriangleRecord *const records[GP_LANES], uin
     lanes_load8(from, word);
     GP_UNROLL
     for (int i = 0; i < 8; i++)
-        keep_lanes(runs->word[i] + at, word[i]);
+        store_lanes(runs->word[i] + at, false, word[i]);
     return (msk)(word[KIND] == FAST_EDGES_64);
 }
 
@@ -95,7 +90,7 @@ static void fetch_runs(const FastDraw *d, const FastTriangleRecord *records, Fas
 {
     const uint64_t wanted = d->needs.varyings, flat = d->modes.flat;
     msk wide = itg_set(0);
-    keep_lanes(runs->record + runs->count, itg_set((int32_t)runs->record[0]));
+    store_lanes(runs->record + runs->count, false, itg_set((int32_t)runs->record[0]));
     for (uint32_t at = 0; at < runs->count; at += GP_LANES) {
         const FastTriangleRecord *record[GP_LANES];
         GP_UNROLL
@@ -115,8 +110,7 @@ static void fetch_runs(const FastDraw *d, const FastTriangleRecord *records, Fas
 
 GP_INLINE itg spread_itg(const void *values, const Spread *spread)
 {
-    itg all;
-    __builtin_memcpy(&all, (const uint32_t *)values + spread->first, sizeof all);
+    const itg all = load_lanes((const uint32_t *)values + spread->first, false);
     return LANES_SHARE ? itg_permute(all, spread->run) : all;
 }
 
