@@ -24,7 +24,7 @@ typedef struct FastNotHidden {
     uint32_t of_row[FAST_TILE];
 } FastNotHidden;
 
-_Static_assert(FAST_TILE / GP_LANES < 32, "strips of a row have a bit each");
+_Static_assert(FAST_TILE / GP_LANES <= 32, "strips of a row have a bit each");
 
 /* One set-up triangle of any size, by the path of its draw.
  * inout strips: of a draw whose nearest fragment wins, of which no code is nearer; what the tile's depths now
