@@ -82,15 +82,16 @@ pixel_shader(mad_flat_ps, ArithmeticUniforms, UvVarying)
 /* --- the Mandelbrot set ------------------------------------------------------------------------- */
 
 typedef struct Orbit {
-    flt x, y, steps;
+    flt x, y, xx, yy, steps;
     msk inside;
 } Orbit;
 
 GP_INLINE Orbit turn(Orbit at, flt cx, flt cy)
 {
-    flt x = at.x * at.x - at.y * at.y + cx, y = 2.0f * at.x * at.y + cy;
-    msk inside = at.inside & (x * x + y * y <= 4.0f);
-    return (Orbit){ x, y, at.steps + sel(inside, bcast(1), 0), inside };
+    flt y = at.x * (at.y + at.y) + cy, x = at.xx - at.yy + cx;
+    flt xx = x * x, yy = y * y;
+    msk inside = at.inside & (xx + yy <= 4.0f);
+    return (Orbit){ x, y, xx, yy, at.steps + sel(inside, bcast(1), 0), inside };
 }
 
 /* Whether all are outside is asked at every fourth turn: the answer, which a processor can only guess,
@@ -98,7 +99,7 @@ GP_INLINE Orbit turn(Orbit at, flt cx, flt cy)
 pixel_shader(mandelbrot_ps, ArithmeticUniforms, UvVarying)
 {
     flt cx = in->uv.x * 2.6f - 1.9f, cy = in->uv.y * 2.6f - 1.3f, zero = bcast(0);
-    Orbit at = { zero, zero, zero, zero == 0.0f };
+    Orbit at = { zero, zero, zero, zero, zero, zero == 0.0f };
     for (int i = 0; i < 64 && any(at.inside); i += 4)
         at = turn(turn(turn(turn(at, cx, cy), cx, cy), cx, cy), cx, cy);
     return rgba(mul(vec3(1, 0.7f, 0.4f), at.steps * (1.0f / 64)), 1);
