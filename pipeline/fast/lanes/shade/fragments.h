@@ -80,12 +80,13 @@ GP_INLINE void fast_add_fragments(FastFragments *f, uint32_t at, int32_t wide, m
     for (unsigned left = msk_bits(live); left;) {
         const int32_t lane = __builtin_ctz(left);
         const uint32_t layer = f->waiting[at + fast_at(lane % wide, lane / wide)];
-        const msk same = live & (msk)(waiting == (int32_t)layer);
+        const msk others = ~live | (msk)(waiting != (int32_t)layer);
         const size_t place = (size_t)layer * FAST_PIXELS + at;
-        store_rows(f->key + place, wide, itg_select(same, keys, load_rows(f->key + place, wide)));
-        store_rows(f->shaded + place, wide,
-                   itg_select(same, itg_set((int32_t)shaded), load_rows(f->shaded + place, wide)));
-        left &= ~msk_bits(same);
+        uint32_t *key = f->key + place, *number = f->shaded + place;
+        store_rows(key, wide, itg_select(others, load_rows(key, wide), keys));
+        store_rows(number, wide,
+                   itg_select(others, load_rows(number, wide), itg_set((int32_t)shaded)));
+        left &= msk_bits(others);
     }
     store_rows(f->waiting + at, wide, waiting - (itg)live);
 }

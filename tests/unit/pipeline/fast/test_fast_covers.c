@@ -40,7 +40,9 @@ static void add_triangle(Random *random, Place a, Place b, Place c, bool turned)
 
 static Place random_place(Random *random)
 {
-    return (Place){ random_float(random, -20, WIDTH + 20), random_float(random, -20, HEIGHT + 20) };
+    const double x = (double)random_float(random, -20, WIDTH + 20);
+    const double y = (double)random_float(random, -20, HEIGHT + 20);
+    return (Place){ x, y };
 }
 
 /* A rectangle in two halves that mostly face one way, and are mostly side by side: over all the picture, or from a
