@@ -190,14 +190,13 @@ enum { GATHERS_BY_LANE = true }; /* a second one from the same offsets has its a
 #endif
 
 /* One 32-bit word for each lane, from `offset` bytes after base, at any alignment. Processors with
- * sixteen lanes gather as fast as they load; the others spend more time on it than on loads. (Where plain C
- * stands for vectors, gcc takes words that are not set first for unset.) */
+ * sixteen lanes gather as fast as they load; the others spend more time on it than on loads. */
 GP_INLINE itg itg_gather(const uint8_t *base, itg offset)
 {
 #ifdef GP_GATHERS
     return (itg)_mm512_i32gather_epi32((__m512i)offset, base, 1);
 #else
-    itg word = itg_set(0);
+    itg word = itg_set(0);       /* as in itg_permute */
     GP_UNROLL
     for (int lane = 0; lane < GP_LANES; lane++) {
         int32_t one;
