@@ -24,6 +24,7 @@ typedef struct GpRect {
 /* What two rectangles have in common; it may be empty. */
 GpRect gp_rect_common(GpRect a, GpRect b);
 
+/* Whether they begin and end alike. */
 static inline bool gp_rect_equal(GpRect a, GpRect b)
 {
     return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
