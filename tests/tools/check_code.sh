@@ -3,8 +3,8 @@
 #
 # In the objects of the pipeline and the shaders: reciprocal estimates (their results differ between
 # makers), fused multiply-adds (one rounding instead of two), x87 arithmetic (80 bits), and calls to
-# functions of the C library whose results differ between processors and versions. Lanes of the fast
-# executor name some of one kind, flt_fused, where one rounding gives what two give; x86 only.
+# functions of the C library whose results differ between processors and versions. Files that convert
+# channels name fused ones where their one rounding is the right one (flt_fused, x86 only).
 set -eu
 objects=$(find "$1"/obj/pipeline "$1"/obj/shaders_c -name '*.o' ! -path '*/pipeline/io/*')
 [ -n "$objects" ] || { echo "no objects in $1" && exit 1; }
@@ -19,14 +19,16 @@ ${prefix}objdump -d --no-show-raw-insn $objects | awk '
         estimate = "^v?(rcp|rsqrt)(14|28)?[ps][sd]$|^f?(recp[es]|rsqrt[es])$|^ur(ecpe|sqrte)$"
         fused = "^vfn?m(add|sub|addsub|subadd)[0-9]*[ps][sdh]$|^fn?m(add|sub|la|ls)$|^fml[as]l2?$"
         named = "^vfmadd[0-9]*ps$"
+        converts = "/pipeline/fast/lanes/(memory/transfer|output/blend(_bits)?|shade/(blend_sorted" \
+                   "|framebuffer_fetch|gathered)|texture/sample)\\.lanes(8|16)\\.o:$"
         x87 = "^f(i?(ld|st|add|sub|mul|div)r?[pslt]*|sqrt|sin|cos|sincos|ptan|patan|yl2x|scale)$"
         failed = 0
     }
-    /file format/ { file = $1; arm = /aarch64/; lanes = file ~ /\/pipeline\/fast\/lanes\/.*\.lanes(8|16)\.o/ }
+    /file format/ { file = $1; arm = /aarch64/; may_name = file ~ converts }
     /^[0-9a-f]+ </ { where = $2 }
     /^ *[0-9a-f]+:\t/ {
         instructions++
-        if (lanes && $2 ~ named)
+        if (may_name && $2 ~ named)
             by_name++
         else if ($2 ~ estimate || $2 ~ fused || (!arm && $2 ~ x87)) {
             print file " " where " " $2

@@ -14,7 +14,8 @@ install="make BUILD=$build CC=gcc CXX=g++ OPT=-O2 WERROR=1 PREFIX=$prefix"
 
 $install install
 "$prefix/bin/glasspipe" --version
-! readelf -SW "$prefix/bin/glasspipe" | grep ' \.debug' || { echo "the program has debug information" && exit 1; }
+readelf -SW "$prefix/bin/glasspipe" >"$use/sections"
+! grep ' \.debug' "$use/sections" || { echo "the program has debug information" && exit 1; }
 for page in "$prefix"/share/man/man[15]/*; do
     echo "manual: $(basename "$page")"
 done

@@ -196,7 +196,7 @@ GP_INLINE itg itg_gather(const uint8_t *base, itg offset)
 #ifdef GP_GATHERS
     return (itg)_mm512_i32gather_epi32((__m512i)offset, base, 1);
 #else
-    itg word = itg_set(0);       /* as in itg_permute */
+    itg word = itg_set(0);
     GP_UNROLL
     for (int lane = 0; lane < GP_LANES; lane++) {
         int32_t one;

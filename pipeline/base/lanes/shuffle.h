@@ -124,7 +124,7 @@ GP_INLINE itg itg_permute(itg a, itg from)
 #elif defined GP_AVX512_LANES
     return (itg)_mm512_permutexvar_epi32((__m512i)from, (__m512i)a);
 #else
-    itg picked = itg_set(0); /* plain C sets a lane at a time: gcc warns of unset ones */
+    itg picked = itg_set(0);
     GP_UNROLL
     for (int lane = 0; lane < GP_LANES; lane++)
         picked[lane] = a[from[lane]];

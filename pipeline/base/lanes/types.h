@@ -7,7 +7,8 @@
 #include <stdint.h>
 
 /* Intrinsics stand only where compilers do worse than they could; each has its plain twin beside
- * it, which gives the same bits. GP_PLAIN_LANES compiles the twins everywhere. */
+ * it, which gives the same bits. GP_PLAIN_LANES compiles the twins everywhere. (Of vectors that a twin fills
+ * lane by lane some are set first, where gcc takes them for unset.) */
 #if defined __SSE2__ && !defined GP_PLAIN_LANES
 #define GP_X86_LANES 1
 #include <immintrin.h>
