@@ -4,6 +4,7 @@
 #include "shaders_c/bench/arithmetic.h"
 #include "shaders_c/common/blit.h"
 #include "shaders_c/bench/lookup.h"
+#include "shaders_c/bench/mandelbrot.h"
 #include "shaders_c/bench/scaled_color.h"
 
 /* --- fill ---------------------------------------------------------------------------------------- */

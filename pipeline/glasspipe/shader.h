@@ -28,10 +28,17 @@
  *   pixel_shader_begin(name, Uniforms, Varying, Begun)   returns a Begun, a type of the shader's own
  *   pixel_shader_end(name, Uniforms, Varying, Begun)     finds it in *begun; returns the colour of target 0
  *
+ * and a loop between them, which begins with pixel_shader_begin_turns(name, Uniforms, Varying, Begun, most):
+ *
+ *   pixel_shader_turn(name, Uniforms, Varying, Begun)    changes *begun; returns the mask of lanes that another turn
+ *                                                        would change: it runs until there are none, at most
+ *                                                        `most` times, and further turns must change nothing
+ *
  * #define GP_SHADER_AT_ONCE 4 (or 2) before the include where pixel shaders are long chains of arithmetic, each
  * step waiting for the one before: so many packets then go through side by side. It changes no bit, and costs
  * registers: measure. It gains nothing across texture reads; a shader of both reads textures in its first part, and
- * only what its second part does goes side by side.
+ * only what its turns and its last part do goes side by side. Nor does it across turns of C's loops: each packet
+ * makes all of its own.
  *
  * #define GP_SHADER_SW before the include for the software profiles, in which rcp(0) and rsq(0) are
  * infinite instead of the largest float.

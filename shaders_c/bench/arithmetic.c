@@ -79,32 +79,6 @@ pixel_shader(mad_flat_ps, ArithmeticUniforms, UvVarying)
     return halves_end(at);
 }
 
-/* --- the Mandelbrot set ------------------------------------------------------------------------- */
-
-typedef struct Orbit {
-    flt x, y, xx, yy, steps;
-    msk inside;
-} Orbit;
-
-GP_INLINE Orbit turn(Orbit at, flt cx, flt cy)
-{
-    flt y = at.x * (at.y + at.y) + cy, x = at.xx - at.yy + cx;
-    flt xx = x * x, yy = y * y;
-    msk inside = at.inside & (xx + yy <= 4.0f);
-    return (Orbit){ x, y, xx, yy, at.steps + sel(inside, bcast(1), 0), inside };
-}
-
-/* Whether all are outside is asked at every fourth turn: the answer, which a processor can only guess,
- * comes later than the turns themselves. */
-pixel_shader(mandelbrot_ps, ArithmeticUniforms, UvVarying)
-{
-    flt cx = in->uv.x * 2.6f - 1.9f, cy = in->uv.y * 2.6f - 1.3f, zero = bcast(0);
-    Orbit at = { zero, zero, zero, zero, zero, zero == 0.0f };
-    for (int i = 0; i < 64 && any(at.inside); i += 4)
-        at = turn(turn(turn(turn(at, cx, cy), cx, cy), cx, cy), cx, cy);
-    return rgba(mul(vec3(1, 0.7f, 0.4f), at.steps * (1.0f / 64)), 1);
-}
-
 /* clang-format off */
 #define ARITHMETIC_DECLARATIONS                                                                    \
     .vertex_profile = GP_VS_3_SW, .pixel_profile = GP_PS_3_SW, TEXTURED_QUAD_DECLARATIONS
@@ -112,4 +86,3 @@ pixel_shader(mandelbrot_ps, ArithmeticUniforms, UvVarying)
 
 program(mad_loop_program, arithmetic_vs, mad_loop_ps, ARITHMETIC_DECLARATIONS)
 program(mad_flat_program, arithmetic_vs, mad_flat_ps, ARITHMETIC_DECLARATIONS)
-program(mandelbrot_program, arithmetic_vs, mandelbrot_ps, ARITHMETIC_DECLARATIONS)

@@ -1,4 +1,4 @@
-/* Arithmetic alone, on quads in clip space: chains of multiply-adds, and the Mandelbrot set. */
+/* Arithmetic alone, on quads in clip space: chains of multiply-adds. */
 #ifndef SHADERS_ARITHMETIC_H
 #define SHADERS_ARITHMETIC_H
 
@@ -11,8 +11,5 @@ typedef struct ArithmeticUniforms {
 /* Four chains of 64 steps v = v * factor + addend, as a loop and written out. */
 extern const GpProgram mad_loop_program;
 extern const GpProgram mad_flat_program;
-
-/* z = z^2 + c, at most 64 times; how often is the brightness. */
-extern const GpProgram mandelbrot_program;
 
 #endif

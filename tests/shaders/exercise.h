@@ -20,7 +20,7 @@ extern const GpProgram exercise_color, exercise_targets2, exercise_targets4, exe
     exercise_dependent, exercise_discard, exercise_depth, exercise_derivatives, exercise_math,
     exercise_local, exercise_vertex_texture, exercise_point, exercise_depth_only, exercise_position,
     exercise_flat, exercise_at_once, exercise_few_in_parts, exercise_whole, exercise_in_parts,
-    exercise_wide;
+    exercise_looped, exercise_in_turns, exercise_wide;
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-/* Packets that go through the shader side by side, and shaders in two parts beside the same in one. */
+/* Packets that go through the shader side by side, and shaders in parts beside the same in one. */
 #define GP_SHADER_AT_ONCE 4
 #include "tests/shaders/exercise.h"
 #include "tests/shaders/exercise_shared.h"
@@ -77,4 +77,48 @@ pixel_shader_end(parts_ps, ExerciseUniforms, Varying, float4)
     .samplers = 1 << 0, .may_discard = true
 program(exercise_whole, parts_vs, whole_ps, PARTS)
 program(exercise_in_parts, parts_vs, parts_ps, PARTS)
+/* clang-format on */
+
+/* --- turns, of which some discard, and after which lanes end at different times ------------------- */
+
+enum { TURNS = 9 };
+
+/* Adds to the sums that are not long enough. */
+GP_INLINE msk lengthen(GpInvocation *gp, const ExerciseUniforms *c, const Varying *in, float4 *sum)
+{
+    msk is_short = dp4(*sum, *sum) < 2.0f;
+    *sum = sel(is_short, mad(in->color, u4(c->color), *sum), *sum);
+    discard(sum->x > 0.95f);
+    return is_short;
+}
+
+pixel_shader(looped_ps, ExerciseUniforms, Varying)
+{
+    float4 sum = in->color;
+    msk is_short = sum.x == sum.x;
+    for (int i = 0; i < TURNS && any(is_short); i++)
+        is_short = lengthen(gp, c, in, &sum);
+    return sum;
+}
+
+pixel_shader_begin_turns(turns_ps, ExerciseUniforms, Varying, float4, TURNS)
+{
+    return in->color;
+}
+
+pixel_shader_turn(turns_ps, ExerciseUniforms, Varying, float4)
+{
+    return lengthen(gp, c, in, begun);
+}
+
+pixel_shader_end(turns_ps, ExerciseUniforms, Varying, float4)
+{
+    return *begun;
+}
+
+/* clang-format off */
+#define TURNING .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0, .inputs = INPUTS,          \
+    .varyings = { { "color", 4, GP_PERSPECTIVE }, { "uv", 2, GP_PERSPECTIVE } }, .may_discard = true
+program(exercise_looped, parts_vs, looped_ps, TURNING)
+program(exercise_in_turns, parts_vs, turns_ps, TURNING)
 /* clang-format on */

@@ -7,6 +7,7 @@
 #include "shaders_c/common/depth_only.h"
 #include "shaders_c/bench/peeling.h"
 #include "shaders_c/bench/lookup.h"
+#include "shaders_c/bench/mandelbrot.h"
 #include "shaders_c/bench/placed.h"
 #include "shaders_c/bench/scaled_color.h"
 #include "shaders_c/bench/slab_bits.h"

@@ -1,5 +1,5 @@
-/* A pixel shader in two parts draws, on every device, what the same draws in one: whatever number of packets a
- * triangle has, and whichever part discards a fragment. */
+/* A pixel shader in parts draws, on every device, what the same draws in one: whatever number of packets a
+ * triangle has, whichever part discards a fragment, and whenever its lanes have turned enough. */
 #include <glasspipe/glasspipe.h>
 #include "tests/shaders/exercise.h"
 #include "tests/support/devices.h"
@@ -54,9 +54,8 @@ static uint64_t drawn(const GpDeviceDesc *desc, const GpProgram *program, const 
     return hash;
 }
 
-static void parts_draw_what_the_whole_draws(void **state)
+static void assert_draws_the_same(const GpProgram *whole, const GpProgram *parts)
 {
-    (void)state;
     Random r = { 30 };
     static Corner corners[3 * TRIANGLES];
     GpSurface *texture = NULL;
@@ -65,16 +64,31 @@ static void parts_draw_what_the_whole_draws(void **state)
     for (int i = 0; i < 4 * TEXELS * TEXELS; i++)
         texture->level[0].texels[i] = (uint8_t)random_int(&r, 0, 255);
     make_corners(&r, corners);
-    const uint64_t whole = drawn(device_here(0), &exercise_whole, corners, texture);
+    const uint64_t expected = drawn(device_here(0), whole, corners, texture);
     for (size_t i = 0; device_here(i); i++) {
-        assert_true(drawn(device_here(i), &exercise_whole, corners, texture) == whole);
-        assert_true(drawn(device_here(i), &exercise_in_parts, corners, texture) == whole);
+        assert_true(drawn(device_here(i), whole, corners, texture) == expected);
+        assert_true(drawn(device_here(i), parts, corners, texture) == expected);
     }
     gp_surface_destroy(&texture);
 }
 
+static void parts_draw_what_the_whole_draws(void **state)
+{
+    (void)state;
+    assert_draws_the_same(&exercise_whole, &exercise_in_parts);
+}
+
+static void turns_draw_what_a_loop_draws(void **state)
+{
+    (void)state;
+    assert_draws_the_same(&exercise_looped, &exercise_in_turns);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(parts_draw_what_the_whole_draws) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parts_draw_what_the_whole_draws),
+        cmocka_unit_test(turns_draw_what_a_loop_draws),
+    };
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }
