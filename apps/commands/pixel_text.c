@@ -313,12 +313,14 @@ static void print_steps(PixelText *history, const GpTraceEvent *event)
     for (int i = 0; i < steps->steps; i++) {
         const GpShaderStep *step = &steps->step[i];
         const bool is_mask = step->code >= GP_STEP_LESS && step->code <= GP_STEP_NOT;
-        float value[4];
+        const char *said = "";
         Piece numbers;
-        for (int c = 0; c < step->width; c++)
-            value[c] = step->value[c][steps->lane];
-        const char *said = !step->width ? "" : gp_float_bits(value[0]) ? "true" : "false";
-        if (!is_mask && step->width) {
+        if (step->width && is_mask) {
+            said = gp_float_bits(step->value[0][steps->lane]) ? "true" : "false";
+        } else if (step->width) {
+            float value[4];
+            for (int c = 0; c < step->width; c++)
+                value[c] = step->value[c][steps->lane];
             numbers = vector(value, step->width);
             said = numbers.text;
         }

@@ -104,10 +104,15 @@ static void add_surfaces(SurfaceSet *set, const SurfaceSet *more)
     set->overflows = set->overflows || more->overflows;
 }
 
-static void find_surfaces(const GpPass *pass, PassSurfaces *surfaces)
+static void remove_surfaces(PassSurfaces *surfaces)
 {
     surfaces->read.count = surfaces->written.count = 0;
     surfaces->read.overflows = surfaces->written.overflows = false;
+}
+
+static void find_surfaces(const GpPass *pass, PassSurfaces *surfaces)
+{
+    remove_surfaces(surfaces);
     for (int t = 0; t <= GP_MAX_TARGETS; t++)
         add_surface(&surfaces->written, target_of(pass, t));
     for (uint32_t i = 0; i < pass->draw_count; i++) {
@@ -156,6 +161,7 @@ uint32_t gp_list_groups(const GpList *list, uint32_t *group_of)
     uint32_t groups = 0, first = 0;
     bool some_borrowed = false;
     PassSurfaces group, own;
+    remove_surfaces(&group);
     for (uint32_t pass = 0; pass < list->pass_count; pass++) {
         const bool borrows = any_at_hand(&list->passes[pass], is_borrowed, NULL);
         find_surfaces(&list->passes[pass], &own);

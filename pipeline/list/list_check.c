@@ -166,6 +166,11 @@ static GpResult try_program(const GpProgram *program, const void *uniforms, GpEr
     return result;
 }
 
+static bool lacks_uniforms(const GpDraw *draw)
+{
+    return draw->program->uniform_bytes && !draw->uniforms;
+}
+
 static GpResult check_program(const Place *place)
 {
     const GpProgram *program = draw_at(place)->program;
@@ -178,7 +183,7 @@ static GpResult check_program(const Place *place)
         return gp_fail(place->error, checked, "%s", reason.text);
     if (checked)
         return refuse(place, "program", "%s", reason.text);
-    if (program->uniform_bytes && !draw_at(place)->uniforms)
+    if (lacks_uniforms(draw_at(place)))
         return refuse(place, "uniforms", "NULL, but %s has %zu bytes of them", program->name,
                       program->uniform_bytes);
     if (!known && try_program(program, draw_at(place)->uniforms, &reason))
@@ -433,8 +438,7 @@ bool gp_draws_alike(const GpDraw *a, const GpDraw *b)
 static bool is_as_before(const Place *place)
 {
     const GpDraw *draw = draw_at(place);
-    return place->draw > 0 && gp_draws_alike(draw, draw - 1) &&
-           (draw->uniforms || !draw->program->uniform_bytes);
+    return place->draw > 0 && gp_draws_alike(draw, draw - 1) && !lacks_uniforms(draw);
 }
 
 static GpResult check_draw(const Place *place)

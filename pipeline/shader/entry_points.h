@@ -202,7 +202,7 @@ GP_INLINE int gp_begun(int k, int count)
         gp->depth = flt_set(0);                                                                    \
         begun[i] = name##_begin(gp, (const U *)call->uniforms, (from) + i);                        \
     }                                                                                              \
-    for (int i = 0; name##_turns && i < (count); i += GP_AT_ONCE) {                                \
+    for (int i = 0; (int)name##_turns > 0 && i < (count); i += GP_AT_ONCE) {                       \
         BEGUN own[GP_AT_ONCE];                                                                     \
         GP_UNROLL                                                                                  \
         for (int n = 0; n < GP_AT_ONCE; n++)                                                       \

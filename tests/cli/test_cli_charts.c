@@ -27,9 +27,10 @@ static double number(const json_t *object, const char *key)
 static const char *text(const json_t *object, const char *key)
 {
     const char *value = json_string_value(json_object_get(object, key));
-    if (!value)
-        fail_msg("%s is no text", key);
-    return value;
+    if (value)
+        return value;
+    fail_msg("%s is no text", key);
+    return "";
 }
 
 /* The options of the point that was chosen, whose error is at most that. Which of several is a matter of

@@ -137,7 +137,7 @@ enum { TILED = 0x200, DEEP = 0x800, PARTS = 0x1000 };
 
 GpResult gp_image_check_exr(GpImageSource *source)
 {
-    unsigned flags;
+    unsigned flags = 0;
     size_t at = 8;
     uint64_t least = 0, most = 0;
     GpResult result =
@@ -149,7 +149,7 @@ GpResult gp_image_check_exr(GpImageSource *source)
 
 GpResult gp_image_check_exr_parts(GpImageSource *source)
 {
-    unsigned flags;
+    unsigned flags = 0;
     size_t at = 8;
     uint64_t least = 0, most = 0;
     GpResult result = check_version(source, DEEP | TILED,
