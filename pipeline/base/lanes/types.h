@@ -23,8 +23,10 @@
 /* Before a loop over lanes: written out, so that its vectors stay in registers. */
 #if defined(__clang__)
 #define GP_UNROLL _Pragma("clang loop unroll(full)")
-#else
+#elif defined __OPTIMIZE__
 #define GP_UNROLL _Pragma("GCC unroll 16")
+#else
+#define GP_UNROLL /* gcc warns that it ignores it */
 #endif
 
 /* GP_NATIVE(op): the intrinsic of one operation on whole vectors, where they are the processor's own;
