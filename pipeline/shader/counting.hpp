@@ -212,28 +212,30 @@ void gp_step_pixel(const GpProgram &declared, const GpStepRun &run,
     static float4 name##_color(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                   \
                                GP_UNUSED const IN *in)
 
-#define GP_SHADER_IN_PARTS(name, U, IN, BEGUN, most, turn)                                         \
+#define pixel_shader_begin_turns(name, U, IN, BEGUN, most)                                         \
     static BEGUN name##_begin(GpInvocation *gp, const U *c, const IN *in);                         \
+    static msk name##_turn(GpInvocation *gp, const U *c, const IN *in, BEGUN *begun);              \
     static float4 name##_end(GpInvocation *gp, const U *c, const IN *in, const BEGUN *begun);      \
     pixel_shader_targets(name, U, IN, float4)                                                      \
     {                                                                                              \
         BEGUN begun = name##_begin(gp, c, in);                                                     \
-        for (int i = 0; i < (most) && any(turn); i++) {                                            \
+        for (int i = 0; i < (most) && any(name##_turn(gp, c, in, &begun)); i++) {                  \
         }                                                                                          \
         *out = name##_end(gp, c, in, &begun);                                                      \
     }                                                                                              \
     static BEGUN name##_begin(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                    \
                               GP_UNUSED const IN *in)
 
-#define pixel_shader_begin(name, U, IN, BEGUN) GP_SHADER_IN_PARTS(name, U, IN, BEGUN, 0, msk())
-
-#define pixel_shader_begin_turns(name, U, IN, BEGUN, most)                                         \
-    static msk name##_turn(GpInvocation *gp, const U *c, const IN *in, BEGUN *begun);              \
-    GP_SHADER_IN_PARTS(name, U, IN, BEGUN, most, name##_turn(gp, c, in, &begun))
-
 #define pixel_shader_turn(name, U, IN, BEGUN)                                                      \
     static msk name##_turn(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                       \
-                           GP_UNUSED const IN *in, BEGUN *begun)
+                           GP_UNUSED const IN *in, GP_UNUSED BEGUN *begun)
+
+#define pixel_shader_begin(name, U, IN, BEGUN)                                                     \
+    pixel_shader_turn(name, U, IN, BEGUN)                                                          \
+    {                                                                                              \
+        return msk();                                                                              \
+    }                                                                                              \
+    pixel_shader_begin_turns(name, U, IN, BEGUN, 0)
 
 #define pixel_shader_end(name, U, IN, BEGUN)                                                       \
     static float4 name##_end(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                     \

@@ -73,13 +73,14 @@ pixel_shader_end(parts_ps, ExerciseUniforms, Varying, float4)
 }
 
 /* clang-format off */
-#define PARTS PROFILES, .varyings = { { "color", 4, GP_PERSPECTIVE }, { "uv", 2, GP_PERSPECTIVE } }, \
-    .samplers = 1 << 0, .may_discard = true
+#define TWO_VARYINGS \
+    .varyings = { { "color", 4, GP_PERSPECTIVE }, { "uv", 2, GP_PERSPECTIVE } }, .may_discard = true
+#define PARTS PROFILES, TWO_VARYINGS, .samplers = 1 << 0
 program(exercise_whole, parts_vs, whole_ps, PARTS)
 program(exercise_in_parts, parts_vs, parts_ps, PARTS)
 /* clang-format on */
 
-/* --- turns, of which some discard, and after which lanes end at different times ------------------- */
+/* --- turns, some of which discard, and lanes that have turned enough at different times ---------- */
 
 enum { TURNS = 9 };
 
@@ -117,8 +118,7 @@ pixel_shader_end(turns_ps, ExerciseUniforms, Varying, float4)
 }
 
 /* clang-format off */
-#define TURNING .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0, .inputs = INPUTS,          \
-    .varyings = { { "color", 4, GP_PERSPECTIVE }, { "uv", 2, GP_PERSPECTIVE } }, .may_discard = true
+#define TURNING .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0, .inputs = INPUTS, TWO_VARYINGS
 program(exercise_looped, parts_vs, looped_ps, TURNING)
 program(exercise_in_turns, parts_vs, turns_ps, TURNING)
 /* clang-format on */

@@ -127,6 +127,7 @@ static GpResult check_part(GpImageSource *source, size_t *at, bool is_tiled, uin
 static GpResult check_version(const GpImageSource *source, unsigned refused, const char *what,
                               unsigned *flags)
 {
+    *flags = 0;
     if (source->file.size < 8 || little(gp_image_bytes(source)) != 20000630)
         return gp_image_refuse(source, 0, "the number of OpenEXR files, 20000630");
     *flags = little(gp_image_bytes(source) + 4);
@@ -137,7 +138,7 @@ enum { TILED = 0x200, DEEP = 0x800, PARTS = 0x1000 };
 
 GpResult gp_image_check_exr(GpImageSource *source)
 {
-    unsigned flags = 0;
+    unsigned flags;
     size_t at = 8;
     uint64_t least = 0, most = 0;
     GpResult result =
@@ -149,7 +150,7 @@ GpResult gp_image_check_exr(GpImageSource *source)
 
 GpResult gp_image_check_exr_parts(GpImageSource *source)
 {
-    unsigned flags = 0;
+    unsigned flags;
     size_t at = 8;
     uint64_t least = 0, most = 0;
     GpResult result = check_version(source, DEEP | TILED,
