@@ -39,6 +39,7 @@ static void prefetch_inputs(const FastDraw *d, uint32_t vertex, uint32_t count)
     const uint8_t *inputs = (const uint8_t *)stream->data + (d->first_vertex + vertex) * step;
     for (size_t i = 0; i < count * step; i += 64)
         __builtin_prefetch(inputs + i);
+    __builtin_prefetch(inputs + count * step - 1);
 }
 
 /* Some vertices in a row; often one. */
