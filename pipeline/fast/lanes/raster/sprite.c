@@ -31,8 +31,9 @@ GP_INLINE uint32_t vertex_of(const FastDraw *d, uint32_t primitive)
     return (d->indices ? d->indices[at] : at) - d->first_vertex;
 }
 
-/* Inputs of some vertices in a row, where these are shaded again. */
-static void prefetch_inputs(const FastDraw *d, uint32_t vertex, uint32_t count)
+/* Inputs of some vertices in a row, where these are shaded again. (Calls of a function that only
+ * prefetches gcc takes for calls of one that does nothing.) */
+GP_INLINE void prefetch_inputs(const FastDraw *d, uint32_t vertex, uint32_t count)
 {
     const GpStream *stream = &d->draw->geometry.streams[d->draw->program->inputs[0].semantic];
     const size_t step = gp_stream_stride(stream);
