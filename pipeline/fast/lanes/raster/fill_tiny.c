@@ -19,20 +19,15 @@ GP_INLINE uint32_t depth_code(const Filler *f, float z)
     return (uint32_t)((double)z * f->scale + 0.5);
 }
 
-/* Tests and writes depth without a branch where the test is the usual one: which pixels pass is
- * hard to foresee. */
+/* Tests, and writes, depth. */
 GP_INLINE bool test_depth(const Filler *f, EarlyTest early, uint32_t *depth, float z)
 {
-    const uint32_t code = depth_code(f, z), stored = *depth;
-    if (early == EARLY_ANY) {
-        const GpDepthState *state = &f->d->draw->state.depth;
-        bool passes = gp_compare_codes(state->test, code, stored);
-        if (passes && state->write)
-            *depth = code;
-        return passes;
-    }
-    bool passes = (int32_t)code - f->allowance < (int32_t)stored;
-    *depth = passes ? code : stored;
+    const GpDepthState *state = &f->d->draw->state.depth;
+    const uint32_t code = depth_code(f, z);
+    const bool passes = early == EARLY_ANY ? gp_compare_codes(state->test, code, *depth)
+                                           : (int32_t)code - f->allowance < (int32_t)*depth;
+    if (passes && (early != EARLY_ANY || state->write))
+        *depth = code;
     return passes;
 }
 
@@ -55,10 +50,9 @@ GP_INLINE void fill(const Filler *f, EarlyTest early, bool visible, const Triang
             uint32_t at = fast_at(b->x[lane] + x, b->y[lane] + y);
             bool passes = early == EARLY_NONE ||
                           test_depth(f, early, &tile->depth[at], depth_at(b, lane, x, y));
-            if (visible) {
-                tile->visibility->record[at] =
-                    passes ? number + lane : tile->visibility->record[at];
-                shown |= (unsigned)passes << lane;
+            if (visible && passes) {
+                tile->visibility->record[at] = number + lane;
+                shown |= 1u << lane;
             }
         }
     /* records of triangles that are not visible stay unwritten */
