@@ -276,7 +276,7 @@ static void a_program_is_drawn_at_a_width_that_it_has(void **state)
     gp_device_destroy(&device);
     gp_device_destroy(&device); /* NULL already */
     for (int lanes = 8; lanes <= 16; lanes *= 2) {
-        char isa[16];
+        char isa[24];
         snprintf(isa, sizeof isa, "lanes%d", lanes);
         if (gp_device_create(&(GpDeviceDesc){ .threads = 1, .isa = isa }, &device, &f.error)) {
             assert_non_null(

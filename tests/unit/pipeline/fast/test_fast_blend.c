@@ -12,7 +12,7 @@ static int blend_count;
 static void add_blend(GpBlend blend)
 {
     assert_true(blend_count < MOST);
-    blend.keep = blend_count % 5 ? 0 : (uint8_t)(blend_count / 5 % 15);
+    blend.keep = (uint8_t)(blend_count % 5 ? 0 : blend_count / 5 % 15);
     blends[blend_count++] = blend;
 }
 
