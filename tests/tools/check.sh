@@ -119,7 +119,8 @@ step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined \
     GP_TEST_EVERY_BYTE=1 test
 # without WERROR: instrumented, gcc 12 takes vectors that are set lane by lane for unset ones
 step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEEDS=0..299
-step threads-test env TEST_SECONDS=3600 make BUILD="$out/threads" OPT=-O1 SANITIZE=thread test
+step threads-test env TEST_SECONDS=3600 make BUILD="$out/threads" OPT=-O1 SANITIZE=thread \
+    SEEDS=0..299 test
 step aarch64 aarch64
 step exhaustive-mathematics exhaustive
 step differential differential
