@@ -13,7 +13,7 @@
 enum { GP_MAX_PRIMITIVES = 1 << 30 };
 
 /* For who goes through a pass from draw to draw, at draw `number`: those of a long list are in no cache. */
-static inline void gp_prefetch_draws(const GpPass *pass, uint32_t number)
+GP_PREFETCHES void gp_prefetch_draws(const GpPass *pass, uint32_t number)
 {
     enum { AHEAD = 2 };
     if (number + AHEAD < pass->draw_count)

@@ -1,6 +1,7 @@
 /* Vertices: shaded GP_LANES at a time, put on the screen, and marked where they are outside. */
 #include "pipeline/fast/lanes/geometry/vertices.h"
 
+#include "pipeline/base/prefetch.h"
 #include "pipeline/fast/lanes/memory/convert.h"
 #include "pipeline/fast/lanes/texture/sample.h"
 
@@ -122,7 +123,7 @@ static void fetch_input(const GpGeometry *geometry, const GpInputDecl *input,
 
 /* A packet's records are wanted soon: blocks of them are read at once, between which memory would
  * rest. */
-GP_INLINE void prefetch_records(const GpStream *stream, uint32_t vertex)
+GP_PREFETCHES void prefetch_records(const GpStream *stream, uint32_t vertex)
 {
     const size_t stride = gp_stream_stride(stream), step = stride < 64 ? 64 : stride;
     const uint8_t *from = (const uint8_t *)stream->data + vertex * stride;
@@ -141,7 +142,7 @@ GP_INLINE float *fetch_packet(const FastDraw *d, const uint32_t vertex[GP_LANES]
     return to;
 }
 
-static void prefetch_inputs(const FastDraw *d, uint32_t vertex)
+GP_PREFETCHES void prefetch_inputs(const FastDraw *d, uint32_t vertex)
 {
     const GpInputDecl *input = d->draw->program->inputs;
     for (size_t i = 0; i < GP_COUNT(d->draw->program->inputs) && input[i].components; i++)
