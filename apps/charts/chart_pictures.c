@@ -39,7 +39,7 @@ static GpResult write_difference(const ChartPictures *job, const void *setting, 
     if (!result)
         result = chart_difference(picture, off, &made, error);
     if (!result)
-        result = picture_write(path, &made, error);
+        result = picture_write(path, &made, NULL, error);
     picture_free(&made);
     gp_free(off);
     return result;
@@ -52,7 +52,7 @@ static GpResult write_files(const ChartPictures *job, const void *setting, const
     GpResult result = draw(job, setting, &frame, error);
     *goes = result != GP_ERROR_INVALID;
     if (!result)
-        result = picture_write_surface(path, frame_picture(&frame), true, error);
+        result = picture_write_surface(path, frame_picture(&frame), true, NULL, error);
     if (!result && job->experiment->difference)
         result = write_difference(job, setting, &frame, difference, error);
     frame_free(&frame);

@@ -123,7 +123,7 @@ static GpResult write_image(const char *directory, const char *name, const uint8
     GpImage image = {
         .width = width, .height = height, .channels = 3, .type = GP_IMAGE_U8, .data = rgb
     };
-    GpResult result = gp_image_write(path, &image, error);
+    GpResult result = gp_image_write(path, &image, NULL, error);
     gp_free(rgb);
     return result;
 }

@@ -141,7 +141,7 @@ static void print_json(const Comparison *c, const char *verdict)
 
 /* --- comparing -------------------------------------------------------------------------------- */
 
-static int write_difference(const Compare *compare, const Picture pictures[2])
+static int write_difference(const Compare *compare, const Picture pictures[2], GpPool *pool)
 {
     Picture difference = pictures[0];
     size_t count = (size_t)difference.width * difference.height * (size_t)difference.channels;
@@ -151,7 +151,7 @@ static int write_difference(const Compare *compare, const Picture pictures[2])
     compare_difference(&pictures[0], &pictures[1], compare->scale, difference.values);
     GpError error = { "" };
     int code = EXIT_DONE;
-    if (picture_write(compare->output, &difference, &error))
+    if (picture_write(compare->output, &difference, pool, &error))
         code = report(EXIT_INTERNAL, "%s", error.text);
     else
         notice(&compare->options, "wrote %s", compare->output);
@@ -192,25 +192,31 @@ static int print_comparison(const Compare *compare, const Comparison *comparison
     return EXIT_DONE;
 }
 
-static int compare_pair(const Compare *compare, Picture pictures[2])
+static int compare_by(GpPool *pool, const Compare *compare, Picture pictures[2])
 {
     GpError error = { "" };
-    GpPool *pool = NULL;
     Comparison comparison = { .flip_map = NULL };
-    GpResult result = gp_pool_create(machine_processors(), &pool, &error);
-    if (!result)
-        result = comparison_make(pictures, &compare->settings, pool, &comparison, &error);
-    gp_pool_destroy(&pool);
-    if (result)
+    if (comparison_make(pictures, &compare->settings, pool, &comparison, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     int code = print_comparison(compare, &comparison, pictures);
     if (!code && compare->output && !comparison.other_sizes)
-        code = write_difference(compare, pictures);
+        code = write_difference(compare, pictures, pool);
     if (!code && compare->report)
         code = write_report(compare, &comparison, pictures);
     if (!code)
         code = comparison.failed ? EXIT_DIFFERS : EXIT_DONE;
     comparison_free(&comparison);
+    return code;
+}
+
+static int compare_pair(const Compare *compare, Picture pictures[2])
+{
+    GpError error = { "" };
+    GpPool *pool = NULL;
+    if (gp_pool_create(machine_processors(), &pool, &error))
+        return report(EXIT_INTERNAL, "%s", error.text);
+    const int code = compare_by(pool, compare, pictures);
+    gp_pool_destroy(&pool);
     return code;
 }
 

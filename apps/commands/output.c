@@ -66,6 +66,19 @@ static int print_object(const Output *output, uint64_t hash)
     return output_json(object);
 }
 
+/* The picture, and its alpha where that is asked for. */
+static GpResult write_picture(const Output *output, GpError *error)
+{
+    GpPool *pool = NULL;
+    GpResult result = gp_pool_create(gp_device_threads(output->device), &pool, error);
+    if (!result)
+        result = picture_write_surface(output->path, output->surface, output->opaque, pool, error);
+    if (!result && output->alpha_path)
+        result = picture_write_alpha(output->alpha_path, output->surface, pool, error);
+    gp_pool_destroy(&pool);
+    return result;
+}
+
 int output_result(Output *output)
 {
     const Options *options = output->options;
@@ -75,14 +88,11 @@ int output_result(Output *output)
     const uint64_t hash = volume->data ? XXH3_64bits(volume->data, gp_volume_bytes(volume))
                                        : gp_surface_hash(output->surface);
     if (volume->data ? gp_volume_write(output->path, volume, &error)
-                     : picture_write_surface(output->path, output->surface, output->opaque, &error))
+                     : write_picture(output, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(options, "wrote %s", output->path);
-    if (output->alpha_path) {
-        if (picture_write_alpha(output->alpha_path, output->surface, &error))
-            return report(EXIT_INTERNAL, "%s", error.text);
+    if (output->alpha_path)
         notice(options, "wrote %s", output->alpha_path);
-    }
     if (options->verbose)
         notice(options, "%.3f ms, %llu primitives, %llu fragments shaded, isa %s",
                statistics->first_ms, (unsigned long long)statistics->counters.primitives,

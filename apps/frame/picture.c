@@ -182,12 +182,12 @@ static GpResult sample_picture(const char *path, const Picture *picture, GpImage
 }
 
 static GpResult write_picture(const char *path, const Picture *picture, GpImageType source,
-                              GpError *error)
+                              GpPool *pool, GpError *error)
 {
     GpImage image;
     GpResult result = sample_picture(path, picture, source, &image, error);
     if (!result)
-        result = gp_image_write(path, &image, error);
+        result = gp_image_write(path, &image, pool, error);
     gp_image_free(&image);
     return result;
 }
@@ -197,14 +197,14 @@ GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error
     GpImage image;
     GpResult result = sample_picture("picture.png", picture, GP_IMAGE_U8, &image, error);
     if (!result)
-        result = gp_image_encode("picture.png", &image, file, error);
+        result = gp_image_encode("picture.png", &image, NULL, file, error);
     gp_image_free(&image);
     return result;
 }
 
-GpResult picture_write(const char *path, const Picture *picture, GpError *error)
+GpResult picture_write(const char *path, const Picture *picture, GpPool *pool, GpError *error)
 {
-    return write_picture(path, picture, GP_IMAGE_U8, error);
+    return write_picture(path, picture, GP_IMAGE_U8, pool, error);
 }
 
 /* --- surfaces --------------------------------------------------------------------------------- */
@@ -336,12 +336,13 @@ static GpResult sample_surface(const char *path, const GpSurface *surface, Part 
     return result;
 }
 
-static GpResult write_part(const char *path, const GpSurface *surface, Part part, GpError *error)
+static GpResult write_part(const char *path, const GpSurface *surface, Part part, GpPool *pool,
+                           GpError *error)
 {
     GpImage image = { .data = NULL };
     GpResult result = sample_surface(path, surface, part, &surface->window, &image, error);
     if (!result)
-        result = gp_image_write(path, &image, error);
+        result = gp_image_write(path, &image, pool, error);
     gp_image_free(&image);
     return result;
 }
@@ -353,15 +354,16 @@ GpResult picture_samples(const char *path, const GpSurface *surface, const GpRec
 }
 
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
-                               GpError *error)
+                               GpPool *pool, GpError *error)
 {
-    return write_part(path, surface, opaque ? PART_OPAQUE : PART_ALL, error);
+    return write_part(path, surface, opaque ? PART_OPAQUE : PART_ALL, pool, error);
 }
 
-GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError *error)
+GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpPool *pool,
+                             GpError *error)
 {
     GP_ASSERT(gp_format_info(surface->format)->channels == 4);
-    return write_part(path, surface, PART_ALPHA, error);
+    return write_part(path, surface, PART_ALPHA, pool, error);
 }
 
 void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE])

@@ -2,6 +2,7 @@
 #ifndef APPS_FRAME_PICTURE_H
 #define APPS_FRAME_PICTURE_H
 
+#include "pipeline/base/pool.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image.h"
 #include "pipeline/resources/surface.h"
@@ -30,9 +31,9 @@ bool picture_has_extension(const char *path);
 GpResult picture_check_path(const char *path, GpError *error);
 
 /* Writes a picture in the format of the path's extension: eight bits a channel, clamped to [0, 1],
- * in PNG and PPM; PPM and PFM lose alpha. Errors: GP_ERROR_INVALID (extension), GP_ERROR_IO, GP_ERROR_MEMORY; never
+ * in PNG and PPM; PPM and PFM lose alpha. pool: as gp_image_write's. Errors: GP_ERROR_INVALID (extension), GP_ERROR_IO, GP_ERROR_MEMORY; never
  * leaves half a file. */
-GpResult picture_write(const char *path, const Picture *picture, GpError *error);
+GpResult picture_write(const char *path, const Picture *picture, GpPool *pool, GpError *error);
 
 /* A picture as the bytes of a PNG file, eight bits a channel, clamped to [0, 1].
  * errors GP_ERROR_INVALID (size), GP_ERROR_MEMORY; owns: the caller, until gp_file_free */
@@ -54,12 +55,13 @@ GpResult picture_samples(const char *path, const GpSurface *surface, const GpRec
 
 /* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
  * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.
- * Errors as picture_write's. */
+ * pool: as gp_image_write's. * Errors as picture_write's. */
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
-                               GpError *error);
+                               GpPool *pool, GpError *error);
 
 /* The alpha of a surface that has one as a picture of its own, in grey. errors as above */
-GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpError *error);
+GpResult picture_write_alpha(const char *path, const GpSurface *surface, GpPool *pool,
+                             GpError *error);
 
 enum { PICTURE_HASH_LINE = 96 };
 

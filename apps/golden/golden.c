@@ -192,7 +192,7 @@ static GpResult write_drawn(const Run *run, GpError *error)
     if (!run->task->reports || run->result->state == GOLDEN_SAME)
         return GP_OK;
     path_of(run->task->reports, run->name, "png", path);
-    return picture_write_surface(path, run->scene->picture, false, error);
+    return picture_write_surface(path, run->scene->picture, false, run->pool, error);
 }
 
 static GpResult check(Run *run, GpError *error)
@@ -262,7 +262,7 @@ GpResult golden_bless(const GoldenTask *task, const char *name, GpDevice *device
     if (!has_picture)
         path_of(task->folder, name, "png", picture);
     if (has_picture || !has_hash)
-        result = picture_write_surface(picture, scene.picture, false, error);
+        result = picture_write_surface(picture, scene.picture, false, NULL, error);
     if (!result && (has_picture || !has_hash))
         text_add(wrote, "%s\n", picture);
     if (!result && (has_hash || !has_picture))

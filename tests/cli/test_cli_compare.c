@@ -125,7 +125,7 @@ static void the_verdict_is_said_in_words(void **state)
 static void write_pixels(const char *path, uint32_t channels, const void *data)
 {
     const GpImage image = { 2, 1, channels, GP_IMAGE_U8, (void *)(uintptr_t)data };
-    assert_int_equal(gp_image_write(path, &image, NULL), GP_OK);
+    assert_int_equal(gp_image_write(path, &image, NULL, NULL), GP_OK);
 }
 
 static void alpha_of_one_picture_is_said_and_not_counted(void **state)
@@ -219,7 +219,7 @@ static void write_random_pair(Random *random, const char *extension)
         GpImage image = { width, height, channels, bytes ? GP_IMAGE_U8 : GP_IMAGE_F32, values[i] };
         image.data = bytes ? (void *)codes[i] : (void *)values[i];
         snprintf(path, sizeof path, "%d.%s", i, extension);
-        assert_int_equal(gp_image_write(path, &image, NULL), GP_OK);
+        assert_int_equal(gp_image_write(path, &image, NULL, NULL), GP_OK);
     }
 }
 

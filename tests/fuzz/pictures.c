@@ -31,7 +31,7 @@ static void give_written(const FuzzSeeds *to, const char *extension)
             GpFile file;
             GpError error;
             char name[32];
-            if (gp_image_encode(extension, &image, &file, &error))
+            if (gp_image_encode(extension, &image, NULL, &file, &error))
                 continue;
             snprintf(name, sizeof name, "%u-%d", channels, (int)type);
             to->take(to->user, name, file.data, file.size);

@@ -61,7 +61,7 @@ static GpResult write_one(const char *name, const char *suffix, uint32_t width, 
         return result;
     snprintf(path, sizeof path, "out/peer/%s_%s.png", name, suffix);
     fill(surface, ours, theirs);
-    result = picture_write_surface(path, surface, false, error);
+    result = picture_write_surface(path, surface, false, NULL, error);
     gp_surface_destroy(&surface);
     return result;
 }

@@ -172,7 +172,7 @@ static char *read_texels(const GpSurface *surface, const GpRect *part, size_t *s
 }
 
 static GpResult add_file(const Frames *frames, uint32_t frame, const GpSurface *surface,
-                         const GpRect *part, GpBytes *bytes, GpError *error)
+                         const GpRect *part, GpPool *pool, GpBytes *bytes, GpError *error)
 {
     char path[FRAMES_PATH];
     GpImage image = { .data = NULL };
@@ -180,7 +180,7 @@ static GpResult add_file(const Frames *frames, uint32_t frame, const GpSurface *
     frames_file(frames, frame, path);
     GpResult result = picture_samples(path, surface, part, &image, error);
     if (!result)
-        result = gp_image_encode(path, &image, &file, error);
+        result = gp_image_encode(path, &image, pool, &file, error);
     if (!result)
         gp_bytes_append(bytes, file.data, file.size);
     gp_file_free(&file);
@@ -189,7 +189,7 @@ static GpResult add_file(const Frames *frames, uint32_t frame, const GpSurface *
 }
 
 static GpResult add_part(const Frames *frames, uint32_t item, const GpSurface *surface,
-                         GpBytes *bytes, GpError *error)
+                         GpPool *pool, GpBytes *bytes, GpError *error)
 {
     const GpRect part = part_rect(frames, item);
     if (surface->width != frames->whole[0] || surface->height != frames->whole[1])
@@ -212,7 +212,7 @@ static GpResult add_part(const Frames *frames, uint32_t item, const GpSurface *s
     if (!is_file)
         gp_bytes_append(bytes, texels, size);
     gp_free(texels);
-    return is_file ? add_file(frames, item, surface, &part, bytes, error) : GP_OK;
+    return is_file ? add_file(frames, item, surface, &part, pool, bytes, error) : GP_OK;
 }
 
 static GpResult draw(const void *context, uint32_t item, const ItemTools *tools, GpBytes *bytes,
@@ -230,7 +230,7 @@ static GpResult draw(const void *context, uint32_t item, const ItemTools *tools,
     if (result)
         gp_fail(error, result, "%.200s: %s", frames->scene, reason.text);
     else
-        result = add_part(frames, item, scene.picture, bytes, error);
+        result = add_part(frames, item, scene.picture, tools->pool, bytes, error);
     scene_free(&scene);
     return result;
 }
@@ -311,7 +311,7 @@ static GpResult take_part(Frames *frames, uint32_t item, const Head *head, const
         return result;
     frames_file(frames, frame, path);
     frames->results[frame].hash = gp_surface_hash(frames->pictures[frame]);
-    result = picture_write_surface(path, frames->pictures[frame], false, error);
+    result = picture_write_surface(path, frames->pictures[frame], false, NULL, error);
     gp_surface_destroy(&frames->pictures[frame]);
     return result;
 }

@@ -198,7 +198,7 @@ static int walk_along(Way *way, const char *path)
         if (result)
             return report(exit_of_run(result), "frame %u: %s", i, error.text);
     }
-    if (picture_write(path, &way->sheet, &error))
+    if (picture_write(path, &way->sheet, NULL, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     notice(&way->command->options, "wrote %s", path);
     return tell_all(way);

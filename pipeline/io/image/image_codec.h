@@ -10,6 +10,8 @@
 extern "C" {
 #endif
 
+struct GpPool;
+
 typedef enum GpImageFormat {
     GP_IMAGE_PNG,
     GP_IMAGE_EXR,
@@ -66,18 +68,18 @@ GpResult gp_image_check_pnm(GpImageSource *source);
 GpResult gp_image_check_pfm(GpImageSource *source);
 GpResult gp_image_check_tga(GpImageSource *source);
 
-/* Decoding needs a checked source; encoding gives bytes for gp_file_free. The floating-point
- * environment is afterwards as before.
+/* Decoding needs a checked source; encoding gives bytes for gp_file_free, by the threads of a pool where
+ * the format has work for them; NULL: alone. The floating-point environment is afterwards as before.
  * errors GP_ERROR_FORMAT (libraries), GP_ERROR_UNSUPPORTED (OpenImageIO), GP_ERROR_MEMORY */
 GpResult gp_image_decode_pnm(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_pnm(const char *path, GpImageFormat format, const GpImage *image,
-                             GpFile *file, GpError *error);
+                             struct GpPool *pool, GpFile *file, GpError *error);
 GpResult gp_image_decode_png(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpImage *image,
-                             GpFile *file, GpError *error);
+                             struct GpPool *pool, GpFile *file, GpError *error);
 GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image);
 GpResult gp_image_encode_oiio(const char *path, GpImageFormat format, const GpImage *image,
-                              GpFile *file, GpError *error);
+                              struct GpPool *pool, GpFile *file, GpError *error);
 
 /* The same for parts of named channels; encoding needs checked layers. */
 GpResult gp_image_decode_layers(const GpImageSource *source, const char *attribute,

@@ -11,7 +11,7 @@ typedef struct FormatEntry {
     unsigned types, channels;
     GpResult (*check)(GpImageSource *);
     GpResult (*decode)(const GpImageSource *, GpImage *);
-    GpResult (*encode)(const char *, GpImageFormat, const GpImage *, GpFile *, GpError *);
+    GpResult (*encode)(const char *, GpImageFormat, const GpImage *, GpPool *, GpFile *, GpError *);
 } FormatEntry;
 
 enum {
@@ -93,7 +93,8 @@ static GpResult check_writable(const char *path, const FormatEntry *entry, const
     return GP_OK;
 }
 
-GpResult gp_image_encode(const char *path, const GpImage *image, GpFile *file, GpError *error)
+GpResult gp_image_encode(const char *path, const GpImage *image, GpPool *pool, GpFile *file,
+                         GpError *error)
 {
     GP_ASSERT(path && image && image->data);
     const FormatEntry *entry = find_format(path);
@@ -101,13 +102,13 @@ GpResult gp_image_encode(const char *path, const GpImage *image, GpFile *file, G
         return gp_fail(error, GP_ERROR_UNSUPPORTED,
                        "%s: expected a name that ends with .png, .exr, .pfm, .ppm or .pgm", path);
     GpResult result = check_writable(path, entry, image, error);
-    return result ? result : entry->encode(path, entry->format, image, file, error);
+    return result ? result : entry->encode(path, entry->format, image, pool, file, error);
 }
 
-GpResult gp_image_write(const char *path, const GpImage *image, GpError *error)
+GpResult gp_image_write(const char *path, const GpImage *image, GpPool *pool, GpError *error)
 {
     GpFile file = { .data = NULL, .size = 0 };
-    GpResult result = gp_image_encode(path, image, &file, error);
+    GpResult result = gp_image_encode(path, image, pool, &file, error);
     if (result == GP_OK)
         result = gp_file_write(path, file.data, file.size, error);
     gp_file_free(&file);

@@ -1,12 +1,13 @@
 /* Pictures from and to files: PNG, EXR, PFM, PPM, PGM, TGA (read only).
  *
  * No conversion takes place: samples are those of the file, alpha is not multiplied into colours,
- * no gamma is applied. libpng does PNG, OpenImageIO EXR and TGA (it is loaded when such a picture
+ * no gamma is applied. libpng reads PNG, OpenImageIO does EXR and TGA (it is loaded when such a picture
  * comes, since it brings hundreds of libraries); the rest is done here.
  */
 #ifndef GP_IO_IMAGE_FILE_H
 #define GP_IO_IMAGE_FILE_H
 
+#include "pipeline/base/pool.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/image/image.h"
 
@@ -24,14 +25,16 @@ GpResult gp_image_read(const char *path, GpImage *image, GpError *error);
 
 /* Writes a picture in the format of the extension, by gp_file_write: never half a file. The bytes
  * depend on the samples alone; no date, program or machine is noted.
- * in     image: png: U8, U16; exr: F16, F32 (zip); pfm: F32 of 1 or 3 channels; ppm, pgm: U8, U16
+ * in     pool: whose threads deflate a PNG; NULL: the caller alone. No byte depends on it
+ *        image: png: U8, U16; exr: F16, F32 (zip); pfm: F32 of 1 or 3 channels; ppm, pgm: U8, U16
  *        of 3 and of 1 channels
  * errors GP_ERROR_INVALID (a size of 0 or over GP_IMAGE_SIDE_MAX; samples or channels that the
  *        format cannot hold); GP_ERROR_UNSUPPORTED (extension); GP_ERROR_IO; GP_ERROR_MEMORY */
-GpResult gp_image_write(const char *path, const GpImage *image, GpError *error);
+GpResult gp_image_write(const char *path, const GpImage *image, GpPool *pool, GpError *error);
 
 /* The same into memory: the bytes that a file of this name would have.
  * errors those of gp_image_write but GP_ERROR_IO; owns: the caller, until gp_file_free */
-GpResult gp_image_encode(const char *path, const GpImage *image, GpFile *file, GpError *error);
+GpResult gp_image_encode(const char *path, const GpImage *image, GpPool *pool, GpFile *file,
+                         GpError *error);
 
 #endif

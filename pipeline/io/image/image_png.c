@@ -1,16 +1,11 @@
-/* PNG by libpng, in memory. Its errors leave by longjmp, so what must survive one lies in Stream.
+/* PNG read by libpng, in memory. Its errors leave by longjmp, so what must survive one lies in Stream.
  * source ISO/IEC 15948 */
 #include "pipeline/io/bytes.h"
 #include "pipeline/io/image/image_codec.h"
-#include "pipeline/io/image/png_rows.h"
 
 #include <png.h>
 #include <string.h>
 #include <zlib.h>
-
-/* A third of the time of libpng's own choice (29 ms of 88 for the default scene), for 9 % more bytes: trying
- * all filters takes as long as it saves. */
-enum { FILTER = PNG_FILTER_PAETH, LEVEL = 4 };
 
 enum { LITTLE_ENDIAN_MACHINE = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };
 
@@ -70,7 +65,6 @@ typedef struct Stream {
     bool no_memory; /* libpng tells of it in words only, which differ */
     const GpFile *from;
     size_t at; /* in `from` */
-    GpBytes to;
     GpImage image;
 } Stream;
 
@@ -110,17 +104,6 @@ static void read_bytes(png_structp png, png_bytep bytes, size_t size)
     stream->at += size;
 }
 
-static void write_bytes(png_structp png, png_bytep bytes, size_t size)
-{
-    Stream *stream = png_get_io_ptr(png);
-    gp_bytes_append(&stream->to, bytes, size);
-}
-
-static void flush(png_structp png)
-{
-    (void)png;
-}
-
 static size_t row_bytes(const GpImage *image)
 {
     return (size_t)image->width * image->channels * gp_image_sample_size(image->type);
@@ -151,32 +134,6 @@ static void read_picture(png_structp png, png_infop info, Stream *stream)
     stream->result = GP_OK;
 }
 
-static void write_head(png_structp png, png_infop info, const GpImage *image)
-{
-    static const int colors[] = { 0, PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
-                                  PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA };
-    png_set_IHDR(png, info, image->width, image->height, image->type == GP_IMAGE_U16 ? 16 : 8,
-                 colors[image->channels], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, FILTER);
-    png_set_compression_level(png, LEVEL);
-    png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
-    png_write_info(png, info);
-    if (LITTLE_ENDIAN_MACHINE)
-        png_set_swap(png);
-}
-
-static void write_picture(png_structp png, png_infop info, Stream *stream)
-{
-    const GpImage *image = &stream->image;
-    png_set_write_fn(png, stream, write_bytes, flush);
-    write_head(png, info, image);
-    for (size_t y = 0; y < image->height; y++)
-        png_write_row(png, (png_const_bytep)image->data + y * row_bytes(image));
-    png_write_end(png, NULL);
-    stream->result = stream->to.failed ? GP_ERROR_MEMORY : GP_OK;
-}
-
 /* What a stream came to; without libpng's structures, or for want of room, it is at GP_ERROR_MEMORY. */
 static GpResult finish(Stream *stream)
 {
@@ -204,99 +161,4 @@ GpResult gp_image_decode_png(const GpImageSource *source, GpImage *image)
     else
         gp_image_free(&stream.image);
     return finish(&stream);
-}
-
-GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpImage *image,
-                             GpFile *file, GpError *error)
-{
-    (void)format;
-    Stream stream = { .path = path, .error = error, .result = GP_ERROR_MEMORY, .image = *image };
-    png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &stream, on_error,
-                                                on_warning, &stream, png_memory, png_release);
-    png_infop info = png ? png_create_info_struct(png) : NULL;
-    if (info && !setjmp(png_jmpbuf(png)))
-        write_picture(png, info, &stream);
-    png_destroy_write_struct(&png, &info);
-    if (stream.result == GP_OK)
-        *file = (GpFile){ .data = stream.to.data, .size = stream.to.size };
-    else
-        gp_free(stream.to.data);
-    return finish(&stream);
-}
-
-/* --- row by row ----------------------------------------------------------------------------------- */
-
-struct GpPngRows {
-    Stream stream;
-    png_structp png;
-    png_infop info;
-    GpFilePieces *pieces;
-    GpResult failed; /* to write */
-};
-
-static void write_piece(png_structp png, png_bytep bytes, size_t size)
-{
-    GpPngRows *rows = png_get_io_ptr(png);
-    rows->failed = gp_file_add(rows->pieces, bytes, size, rows->stream.error);
-    if (rows->failed)
-        png_longjmp(png, 1);
-}
-
-GpResult gp_png_begin(const char *path, const GpImage *image, GpPngRows **rows, GpError *error)
-{
-    GpPngRows *made = gp_alloc(1, sizeof *made);
-    if (!made)
-        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for the picture", path);
-    made->stream = (Stream){ .path = path, .error = error, .image = *image };
-    *rows = made;
-    const GpResult result = gp_file_begin(path, &made->pieces, error);
-    if (result) {
-        gp_free(made);
-        *rows = NULL;
-        return result;
-    }
-    made->png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &made->stream, on_error,
-                                          on_warning, &made->stream, png_memory, png_release);
-    made->info = made->png ? png_create_info_struct(made->png) : NULL;
-    if (!made->info)
-        return gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for the picture", path);
-    png_set_write_fn(made->png, made, write_piece, flush);
-    if (setjmp(png_jmpbuf(made->png)))
-        return made->failed ? made->failed : finish(&made->stream);
-    /* the limit of a decoder's, which a picture of windows may exceed */
-    png_set_user_limits(made->png, GP_IMAGE_SIDE_MAX, GP_IMAGE_SIDE_MAX);
-    write_head(made->png, made->info, image);
-    return GP_OK;
-}
-
-GpResult gp_png_add(GpPngRows *rows, const void *samples, uint32_t count, GpError *error)
-{
-    rows->stream.error = error;
-    if (setjmp(png_jmpbuf(rows->png)))
-        return rows->failed ? rows->failed : finish(&rows->stream);
-    for (size_t y = 0; y < count; y++)
-        png_write_row(rows->png, (png_const_bytep)samples + y * row_bytes(&rows->stream.image));
-    return GP_OK;
-}
-
-static GpResult write_end(GpPngRows *rows)
-{
-    if (setjmp(png_jmpbuf(rows->png)))
-        return rows->failed ? rows->failed : finish(&rows->stream);
-    png_write_end(rows->png, NULL);
-    return GP_OK;
-}
-
-GpResult gp_png_end(GpPngRows **rows, bool whole, GpError *error)
-{
-    GpPngRows *ended = *rows;
-    *rows = NULL;
-    if (!ended)
-        return GP_OK;
-    ended->stream.error = error;
-    GpResult result = whole ? write_end(ended) : GP_OK;
-    png_destroy_write_struct(&ended->png, &ended->info);
-    const GpResult closed = gp_file_end(&ended->pieces, whole && !result, error);
-    gp_free(ended);
-    return result ? result : closed;
 }

@@ -132,8 +132,9 @@ GpResult gp_image_decode_pnm(const GpImageSource *source, GpImage *image)
 }
 
 GpResult gp_image_encode_pnm(const char *path, GpImageFormat format, const GpImage *image,
-                             GpFile *file, GpError *error)
+                             struct GpPool *pool, GpFile *file, GpError *error)
 {
+    (void)pool;
     bool is_float = format == GP_IMAGE_PFM;
     bool is_color = image->channels == 3;
     char header[64];

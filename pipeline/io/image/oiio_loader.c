@@ -41,8 +41,9 @@ GpResult gp_image_decode_oiio(const GpImageSource *source, GpImage *image)
 }
 
 GpResult gp_image_encode_oiio(const char *path, GpImageFormat format, const GpImage *image,
-                              GpFile *file, GpError *error)
+                              struct GpPool *pool, GpFile *file, GpError *error)
 {
+    (void)pool;
     fenv_t environment;
     fegetenv(&environment);
     GpResult result = need_library(path, error);

@@ -62,7 +62,7 @@ static GpResult write_picture(const char *folder, const char *name, PeerPicture 
                       .type = GP_IMAGE_U8,
                       .data = rgb };
     snprintf(path, sizeof path, "%s/%s.png", folder, name);
-    return gp_image_write(path, &image, error);
+    return gp_image_write(path, &image, NULL, error);
 }
 
 /* --- cases ------------------------------------------------------------------------------------ */

@@ -269,7 +269,7 @@ static void other_files_are_not_depth_images(void **state)
     GpError error = { "" };
     float rgba[16] = { 0.5F };
     const GpImage picture = { 2, 2, 4, GP_IMAGE_F32, rgba };
-    assert_int_equal(gp_image_write(in_folder("picture.exr"), &picture, &error), GP_OK);
+    assert_int_equal(gp_image_write(in_folder("picture.exr"), &picture, NULL, &error), GP_OK);
     assert_refused(in_folder("picture.exr"), "not a depth image: no attribute depthImage");
     assert_refused(in_folder("none.exr"), "");
     assert_refused("depth.png", "expected a name that ends with .exr");

@@ -29,13 +29,32 @@ static void failing_gives_the_result_and_a_text_that_fits(void **state)
 static void memory_is_zero_aligned_and_never_less_than_asked_for(void **state)
 {
     (void)state;
-    static const size_t sizes[] = { 0, 1, 63, 64, 65, 4 << 20 };
-    for (size_t i = 0; i < GP_COUNT(sizes); i++) {
-        unsigned char *memory = gp_alloc(sizes[i], 1);
+    static const size_t sizes[] = {
+        0,
+        1,
+        63,
+        64,
+        65,
+        4 << 20, /* and those around half a huge page, and one and a half */
+        (1 << 20) - 1,
+        1 << 20,
+        (3 << 20) - 1,
+        3 << 20
+    };
+    for (size_t i = 0; i < 3 * GP_COUNT(sizes); i++) { /* again: what was freed is not zero */
+        const size_t size = sizes[i % GP_COUNT(sizes)];
+        unsigned char *memory = gp_alloc(size, 1);
         assert_non_null(memory);
         assert_int_equal((uintptr_t)memory % 64, 0);
-        for (size_t k = 0; k < sizes[i]; k += 61)
-            assert_int_equal(memory[k], 0);
+        for (size_t k = 0; k < size; k++)
+            if (memory[k])
+                fail_msg("byte %zu of %zu", k, size);
+        memset(memory, 255, size);
+        gp_free(memory);
+        memory = gp_alloc_unset(size);
+        assert_non_null(memory);
+        assert_int_equal((uintptr_t)memory % 64, 0);
+        memset(memory, 255, size);
         gp_free(memory);
     }
     assert_null(gp_alloc(SIZE_MAX / 2, 3)); /* the product has no place in a size_t */

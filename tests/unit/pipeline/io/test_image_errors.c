@@ -45,7 +45,8 @@ static void a_file_under_another_formats_name_is_refused(void **state)
             if (strcasecmp(extension, extensions[i]) == 0)
                 continue;
             GpImage image = random_image(8, 8, writable[j].channels, writable[j].type, 3), back;
-            assert_int_equal(gp_image_write(in_folder(writable[j].name), &image, &error), GP_OK);
+            assert_int_equal(gp_image_write(in_folder(writable[j].name), &image, NULL, &error),
+                             GP_OK);
             snprintf(name, sizeof name, "b.%s", extensions[i]);
             assert_int_equal(rename(in_folder(writable[j].name), in_folder(name)), 0);
             GpResult result = gp_image_read(in_folder(name), &back, &error);
@@ -110,7 +111,7 @@ static void what_an_exr_promises_takes_no_memory(void **state)
     GpImage image = random_image(8, 8, 4, GP_IMAGE_F32, 1);
     GpFile file;
     struct rusage before, after;
-    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_OK);
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, NULL, &error), GP_OK);
     assert_refused(put_file("b.exr", "x", 1), GP_ERROR_FORMAT, "b.exr");
     assert_int_equal(gp_file_read(in_folder("a.exr"), &file, &error), GP_OK);
     memcpy(exr_value(&file, "dataWindow", "box2i"), window, sizeof window);
@@ -132,7 +133,7 @@ static void exr_channels_are_checked(void **state)
     static const int32_t types[] = { 3, 256, -1 };
     GpImage image = random_image(4, 4, 3, GP_IMAGE_F16, 1);
     GpFile file;
-    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_OK);
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, NULL, &error), GP_OK);
     assert_int_equal(gp_file_read(in_folder("a.exr"), &file, &error), GP_OK);
     char *list = exr_value(&file, "channels", "chlist");
     const size_t before = sizeof "channels\0chlist" + 4;
@@ -161,7 +162,7 @@ static void exr_windows_are_checked(void **state)
     (void)state;
     GpImage image = random_image(4, 4, 3, GP_IMAGE_F16, 1);
     GpFile file;
-    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_OK);
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, NULL, &error), GP_OK);
     assert_int_equal(gp_file_read(in_folder("a.exr"), &file, &error), GP_OK);
     char *window = memmem(file.data, file.size, "dataWindow\0box2i\0\x10\0\0", 20);
     assert_non_null(window);
@@ -192,7 +193,7 @@ static size_t make_samples(GpFile samples[24], const char *names[24])
         size_t kind = chosen[i];
         GpImage image = random_image(9, 6, writable[kind].channels, writable[kind].type, i);
         names[count] = writable[kind].name;
-        assert_int_equal(gp_image_write(in_folder(names[count]), &image, &error), GP_OK);
+        assert_int_equal(gp_image_write(in_folder(names[count]), &image, NULL, &error), GP_OK);
         assert_int_equal(gp_file_read(in_folder(names[count]), &samples[count], &error), GP_OK);
         gp_image_free(&image);
     }
@@ -310,7 +311,8 @@ static void what_a_format_cannot_hold_is_not_written(void **state)
                           .type = cases[i].type,
                           .data = samples };
         error.text[0] = '\0';
-        assert_int_equal(gp_image_write(in_folder(cases[i].name), &image, &error), cases[i].result);
+        assert_int_equal(gp_image_write(in_folder(cases[i].name), &image, NULL, &error),
+                         cases[i].result);
         assert_true(error.text[0] != '\0');
     }
     assert_int_equal(folder_count(false), 0);
@@ -321,10 +323,10 @@ static void an_unwritable_place_is_an_error_and_stays_clean(void **state)
     (void)state;
     GpImage image = random_image(5, 5, 3, GP_IMAGE_U8, 1);
     put_file("file", "x", 1);
-    assert_int_equal(gp_image_write(in_folder("file/a.png"), &image, &error), GP_ERROR_IO);
-    assert_int_equal(gp_image_write(in_folder("none/a.png"), &image, &error), GP_ERROR_IO);
+    assert_int_equal(gp_image_write(in_folder("file/a.png"), &image, NULL, &error), GP_ERROR_IO);
+    assert_int_equal(gp_image_write(in_folder("none/a.png"), &image, NULL, &error), GP_ERROR_IO);
     assert_int_equal(mkdir(in_folder("folder.png"), 0777), 0);
-    assert_int_equal(gp_image_write(in_folder("folder.png"), &image, &error), GP_ERROR_IO);
+    assert_int_equal(gp_image_write(in_folder("folder.png"), &image, NULL, &error), GP_ERROR_IO);
     assert_int_equal(folder_count(false), 2);
     gp_image_free(&image);
 }
@@ -336,7 +338,7 @@ static void a_full_device_is_an_error(void **state)
         skip();
     GpImage image = random_image(5, 5, 3, GP_IMAGE_F32, 1);
     assert_int_equal(symlink("/dev/full", in_folder("a.exr")), 0);
-    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_ERROR_IO);
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, NULL, &error), GP_ERROR_IO);
     assert_non_null(strstr(error.text, strerror(ENOSPC)));
     struct stat info;
     assert_int_equal(stat("/dev/full", &info), 0);
@@ -358,7 +360,7 @@ static void a_full_disk_leaves_the_old_file(void **state)
             struct rlimit limit = { .rlim_cur = 1000, .rlim_max = 1000 };
             signal(SIGXFSZ, SIG_IGN);
             setrlimit(RLIMIT_FSIZE, &limit);
-            _exit(gp_image_write(in_folder(names[i]), &image, NULL) == GP_ERROR_IO ? 0 : 1);
+            _exit(gp_image_write(in_folder(names[i]), &image, NULL, NULL) == GP_ERROR_IO ? 0 : 1);
         }
         int status;
         assert_int_equal(waitpid(child, &status, 0), child);

@@ -30,7 +30,7 @@ static void every_written_format_reads_back_bit_for_bit(void **state)
                                          writable[i].type, 100 * i + s);
             GpImage back;
             const char *path = in_folder(writable[i].name);
-            if (gp_image_write(path, &image, &error) != GP_OK)
+            if (gp_image_write(path, &image, NULL, &error) != GP_OK)
                 fail_msg("%s", error.text);
             assert_reads(path, &back);
             assert_same_image(&image, &back);
@@ -50,8 +50,8 @@ static void the_same_picture_gives_the_same_bytes_under_any_name(void **state)
         char other[32];
         snprintf(other, sizeof other, "other%s", writable[i].name + 1);
         GpFile a, b;
-        assert_int_equal(gp_image_write(in_folder(writable[i].name), &image, &error), GP_OK);
-        assert_int_equal(gp_image_write(in_folder(other), &image, &error), GP_OK);
+        assert_int_equal(gp_image_write(in_folder(writable[i].name), &image, NULL, &error), GP_OK);
+        assert_int_equal(gp_image_write(in_folder(other), &image, NULL, &error), GP_OK);
         assert_int_equal(gp_file_read(in_folder(writable[i].name), &a, &error), GP_OK);
         assert_int_equal(gp_file_read(in_folder(other), &b, &error), GP_OK);
         assert_int_equal(a.size, b.size);
@@ -68,7 +68,7 @@ static void png_holds_no_text_and_no_time(void **state)
     (void)state;
     GpImage image = random_image(20, 10, 4, GP_IMAGE_U8, 1);
     GpFile file;
-    assert_int_equal(gp_image_write(in_folder("a.png"), &image, &error), GP_OK);
+    assert_int_equal(gp_image_write(in_folder("a.png"), &image, NULL, &error), GP_OK);
     assert_int_equal(gp_file_read(in_folder("a.png"), &file, &error), GP_OK);
     size_t chunks = 0;
     for (size_t at = 8; at < file.size; chunks++) {
@@ -88,7 +88,7 @@ static void exr_holds_no_text(void **state)
     (void)state;
     GpImage image = random_image(4, 4, 3, GP_IMAGE_F32, 1);
     GpFile file;
-    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, &error), GP_OK);
+    assert_int_equal(gp_image_write(in_folder("a.exr"), &image, NULL, &error), GP_OK);
     assert_int_equal(gp_file_read(in_folder("a.exr"), &file, &error), GP_OK);
     for (size_t at = 8; file.data[at] != '\0';) {
         const char *name = file.data + at, *type = name + strlen(name) + 1;
@@ -192,7 +192,7 @@ static void rounding_mode_survives_reading_and_writing(void **state)
     (void)state;
     GpImage image = random_image(9, 9, 4, GP_IMAGE_F32, 1), back;
     fesetround(FE_UPWARD);
-    GpResult written = gp_image_write(in_folder("a.exr"), &image, &error);
+    GpResult written = gp_image_write(in_folder("a.exr"), &image, NULL, &error);
     int after_write = fegetround();
     GpResult read = gp_image_read(in_folder("a.exr"), &back, &error);
     int after_read = fegetround();

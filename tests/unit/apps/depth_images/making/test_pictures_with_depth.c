@@ -32,7 +32,7 @@ static const char *put_image(const char *name, uint32_t width, uint32_t height, 
     const GpImage image = { width, height, channels, type, data };
     GpError error = { "" };
     const char *path = in_folder(name);
-    if (gp_image_write(path, &image, &error))
+    if (gp_image_write(path, &image, NULL, &error))
         fail_msg("%s", error.text);
     return path;
 }
