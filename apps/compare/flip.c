@@ -2,6 +2,7 @@
 
 #include "apps/base/stable_math.h"
 #include "apps/compare/flip_color.h"
+#include "pipeline/base/lanes/types.h"
 
 #include <math.h>
 #include <string.h>
@@ -128,6 +129,13 @@ typedef struct Band {
     double *filtered[RESPONSES];
 } Band;
 
+static StablePair load_pair(const double *at)
+{
+    StablePair pair;
+    memcpy(&pair, at, sizeof pair);
+    return pair;
+}
+
 static double code_at(const Picture *picture, size_t index, int channel)
 {
     const float *pixel = picture->values + index * (size_t)picture->channels;
@@ -138,13 +146,14 @@ static double code_at(const Picture *picture, size_t index, int channel)
 static void pad_row(const Picture *picture, uint32_t y, int radius, double *const padded[3])
 {
     const uint32_t width = picture->width;
-    for (uint32_t x = 0; x < width; x++) {
-        double srgb[3], opponent[3];
+    for (uint32_t x = 0; x < width; x += 2) { /* the border has room for one more */
+        const size_t at = (size_t)y * width + x, next = x + 1 < width ? at + 1 : at;
+        StablePair srgb[3], opponent[3];
         for (int c = 0; c < 3; c++)
-            srgb[c] = code_at(picture, (size_t)y * width + x, c);
+            srgb[c] = (StablePair){ code_at(picture, at, c), code_at(picture, next, c) };
         flip_opponent(srgb, opponent);
         for (int c = 0; c < 3; c++)
-            padded[c][(uint32_t)radius + x] = opponent[c];
+            memcpy(padded[c] + radius + x, &opponent[c], sizeof opponent[c]);
     }
     for (int c = 0; c < 3; c++)
         for (int i = 0; i < radius; i++) {
@@ -154,23 +163,45 @@ static void pad_row(const Picture *picture, uint32_t y, int radius, double *cons
         }
 }
 
-/* Adds a weighted row to another. */
-static void add_row(double *to, const double *from, double weight, uint32_t width)
+enum { AT_ONCE = 8 }; /* pixels: sums that do not wait for each other */
+
+GP_INLINE void sum_pairs(int count, const double *const rows[], const Kernel *kernel, uint32_t x,
+                         StablePair *sums)
 {
-    for (uint32_t x = 0; x < width; x++)
-        to[x] += weight * from[x];
+    StablePair sum[AT_ONCE / 2] = { { 0, 0 } };
+    for (int k = 0; k <= 2 * kernel->radius; k++)
+        GP_UNROLL for (int i = 0; i < count; i++) sum[i] +=
+            load_pair(rows[k] + x + 2 * i) * kernel->weight[k];
+    GP_UNROLL for (int i = 0; i < count; i++) sums[i] = sum[i];
+}
+
+/* Writes the sum of rows by a kernel's weights, in its order. What lies behind a row of an odd width is read, but
+ * not used. */
+static void sum_rows(const double *const rows[], const Kernel *kernel, uint32_t width, double *sums)
+{
+    StablePair sum[AT_ONCE / 2];
+    uint32_t x = 0;
+    for (; x + AT_ONCE <= width; x += AT_ONCE) {
+        sum_pairs(AT_ONCE / 2, rows, kernel, x, sum);
+        memcpy(sums + x, sum, sizeof sum);
+    }
+    for (; x < width; x += 2) {
+        sum_pairs(1, rows, kernel, x, sum);
+        memcpy(sums + x, sum, x + 1 < width ? sizeof sum[0] : sizeof(double));
+    }
 }
 
 static void filter_across(const Filters *filters, const Picture *picture, Band *band)
 {
+    const double *shifted[2 * MOST_RADIUS + 1];
     for (uint32_t row = 0; row < band->rows; row++) {
         pad_row(picture, band->row0 + row, filters->radius, band->padded);
         for (int r = 0; r < RESPONSES; r++) {
             const Kernel *kernel = &filters->across[r];
             const double *first = band->padded[channel_of[r]] + (filters->radius - kernel->radius);
             for (int k = 0; k <= 2 * kernel->radius; k++)
-                add_row(band->across[r] + (size_t)row * band->width, first + k, kernel->weight[k],
-                        band->width);
+                shifted[k] = first + k;
+            sum_rows(shifted, kernel, band->width, band->across[r] + (size_t)row * band->width);
         }
     }
 }
@@ -178,58 +209,68 @@ static void filter_across(const Filters *filters, const Picture *picture, Band *
 /* Row y of the picture, after both directions. */
 static void filter_down(const Filters *filters, const Picture *picture, uint32_t y, Band *band)
 {
+    const double *rows[2 * MOST_RADIUS + 1];
     for (int r = 0; r < RESPONSES; r++) {
         const Kernel *kernel = &filters->down[r];
-        memset(band->filtered[r], 0, band->width * sizeof(double));
         for (int k = -kernel->radius; k <= kernel->radius; k++) {
             const int64_t row = (int64_t)y + k, last = (int64_t)picture->height - 1;
             const int64_t inside = row < 0 ? 0 : row > last ? last : row;
-            add_row(band->filtered[r],
-                    band->across[r] + (size_t)(inside - band->row0) * band->width,
-                    kernel->weight[k + kernel->radius], band->width);
+            rows[k + kernel->radius] =
+                band->across[r] + (size_t)(inside - band->row0) * band->width;
         }
+        sum_rows(rows, kernel, band->width, band->filtered[r]);
     }
 }
 
 /* --- difference ------------------------------------------------------------------------------- */
 
-static double length(double x, double y)
+static StablePair root(StablePair x)
 {
-    return sqrt(x * x + y * y);
+    return (StablePair){ sqrt(x[0]), sqrt(x[1]) };
+}
+
+static StablePair strength(const Band *band, Response across, Response down, uint32_t x)
+{
+    const StablePair a = load_pair(band->filtered[across] + x);
+    const StablePair b = load_pair(band->filtered[down] + x);
+    return root(a * a + b * b) / 116;
 }
 
 /* How far the strengths of edges, or of points, are apart. The kernels sum to 0, so that of the
  * achromatic channel's scale, 116 Y - 16, only the factor is left. */
-static double feature_difference(const Band bands[2], Response across, Response down, uint32_t x)
+static StablePair feature_difference(const Band bands[2], Response across, Response down,
+                                     uint32_t x)
 {
-    double strength[2];
-    for (int i = 0; i < 2; i++)
-        strength[i] = length(bands[i].filtered[across][x], bands[i].filtered[down][x]) / 116;
-    return fabs(strength[0] - strength[1]);
+    const StablePair apart =
+        strength(&bands[0], across, down, x) - strength(&bands[1], across, down, x);
+    return (StablePair){ fabs(apart[0]), fabs(apart[1]) };
 }
 
-static double pixel_difference(const Band bands[2], uint32_t x)
+/* Of pixels x and x + 1. */
+static StablePair pixel_difference(const Band bands[2], uint32_t x)
 {
-    double opponent[2][3];
+    StablePair opponent[2][3];
     for (int i = 0; i < 2; i++) {
         double *const *filtered = bands[i].filtered;
-        opponent[i][0] = filtered[ACHROMATIC][x];
-        opponent[i][1] = filtered[RED_GREEN][x];
-        opponent[i][2] = filtered[BLUE_YELLOW][x] + filtered[BLUE_YELLOW_NARROW][x];
+        opponent[i][0] = load_pair(filtered[ACHROMATIC] + x);
+        opponent[i][1] = load_pair(filtered[RED_GREEN] + x);
+        opponent[i][2] =
+            load_pair(filtered[BLUE_YELLOW] + x) + load_pair(filtered[BLUE_YELLOW_NARROW] + x);
     }
-    const double color = flip_color_difference(opponent[0], opponent[1]);
-    const double edges = feature_difference(bands, EDGE_ACROSS, EDGE_DOWN, x);
-    const double points = feature_difference(bands, POINT_ACROSS, POINT_DOWN, x);
-    const double feature = sqrt((edges > points ? edges : points) / sqrt(2));
-    return stable_pow(color, 1 - feature);
+    const StablePair color = flip_color_difference(opponent[0], opponent[1]);
+    const StablePair edges = feature_difference(bands, EDGE_ACROSS, EDGE_DOWN, x);
+    const StablePair points = feature_difference(bands, POINT_ACROSS, POINT_DOWN, x);
+    const StablePair feature = root(stable_choose(edges > points, edges, points) / sqrt(2));
+    return stable_pow_pair(color, 1 - feature);
 }
 
-/* Arrays of a band, in one piece. NULL: no memory. */
+/* Arrays of a band, in one piece, with a number behind them. NULL: no memory. */
 static double *open_band(const Work *work, uint32_t row0, uint32_t rows, Band *band)
 {
     const size_t width = work->pictures[0]->width, radius = (size_t)work->filters.radius;
     const size_t padded = width + 2 * radius;
-    double *memory = gp_alloc(3 * padded + RESPONSES * (rows + (size_t)1) * width, sizeof(double));
+    double *memory =
+        gp_alloc(3 * padded + RESPONSES * (rows + (size_t)1) * width + 1, sizeof(double));
     *band = (Band){ .width = (uint32_t)width, .row0 = row0, .rows = rows };
     if (!memory)
         return NULL;
@@ -263,8 +304,11 @@ static void make_band(void *context, uint32_t item, int worker)
         for (uint32_t y = y0; y < y1; y++) {
             for (int i = 0; i < 2; i++)
                 filter_down(&work->filters, work->pictures[i], y, &bands[i]);
-            for (uint32_t x = 0; x < width; x++)
-                work->map[(size_t)y * width + x] = (float)pixel_difference(bands, x);
+            for (uint32_t x = 0; x < width; x += 2) {
+                const StablePair difference = pixel_difference(bands, x);
+                for (uint32_t i = 0; i < 2 && x + i < width; i++)
+                    work->map[(size_t)y * width + x + i] = (float)difference[i];
+            }
         }
     }
     gp_free(memory[0]);

@@ -21,23 +21,32 @@ static const double rgb_of_xyz[3][3] = {
     { 0.05288129287554325, -0.20401120612390997, 1.1511299132483668 },
 };
 
-static void transform(const double matrix[3][3], const double in[3], double out[3])
+static StablePair both(double value)
+{
+    return (StablePair){ value, value };
+}
+
+static void transform(const double matrix[3][3], const StablePair in[3], StablePair out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = matrix[i][0] * in[0] + matrix[i][1] * in[1] + matrix[i][2] * in[2];
 }
 
 /* IEC 61966-2-1 */
-static double linear_of_srgb(double code)
+static void linear_of_srgb(const StablePair srgb[3], StablePair rgb[3])
 {
-    return code > 0.04045 ? stable_pow((code + 0.055) / 1.055, 2.4) : code / 12.92;
+    StablePair base[3], power[3];
+    for (int i = 0; i < 3; i++)
+        base[i] = (srgb[i] + 0.055) / 1.055;
+    stable_pow_pairs(base, 2.4, power);
+    for (int i = 0; i < 3; i++)
+        rgb[i] = stable_choose(srgb[i] > 0.04045, power[i], srgb[i] / 12.92);
 }
 
-void flip_opponent(const double srgb[3], double opponent[3])
+void flip_opponent(const StablePair srgb[3], StablePair opponent[3])
 {
-    double rgb[3], xyz[3];
-    for (int i = 0; i < 3; i++)
-        rgb[i] = linear_of_srgb(srgb[i]);
+    StablePair rgb[3], xyz[3];
+    linear_of_srgb(srgb, rgb);
     transform(xyz_of_rgb, rgb, xyz);
     opponent[0] = 116 * xyz[1] - 16;
     opponent[1] = 500 * (xyz[0] - xyz[1]);
@@ -45,31 +54,35 @@ void flip_opponent(const double srgb[3], double opponent[3])
 }
 
 /* CIE L*a*b*'s function: a cube root, with a straight line near 0. */
-static double lab_of(double x)
+static void lab_of(const StablePair xyz[3], StablePair f[3])
 {
     const double delta = 6.0 / 29;
-    return x > delta * delta * delta ? stable_pow(x, 1.0 / 3) : x / (3 * delta * delta) + 4.0 / 29;
+    StablePair root[3];
+    stable_pow_pairs(xyz, 1.0 / 3, root);
+    for (int i = 0; i < 3; i++)
+        f[i] = stable_choose(xyz[i] > delta * delta * delta, root[i],
+                             xyz[i] / (3 * delta * delta) + 4.0 / 29);
 }
 
 /* L*, and a* and b* with Hunt's effect: colours look the paler the darker they are. */
-static void hunt_lab_of_rgb(const double rgb[3], double lab[3])
+static void hunt_lab_of_rgb(const StablePair rgb[3], StablePair lab[3])
 {
-    double xyz[3];
+    StablePair xyz[3], f[3];
     transform(xyz_of_rgb, rgb, xyz);
-    const double x = lab_of(xyz[0]), y = lab_of(xyz[1]), z = lab_of(xyz[2]);
-    lab[0] = 116 * y - 16;
-    lab[1] = 0.01 * lab[0] * (500 * (x - y));
-    lab[2] = 0.01 * lab[0] * (200 * (y - z));
+    lab_of(xyz, f);
+    lab[0] = 116 * f[1] - 16;
+    lab[1] = 0.01 * lab[0] * (500 * (f[0] - f[1]));
+    lab[2] = 0.01 * lab[0] * (200 * (f[1] - f[2]));
 }
 
-static void hunt_lab_of_opponent(const double opponent[3], double lab[3])
+static void hunt_lab_of_opponent(const StablePair opponent[3], StablePair lab[3])
 {
-    const double y = (opponent[0] + 16) / 116;
-    const double xyz[3] = { y + opponent[1] / 500, y, y - opponent[2] / 200 };
-    double rgb[3];
+    const StablePair y = (opponent[0] + 16) / 116;
+    const StablePair xyz[3] = { y + opponent[1] / 500, y, y - opponent[2] / 200 };
+    StablePair rgb[3];
     transform(rgb_of_xyz, xyz, rgb);
     for (int i = 0; i < 3; i++)
-        rgb[i] = rgb[i] > 0 ? rgb[i] < 1 ? rgb[i] : 1 : 0;
+        rgb[i] = stable_choose(rgb[i] > 0, stable_choose(rgb[i] < 1, rgb[i], both(1)), both(0));
     hunt_lab_of_rgb(rgb, lab);
 }
 
@@ -77,21 +90,24 @@ static void hunt_lab_of_opponent(const double opponent[3], double lab[3])
 
 /* Lightness by the city block, chroma by Euclid: Abasi, Tehran and Fairchild, "Distance metrics for
  * very large color differences", Color Research and Application 45(2), 2020; to the power of 0.7. */
-static double distance(const double a[3], const double b[3])
+static StablePair distance(const StablePair a[3], const StablePair b[3])
 {
-    const double da = a[1] - b[1], db = a[2] - b[2];
-    return stable_pow(fabs(a[0] - b[0]) + sqrt(da * da + db * db), 0.7);
+    const StablePair dl = a[0] - b[0], da = a[1] - b[1], db = a[2] - b[2];
+    const StablePair chroma = da * da + db * db;
+    const StablePair apart = { fabs(dl[0]) + sqrt(chroma[0]), fabs(dl[1]) + sqrt(chroma[1]) };
+    return stable_pow_pair(apart, both(0.7));
 }
 
 /* The largest that sRGB can show, green against blue, to the power of 0.7. The test finds it so. */
 static const double largest = 41.276098414595445;
 
-double flip_color_difference(const double a[3], const double b[3])
+StablePair flip_color_difference(const StablePair a[3], const StablePair b[3])
 {
     const double knee = 0.4 * largest, share = 0.95;
-    double lab_a[3], lab_b[3];
+    StablePair lab_a[3], lab_b[3];
     hunt_lab_of_opponent(a, lab_a);
     hunt_lab_of_opponent(b, lab_b);
-    const double d = distance(lab_a, lab_b);
-    return d < knee ? d / knee * share : share + (d - knee) / (largest - knee) * (1 - share);
+    const StablePair d = distance(lab_a, lab_b);
+    return stable_choose(d < knee, d / knee * share,
+                         share + (d - knee) / (largest - knee) * (1 - share));
 }

@@ -1,5 +1,6 @@
 /* The stable functions against those of long double, which have eleven bits more. */
 #include "apps/base/stable_math.h"
+#include "pipeline/base/base.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
@@ -45,6 +46,31 @@ static void arguments_near_one_keep_their_digits(void **state)
     }
 }
 
+static void powers_side_by_side_have_the_bits_of_one_alone(void **state)
+{
+    (void)state;
+    Random random = { 11 };
+    static const double bases[] = {
+        0, 1, DBL_MIN, 0x1p-900, 0.5, 0x1.6a09e667f3bccp-1, 7, 0x1p900
+    };
+    for (int i = 0; i < 100000; i++) {
+        StablePair x[3], y, power[3];
+        const double same =
+            i % 5 ? (double)random_float(&random, -1, 1) : random_int(&random, 0, 1);
+        for (int k = 0; k < 6; k++)
+            x[k / 2][k % 2] = random_int(&random, 0, 3)
+                                  ? exp((double)random_float(&random, -9.2f, 9.2f))
+                                  : bases[random_int(&random, same < 0, GP_COUNT(bases) - 1)];
+        y = (StablePair){ same, (double)random_float(&random, 0, 1) };
+        stable_pow_pairs(x, same, power);
+        const StablePair own = stable_pow_pair(x[0], y);
+        for (int k = 0; k < 6; k++)
+            assert_true(power[k / 2][k % 2] == stable_pow(x[k / 2][k % 2], same));
+        for (int k = 0; k < 2; k++)
+            assert_true(own[k] == stable_pow(x[0][k], y[k]));
+    }
+}
+
 static void edges_are_those_that_are_promised(void **state)
 {
     (void)state;
@@ -82,6 +108,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_arguments_have_the_errors_that_are_stated),
         cmocka_unit_test(arguments_near_one_keep_their_digits),
+        cmocka_unit_test(powers_side_by_side_have_the_bits_of_one_alone),
         cmocka_unit_test(edges_are_those_that_are_promised),
         cmocka_unit_test(angles_are_those_of_long_double_all_round),
     };

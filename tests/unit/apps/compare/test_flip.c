@@ -61,21 +61,23 @@ static void uniform_pictures_have_the_differences_of_the_formulas(void **state)
 static void green_against_blue_is_the_largest_difference(void **state)
 {
     (void)state;
-    double green[3], blue[3];
-    flip_opponent((const double[]){ 0, 1, 0 }, green);
-    flip_opponent((const double[]){ 0, 0, 1 }, blue);
-    assert_true(fabs(flip_color_difference(green, blue) - 1) < 1e-13);
+    StablePair green[3], blue[3];
+    flip_opponent((const StablePair[]){ { 0, 0 }, { 1, 1 }, { 0, 0 } }, green);
+    flip_opponent((const StablePair[]){ { 0, 0 }, { 0, 0 }, { 1, 1 } }, blue);
+    assert_true(fabs(flip_color_difference(green, blue)[1] - 1) < 1e-13);
     Random random = { 3 };
     for (int i = 0; i < 20000; i++) {
-        double srgb[2][3], opponent[2][3];
+        StablePair srgb[2][3], opponent[2][3];
         for (int k = 0; k < 2; k++) {
-            for (int c = 0; c < 3; c++) /* corners of the cube as often as its inside */
-                srgb[k][c] = random_int(&random, 0, 1) ? random_int(&random, 0, 1)
-                                                       : (double)random_float(&random, 0, 1);
+            for (int c = 0; c < 6; c++) /* corners of the cube as often as its inside */
+                srgb[k][c / 2][c % 2] = random_int(&random, 0, 1)
+                                            ? random_int(&random, 0, 1)
+                                            : (double)random_float(&random, 0, 1);
             flip_opponent(srgb[k], opponent[k]);
         }
-        const double difference = flip_color_difference(opponent[0], opponent[1]);
-        assert_true(difference >= 0 && difference <= 1 + 1e-13);
+        const StablePair difference = flip_color_difference(opponent[0], opponent[1]);
+        for (int k = 0; k < 2; k++)
+            assert_true(difference[k] >= 0 && difference[k] <= 1 + 1e-13);
     }
 }
 
@@ -147,6 +149,38 @@ static void threads_change_no_bit_and_order_of_pictures_none_of_the_map(void **s
     assert_memory_equal(first, map, sizeof map);
 }
 
+/* In rows of any width the last pixel is the first one of a mirror. Sums go the other way round: a last bit may
+ * differ. */
+static void mirrored_pictures_have_mirrored_maps(void **state)
+{
+    (void)state;
+    static float mirrored[40 * 9];
+    Random random = { 21 };
+    for (uint32_t width = 1; width <= 40; width++) {
+        const uint32_t height = 1 + width % 9;
+        for (uint32_t turn = 0; turn < 2; turn++) {
+            for (uint32_t i = 0; i < 3 * width * height; i++)
+                for (int k = 0; k < 2; k++) {
+                    const uint32_t x = i / 3 % width, across = 3 * (width - 1 - x);
+                    float *at = values[k] + i, *other = values[k] + (i - 3 * x + across);
+                    if (!turn)
+                        *at = random_float(&random, 0, 1);
+                    else if (other > at) {
+                        const float kept = *at;
+                        *at = *other;
+                        *other = kept;
+                    }
+                }
+            memcpy(mirrored, map, sizeof mirrored);
+            assert_true(flip(width, height, 3, FLIP_PIXELS_PER_DEGREE).max > 0);
+        }
+        for (uint32_t y = 0; y < height; y++)
+            for (uint32_t x = 0; x < width; x++)
+                assert_true(fabsf(map[y * width + x] - mirrored[y * width + width - 1 - x]) <
+                            1e-6f);
+    }
+}
+
 static void grey_alpha_and_values_beyond_codes_are_taken_as_stated(void **state)
 {
     (void)state;
@@ -173,6 +207,7 @@ int main(void)
         cmocka_unit_test(green_against_blue_is_the_largest_difference),
         cmocka_unit_test(patterns_have_the_differences_that_the_authors_program_finds),
         cmocka_unit_test(threads_change_no_bit_and_order_of_pictures_none_of_the_map),
+        cmocka_unit_test(mirrored_pictures_have_mirrored_maps),
         cmocka_unit_test(grey_alpha_and_values_beyond_codes_are_taken_as_stated),
     };
     return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
