@@ -1,27 +1,8 @@
 #include "pipeline/io/bytes.h"
 
-uint64_t gp_load_little(const void *bytes, size_t size)
-{
-    const unsigned char *at = bytes;
-    uint64_t value = 0;
-    for (size_t i = size; i-- > 0;)
-        value = value << 8 | at[i];
-    return value;
-}
-
-uint64_t gp_load_big(const void *bytes, size_t size)
-{
-    const unsigned char *at = bytes;
-    uint64_t value = 0;
-    for (size_t i = 0; i < size; i++)
-        value = value << 8 | at[i];
-    return value;
-}
-
 void gp_copy_samples(void *out, const void *in, size_t count, size_t size, bool is_big_endian)
 {
-    const bool machine_is_big_endian = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__;
-    if (size == 1 || is_big_endian == machine_is_big_endian) {
+    if (size == 1 || is_big_endian == GP_BIG_ENDIAN_MACHINE) {
         memcpy(out, in, count * size);
         return;
     }

@@ -6,9 +6,23 @@
 
 #include <string.h>
 
-/* Unsigned integers of size 1, 2, 4 or 8 bytes at any alignment. */
-uint64_t gp_load_little(const void *bytes, size_t size);
-uint64_t gp_load_big(const void *bytes, size_t size);
+enum { GP_BIG_ENDIAN_MACHINE = __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ };
+
+/* Unsigned integers of size 1, 2, 4 or 8 bytes at any alignment. In line, as compilers make one move of those
+ * of a stated size: the bytes are the first of eight. */
+static inline uint64_t gp_load_little(const void *bytes, size_t size)
+{
+    uint64_t first = 0;
+    memcpy(&first, bytes, size);
+    return GP_BIG_ENDIAN_MACHINE ? __builtin_bswap64(first) : first;
+}
+
+static inline uint64_t gp_load_big(const void *bytes, size_t size)
+{
+    uint64_t first = 0;
+    memcpy(&first, bytes, size);
+    return (GP_BIG_ENDIAN_MACHINE ? first : __builtin_bswap64(first)) >> (64 - 8 * size);
+}
 
 /* Copies samples of `size` bytes from a byte order to the machine's, or back. in and out do not
  * overlap. */

@@ -57,15 +57,6 @@ bool gp_input_fail(GpInput *input, GpResult result, const char *format, ...)
     return false;
 }
 
-const char *gp_input_take(GpInput *input, size_t size)
-{
-    input->place = input->next;
-    if (size > (size_t)(input->end - input->next))
-        return NULL;
-    input->next += size;
-    return input->place;
-}
-
 bool gp_input_line(GpInput *input)
 {
     if (input->line_end)

@@ -36,7 +36,14 @@ bool gp_input_fail(GpInput *input, GpResult result, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* The next size bytes; NULL where there are fewer. */
-const char *gp_input_take(GpInput *input, size_t size);
+static inline const char *gp_input_take(GpInput *input, size_t size)
+{
+    input->place = input->next;
+    if (size > (size_t)(input->end - input->next))
+        return NULL;
+    input->next += size;
+    return input->place;
+}
 
 /* Steps to the next line that holds more than white space, comments excluded: a line whose first
  * word starts with '#'. False at the end of the text. */

@@ -7,8 +7,6 @@
 #include <string.h>
 #include <zlib.h>
 
-enum { LITTLE_ENDIAN_MACHINE = __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ };
-
 /* --- the header ----------------------------------------------------------------------------------- */
 
 static uint32_t big(const unsigned char *at)
@@ -116,7 +114,7 @@ static void read_picture(png_structp png, png_infop info, Stream *stream)
     png_set_read_fn(png, stream, read_bytes);
     png_read_info(png, info);
     png_set_expand(png);
-    if (LITTLE_ENDIAN_MACHINE)
+    if (!GP_BIG_ENDIAN_MACHINE)
         png_set_swap(png);
     int passes = png_set_interlace_handling(png);
     png_read_update_info(png, info);

@@ -35,26 +35,36 @@ static double value_of_word(const PlyItems *items, PlyType type, const GpWord *w
     return 0;
 }
 
-static double value_of_bits(PlyType type, uint64_t bits)
+static uint64_t load(const char *bytes, size_t size, bool is_big)
 {
+    return is_big ? gp_load_big(bytes, size) : gp_load_little(bytes, size);
+}
+
+static double value_of_bytes(PlyType type, const char *bytes, bool is_big)
+{
+    switch (type) {
+    case PLY_INT8:
+        return (int8_t)load(bytes, 1, is_big);
+    case PLY_UINT8:
+        return (double)load(bytes, 1, is_big);
+    case PLY_INT16:
+        return (int16_t)load(bytes, 2, is_big);
+    case PLY_UINT16:
+        return (double)load(bytes, 2, is_big);
+    case PLY_INT32:
+        return (int32_t)load(bytes, 4, is_big);
+    case PLY_UINT32:
+        return (double)load(bytes, 4, is_big);
+    case PLY_FLOAT32:
+        return (double)gp_bits_float((uint32_t)load(bytes, 4, is_big));
+    default:
+        break;
+    }
     union {
         uint64_t u;
         double d;
-    } pun = { .u = bits };
-    switch (type) {
-    case PLY_INT8:
-        return (int8_t)bits;
-    case PLY_INT16:
-        return (int16_t)bits;
-    case PLY_INT32:
-        return (int32_t)bits;
-    case PLY_FLOAT32:
-        return (double)gp_bits_float((uint32_t)bits);
-    case PLY_FLOAT64:
-        return pun.d;
-    default:
-        return (double)bits;
-    }
+    } pun = { load(bytes, 8, is_big) };
+    return pun.d;
 }
 
 double gp_ply_value(const PlyItems *items, PlyType type)
@@ -62,14 +72,10 @@ double gp_ply_value(const PlyItems *items, PlyType type)
     GpWord word;
     if (items->header->encoding == PLY_ASCII)
         return read_word(items, &word) ? value_of_word(items, type, &word) : 0;
-    size_t size = gp_ply_size(type);
-    const char *bytes = gp_input_take(items->input, size);
-    if (!bytes)
-        gp_ply_fail(items, "more bytes, but the file ends");
-    else if (items->header->encoding == PLY_BIG)
-        return value_of_bits(type, gp_load_big(bytes, size));
-    else
-        return value_of_bits(type, gp_load_little(bytes, size));
+    const char *bytes = gp_input_take(items->input, gp_ply_size(type));
+    if (bytes)
+        return value_of_bytes(type, bytes, items->header->encoding == PLY_BIG);
+    gp_ply_fail(items, "more bytes, but the file ends");
     return 0;
 }
 
