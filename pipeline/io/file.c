@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <sched.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,6 +96,8 @@ static int write_and_close(int handle, const char *data, size_t size)
  * are places, the others are not known here. */
 static _Atomic(const char *) unfinished[16];
 
+static atomic_bool is_abandoned; /* from then on no file gets a name */
+
 static void set_unfinished(const char *old, const char *name)
 {
     for (size_t i = 0; i < GP_COUNT(unfinished); i++) {
@@ -104,13 +107,22 @@ static void set_unfinished(const char *old, const char *name)
     }
 }
 
+/* Another thread may be about to give a file the name that is written there already: a moment is waited for it,
+ * and no more, as it may be this one, in whose midst a signal came. */
+static void remove_unfinished(_Atomic(const char *) *place)
+{
+    const char *name = atomic_load(place);
+    for (int i = 0; i < 1000 && name && *name && unlink(name) != 0 && errno == ENOENT; i++) {
+        sched_yield();
+        name = atomic_load(place);
+    }
+}
+
 void gp_file_abandon(void)
 {
-    for (size_t i = 0; i < GP_COUNT(unfinished); i++) {
-        const char *name = atomic_load(&unfinished[i]);
-        if (name)
-            unlink(name);
-    }
+    atomic_store(&is_abandoned, true);
+    for (size_t i = 0; i < GP_COUNT(unfinished); i++)
+        remove_unfinished(&unfinished[i]);
 }
 
 /* Where a path leads, its last links followed though nothing may be there; false: in a circle, or too
@@ -157,6 +169,8 @@ static int name_beside(GpFilePieces *file, int (*make)(const GpFilePieces *))
             errno = ENAMETOOLONG;
             return -1;
         }
+        while (atomic_load(&is_abandoned)) /* and the program is about to end */
+            pause();
         const int made = make(file);
         if (made >= 0 || errno != EEXIST)
             return made;

@@ -236,8 +236,10 @@ static GpResult gather(const Encoding *encoding, uint32_t count, const char *pat
     uint32_t sum = 1;
     put_head(&bytes, encoding->image);
     for (uint32_t i = 0; i < count; i++) {
-        bytes.failed |= !encoding->pieces[i].data;
-        put_piece(&bytes, &encoding->pieces[i], &sum);
+        if (encoding->pieces[i].data)
+            put_piece(&bytes, &encoding->pieces[i], &sum);
+        else
+            bytes.failed = true;
     }
     put_end(&bytes, sum);
     if (bytes.failed) {
