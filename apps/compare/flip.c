@@ -168,11 +168,15 @@ enum { AT_ONCE = 8 }; /* pixels: sums that do not wait for each other */
 GP_INLINE void sum_pairs(int count, const double *const rows[], const Kernel *kernel, uint32_t x,
                          StablePair *sums)
 {
-    StablePair sum[AT_ONCE / 2] = { { 0, 0 } };
+    GP_UNROLL for (int i = 0; i < count; i++)
+    {
+        sums[i] = (StablePair){ 0, 0 };
+    }
     for (int k = 0; k <= 2 * kernel->radius; k++)
-        GP_UNROLL for (int i = 0; i < count; i++) sum[i] +=
-            load_pair(rows[k] + x + 2 * i) * kernel->weight[k];
-    GP_UNROLL for (int i = 0; i < count; i++) sums[i] = sum[i];
+        GP_UNROLL for (int i = 0; i < count; i++)
+        {
+            sums[i] += load_pair(rows[k] + x + 2 * i) * kernel->weight[k];
+        }
 }
 
 /* Writes the sum of rows by a kernel's weights, in its order. What lies behind a row of an odd width is read, but
@@ -264,16 +268,17 @@ static StablePair pixel_difference(const Band bands[2], uint32_t x)
     return stable_pow_pair(color, 1 - feature);
 }
 
-/* Arrays of a band, in one piece, with a number behind them. NULL: no memory. */
+/* Arrays of a band, in one piece, with a 0 behind them. NULL: no memory. */
 static double *open_band(const Work *work, uint32_t row0, uint32_t rows, Band *band)
 {
     const size_t width = work->pictures[0]->width, radius = (size_t)work->filters.radius;
     const size_t padded = width + 2 * radius;
-    double *memory =
-        gp_alloc(3 * padded + RESPONSES * (rows + (size_t)1) * width + 1, sizeof(double));
+    const size_t numbers = 3 * padded + RESPONSES * (rows + (size_t)1) * width;
+    double *memory = gp_alloc_unset((numbers + 1) * sizeof *memory);
     *band = (Band){ .width = (uint32_t)width, .row0 = row0, .rows = rows };
     if (!memory)
         return NULL;
+    memory[numbers] = 0;
     double *at = memory;
     for (int c = 0; c < 3; c++, at += padded)
         band->padded[c] = at;

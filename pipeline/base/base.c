@@ -61,16 +61,10 @@ static void *align(char *block, size_t alignment)
 static size_t huge_bytes(size_t bytes)
 {
 #ifdef __SANITIZE_ADDRESS__ /* sees what is beyond a block only where nothing follows it */
-    return 0 * bytes;
-#endif
+    (void)bytes;
+    return 0;
+#else
     return (bytes + HUGE_PAGE / 2) / HUGE_PAGE * HUGE_PAGE;
-}
-
-/* A wish that is not met loses nothing. */
-static void wish_huge(void *memory, size_t bytes)
-{
-#ifdef MADV_HUGEPAGE
-    madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
 }
 
@@ -86,8 +80,10 @@ static void *alloc(size_t bytes, bool zeros)
     if (!block)
         return NULL;
     void *memory = align(block, alignment);
+#ifdef MADV_HUGEPAGE
     if (huge)
-        wish_huge(memory, huge);
+        madvise(memory, huge, MADV_HUGEPAGE); /* a wish that is not met loses nothing */
+#endif
     return memory;
 }
 

@@ -18,16 +18,16 @@ enum { BAND_BYTES = 1 << 17 };
 /* --- bands ---------------------------------------------------------------------------------------- */
 
 typedef struct Layout {
-    size_t row, pixel; /* bytes */
-    uint32_t rows;     /* of a band, but for the last */
+    size_t row, pixel, sample; /* bytes */
+    uint32_t rows;             /* of a band, but for the last */
     uint32_t height;
 } Layout;
 
 static Layout layout_of(const GpImage *image)
 {
-    const size_t pixel = image->channels * gp_image_sample_size(image->type);
+    const size_t sample = gp_image_sample_size(image->type), pixel = image->channels * sample;
     const size_t row = image->width * pixel, rows = BAND_BYTES / (row + 1);
-    return (Layout){ row, pixel, rows ? (uint32_t)rows : 1, image->height };
+    return (Layout){ row, pixel, sample, rows ? (uint32_t)rows : 1, image->height };
 }
 
 typedef int16_t Shorts __attribute__((vector_size(16)));
@@ -42,24 +42,30 @@ typedef struct Band {
     z_stream deflate;
 } Band;
 
-static bool begin_band(const Layout *layout, Band *band)
-{
-    const size_t bytes = layout->rows * (layout->row + 1);
-    *band = (Band){ .rows = gp_alloc(1, bytes + layout->row + WIDE),
-                    .filtered = gp_alloc_unset(bytes + WIDE) };
-    if (deflateInit2(&band->deflate, LEVEL, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-        return false;
-    band->room = deflateBound(&band->deflate, bytes) + 64; /* and the end of a band */
-    band->packed = gp_alloc_unset(band->room);
-    return band->rows && band->filtered && band->packed;
-}
-
 static void end_band(Band *band)
 {
     deflateEnd(&band->deflate);
     gp_free(band->rows);
     gp_free(band->filtered);
     gp_free(band->packed);
+    *band = (Band){ .rows = NULL };
+}
+
+/* False, and nothing is left to end, where there is no memory. */
+static bool begin_band(const Layout *layout, Band *band)
+{
+    const size_t bytes = layout->rows * (layout->row + 1);
+    *band = (Band){ .rows = gp_alloc(1, bytes + layout->row + WIDE),
+                    .filtered = gp_alloc_unset(bytes + WIDE) };
+    if (deflateInit2(&band->deflate, LEVEL, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) ==
+        Z_OK) {
+        band->room = deflateBound(&band->deflate, bytes) + 64; /* and the end of a band */
+        band->packed = gp_alloc_unset(band->room);
+    }
+    if (band->rows && band->filtered && band->packed)
+        return true;
+    end_band(band);
+    return false;
 }
 
 static inline Shorts load(const uint8_t *at)
@@ -129,10 +135,16 @@ static Piece pack(const Layout *layout, Band *band, uint32_t row, uint32_t rows)
 
 /* --- chunks --------------------------------------------------------------------------------------- */
 
+static void store_big(uint8_t bytes[4], uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        bytes[i] = (uint8_t)(value >> (24 - 8 * i));
+}
+
 static void put_number(GpBytes *bytes, uint32_t value)
 {
-    const uint8_t big[4] = { (uint8_t)(value >> 24), (uint8_t)(value >> 16), (uint8_t)(value >> 8),
-                             (uint8_t)value };
+    uint8_t big[4];
+    store_big(big, value);
     gp_bytes_append(bytes, big, sizeof big);
 }
 
@@ -151,16 +163,12 @@ static void put_head(GpBytes *bytes, const GpImage *image)
     static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
     static const uint8_t colors[] = { 0, 0, 4, 2, 6 }; /* by channels */
     static const uint8_t zlib[2] = { 0x78, 0x5e };     /* a window of 32 KB; packed fast */
-    GpBytes head = { .data = NULL };
-    put_number(&head, image->width);
-    put_number(&head, image->height);
-    const uint8_t kinds[5] = { image->type == GP_IMAGE_U16 ? 16 : 8, colors[image->channels] };
-    gp_bytes_append(&head, kinds, sizeof kinds);
+    uint8_t head[13] = { [8] = image->type == GP_IMAGE_U16 ? 16 : 8, colors[image->channels] };
+    store_big(head, image->width);
+    store_big(head + 4, image->height);
     gp_bytes_append(bytes, signature, sizeof signature);
-    put_chunk(bytes, "IHDR", head.data, head.size);
+    put_chunk(bytes, "IHDR", head, sizeof head);
     put_chunk(bytes, "IDAT", zlib, sizeof zlib);
-    bytes->failed |= head.failed;
-    gp_free(head.data);
 }
 
 /* in/out sum: Adler's, of all before */
@@ -172,12 +180,10 @@ static void put_piece(GpBytes *bytes, const Piece *piece, uint32_t *sum)
 
 static void put_end(GpBytes *bytes, uint32_t sum)
 {
-    GpBytes end = { .data = NULL };
-    put_number(&end, sum);
-    put_chunk(bytes, "IDAT", end.data, end.size);
+    uint8_t end[4];
+    store_big(end, sum);
+    put_chunk(bytes, "IDAT", end, sizeof end);
     put_chunk(bytes, "IEND", "", 0);
-    bytes->failed |= end.failed;
-    gp_free(end.data);
 }
 
 static GpResult no_memory(const char *path, GpError *error)
@@ -201,12 +207,11 @@ static uint32_t load_rows(const Encoding *encoding, uint32_t first, Band *band)
     const Layout *layout = &encoding->layout;
     const uint32_t left = layout->height - first;
     const uint32_t rows = left < layout->rows ? left : layout->rows, above = first > 0;
-    const size_t size = gp_image_sample_size(image->type);
     if (!above)
         memset(band->rows, 0, layout->row);
     gp_copy_samples(band->rows + (above ? 0 : layout->row),
                     (const uint8_t *)image->data + (first - above) * layout->row,
-                    (rows + above) * layout->row / size, size, true);
+                    (rows + above) * layout->row / layout->sample, layout->sample, true);
     return rows;
 }
 
@@ -216,11 +221,8 @@ static void encode_band(void *context, uint32_t item, int worker)
     const Layout *layout = &encoding->layout;
     Band *band = &encoding->bands[worker];
     Piece *piece = &encoding->pieces[item];
-    if (!band->rows && !begin_band(layout, band)) {
-        end_band(band);
-        *band = (Band){ .rows = NULL };
+    if (!band->rows && !begin_band(layout, band))
         return;
-    }
     const uint32_t first = item * layout->rows;
     *piece = pack(layout, band, first, load_rows(encoding, first, band));
     void *packed = gp_alloc_unset(piece->size);
@@ -229,8 +231,7 @@ static void encode_band(void *context, uint32_t item, int worker)
     piece->data = packed;
 }
 
-static GpResult gather(const Encoding *encoding, uint32_t count, const char *path, GpFile *file,
-                       GpError *error)
+static bool gather(const Encoding *encoding, uint32_t count, GpFile *file)
 {
     GpBytes bytes = { .data = NULL };
     uint32_t sum = 1;
@@ -242,12 +243,11 @@ static GpResult gather(const Encoding *encoding, uint32_t count, const char *pat
             bytes.failed = true;
     }
     put_end(&bytes, sum);
-    if (bytes.failed) {
+    if (bytes.failed)
         gp_free(bytes.data);
-        return no_memory(path, error);
-    }
-    *file = (GpFile){ .data = bytes.data, .size = bytes.size };
-    return GP_OK;
+    else
+        *file = (GpFile){ .data = bytes.data, .size = bytes.size };
+    return !bytes.failed;
 }
 
 GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpImage *image,
@@ -259,13 +259,13 @@ GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpIma
     const int threads = pool ? gp_pool_threads(pool) : 1;
     encoding.bands = gp_alloc((size_t)threads, sizeof *encoding.bands);
     encoding.pieces = gp_alloc(count, sizeof *encoding.pieces);
-    GpResult result = GP_ERROR_MEMORY;
+    bool made = false;
     if (encoding.bands && encoding.pieces) {
         if (pool)
             gp_pool_run(pool, count, encode_band, &encoding);
         for (uint32_t i = 0; !pool && i < count; i++)
             encode_band(&encoding, i, 0);
-        result = gather(&encoding, count, path, file, error);
+        made = gather(&encoding, count, file);
     }
     for (int i = 0; encoding.bands && i < threads; i++)
         end_band(&encoding.bands[i]);
@@ -273,14 +273,13 @@ GpResult gp_image_encode_png(const char *path, GpImageFormat format, const GpIma
         gp_free(encoding.pieces[i].data);
     gp_free(encoding.bands);
     gp_free(encoding.pieces);
-    return result ? no_memory(path, error) : GP_OK;
+    return made ? GP_OK : no_memory(path, error);
 }
 
 /* --- row by row ----------------------------------------------------------------------------------- */
 
 struct GpPngRows {
     const char *path;
-    GpImage image; /* its data are not looked at */
     Layout layout;
     GpFilePieces *file;
     GpBytes bytes; /* that wait to be written */
@@ -304,7 +303,7 @@ GpResult gp_png_begin(const char *path, const GpImage *image, GpPngRows **rows, 
     GpPngRows *made = gp_alloc(1, sizeof *made);
     if (!made)
         return no_memory(path, error);
-    *made = (GpPngRows){ .path = path, .image = *image, .layout = layout_of(image), .sum = 1 };
+    *made = (GpPngRows){ .path = path, .layout = layout_of(image), .sum = 1 };
     const GpResult result = gp_file_begin(path, &made->file, error);
     if (result) {
         gp_free(made);
@@ -333,13 +332,12 @@ static GpResult write_band(GpPngRows *rows, GpError *error)
 GpResult gp_png_add(GpPngRows *rows, const void *samples, uint32_t count, GpError *error)
 {
     const Layout *layout = &rows->layout;
-    const size_t size = gp_image_sample_size(rows->image.type);
     const uint8_t *from = samples;
     GpResult result = GP_OK;
     for (; count && !result; count--, from += layout->row) {
         rows->waiting++;
-        gp_copy_samples(rows->band.rows + rows->waiting * layout->row, from, layout->row / size,
-                        size, true);
+        gp_copy_samples(rows->band.rows + rows->waiting * layout->row, from,
+                        layout->row / layout->sample, layout->sample, true);
         if (rows->waiting == layout->rows || rows->packed + rows->waiting == layout->height)
             result = write_band(rows, error);
     }
