@@ -63,13 +63,16 @@ ALL_C    := $(CC) -std=gnu11 -Werror=implicit-function-declaration $(COMMON) $(C
 ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
 # Libraries' own headers are not ours to warn about.
 IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
-COUNT_CXX := $(ALL_CXX) -std=gnu++20 -x c++
-LINK     := $(if $(CXX),$(CXX),$(CC)) -pthread $(SANITIZER) $(LDFLAGS)
+# Without exceptions it needs no library of C++.
+COUNT_CXX := $(ALL_CXX) -std=gnu++20 -fno-exceptions -x c++
+LINK     := $(CC) -pthread $(SANITIZER) $(LDFLAGS)
+LINK_CXX := $(CXX) -pthread $(SANITIZER) $(LDFLAGS)
 # Clang counts how often each branch of the pipeline is taken: make coverage. Local functions are told apart by
 # the name of their file, which is to be whole, since there are two of blend.c.
 ifdef COVERAGE
 $(BUILD)/obj/pipeline/%.o: ALL_C += -fprofile-instr-generate -fcoverage-mapping -Xclang -main-file-name -Xclang $<
 LINK     += -fprofile-instr-generate
+LINK_CXX += -fprofile-instr-generate
 endif
 # libFuzzer looks at every counter after each run: none where no file is read, which is four fifths of them, and
 # comparisons only in readers. Looking took 78 of 100 of the time of options, and 39 of meshes.
@@ -86,7 +89,9 @@ IO_LIBS  ?= -ljansson -lpng -lz
 # Programs find the libraries that they load beside them. By RPATH where sanitizers stand between dlopen
 # and its caller, whose RUNPATH then does not count.
 BESIDE   := $(if $(SANITIZE),-Wl$(comma)--disable-new-dtags) '-Wl,-rpath,$$ORIGIN/../lib'
-LIBS     := $(if $(CXX),$(IO_LIBS) $(BESIDE)) -lm
+# What shaders of a user's own, which are loaded, call to be counted.
+EXPORTED := '-Wl,--export-dynamic-symbol=gp_graph_*'
+LIBS     := $(if $(CXX),$(IO_LIBS) $(BESIDE) $(EXPORTED)) -lm
 
 # Shaders may share structs by headers; the counting lanes inside them are each object's own.
 COUNT_CXX += $(if $(GP_IS_CLANG),,-Wno-subobject-linkage)
@@ -113,7 +118,7 @@ OIIO    := pipeline/io/image/oiio_library.cpp pipeline/io/image/oiio_layers.cpp
 OPENMESH := pipeline/io/mesh/simplify_openmesh.cpp
 IO      := $(call object,$(call below,pipeline/io,*.c))
 SHADERS := $(call object,$(call below,shaders_c,*.c))
-MAIN    := $(addprefix $(BUILD)/obj/,apps/main.o apps/program.o pipeline/io/no_memory.o)
+MAIN    := $(addprefix $(BUILD)/obj/,apps/main.o apps/program.o)
 APPS    := $(call object,$(filter-out apps/main.c apps/program.c apps/mpi/%,$(call below,apps,*.c)) apps/inspect/page_files.c)
 MPI     := $(call object,$(call below,apps/mpi,*.c))
 # What stands in the program as it is: pages, and the sources that they show.
@@ -233,13 +238,13 @@ $(CORE_SO): $(CORE)
 
 $(OIIO_SO): $(call object,$(OIIO) pipeline/io/image/image.c pipeline/io/image/layers.c pipeline/base/base.c)
 	@mkdir -p $(@D)
-	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
+	$(call say,LINK,$@)$(LINK_CXX) -shared $^ -lOpenImageIO -lOpenImageIO_Util -o $@
 
 # Its classes are never told apart by type, and some have none to be told by.
 $(call object,$(OPENMESH)): IO_CXX += $(if $(SANITIZE),-fno-sanitize=vptr)
 $(OPENMESH_SO): $(call object,$(OPENMESH) pipeline/base/base.c)
 	@mkdir -p $(@D)
-	$(call say,LINK,$@)$(LINK) -shared $^ -lOpenMeshCore -o $@
+	$(call say,LINK,$@)$(LINK_CXX) -shared $^ -lOpenMeshCore -o $@
 
 $(PROGRAM): $(MAIN) $(APPS_A) $(SHADERS_A) $(IO_A) $(CORE_A) | $(LOADED) $(STAGED)
 	@mkdir -p $(@D)

@@ -3,7 +3,7 @@
 #include "apps/dispatch.h"
 #include "apps/commands/options.h"
 #include "pipeline/io/file.h"
-#include "pipeline/io/no_memory.h"
+#include "pipeline/io/library.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -79,14 +79,12 @@ for lanes in $widths; do
     [ "$lanes" = 4 ] || compile "$lanes" 2>"$work/log$lanes" &
 done
 # shellcheck disable=SC2086
-[ -z "$cxx" ] || $cxx -O1 -fPIC -std=gnu++20 -w -I"$prefix/include" -x c++ -c "$file" \
+[ -z "$cxx" ] || $cxx -O1 -fPIC -std=gnu++20 -fno-exceptions -w -I"$prefix/include" -x c++ -c "$file" \
     -o "$work/count.o" || fail 3 "$file: this is what it needs to be counted, as C++"
 wait
 for lanes in $widths; do
     [ -e "$work/lanes$lanes.o" ] || { cat "$work/log$lanes" >&2 && exit 3; }
 done
-linker=$cc
-[ -z "$cxx" ] || linker=$cxx
-$linker -shared "$work"/*.o -o "$work/library.so" || exit 3
+$cc -shared "$work"/*.o -o "$work/library.so" || exit 3
 mv "$work/library.so" "$library" || exit 4
 echo "$library"

@@ -69,7 +69,7 @@ function(glasspipe_shaders target)
         if(widths EQUAL 3)
             set(all "GP_WEAK=")
         endif()
-        _glasspipe_variant(${target} count "" "-O1;$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>"
+        _glasspipe_variant(${target} count "" "-O1;-fno-exceptions;$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>"
             ${counted})
     endif()
     foreach(isa IN LISTS GLASSPIPE_ISAS)

@@ -34,11 +34,11 @@ GP_SHADER_OPT ?= $(if $(GP_IS_CLANG),,$(GP_GCC_OPT))
 # This file is PREFIX/share/glasspipe/shaders.mk.
 GP_PREFIX := $(abspath $(dir $(lastword $(MAKEFILE_LIST)))../..)
 GP_CPPFLAGS ?= -I$(GP_PREFIX)/include
-GP_LIBS ?= -L$(GP_PREFIX)/lib -Wl,-rpath,$(GP_PREFIX)/lib -lglasspipe $(if $(CXX),-lstdc++) -lm
+GP_LIBS ?= -L$(GP_PREFIX)/lib -Wl,-rpath,$(GP_PREFIX)/lib -lglasspipe -lm
 
 GP_COMPILE ?= $(CC) -O2 -fPIC $(CPPFLAGS) $(GP_CPPFLAGS) $(CFLAGS) $(GP_MODEL) -MMD -MP
 # Shaders may share structs by headers; the counting lanes inside them are each object's own.
-GP_COMPILE_COUNT ?= $(CXX) -O1 -fPIC $(CPPFLAGS) $(GP_CPPFLAGS) $(CXXFLAGS) -std=gnu++20 -MMD -MP \
+GP_COMPILE_COUNT ?= $(CXX) -O1 -fPIC $(CPPFLAGS) $(GP_CPPFLAGS) $(CXXFLAGS) -std=gnu++20 -fno-exceptions -MMD -MP \
             $(if $(GP_IS_CLANG),,-Wno-subobject-linkage) -x c++
 
 # --- rules: the variants refer to each other weakly, so any subset works --------------------------

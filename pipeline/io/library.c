@@ -3,8 +3,30 @@
 #include <dlfcn.h>
 #include <string.h>
 
+typedef void (*Handler)(void);
+
+static Handler end_without_memory;
+
+void gp_call_without_memory(void (*end)(void))
+{
+    end_without_memory = end;
+}
+
+/* C++ comes first, by itself: of the libraries that need it, even static objects may find no memory. */
+static void set_new_handler(void)
+{
+    Handler (*set)(Handler handler);
+    void *runtime = end_without_memory ? dlopen("libstdc++.so.6", RTLD_LAZY | RTLD_LOCAL) : NULL;
+    void *found = runtime ? dlsym(runtime, "_ZSt15set_new_handlerPFvvE") : NULL;
+    if (!found)
+        return;
+    memcpy(&set, &found, sizeof set);
+    set(end_without_memory);
+}
+
 GpResult gp_library_find(const char *file, const char *name, void **found, GpError *error)
 {
+    set_new_handler();
     void *handle = dlopen(file, RTLD_LAZY | RTLD_LOCAL);
     void *symbol = handle ? dlsym(handle, name) : NULL;
     if (symbol) {

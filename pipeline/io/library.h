@@ -1,4 +1,4 @@
-/* Libraries that are loaded when something needs them, and may not be there. */
+/* Libraries of C++, OpenImageIO and OpenMesh, that are loaded when something needs them, and may not be there. */
 #ifndef GP_IO_LIBRARY_H
 #define GP_IO_LIBRARY_H
 
@@ -10,5 +10,9 @@
  *        loaded though it is there. The message goes on from the library's name: "..., which is not there"
  * owns   the process, to its end */
 GpResult gp_library_find(const char *file, const char *name, void **found, GpError *error);
+
+/* Has `end` called, in whatever thread, where a library that is found from now on has no memory. It does not return:
+ * exceptions of libraries that are being loaded, or in their own threads, could not be caught. */
+void gp_call_without_memory(void (*end)(void));
 
 #endif

@@ -2,7 +2,7 @@
  *
  * Here flt, float2.. are names of nodes, and every instruction, infix operators included, records
  * itself into an instruction graph instead of computing: the very source that draws also reports
- * what it costs. pipeline/shader/counting_graph.hpp says what is counted and how. The types and names are
+ * what it costs. pipeline/shader/graph_counts.c says what is counted and how. The types and names are
  * those of the C vocabulary, widening included; `program(id, ...)` emits
  *
  *   extern "C" bool id_count(const GpProgram *id, GpShaderCounts *vertex, GpShaderCounts *pixel)
@@ -14,7 +14,7 @@
 #define GP_COUNTING_HPP
 
 #include "pipeline/shader/counting_instructions.hpp"
-#include "pipeline/shader/counting_steps.hpp"
+#include "pipeline/shader/counting_textures.hpp"
 
 /* A struct is given the fields that matter and zeros in the rest, as C's warnings understand and
  * g++'s do not. */
@@ -32,160 +32,67 @@ namespace
 
 /* --- running a shader ------------------------------------------------------------------------- */
 
-/* Makes a recorder the thread's own until it goes out of scope. */
-struct Recording {
-    Recorder *const before = recording;
-    explicit Recording(Recorder *recorder)
-    {
-        recording = recorder;
-    }
-    ~Recording()
-    {
-        recording = before;
-    }
-    Recording(const Recording &) = delete;
-};
-
-template <class S> void fill(S *whole, const std::vector<flt> &parts)
+/* Tells which members of a vertex struct are called as semantics. */
+template <class In> void gp_name_inputs(const In &in)
 {
-    if (!parts.empty()) /* a program may have no varyings */
-        std::memcpy(whole, parts.data(), parts.size() * sizeof(flt));
-}
-template <class S> std::vector<flt> parts_of(const S &whole)
-{
-    std::vector<flt> parts(sizeof whole / sizeof(flt));
-    if (!parts.empty())
-        std::memcpy(parts.data(), &whole, parts.size() * sizeof(flt));
-    return parts;
-}
-template <class S> void fill_inputs(Recorder *recorder, S *in)
-{
-    std::vector<flt> parts;
-    for (size_t i = 0; i < sizeof *in / sizeof(flt); i++)
-        parts.push_back(recorder->leaf(Kind::input, int(i)));
-    fill(in, parts);
-}
-
-/* GpShaderCounts.named_inputs of a vertex struct. */
-template <class In> void find_named_inputs(uint8_t *first)
-{
-    static const In in = {};
-    auto place = [](const auto &member) {
-        return uint8_t(
-            1 + (reinterpret_cast<const char *>(&member) - reinterpret_cast<const char *>(&in)) /
-                    int(sizeof(flt)));
+    [[maybe_unused]] auto name = [&in](GpSemantic semantic, const auto &member) {
+        const auto at = reinterpret_cast<const char *>(&member);
+        gp_graph_name_input(semantic,
+                            int(at - reinterpret_cast<const char *>(&in)) / int(sizeof(flt)));
     };
     if constexpr (requires { in.position; })
-        first[GP_POSITION] = place(in.position);
+        name(GP_POSITION, in.position);
     if constexpr (requires { in.normal; })
-        first[GP_NORMAL] = place(in.normal);
+        name(GP_NORMAL, in.normal);
     if constexpr (requires { in.color; })
-        first[GP_COLOR] = place(in.color);
+        name(GP_COLOR, in.color);
     if constexpr (requires { in.tangent; })
-        first[GP_TANGENT] = place(in.tangent);
+        name(GP_TANGENT, in.tangent);
+}
+
+template <class S> flt *gp_parts(S *whole)
+{
+    return reinterpret_cast<flt *>(whole);
 }
 
 template <class U, class In, class Out>
-GpShaderCounts gp_count_vertex(const GpProgram &declared,
-                               void (*body)(GpInvocation *, const U *, const In *, float4 *, Out *,
-                                            flt *))
+void gp_run_vertex(void (*body)(GpInvocation *, const U *, const In *, float4 *, Out *, flt *))
 {
-    Recorder recorder(declared, Recorder::vertex, sizeof(U));
-    Recording scope(&recorder);
-    flt unwritten = recorder.leaf(Kind::unwritten, 0), point_size = unwritten;
-    float4 position = sp4(unwritten);
-    U uniforms;
     In in;
     Out out;
-    Recorder::tag_uniforms(&uniforms, sizeof uniforms);
-    fill_inputs(&recorder, &in);
-    fill(&out, std::vector<flt>(sizeof out / sizeof(flt), unwritten));
-
-    GpInvocation invocation = { unwritten };
-    body(&invocation, &uniforms, &in, &position, &out, &point_size);
-
-    std::vector<Register> outputs = Recorder::split(parts_of(out), declared.varyings);
-    outputs.insert(outputs.begin(), { parts_of(position), -1 });
-    outputs.push_back({ { point_size }, -1 });
-    GpShaderCounts counts = recorder.finish(outputs);
-    find_named_inputs<In>(counts.named_inputs);
-    counts.writes_point_size = recorder.kind_of(point_size) != Kind::unwritten;
-    return counts;
+    float4 position;
+    flt point_size;
+    const GpGraphBody run = { sizeof(U),     gp_parts(&in),       gp_parts(&out), width_of<In>,
+                              width_of<Out>, gp_parts(&position), &point_size };
+    const void *uniforms = gp_graph_begin(&run);
+    if (!uniforms)
+        return;
+    gp_name_inputs(in);
+    GpInvocation invocation = {};
+    body(&invocation, static_cast<const U *>(uniforms), &in, &position, &out, &point_size);
+    gp_graph_end(&run);
 }
 
 template <class U, class In, class Out>
-GpShaderCounts gp_count_pixel(const GpProgram &declared,
-                              void (*body)(GpInvocation *, const U *, const In *, Out *))
+void gp_run_pixel(void (*body)(GpInvocation *, const U *, const In *, Out *))
 {
-    Recorder recorder(declared, Recorder::pixel, sizeof(U));
-    Recording scope(&recorder);
-    flt unwritten = recorder.leaf(Kind::unwritten, 0);
-    U uniforms;
     In in;
     Out out;
-    Recorder::tag_uniforms(&uniforms, sizeof uniforms);
-    fill_inputs(&recorder, &in);
-    fill(&out, std::vector<flt>(sizeof out / sizeof(flt), unwritten));
-
-    GpInvocation invocation = { unwritten };
-    body(&invocation, &uniforms, &in, &out);
-
-    GpVaryingDecl targets[GP_MAX_TARGETS] = {};
-    for (GpVaryingDecl &target : targets)
-        target.components = 4;
-    std::vector<Register> outputs = Recorder::split(parts_of(out), targets);
-    outputs.push_back({ { invocation.depth }, -1 });
-    GpShaderCounts counts = recorder.finish(outputs);
-    counts.writes_depth = recorder.kind_of(invocation.depth) != Kind::unwritten;
-    if (!counts.writes_depth && !counts.discards)
-        counts.copied_slot = recorder.copied_slot(parts_of(out));
-    return counts;
+    GpInvocation invocation;
+    const GpGraphBody run = { sizeof(U),     gp_parts(&in), gp_parts(&out),   width_of<In>,
+                              width_of<Out>, nullptr,       &invocation.depth };
+    const void *uniforms = gp_graph_begin(&run);
+    if (!uniforms)
+        return;
+    body(&invocation, static_cast<const U *>(uniforms), &in, &out);
+    gp_graph_end(&run);
 }
 
-/* The same two bodies, run with values. */
-template <class U, class In, class Out>
-void gp_step_vertex(const GpProgram &declared, const GpStepRun &run,
-                    void (*body)(GpInvocation *, const U *, const In *, float4 *, Out *, flt *))
-{
-    StepRecorder recorder(declared, Recorder::vertex, sizeof(U), run);
-    Recording scope(&recorder);
-    flt unwritten = recorder.leaf(Kind::unwritten, 0), point_size = bcast(1.0f);
-    float4 position = sp4(unwritten);
-    In in;
-    Out out;
-    fill_inputs(&recorder, &in);
-    fill(&out, std::vector<flt>(sizeof out / sizeof(flt), unwritten));
-
-    GpInvocation invocation = { unwritten };
-    body(&invocation, static_cast<const U *>(run.call->uniforms), &in, &position, &out,
-         &point_size);
-
-    recorder.give(parts_of(position), run.call->position);
-    recorder.give(parts_of(out), run.call->varying);
-    recorder.give({ point_size }, run.call->point_size);
-    recorder.tell();
-}
-
-template <class U, class In, class Out>
-void gp_step_pixel(const GpProgram &declared, const GpStepRun &run,
-                   void (*body)(GpInvocation *, const U *, const In *, Out *))
-{
-    StepRecorder recorder(declared, Recorder::pixel, sizeof(U), run);
-    Recording scope(&recorder);
-    flt unwritten = recorder.leaf(Kind::unwritten, 0);
-    In in;
-    Out out;
-    fill_inputs(&recorder, &in);
-    fill(&out, std::vector<flt>(sizeof out / sizeof(flt), unwritten));
-
-    GpInvocation invocation = { unwritten };
-    body(&invocation, static_cast<const U *>(run.call->uniforms), &in, &out);
-
-    recorder.give(parts_of(out), run.call->color);
-    recorder.give({ invocation.depth }, run.call->depth);
-    recorder.give_killed();
-    recorder.tell();
-}
+#ifdef GP_SHADER_SW
+constexpr bool GP_IS_SOFTWARE = true;
+#else
+constexpr bool GP_IS_SOFTWARE = false;
+#endif
 
 } // namespace
 
@@ -241,41 +148,31 @@ void gp_step_pixel(const GpProgram &declared, const GpStepRun &run,
     static float4 name##_end(GP_UNUSED GpInvocation *gp, GP_UNUSED const U *c,                     \
                              GP_UNUSED const IN *in, const BEGUN *begun)
 
-#define GP_STEP_OF(id, vertex_steps, pixel_steps)                                                  \
-    extern "C" void id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run);       \
-    extern "C" void id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run)        \
-    {                                                                                              \
-        if (vertex)                                                                                \
-            vertex_steps;                                                                          \
-        else                                                                                       \
-            pixel_steps;                                                                           \
-    }
-
-/* The callers are C, which no exception may reach. */
-#define GP_COUNT_OF(id, vertex_counts, pixel_counts)                                               \
+/* What is compiled here, with -fno-exceptions, needs no library of C++. */
+#define GP_RECORDED(id, vertex_run, pixel_run)                                                     \
     extern "C" bool id##_count(const GpProgram *declared, GpShaderCounts *vertex,                  \
                                GpShaderCounts *pixel);                                             \
-    extern "C" bool id##_count(GP_UNUSED const GpProgram *declared, GpShaderCounts *vertex,        \
+    extern "C" bool id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run);       \
+    static constexpr GpGraphShaders id##_shaders = { vertex_run, pixel_run, GP_IS_SOFTWARE };      \
+    extern "C" bool id##_count(const GpProgram *declared, GpShaderCounts *vertex,                  \
                                GpShaderCounts *pixel)                                              \
-    try {                                                                                          \
-        if (vertex)                                                                                \
-            *vertex = vertex_counts;                                                               \
-        if (pixel)                                                                                 \
-            *pixel = pixel_counts;                                                                 \
-        return true;                                                                               \
-    } catch (const std::bad_alloc &) {                                                             \
-        return false;                                                                              \
+    {                                                                                              \
+        return gp_graph_count(declared, &id##_shaders, vertex, pixel);                             \
+    }                                                                                              \
+    extern "C" bool id##_step(const GpProgram *declared, bool vertex, const GpStepRun *run)        \
+    {                                                                                              \
+        return gp_graph_step(declared, &id##_shaders, vertex, run);                                \
     }
 
 #define program(id, vs, ps, ...)                                                                   \
     static_assert(int(vs##_uniforms) == int(ps##_uniforms),                                        \
                   "both shaders share one uniform struct");                                        \
     static_assert(int(vs##_out) == int(ps##_in), "both shaders share one varying struct");         \
-    GP_COUNT_OF(id, gp_count_vertex(*declared, vs), gp_count_pixel(*declared, ps))                 \
-    GP_STEP_OF(id, gp_step_vertex(*declared, *run, vs), gp_step_pixel(*declared, *run, ps))
+    GP_RECORDED(                                                                                   \
+        id, [] { gp_run_vertex(vs); }, [] { gp_run_pixel(ps); })
 
 #define depth_program(id, vs, ...)                                                                 \
-    GP_COUNT_OF(id, gp_count_vertex(*declared, vs), GpShaderCounts{})                              \
-    GP_STEP_OF(id, gp_step_vertex(*declared, *run, vs), (void)0)
+    GP_RECORDED(                                                                                   \
+        id, [] { gp_run_vertex(vs); }, nullptr)
 
 #endif

@@ -1,16 +1,21 @@
 /* The vocabulary of the shader language in counting lanes: each instruction records itself. The types
- * and names are those of the C vocabulary (types.h, instructions.h, textures.h, pixels.h). */
+ * and names are those of the C vocabulary (types.h, instructions.h). */
 #ifndef GP_COUNTING_INSTRUCTIONS_HPP
 #define GP_COUNTING_INSTRUCTIONS_HPP
 
-#include "pipeline/shader/counting_graph.hpp"
+#include "pipeline/shader/graph.h"
 
+#include <cstring>
 #include <type_traits>
 
 #define GP_INLINE static inline __attribute__((always_inline, unused))
 
+/* Shader files name their structs as they like, each its own `Varying`; internal linkage keeps what
+ * is instantiated for one file from being merged with another file's. */
 namespace
 {
+
+using flt = GpPart;
 
 struct float2 {
     flt x, y;
@@ -27,12 +32,15 @@ struct msk {
     flt value;
 };
 
-/* The recorder of the shader that runs in this thread. */
-inline thread_local Recorder *recording = nullptr;
-
 struct GpInvocation {
     flt depth;
 };
+
+/* Where a call stands. */
+constexpr GpPlace gp_here(const char *of = __builtin_FILE(), int at = __builtin_LINE())
+{
+    return { of, at };
+}
 
 template <class T>
 concept Number = std::is_arithmetic_v<T>;
@@ -44,7 +52,7 @@ concept Scalar = Number<T> || std::is_same_v<T, flt>;
 /* By reference: where a number stands tells that it is a uniform. */
 inline flt bcast(const float &value)
 {
-    return recording->number(value);
+    return gp_graph_number(&value);
 }
 
 template <Scalar A> flt lane(const A &a)
@@ -83,16 +91,32 @@ inline float4 sp4(flt a)
     return { a, a, a, a };
 }
 
-template <class V> V from_parts(const std::array<flt, 4> &parts)
-{
-    V value;
-    std::memcpy(&value, parts.data(), sizeof value);
-    return value;
-}
-
 template <class V>
 concept Value = std::is_same_v<V, flt> || std::is_same_v<V, float2> || std::is_same_v<V, float3> ||
     std::is_same_v<V, float4>;
+
+template <class V> constexpr int width_of = int(sizeof(V) / sizeof(flt));
+
+template <Value V> GpOperand gp_operand(const V &value)
+{
+    GpOperand whole = { width_of<V>, {} };
+    std::memcpy(whole.part, &value, sizeof value);
+    return whole;
+}
+
+template <Value V> V gp_first(const GpOperand &whole)
+{
+    V value;
+    std::memcpy(&value, whole.part, sizeof value);
+    return value;
+}
+
+/* The components of a result. */
+template <Value V> V gp_result(int32_t node)
+{
+    return gp_first<V>(
+        { 4, { { node, 0, false }, { node, 1, false }, { node, 2, false }, { node, 3, false } } });
+}
 
 /* b as a V: itself, or one scalar in all components. */
 template <class V, class B> V widen(const B &b)
@@ -104,30 +128,40 @@ template <class V, class B> V widen(const B &b)
         return b;
     } else {
         flt a = lane(b);
-        return from_parts<V>({ a, a, a, a });
+        return gp_first<V>({ 4, { a, a, a, a } });
     }
 }
 
 template <class V, class... Operands>
-V emit(const Op &op, GpStepCode code, GpPlace at, Operands... operands)
+V emit(const GpOp &op, GpStepCode code, GpPlace at, const Operands &...operands)
 {
-    int32_t node = recording->record(op, code, at, { Operand(operands)... });
-    return from_parts<V>(
-        { flt{ node, 0, false }, { node, 1, false }, { node, 2, false }, { node, 3, false } });
+    const GpOperand list[] = { gp_operand(operands)... };
+    return gp_result<V>(gp_graph_add(&op, code, at, list, int(sizeof...(operands)), 0));
 }
 
-constexpr Op EACH_1 = { 1, 1, Op::each }, EACH_2 = { 2, 2, Op::each };
-constexpr Op ALL_1 = { 1, 1, Op::all }, ALL_2 = { 2, 2, Op::all }, ALL_3 = { 3, 3, Op::all };
-constexpr Op SINCOS = { 8, 8, Op::all };
-constexpr Op DERIVATIVE = { 2, 2, Op::each, Kind::arithmetic, true };
-constexpr Op TEXKILL = { 1, 2, Op::all, Kind::kill };
+constexpr GpOp gp_each(int slots)
+{
+    return { slots, slots, false, GP_NODE_ARITHMETIC, false, GP_LOD_IMPLICIT };
+}
+constexpr GpOp gp_all(int slots)
+{
+    return { slots, slots, true, GP_NODE_ARITHMETIC, false, GP_LOD_IMPLICIT };
+}
+
+constexpr GpOp GP_OP_FREE = gp_each(0), GP_OP_EACH_1 = gp_each(1), GP_OP_EACH_2 = gp_each(2);
+constexpr GpOp GP_OP_ALL_1 = gp_all(1), GP_OP_ALL_2 = gp_all(2), GP_OP_ALL_3 = gp_all(3),
+               GP_OP_SINCOS = gp_all(8);
+constexpr GpOp GP_OP_MIN_MAX = { 2, 1, false, GP_NODE_ARITHMETIC, false, GP_LOD_IMPLICIT };
+constexpr GpOp GP_OP_DERIVATIVE = { 2, 2, false, GP_NODE_ARITHMETIC, true, GP_LOD_IMPLICIT };
+constexpr GpOp GP_OP_TEXKILL = { 1, 2, true, GP_NODE_KILL, false, GP_LOD_IMPLICIT };
+constexpr GpOp GP_OP_LOOP = { 8, 8, true, GP_NODE_LOOP, false, GP_LOD_IMPLICIT };
 
 /* --- arithmetic ------------------------------------------------------------------------------- */
 
 #define GP_TWO_OPERANDS(name, code)                                                                \
-    template <class V, class B> V name(V a, const B &b, GpPlace at = GpPlace::here())              \
+    template <class V, class B> V name(V a, const B &b, GpPlace at = gp_here())                    \
     {                                                                                              \
-        return emit<V>(EACH_1, code, at, a, widen<V>(b));                                          \
+        return emit<V>(GP_OP_EACH_1, code, at, a, widen<V>(b));                                    \
     }
 GP_TWO_OPERANDS(add, GP_STEP_ADD)
 GP_TWO_OPERANDS(sub, GP_STEP_SUB)
@@ -137,42 +171,38 @@ GP_TWO_OPERANDS(max, GP_STEP_MAX)
 GP_TWO_OPERANDS(slt, GP_STEP_SLT)
 GP_TWO_OPERANDS(sge, GP_STEP_SGE)
 
-template <class V, class B, class C>
-V mad(V a, const B &b, const C &c, GpPlace at = GpPlace::here())
+template <class V, class B, class C> V mad(V a, const B &b, const C &c, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_1, GP_STEP_MAD, at, a, widen<V>(b), widen<V>(c));
+    return emit<V>(GP_OP_EACH_1, GP_STEP_MAD, at, a, widen<V>(b), widen<V>(c));
 }
-template <class T, class V, class B>
-V lrp(const T &t, V a, const B &b, GpPlace at = GpPlace::here())
+template <class T, class V, class B> V lrp(const T &t, V a, const B &b, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_2, GP_STEP_LRP, at, widen<V>(t), a, widen<V>(b));
+    return emit<V>(GP_OP_EACH_2, GP_STEP_LRP, at, widen<V>(t), a, widen<V>(b));
 }
-template <class S, class V, class B>
-V cmp(const S &s, V a, const B &b, GpPlace at = GpPlace::here())
+template <class S, class V, class B> V cmp(const S &s, V a, const B &b, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_1, GP_STEP_CMP, at, widen<V>(s), a, widen<V>(b));
+    return emit<V>(GP_OP_EACH_1, GP_STEP_CMP, at, widen<V>(s), a, widen<V>(b));
 }
-template <class V, class B> V sel(msk m, V a, const B &b, GpPlace at = GpPlace::here())
+template <class V, class B> V sel(msk m, V a, const B &b, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_1, GP_STEP_SEL, at, widen<V>(m.value), a, widen<V>(b));
+    return emit<V>(GP_OP_EACH_1, GP_STEP_SEL, at, widen<V>(m.value), a, widen<V>(b));
 }
 
 /* A loop that may be left early is counted in full. */
 inline bool any(msk m)
 {
-    return recording->holds_anywhere(m.value);
+    return gp_graph_may_hold(m.value);
 }
 
 /* rep, break_comp and endrep: counted once. */
 inline int gp_turns(int turns)
 {
-    return recording->is_stepping() ? turns : 1;
+    return gp_graph_is_stepping() ? turns : 1;
 }
-inline bool gp_goes_on(msk m, GpPlace at = GpPlace::here())
+inline bool gp_goes_on(msk m, GpPlace at = gp_here())
 {
-    static constexpr Op LOOP = { 8, 8, Op::all, Kind::loop };
-    recording->record(LOOP, GP_STEP_LOOP, at, { Operand(m.value) });
-    return recording->holds_anywhere(m.value);
+    emit<flt>(GP_OP_LOOP, GP_STEP_LOOP, at, m.value);
+    return gp_graph_may_hold(m.value);
 }
 #define loop_while(turns, m)                                                                       \
     for (int GP_UNIQUE(gp_turn) = 0; GP_UNIQUE(gp_turn) < gp_turns(turns) && gp_goes_on(m);        \
@@ -183,59 +213,56 @@ inline bool gp_goes_on(msk m, GpPlace at = GpPlace::here())
 
 template <class V> V neg(V a)
 {
-    Operand parts(a);
-    for (flt &part : parts.part)
+    GpOperand whole = gp_operand(a);
+    for (flt &part : whole.part)
         part.negated = !part.negated;
-    return from_parts<V>(parts.part);
+    return gp_first<V>(whole);
 }
-template <class V> V abs_(V a, GpPlace at = GpPlace::here())
+template <class V> V abs_(V a, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_1, GP_STEP_ABS, at, a);
+    return emit<V>(GP_OP_EACH_1, GP_STEP_ABS, at, a);
 }
-template <class V> V frc(V a, GpPlace at = GpPlace::here())
+template <class V> V frc(V a, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_1, GP_STEP_FRC, at, a);
+    return emit<V>(GP_OP_EACH_1, GP_STEP_FRC, at, a);
 }
-template <class V> V floor_(V a, GpPlace at = GpPlace::here())
+template <class V> V floor_(V a, GpPlace at = gp_here())
 {
-    return emit<V>(EACH_2, GP_STEP_FLOOR, at, a);
+    return emit<V>(GP_OP_EACH_2, GP_STEP_FLOOR, at, a);
 }
-template <class V> V sat(V a, GpPlace at = GpPlace::here())
+template <class V> V sat(V a, GpPlace at = gp_here())
 {
-    static constexpr Op SAT = { 1, 1, Op::each }, MIN_MAX = { 2, 1, Op::each };
-    static constexpr Op FREE = { 0, 0, Op::each };
-    if (recording->is_vertex())
-        return emit<V>(recording->model2() ? MIN_MAX : SAT, GP_STEP_SAT, at, a);
+    if (gp_graph_is_vertex())
+        return emit<V>(gp_graph_is_model2() ? GP_OP_MIN_MAX : GP_OP_EACH_1, GP_STEP_SAT, at, a);
     bool computed = true;
-    Operand parts(a);
-    for (int i = 0; i < parts.width; i++) {
-        const flt &part = parts.part[size_t(i)];
-        computed = computed && recording->kind_of(part) == Kind::arithmetic && !part.negated;
-    }
-    if (computed && !recording->is_stepping())
+    const GpOperand whole = gp_operand(a);
+    for (int i = 0; i < whole.width; i++)
+        computed = computed && gp_graph_kind(whole.part[i]) == GP_NODE_ARITHMETIC &&
+                   !whole.part[i].negated;
+    if (computed && !gp_graph_is_stepping())
         return a;
-    return emit<V>(computed ? FREE : SAT, GP_STEP_SAT, at, a);
+    return emit<V>(computed ? GP_OP_FREE : GP_OP_EACH_1, GP_STEP_SAT, at, a);
 }
 
-inline flt dp2(float2 a, float2 b, GpPlace at = GpPlace::here())
+inline flt dp2(float2 a, float2 b, GpPlace at = gp_here())
 {
-    return emit<flt>(ALL_2, GP_STEP_DP2, at, a, b);
+    return emit<flt>(GP_OP_ALL_2, GP_STEP_DP2, at, a, b);
 }
-inline flt dp2add(float2 a, float2 b, flt c, GpPlace at = GpPlace::here())
+inline flt dp2add(float2 a, float2 b, flt c, GpPlace at = gp_here())
 {
-    return emit<flt>(ALL_2, GP_STEP_DP2ADD, at, a, b, c);
+    return emit<flt>(GP_OP_ALL_2, GP_STEP_DP2ADD, at, a, b, c);
 }
-inline flt dp3(float3 a, float3 b, GpPlace at = GpPlace::here())
+inline flt dp3(float3 a, float3 b, GpPlace at = gp_here())
 {
-    return emit<flt>(ALL_1, GP_STEP_DP3, at, a, b);
+    return emit<flt>(GP_OP_ALL_1, GP_STEP_DP3, at, a, b);
 }
-inline flt dp4(float4 a, float4 b, GpPlace at = GpPlace::here())
+inline flt dp4(float4 a, float4 b, GpPlace at = gp_here())
 {
-    return emit<flt>(ALL_1, GP_STEP_DP4, at, a, b);
+    return emit<flt>(GP_OP_ALL_1, GP_STEP_DP4, at, a, b);
 }
-inline float3 crs(float3 a, float3 b, GpPlace at = GpPlace::here())
+inline float3 crs(float3 a, float3 b, GpPlace at = gp_here())
 {
-    return emit<float3>(ALL_2, GP_STEP_CRS, at, a, b);
+    return emit<float3>(GP_OP_ALL_2, GP_STEP_CRS, at, a, b);
 }
 
 /* --- infix, on flt and numbers ---------------------------------------------------------------- */
@@ -277,17 +304,17 @@ inline flt operator-(flt a)
     }
 inline flt gp_divide(flt a, flt b, GpPlace at)
 {
-    if (recording->is_stepping())
-        return emit<flt>(ALL_2, GP_STEP_DIV, at, a, b);
-    return mul(a, emit<flt>(ALL_1, GP_STEP_RCP, at, b));
+    if (gp_graph_is_stepping())
+        return emit<flt>(GP_OP_ALL_2, GP_STEP_DIV, at, a, b);
+    return mul(a, emit<flt>(GP_OP_ALL_1, GP_STEP_RCP, at, b));
 }
 GP_INFIX(+, add)
 GP_INFIX(-, sub)
 GP_INFIX(*, mul)
 inline flt operator/(const GpSide &a, const GpSide &b)
 {
-    if (a.is(1) && !recording->is_stepping())
-        return emit<flt>(ALL_1, GP_STEP_RCP, a.at, b.value);
+    if (a.is(1) && !gp_graph_is_stepping())
+        return emit<flt>(GP_OP_ALL_1, GP_STEP_RCP, a.at, b.value);
     return gp_divide(a.value, b.value, a.at);
 }
 inline flt &operator/=(flt &a, const GpSide &b)
@@ -303,10 +330,9 @@ inline flt gp_difference(const GpSide &a, const GpSide &b)
 #define GP_COMPARISON(op, code, tested)                                                            \
     inline msk operator op(const GpSide &a, const GpSide &b)                                       \
     {                                                                                              \
-        static constexpr Op FREE = { 0, 0, Op::each };                                             \
-        if (recording->is_stepping())                                                              \
-            return { emit<flt>(a.is(0) || b.is(0) ? FREE : EACH_1, code, a.at, a.value,            \
-                               b.value) };                                                         \
+        if (gp_graph_is_stepping())                                                                \
+            return { emit<flt>(a.is(0) || b.is(0) ? GP_OP_FREE : GP_OP_EACH_1, code, a.at,         \
+                               a.value, b.value) };                                                \
         flt d = gp_difference(a, b);                                                               \
         return { tested };                                                                         \
     }
@@ -330,52 +356,52 @@ struct GpMaskSide {
 #define GP_MASK_OPERATOR(op, code)                                                                 \
     inline msk operator op(const GpMaskSide &a, const GpMaskSide &b)                               \
     {                                                                                              \
-        return { emit<flt>(EACH_1, code, a.at, a.value, b.value) };                                \
+        return { emit<flt>(GP_OP_EACH_1, code, a.at, a.value, b.value) };                          \
     }
 GP_MASK_OPERATOR(&, GP_STEP_AND)
 GP_MASK_OPERATOR(|, GP_STEP_OR)
 GP_MASK_OPERATOR(^, GP_STEP_XOR)
 inline msk operator~(const GpMaskSide &a)
 {
-    return { emit<flt>(EACH_1, GP_STEP_NOT, a.at, a.value) };
+    return { emit<flt>(GP_OP_EACH_1, GP_STEP_NOT, a.at, a.value) };
 }
 
 /* --- one-argument functions ------------------------------------------------------------------- */
 
 #define GP_FUNCTION(name, op, code)                                                                \
-    inline flt name(flt a, GpPlace at = GpPlace::here())                                           \
+    inline flt name(flt a, GpPlace at = gp_here())                                                 \
     {                                                                                              \
         return emit<flt>(op, code, at, a);                                                         \
     }
-GP_FUNCTION(rcp, ALL_1, GP_STEP_RCP)
-GP_FUNCTION(rsq, ALL_1, GP_STEP_RSQ)
-GP_FUNCTION(exp_, ALL_1, GP_STEP_EXP)
-GP_FUNCTION(log_, ALL_1, GP_STEP_LOG)
-GP_FUNCTION(sqrt_, ALL_2, GP_STEP_SQRT)
-GP_FUNCTION(sgn, ALL_3, GP_STEP_SGN)
-GP_FUNCTION(sin_, SINCOS, GP_STEP_SIN)
-GP_FUNCTION(cos_, SINCOS, GP_STEP_COS)
+GP_FUNCTION(rcp, GP_OP_ALL_1, GP_STEP_RCP)
+GP_FUNCTION(rsq, GP_OP_ALL_1, GP_STEP_RSQ)
+GP_FUNCTION(exp_, GP_OP_ALL_1, GP_STEP_EXP)
+GP_FUNCTION(log_, GP_OP_ALL_1, GP_STEP_LOG)
+GP_FUNCTION(sqrt_, GP_OP_ALL_2, GP_STEP_SQRT)
+GP_FUNCTION(sgn, GP_OP_ALL_3, GP_STEP_SGN)
+GP_FUNCTION(sin_, GP_OP_SINCOS, GP_STEP_SIN)
+GP_FUNCTION(cos_, GP_OP_SINCOS, GP_STEP_COS)
 
-inline float2 sincos_(flt a, GpPlace at = GpPlace::here())
+inline float2 sincos_(flt a, GpPlace at = gp_here())
 {
-    return emit<float2>(SINCOS, GP_STEP_SINCOS, at, a);
+    return emit<float2>(GP_OP_SINCOS, GP_STEP_SINCOS, at, a);
 }
-inline flt pow_(flt a, flt b, GpPlace at = GpPlace::here())
+inline flt pow_(flt a, flt b, GpPlace at = gp_here())
 {
-    return emit<flt>(ALL_3, GP_STEP_POW, at, a, b);
+    return emit<flt>(GP_OP_ALL_3, GP_STEP_POW, at, a, b);
 }
-template <class V> V nrm(V v, GpPlace at = GpPlace::here())
+template <class V> V nrm(V v, GpPlace at = gp_here())
 {
     static_assert(width_of<V> > 1, "nrm takes a vector");
-    return emit<V>(ALL_3, GP_STEP_NRM, at, v);
+    return emit<V>(GP_OP_ALL_3, GP_STEP_NRM, at, v);
 }
-inline float4 lit(flt n_l, flt n_h, flt power, GpPlace at = GpPlace::here())
+inline float4 lit(flt n_l, flt n_h, flt power, GpPlace at = gp_here())
 {
-    return emit<float4>(ALL_3, GP_STEP_LIT, at, n_l, n_h, power);
+    return emit<float4>(GP_OP_ALL_3, GP_STEP_LIT, at, n_l, n_h, power);
 }
-inline float4 dst(float4 a, float4 b, GpPlace at = GpPlace::here())
+inline float4 dst(float4 a, float4 b, GpPlace at = gp_here())
 {
-    return emit<float4>(EACH_1, GP_STEP_DST, at, a, b);
+    return emit<float4>(GP_OP_EACH_1, GP_STEP_DST, at, a, b);
 }
 
 /* --- matrices: one dot product a row; the w of a point is 1 ----------------------------------- */
@@ -383,17 +409,17 @@ inline float4 dst(float4 a, float4 b, GpPlace at = GpPlace::here())
 template <class V> flt row4(V v, const float row[4], GpPlace at)
 {
     static_assert(width_of<V> >= 3, "a point of three or four components");
-    return emit<flt>(ALL_1, GP_STEP_ROW, at, v, u4(row));
+    return emit<flt>(GP_OP_ALL_1, GP_STEP_ROW, at, v, u4(row));
 }
-template <class V> float4 m4x4(V v, const float m[4][4], GpPlace at = GpPlace::here())
+template <class V> float4 m4x4(V v, const float m[4][4], GpPlace at = gp_here())
 {
     return { row4(v, m[0], at), row4(v, m[1], at), row4(v, m[2], at), row4(v, m[3], at) };
 }
-template <class V> float3 m4x3(V v, const float m[4][4], GpPlace at = GpPlace::here())
+template <class V> float3 m4x3(V v, const float m[4][4], GpPlace at = gp_here())
 {
     return { row4(v, m[0], at), row4(v, m[1], at), row4(v, m[2], at) };
 }
-inline float3 m3x3(float3 v, const float m[4][4], GpPlace at = GpPlace::here())
+inline float3 m3x3(float3 v, const float m[4][4], GpPlace at = gp_here())
 {
     return { dp3(v, u3(m[0]), at), dp3(v, u3(m[1]), at), dp3(v, u3(m[2]), at) };
 }
@@ -426,72 +452,14 @@ float4 vec4(const A &a, const B &b, const C &c, const D &d)
     return { lane(a), lane(b), lane(c), lane(d) };
 }
 
-template <class V> V slope_x(V a, GpPlace at = GpPlace::here())
+template <class V> V slope_x(V a, GpPlace at = gp_here())
 {
-    return emit<V>(DERIVATIVE, GP_STEP_DSX, at, a);
+    return emit<V>(GP_OP_DERIVATIVE, GP_STEP_DSX, at, a);
 }
-template <class V> V slope_y(V a, GpPlace at = GpPlace::here())
+template <class V> V slope_y(V a, GpPlace at = gp_here())
 {
-    return emit<V>(DERIVATIVE, GP_STEP_DSY, at, a);
+    return emit<V>(GP_OP_DERIVATIVE, GP_STEP_DSY, at, a);
 }
-
-/* --- textures and pixels: gp, the invocation, is asked for because C needs it ----------------- */
-
-inline float4 gp_read(GpInvocation *, int slot, GpStepCode code, std::vector<Operand> operands,
-                      GpPlace at = GpPlace::here())
-{
-    static constexpr Op reads[] = {
-        { 1, 1, Op::all, Kind::texture, false, GP_LOD_IMPLICIT }, /* texld */
-        { 1, 3, Op::all, Kind::texture, false, GP_LOD_IMPLICIT }, /* texldp */
-        { 1, 6, Op::all, Kind::texture, false, GP_LOD_BIAS },     /* texldb */
-        { 2, 2, Op::all, Kind::texture, false, GP_LOD_EXPLICIT }, /* texldl */
-        { 3, 3, Op::all, Kind::texture, true, GP_LOD_GRADIENT },  /* texldd */
-        { 1, 1, Op::all, Kind::texture, false, GP_LOD_IMPLICIT }, /* gp_load_local */
-    };
-    int32_t node =
-        recording->record(reads[code - GP_STEP_TEXLD], code, at, std::move(operands), slot);
-    return { { node, 0, false }, { node, 1, false }, { node, 2, false }, { node, 3, false } };
-}
-
-#define texld(slot, a)  gp_read(gp, slot, GP_STEP_TEXLD, { Operand(a) })
-#define texldp(slot, a) gp_read(gp, slot, GP_STEP_TEXLDP, { Operand(a) })
-#define texldb(slot, a) gp_read(gp, slot, GP_STEP_TEXLDB, { Operand(a) })
-#define texldl(slot, a) gp_read(gp, slot, GP_STEP_TEXLDL, { Operand(a) })
-#define texldd(slot, a, dx, dy)                                                                    \
-    gp_read(gp, slot, GP_STEP_TEXLDD, { Operand(a), Operand(dx), Operand(dy) })
-#define gp_load_local(slot) gp_read(gp, slot, GP_STEP_LOCAL, {})
-
-template <class V> void gp_kill(GpInvocation *, V a, GpPlace at = GpPlace::here())
-{
-    emit<flt>(TEXKILL, GP_STEP_TEXKILL, at, a);
-}
-inline void gp_kill(GpInvocation *, msk a, GpPlace at = GpPlace::here())
-{
-    emit<flt>(TEXKILL, GP_STEP_DISCARD, at, a.value);
-}
-#define discard(mask) gp_kill(gp, msk(mask))
-#define texkill(a)    gp_kill(gp, a)
-#define odepth(value) ((void)(gp->depth = (value)))
-
-inline float2 gp_vpos(const GpInvocation *)
-{
-    return { recording->leaf(Kind::pixel, 0), recording->leaf(Kind::pixel, 1) };
-}
-inline flt gp_vface(const GpInvocation *)
-{
-    return recording->leaf(Kind::face, 0);
-}
-template <class V> void gp_watch(const char *name, const V &value)
-{
-    if (recording->is_stepping())
-        recording->watch_value(name, Operand(value));
-}
-#define watch(name, value) gp_watch(name, value)
-
-#define dsx(a)  ((void)gp, slope_x(a))
-#define dsy(a)  ((void)gp, slope_y(a))
-#define vpos()  gp_vpos(gp)
-#define vface() gp_vface(gp)
 
 } // namespace
 

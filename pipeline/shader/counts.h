@@ -14,7 +14,7 @@ struct GpShaderCounts {
     int arithmetic_slots;
     int texture_slots;
     int temporaries;      /* four-component registers live at once: an estimate, described with all
-                             other figures in pipeline/shader/counting_graph.hpp */
+                             other figures in pipeline/shader/graph_counts.c */
     int constants;        /* float4 constants: uniforms read plus literals */
     int inputs;           /* declared inputs or interpolants read */
     int outputs;          /* interpolants (vertex) or colour targets (pixel) written */

@@ -329,7 +329,7 @@ GP_INLINE int gp_begun(int k, int count)
 #define GP_PROGRAM_OF(id, vs, pixel_in, pixel_out, ...)                                            \
     extern const GpProgramCode id##_code8 GP_WEAK, id##_code16 GP_WEAK;                            \
     extern bool id##_count(const GpProgram *, GpShaderCounts *, GpShaderCounts *) GP_WEAK;         \
-    extern void id##_step(const GpProgram *, bool, const struct GpStepRun *) GP_WEAK;              \
+    extern bool id##_step(const GpProgram *, bool, const struct GpStepRun *) GP_WEAK;              \
     extern const GpProgram id;                                                                     \
     const GpProgram id = { .name = #id,                                                            \
                            __VA_ARGS__,                                                            \

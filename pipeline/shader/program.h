@@ -159,8 +159,9 @@ typedef bool (*GpCountFn)(const GpProgram *program, GpShaderCounts *vertex, GpSh
 
 struct GpStepRun;
 
-/* Runs a shader of the counting build step by step: gp_program_steps (pipeline/shader/steps.h) calls it. */
-typedef void (*GpStepFn)(const GpProgram *program, bool vertex, const struct GpStepRun *run);
+/* Runs a shader of the counting build step by step: gp_program_steps (pipeline/shader/steps.h) calls it.
+ * returns false where memory ran out */
+typedef bool (*GpStepFn)(const GpProgram *program, bool vertex, const struct GpStepRun *run);
 
 enum { GP_CODE_WIDTHS = 3 }; /* lanes 4, 8, 16 */
 

@@ -4,7 +4,7 @@
 
 #include "pipeline/shader/steps.h"
 
-/* As GpStepEvaluateFn, of the profiles with limits and of the others, which differ in rcp and rsq. Reads
+/* Of the profiles with limits and of the others, which differ in rcp and rsq. Reads
  * of textures, discards and loops are not for them. */
 void gp_step_value(GpStepCode code, int width, const float operand[GP_STEP_OPERANDS][4][4],
                    float value[4][4]);

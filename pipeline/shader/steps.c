@@ -1,7 +1,5 @@
-/* What a step computes: the instructions of the shader language, called by their numbers. */
+/* The names of steps, and who asks for them. */
 #include "pipeline/shader/steps.h"
-
-#include "pipeline/shader/step_values.h"
 
 const char *const gp_step_names[GP_STEP_CODES] = {
     [GP_STEP_ADD] = "add",
@@ -62,21 +60,11 @@ const char *const gp_step_names[GP_STEP_CODES] = {
     [GP_STEP_LOCAL] = "gp_load_local",
 };
 
-static void evaluate(GpStepCode code, bool software, int width,
-                     const float operand[GP_STEP_OPERANDS][4][4], float value[4][4])
-{
-    if (software)
-        gp_step_value_software(code, width, operand, value);
-    else
-        gp_step_value(code, width, operand, value);
-}
-
 bool gp_program_steps(const GpProgram *program, bool vertex, const GpShaderCall *call,
                       const GpStepListener *listener)
 {
     if (!program->step)
         return false;
-    const GpStepRun run = { call, evaluate, listener };
-    program->step(program, vertex, &run);
-    return true;
+    const GpStepRun run = { call, listener };
+    return program->step(program, vertex, &run);
 }

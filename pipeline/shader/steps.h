@@ -142,24 +142,17 @@ typedef struct GpStepListener {
     void *user;
 } GpStepListener;
 
-/* What the counting build asks to be computed.
- * in   operand: [operand][component][lane]; software: of the _SW profiles
- * out  value: [component][lane] */
-typedef void (*GpStepEvaluateFn)(GpStepCode code, bool software, int width,
-                                 const float operand[GP_STEP_OPERANDS][4][4], float value[4][4]);
-
 /* One run of a shader's counting build: GpProgram.step. */
 typedef struct GpStepRun {
     const GpShaderCall
         *call; /* one packet of four lanes; its outputs are written as a shader does */
-    GpStepEvaluateFn evaluate;
     const GpStepListener *listener;
 } GpStepRun;
 
 /* Runs a vertex or pixel shader step by step.
  * in   call: one packet of four lanes
  * out  what the call asks for
- * returns false where the program has no counting build */
+ * returns false where the program has no counting build, or memory ran out */
 bool gp_program_steps(const GpProgram *program, bool vertex, const GpShaderCall *call,
                       const GpStepListener *listener);
 

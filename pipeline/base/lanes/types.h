@@ -11,7 +11,11 @@
  * lane by lane some are set first, where gcc takes them for unset.) */
 #if defined __SSE2__ && !defined GP_PLAIN_LANES
 #define GP_X86_LANES 1
+#ifdef __AVX__
 #include <immintrin.h>
+#else
+#include <emmintrin.h> /* a fortieth of the other's text, which takes as long to read as a shader to compile */
+#endif
 #endif
 
 #ifndef GP_LANES

@@ -1,0 +1,153 @@
+#include "pipeline/shader/graph_nodes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool gp_graph_has_model2(const GpGraph *graph)
+{
+    const GpProfile p =
+        graph->is_vertex ? graph->program->vertex_profile : graph->program->pixel_profile;
+    return p == GP_VS_2_0 || p == GP_VS_2_SW || p == GP_PS_2_0 || p == GP_PS_2_A ||
+           p == GP_PS_2_B || p == GP_PS_2_SW;
+}
+
+int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node)
+{
+    if (graph->nodes == graph->node_room) {
+        const int room = graph->node_room ? 2 * graph->node_room : 64;
+        GpNode *larger = realloc(graph->node, (size_t)room * sizeof *larger);
+        graph->no_memory = graph->no_memory || !larger;
+        if (!larger)
+            return 0;
+        graph->node = larger;
+        graph->node_room = room;
+    }
+    graph->node[graph->nodes] = *node;
+    return graph->nodes++;
+}
+
+GpPart gp_graph_find_leaf(GpGraph *graph, GpNodeKind kind, int index)
+{
+    const uint32_t hash = ((uint32_t)index * 0x9e3779b1u >> 26 ^ kind) % GP_GRAPH_HASHES;
+    int32_t *newest = &graph->leaf[hash];
+    int32_t number = *newest;
+    while (number >= 0 &&
+           (graph->node[number].op.kind != kind || graph->node[number].index != index))
+        number = graph->node[number].next_leaf;
+    if (number < 0) {
+        const GpNode leaf = { .op.kind = kind, .index = index, .next_leaf = *newest };
+        number = gp_graph_add_node(graph, &leaf);
+        if (!graph->no_memory)
+            *newest = number;
+    }
+    return (GpPart){ number, 0, false };
+}
+
+/* --- what is read ----------------------------------------------------------------------------- */
+
+const GpPart *gp_node_next_read(const GpNode *node, GpReads *at)
+{
+    for (; at->operand < node->operands; at->operand++, at->component = 0) {
+        const GpOperand *operand = &node->operand[at->operand];
+        while (at->component < operand->width) {
+            const int component = at->component++;
+            if (node->op.reads_all || (node->live >> component & 1))
+                return &operand->part[component];
+        }
+    }
+    return NULL;
+}
+
+/* Operands come before what reads them, so one pass from the end is enough. */
+void gp_graph_mark_live(GpGraph *graph)
+{
+    for (int i = 0; i < graph->outputs; i++)
+        for (int k = 0; k < graph->output[i].parts; k++) {
+            const GpPart part = graph->output[i].part[k];
+            graph->node[part.node].live |= 1u << part.component;
+        }
+    for (GpNode *node = graph->node + graph->nodes; node-- > graph->node;) {
+        if (node->op.kind >= GP_NODE_KILL)
+            node->live = 1;
+        if (!node->live)
+            continue;
+        const GpPart *part;
+        for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
+            graph->node[part->node].live |= 1u << part->component;
+    }
+}
+
+static void place(GpGraph *graph, int32_t number)
+{
+    GpNode *node = &graph->node[number];
+    const GpPart *part;
+    if (!gp_node_is_instruction(node) || node->place >= 0)
+        return;
+    for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
+        place(graph, part->node);
+    node->place = graph->scheduled;
+    graph->schedule[graph->scheduled++] = number;
+    for (GpReads at = { 0 }; (part = gp_node_next_read(node, &at));)
+        graph->node[part->node].last_use = node->place;
+}
+
+bool gp_graph_arrange(GpGraph *graph)
+{
+    graph->schedule = malloc((size_t)graph->nodes * sizeof *graph->schedule);
+    if (!graph->schedule)
+        return false;
+    for (int32_t i = 0; i < graph->nodes; i++)
+        graph->node[i].place = graph->node[i].last_use = -1;
+    for (int32_t i = 0; i < graph->nodes; i++)
+        if (graph->node[i].op.kind >= GP_NODE_KILL)
+            place(graph, i);
+    for (int i = 0; i < graph->outputs; i++)
+        for (int k = 0; k < graph->output[i].parts; k++)
+            place(graph, graph->output[i].part[k].node);
+    return true;
+}
+
+/* --- values ----------------------------------------------------------------------------------- */
+
+static void repeat(float value, float lanes[4])
+{
+    for (int lane = 0; lane < 4; lane++)
+        lanes[lane] = value;
+}
+
+static void positive_values(const GpGraph *graph, GpPart part, float value[4])
+{
+    const GpNode *node = &graph->node[part.node];
+    const GpShaderCall *call = graph->run->call;
+    float word;
+    switch (node->op.kind) {
+    case GP_NODE_NUMBER:
+        repeat(gp_bits_float((uint32_t)node->index), value);
+        break;
+    case GP_NODE_UNIFORM:
+        memcpy(&word, (const char *)call->uniforms + 4 * node->index, sizeof word);
+        repeat(word, value);
+        break;
+    case GP_NODE_INPUT:
+        memcpy(value, call->in + 4 * node->index, 4 * sizeof *value);
+        break;
+    case GP_NODE_PIXEL:
+        memcpy(value, call->pixel + 4 * node->index, 4 * sizeof *value);
+        break;
+    case GP_NODE_FACE:
+        memcpy(value, call->face, 4 * sizeof *value);
+        break;
+    case GP_NODE_UNWRITTEN:
+        repeat(0, value);
+        break;
+    default:
+        memcpy(value, node->value[part.component], 4 * sizeof *value);
+    }
+}
+
+void gp_graph_values(const GpGraph *graph, GpPart part, float value[4])
+{
+    positive_values(graph, part, value);
+    for (int lane = 0; lane < 4 && part.negated; lane++)
+        value[lane] = gp_bits_float(gp_float_bits(value[lane]) ^ 0x80000000u);
+}
