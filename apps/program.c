@@ -3,7 +3,6 @@
 #include "apps/dispatch.h"
 #include "apps/commands/options.h"
 #include "pipeline/io/file.h"
-#include "pipeline/io/library.h"
 
 #include <errno.h>
 #include <fcntl.h>

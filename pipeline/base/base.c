@@ -106,3 +106,15 @@ void gp_free(void *memory)
     memcpy(&block, (char *)memory - sizeof block, sizeof block);
     free(block);
 }
+
+static void (*called_without_memory)(void);
+
+void gp_call_without_memory(void (*end)(void))
+{
+    called_without_memory = end;
+}
+
+void (*gp_called_without_memory(void))(void)
+{
+    return called_without_memory;
+}

@@ -5,23 +5,18 @@
 
 typedef void (*Handler)(void);
 
-static Handler end_without_memory;
-
-void gp_call_without_memory(void (*end)(void))
-{
-    end_without_memory = end;
-}
-
-/* C++ comes first, by itself: of the libraries that need it, even static objects may find no memory. */
+/* C++ comes first, by itself: of the libraries that need it, even static objects may find no
+ * memory (gp_call_without_memory). */
 static void set_new_handler(void)
 {
     Handler (*set)(Handler handler);
-    void *runtime = end_without_memory ? dlopen("libstdc++.so.6", RTLD_LAZY | RTLD_LOCAL) : NULL;
+    const Handler end = gp_called_without_memory();
+    void *runtime = end ? dlopen("libstdc++.so.6", RTLD_LAZY | RTLD_LOCAL) : NULL;
     void *found = runtime ? dlsym(runtime, "_ZSt15set_new_handlerPFvvE") : NULL;
     if (!found)
         return;
     memcpy(&set, &found, sizeof set);
-    set(end_without_memory);
+    set(end);
 }
 
 GpResult gp_library_find(const char *file, const char *name, void **found, GpError *error)

@@ -11,8 +11,4 @@
  * owns   the process, to its end */
 GpResult gp_library_find(const char *file, const char *name, void **found, GpError *error);
 
-/* Has `end` called, in whatever thread, where a library that is found from now on has no memory. It does not return:
- * exceptions of libraries that are being loaded, or in their own threads, could not be caught. */
-void gp_call_without_memory(void (*end)(void));
-
 #endif

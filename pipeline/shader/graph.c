@@ -243,3 +243,11 @@ void gp_graph_free(GpGraph *graph)
     free(graph->schedule);
     free(graph->watch);
 }
+
+bool gp_graph_missed(void)
+{
+    void (*const end)(void) = gp_called_without_memory();
+    if (end)
+        end();
+    return false;
+}

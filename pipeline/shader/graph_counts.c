@@ -246,7 +246,7 @@ static bool count_shader(const GpProgram *program, bool is_vertex, void (*shader
     const bool counted =
         !shader || (gp_graph_record(&graph, shader) && count_graph(&graph, counts));
     gp_graph_free(&graph);
-    return counted;
+    return counted || gp_graph_missed();
 }
 
 bool gp_graph_count(const GpProgram *program, const GpGraphShaders *shaders, GpShaderCounts *vertex,

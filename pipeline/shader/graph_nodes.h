@@ -97,4 +97,7 @@ void gp_graph_values(const GpGraph *graph, GpPart part, float value[4]);
 bool gp_graph_record(GpGraph *graph, void (*shader)(void));
 void gp_graph_free(GpGraph *graph);
 
+/* Memory ended: ends the program, where that is asked for (gp_call_without_memory); false otherwise. */
+bool gp_graph_missed(void);
+
 #endif

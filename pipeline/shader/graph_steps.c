@@ -178,5 +178,5 @@ bool gp_graph_step(const GpProgram *program, const GpGraphShaders *shaders, bool
             tell(&graph);
     }
     gp_graph_free(&graph);
-    return stepped;
+    return stepped || gp_graph_missed();
 }
