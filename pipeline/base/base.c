@@ -107,14 +107,14 @@ void gp_free(void *memory)
     free(block);
 }
 
-static void (*called_without_memory)(void);
+static GpEndFn called_without_memory;
 
-void gp_call_without_memory(void (*end)(void))
+void gp_call_without_memory(GpEndFn end)
 {
     called_without_memory = end;
 }
 
-void (*gp_called_without_memory(void))(void)
+GpEndFn gp_called_without_memory(void)
 {
     return called_without_memory;
 }

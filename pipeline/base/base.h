@@ -54,11 +54,13 @@ void *gp_alloc(size_t count, size_t size);
 void *gp_alloc_unset(size_t bytes); /* the same, but with whatever was there */
 void gp_free(void *memory);
 
+typedef void (*GpEndFn)(void);
+
 /* Has `end` called, in whatever thread, where memory ends and who asked would not hear of it: what counts shaders
  * goes on without its figures, and libraries of C++ throw what cannot be caught while they are loaded. It does not
  * return. NULL, as at first: they go on. */
-void gp_call_without_memory(void (*end)(void));
-void (*gp_called_without_memory(void))(void);
+void gp_call_without_memory(GpEndFn end);
+GpEndFn gp_called_without_memory(void);
 
 /* The bits of a float. (Vectors of lanes are cast, which keeps their bits.) */
 static inline uint32_t gp_float_bits(float value)

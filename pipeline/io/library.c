@@ -3,14 +3,12 @@
 #include <dlfcn.h>
 #include <string.h>
 
-typedef void (*Handler)(void);
-
 /* C++ comes first, by itself: of the libraries that need it, even static objects may find no
  * memory (gp_call_without_memory). */
 static void set_new_handler(void)
 {
-    Handler (*set)(Handler handler);
-    const Handler end = gp_called_without_memory();
+    GpEndFn (*set)(GpEndFn end);
+    const GpEndFn end = gp_called_without_memory();
     void *runtime = end ? dlopen("libstdc++.so.6", RTLD_LAZY | RTLD_LOCAL) : NULL;
     void *found = runtime ? dlsym(runtime, "_ZSt15set_new_handlerPFvvE") : NULL;
     if (!found)

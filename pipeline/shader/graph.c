@@ -246,7 +246,7 @@ void gp_graph_free(GpGraph *graph)
 
 bool gp_graph_missed(void)
 {
-    void (*const end)(void) = gp_called_without_memory();
+    const GpEndFn end = gp_called_without_memory();
     if (end)
         end();
     return false;
