@@ -63,8 +63,8 @@ ALL_C    := $(CC) -std=gnu11 -Werror=implicit-function-declaration $(COMMON) $(C
 ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
 # Libraries' own headers are not ours to warn about.
 IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
-# Without exceptions it needs no library of C++.
-COUNT_CXX := $(ALL_CXX) -std=gnu++20 -fno-exceptions -x c++
+# Without exceptions, and types that are looked at as it runs, it needs no library of C++.
+COUNT_CXX := $(ALL_CXX) -std=gnu++20 -fno-exceptions $(if $(and $(SANITIZE),$(GP_IS_CLANG)),-fno-sanitize=function,vptr) -x c++
 LINK     := $(CC) -pthread $(SANITIZER) $(LDFLAGS)
 LINK_CXX := $(CXX) -pthread $(SANITIZER) $(LDFLAGS)
 # Clang counts how often each branch of the pipeline is taken: make coverage. Local functions are told apart by
