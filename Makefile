@@ -64,7 +64,7 @@ ALL_CXX  := $(CXX) $(COMMON) $(CPPFLAGS) $(CXXFLAGS)
 # Libraries' own headers are not ours to warn about.
 IO_CXX   := $(ALL_CXX) -std=gnu++17 -Wno-conversion -Wno-double-promotion -Wno-shadow
 # Without exceptions, and types that are looked at as it runs, it needs no library of C++.
-COUNT_CXX := $(ALL_CXX) -std=gnu++20 -fno-exceptions $(if $(and $(SANITIZE),$(GP_IS_CLANG)),-fno-sanitize=function,vptr) -x c++
+COUNT_CXX := $(ALL_CXX) -std=gnu++20 -fno-exceptions $(if $(and $(SANITIZE),$(GP_IS_CLANG)),-fno-sanitize=function$(comma)vptr) -x c++
 LINK     := $(CC) -pthread $(SANITIZER) $(LDFLAGS)
 LINK_CXX := $(CXX) -pthread $(SANITIZER) $(LDFLAGS)
 # Clang counts how often each branch of the pipeline is taken: make coverage. Local functions are told apart by
@@ -189,7 +189,7 @@ deps-mpi:
 # --- compiling ------------------------------------------------------------------------------------
 
 # Rebuilds everything when the compiler or its flags change.
-FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(ALL_CXX) | $(LINK) | $(ISAS) | $(GP_SHADER_OPT))
+FLAGS_TEXT := $(subst ','"'"',$(ALL_C) | $(COUNT_CXX) | $(LINK) | $(ISAS) | $(GP_SHADER_OPT))
 .PHONY: always
 $(FLAGS_FILE): always | packages
 	@mkdir -p $(@D)
