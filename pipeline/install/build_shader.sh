@@ -55,7 +55,9 @@ trap 'rm -rf "$work"' EXIT
 # The preprocessor's output has the headers in it. It is the first to find what is wrong.
 # shellcheck disable=SC2086 # flags are several words
 $cc $flags -E "$file" >"$work/text.i" || exit 3
-hash=$({ echo "$cc $cxx $flags $isas $widths" && $cc --version && cat "$work/text.i"; } | sha256sum)
+# It has not what counting includes, by which the library and the program know each other.
+hash=$({ echo "$cc $cxx $flags $isas $widths" && $cc --version && cat "$work/text.i" &&
+    cat "$prefix"/include/glasspipe/shader/*; } | sha256sum)
 library=$cache/${hash%% *}.so
 if [ -e "$library" ]; then
     echo "$library"

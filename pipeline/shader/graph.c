@@ -8,24 +8,13 @@ static _Thread_local GpGraph *recorded;
 
 /* --- of the vocabulary ------------------------------------------------------------------------ */
 
-static void raise(int *most, int value)
-{
-    *most = value > *most ? value : *most;
-}
-
 /* First component of the declared register that holds a component, or -1. */
 static int register_start(const GpGraph *graph, int component)
 {
-    const GpProgram *p = graph->program;
-    int first = 0;
-    if (graph->is_vertex) {
-        for (size_t i = 0; i < GP_COUNT(p->inputs); first += p->inputs[i++].components)
-            if (component < first + p->inputs[i].components)
-                return first;
-    } else {
-        for (size_t i = 0; i < GP_COUNT(p->varyings); first += p->varyings[i++].components)
-            if (component < first + p->varyings[i].components)
-                return first;
+    for (int i = 0, first = 0, components; i < GP_GRAPH_INPUTS; i++, first += components) {
+        components = gp_graph_input_components(graph, i);
+        if (component < first + components)
+            return first;
     }
     return -1;
 }
@@ -50,7 +39,7 @@ static int order_of(const GpGraph *graph, const GpNode *node)
     int order = 0;
     for (int i = 0; i < node->operands; i++)
         for (int k = 0; k < node->operand[i].width; k++)
-            raise(&order, graph->node[node->operand[i].part[k].node].order);
+            gp_raise(&order, graph->node[node->operand[i].part[k].node].order);
     if (node->op.kind != GP_NODE_TEXTURE || !node->operands)
         return order;
     return is_interpolant(graph, &node->operand[0]) ? 0 : 1 + order;
@@ -109,15 +98,11 @@ void gp_graph_watch(const char *name, const GpOperand *value)
 {
     if (!recorded->compute)
         return;
-    if (recorded->watches == recorded->watch_room) {
-        const int room = recorded->watch_room ? 2 * recorded->watch_room : 8;
-        GpGraphWatch *larger = realloc(recorded->watch, (size_t)room * sizeof *larger);
-        recorded->no_memory = recorded->no_memory || !larger;
-        if (!larger)
-            return;
-        recorded->watch = larger;
-        recorded->watch_room = room;
-    }
+    GpGraphWatch *list = gp_graph_grown(recorded, recorded->watch, recorded->watches,
+                                        &recorded->watch_room, sizeof *list);
+    if (!list)
+        return;
+    recorded->watch = list;
     recorded->watch[recorded->watches++] = (GpGraphWatch){ name, *value };
 }
 

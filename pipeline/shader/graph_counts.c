@@ -97,11 +97,6 @@ static void add_moves(GpGraph *graph)
 
 /* --- temporaries ------------------------------------------------------------------------------ */
 
-static void raise(int *most, int value)
-{
-    *most = value > *most ? value : *most;
-}
-
 /* Four components a register: ones fill up threes, and share registers with twos. */
 static int registers_for(const int of_width[5])
 {
@@ -119,7 +114,7 @@ static int most_registers(const GpGraph *graph)
             if (node->last_use > now)
                 of_width[node->op.kind == GP_NODE_TEXTURE ? 4 : __builtin_popcount(node->live)]++;
         }
-        raise(&most, registers_for(of_width));
+        gp_raise(&most, registers_for(of_width));
     }
     return most;
 }
@@ -161,7 +156,7 @@ static void read_instruction(const GpGraph *graph, const GpNode *node, GpShaderC
     counts->sampler_slots = (uint16_t)(counts->sampler_slots | 1u << node->index);
     counts->implicit_lod |= node->op.mode == GP_LOD_IMPLICIT || node->op.mode == GP_LOD_BIAS;
     counts->explicit_lod |= node->op.mode == GP_LOD_EXPLICIT;
-    raise(&counts->dependent_reads, node->order);
+    gp_raise(&counts->dependent_reads, node->order);
 }
 
 /* Whether a declared register of so many components from `first` on is read, by one of them. */
@@ -172,14 +167,11 @@ static bool is_register_read(uint64_t read, int first, int components)
 
 static int inputs_read(const GpGraph *graph, uint64_t read)
 {
-    const GpProgram *p = graph->program;
-    int inputs = 0, first = 0;
-    if (graph->is_vertex)
-        for (size_t i = 0; i < GP_COUNT(p->inputs); first += p->inputs[i++].components)
-            inputs += is_register_read(read, first, p->inputs[i].components);
-    else
-        for (size_t i = 0; i < GP_COUNT(p->varyings); first += p->varyings[i++].components)
-            inputs += is_register_read(read, first, p->varyings[i].components);
+    int inputs = 0;
+    for (int i = 0, first = 0, components; i < GP_GRAPH_INPUTS; i++, first += components) {
+        components = gp_graph_input_components(graph, i);
+        inputs += is_register_read(read, first, components);
+    }
     return inputs;
 }
 

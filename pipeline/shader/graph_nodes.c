@@ -11,17 +11,36 @@ bool gp_graph_has_model2(const GpGraph *graph)
            p == GP_PS_2_B || p == GP_PS_2_SW;
 }
 
+_Static_assert(GP_GRAPH_INPUTS >= GP_COUNT(((GpProgram *)0)->inputs) &&
+                   GP_GRAPH_INPUTS >= GP_COUNT(((GpProgram *)0)->varyings),
+               "all that a program declares");
+
+int gp_graph_input_components(const GpGraph *graph, int i)
+{
+    const GpProgram *p = graph->program;
+    if (graph->is_vertex)
+        return i < (int)GP_COUNT(p->inputs) ? p->inputs[i].components : 0;
+    return i < (int)GP_COUNT(p->varyings) ? p->varyings[i].components : 0;
+}
+
+void *gp_graph_grown(GpGraph *graph, void *list, int count, int *room, size_t size)
+{
+    if (count < *room)
+        return list;
+    const int more = *room ? 2 * *room : 64;
+    void *larger = realloc(list, (size_t)more * size);
+    graph->no_memory = graph->no_memory || !larger;
+    *room = larger ? more : *room;
+    return larger;
+}
+
 int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node)
 {
-    if (graph->nodes == graph->node_room) {
-        const int room = graph->node_room ? 2 * graph->node_room : 64;
-        GpNode *larger = realloc(graph->node, (size_t)room * sizeof *larger);
-        graph->no_memory = graph->no_memory || !larger;
-        if (!larger)
-            return 0;
-        graph->node = larger;
-        graph->node_room = room;
-    }
+    GpNode *list =
+        gp_graph_grown(graph, graph->node, graph->nodes, &graph->node_room, sizeof *list);
+    if (!list)
+        return 0;
+    graph->node = list;
     graph->node[graph->nodes] = *node;
     return graph->nodes++;
 }

@@ -65,7 +65,20 @@ static inline bool gp_node_is_instruction(const GpNode *node)
     return node->op.kind >= GP_NODE_ARITHMETIC;
 }
 
+static inline void gp_raise(int *most, int value)
+{
+    *most = value > *most ? value : *most;
+}
+
 bool gp_graph_has_model2(const GpGraph *graph);
+
+enum { GP_GRAPH_INPUTS = 16 }; /* registers that a program can declare for either shader to read */
+
+/* Components of declared register i < GP_GRAPH_INPUTS that the shader reads; 0: it is not declared. */
+int gp_graph_input_components(const GpGraph *graph, int i);
+
+/* A list of the graph, with room for one more; NULL: there is no memory, and the graph knows. */
+void *gp_graph_grown(GpGraph *graph, void *list, int count, int *room, size_t size);
 
 /* Adds a node; node 0 without memory. */
 int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node);
