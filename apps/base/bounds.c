@@ -34,11 +34,20 @@ double bounds_longest(const Bounds *bounds)
 
 Bounds bounds_of(const float *positions, size_t stride, const uint32_t *indices, uint32_t count)
 {
-    Bounds bounds = bounds_of_nothing;
+    const float far = HUGE_VALF;
+    float low[3] = { far, far, far }, high[3] = { -far, -far, -far };
     for (uint32_t i = 0; i < count; i++) {
         float p[3];
         memcpy(p, (const char *)positions + stride * (indices ? indices[i] : i), sizeof p);
-        bounds_add(&bounds, (const double[3]){ (double)p[0], (double)p[1], (double)p[2] });
+        for (int k = 0; k < 3; k++) {
+            low[k] = p[k] < low[k] ? p[k] : low[k];
+            high[k] = p[k] > high[k] ? p[k] : high[k];
+        }
+    }
+    Bounds bounds;
+    for (int k = 0; k < 3; k++) {
+        bounds.low[k] = (double)low[k];
+        bounds.high[k] = (double)high[k];
     }
     return bounds;
 }

@@ -91,7 +91,8 @@ static GpResult build_draw(const EffectInput *input, Shape *shape, Frame *frame,
     const float background[4] = { 0.1f, 0.1f, 0.12f, 1 };
     GpGeometry geometry = { .vertex_count = 0 };
     centre_shape(shape);
-    scene_copy_shape(frame, shape, &geometry);
+    const EffectUniforms uniforms = find_uniforms(input, shape);
+    scene_keep_shape(frame, shape, &geometry);
     GpResult result = frame_result(frame, error);
     if (!result)
         result = check_program(input->program, &geometry, error);
@@ -100,7 +101,6 @@ static GpResult build_draw(const EffectInput *input, Shape *shape, Frame *frame,
     frame->color = frame_surface(frame, GP_A8R8G8B8, input->width, input->height, 1);
     frame->depth = frame_surface(frame, GP_D24S8, input->width, input->height, 1);
     frame_pass(frame, "effect", frame->color, frame->depth, background);
-    const EffectUniforms uniforms = find_uniforms(input, shape);
     GpDraw *draw = frame_draw_copied(frame, input->program, &uniforms, &geometry);
     draw->name = "model";
     draw->state.depth = (GpDepthState){ .test = GP_LESS_EQUAL, .write = true };

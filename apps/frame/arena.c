@@ -7,10 +7,11 @@ typedef struct ArenaChunk {
     size_t used, size; /* with this header */
 } ArenaChunk;
 
-typedef struct ArenaSurface {
-    struct ArenaSurface *next;
-    GpSurface *surface;
-} ArenaSurface;
+/* What was made elsewhere. */
+typedef struct ArenaOwned {
+    struct ArenaOwned *next;
+    void *thing;
+} ArenaOwned;
 
 static void *fail(Arena *arena, GpResult result, const char *reason)
 {
@@ -55,15 +56,28 @@ void *arena_alloc(Arena *arena, size_t count, size_t size)
     return (char *)chunk + chunk->used - bytes;
 }
 
+static bool own(Arena *arena, void *thing, ArenaOwned **list)
+{
+    ArenaOwned *owned = arena_alloc(arena, 1, sizeof *owned);
+    if (!owned)
+        return false;
+    *owned = (ArenaOwned){ *list, thing };
+    *list = owned;
+    return true;
+}
+
+void *arena_own(Arena *arena, void *memory)
+{
+    if (!memory || own(arena, memory, &arena->blocks))
+        return memory;
+    gp_free(memory);
+    return NULL;
+}
+
 GpSurface *arena_own_surface(Arena *arena, GpSurface *surface)
 {
-    ArenaSurface *owned = arena_alloc(arena, 1, sizeof *owned);
-    if (owned) {
-        *owned = (ArenaSurface){ arena->surfaces, surface };
-        arena->surfaces = owned;
-    } else {
+    if (!own(arena, surface, &arena->surfaces))
         gp_surface_destroy(&surface);
-    }
     return surface;
 }
 
@@ -82,8 +96,10 @@ GpResult arena_result(const Arena *arena, GpError *error)
 
 void arena_free(Arena *arena)
 {
-    for (ArenaSurface *owned = arena->surfaces; owned; owned = owned->next)
-        gp_surface_destroy(&owned->surface);
+    for (ArenaOwned *owned = arena->surfaces; owned; owned = owned->next)
+        gp_surface_destroy(&(GpSurface *){ owned->thing });
+    for (ArenaOwned *owned = arena->blocks; owned; owned = owned->next)
+        gp_free(owned->thing);
     while (arena->chunks) {
         ArenaChunk *chunk = arena->chunks;
         arena->chunks = chunk->next;

@@ -17,11 +17,15 @@ typedef struct Arena {
     /* private */
     uint32_t calls;
     struct ArenaChunk *chunks;
-    struct ArenaSurface *surfaces;
+    struct ArenaOwned *blocks, *surfaces;
 } Arena;
 
 /* Zeroed memory, aligned to 64 bytes. */
 void *arena_alloc(Arena *arena, size_t count, size_t size);
+
+/* Takes over memory of gp_alloc, which is freed at once where that fails; NULL is fine.
+ * returns it, or NULL */
+void *arena_own(Arena *arena, void *memory);
 
 /* Makes a surface; takes one over, which is destroyed at once where that fails. */
 GpSurface *arena_surface(Arena *arena, const GpSurfaceDesc *desc);

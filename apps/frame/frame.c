@@ -33,6 +33,11 @@ const void *frame_copy(Frame *frame, const void *data, size_t size)
     return copy && size > 0 ? memcpy(copy, data, size) : copy; /* of nothing data may be NULL */
 }
 
+void *frame_own(Frame *frame, void *memory)
+{
+    return arena_own(&frame->arena, memory);
+}
+
 static GpSurface *make_surface(Frame *frame, const GpSurfaceDesc *desc)
 {
     GpSurface *surface = arena_surface(&frame->arena, desc);

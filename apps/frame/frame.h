@@ -54,6 +54,7 @@ void frame_fail(Frame *frame);
 
 void *frame_alloc(Frame *frame, size_t count, size_t size); /* zeroed; NULL: out of memory */
 const void *frame_copy(Frame *frame, const void *data, size_t size);
+void *frame_own(Frame *frame, void *memory); /* of gp_alloc; NULL: none, or out of memory */
 
 /* Never NULL; without memory its texels are. */
 GpSurface *frame_surface(Frame *frame, GpFormat format, uint32_t width, uint32_t height,

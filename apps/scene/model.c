@@ -106,6 +106,7 @@ GpResult model_points(const char *builtin, GpPoints *points, GpError *error)
 /* Files have v = 0 at the bottom of a picture. */
 static void copy_vertex(const GpMesh *mesh, uint32_t i, ShapeVertex *vertex)
 {
+    *vertex = (ShapeVertex){ .color = { 1, 1, 1, 1 } };
     memcpy(vertex->position, mesh->positions + 3 * (size_t)i, sizeof vertex->position);
     memcpy(vertex->normal, mesh->normals + 3 * (size_t)i, sizeof vertex->normal);
     if (mesh->colors)
@@ -114,6 +115,23 @@ static void copy_vertex(const GpMesh *mesh, uint32_t i, ShapeVertex *vertex)
         vertex->texcoord[0] = mesh->texcoords[2 * (size_t)i];
         vertex->texcoord[1] = 1 - mesh->texcoords[2 * (size_t)i + 1];
     }
+}
+
+/* Takes the mesh's indices with it. */
+static GpResult shape_of_mesh(GpMesh *mesh, bool points, Shape *shape)
+{
+    ShapeVertex *vertices = gp_alloc(mesh->vertex_count, sizeof *vertices);
+    if (!vertices)
+        return GP_ERROR_MEMORY;
+    for (uint32_t i = 0; i < mesh->vertex_count; i++)
+        copy_vertex(mesh, i, &vertices[i]);
+    *shape = (Shape){ .vertices = vertices, .vertex_count = mesh->vertex_count };
+    if (!points) {
+        shape->indices = mesh->indices;
+        shape->index_count = 3 * mesh->triangle_count;
+        mesh->indices = NULL;
+    }
+    return GP_OK;
 }
 
 GpResult model_shape(const char *scene, const char *name, bool points, Shape *shape, GpError *error)
@@ -125,12 +143,7 @@ GpResult model_shape(const char *scene, const char *name, bool points, Shape *sh
     GpResult result = read_file(scene, name, points ? GP_MESH_ALLOW_POINTS : 0, &mesh, error);
     if (result)
         return result;
-    const uint32_t indices = points ? 0 : 3 * mesh.triangle_count;
-    result = shape_alloc(shape, mesh.vertex_count, indices);
-    for (uint32_t i = 0; i < mesh.vertex_count && !result; i++)
-        copy_vertex(&mesh, i, &shape->vertices[i]);
-    if (indices && !result)
-        memcpy(shape->indices, mesh.indices, indices * sizeof *mesh.indices);
+    result = shape_of_mesh(&mesh, points, shape);
     gp_mesh_free(&mesh);
     return result ? gp_fail(error, result, "%.200s: no memory", name) : GP_OK;
 }

@@ -102,22 +102,20 @@ static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
     }
 }
 
-void scene_copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry)
+void scene_keep_shape(Frame *frame, Shape *shape, GpGeometry *geometry)
 {
-    const uint32_t stride = sizeof *shape->vertices;
-    const ShapeVertex *first =
-        shape->vertices ? frame_copy(frame, shape->vertices, shape->vertex_count * (size_t)stride)
-                        : NULL;
-    const uint32_t *indices =
-        shape->indices ? frame_copy(frame, shape->indices, shape->index_count * sizeof *indices)
-                       : NULL;
+    const Shape kept = *shape;
+    const uint32_t stride = sizeof *kept.vertices;
+    const ShapeVertex *first = frame_own(frame, kept.vertices);
+    const uint32_t *indices = frame_own(frame, kept.indices);
+    *shape = (Shape){ .vertices = NULL };
     if (!first)
         return;
     *geometry = (GpGeometry){
-        .primitive = shape->indices ? GP_TRIANGLES : GP_POINTS,
-        .vertex_count = shape->vertex_count,
+        .primitive = kept.indices ? GP_TRIANGLES : GP_POINTS,
+        .vertex_count = kept.vertex_count,
         .indices = indices,
-        .index_count = shape->index_count,
+        .index_count = kept.index_count,
         .streams = { [GP_POSITION] = { first->position, stride, 3, GP_FLOAT32 },
                      [GP_NORMAL] = { first->normal, stride, 3, GP_FLOAT32 },
                      [GP_TEXCOORD0] = { first->texcoord, stride, 2, GP_FLOAT32 },
@@ -170,8 +168,7 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
         turn_triangles(&shape);
     color_shape(node_member(node, "color"), &vertices, &shape);
     read_tile_and_size(node_member(node, "tile"), node_member(node, "size"), &shape);
-    scene_copy_shape(loader->frame, &shape, geometry);
-    shape_free(&shape);
+    scene_keep_shape(loader->frame, &shape, geometry);
 }
 
 /* What only some programs read is refused where the object's does not: a member of the vertices. */
@@ -235,8 +232,7 @@ void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *d
     draw->viewport = view->viewport;
     if (shape_create("quad", &shape))
         node_fail(&node, GP_ERROR_MEMORY, "no memory");
-    scene_copy_shape(loader->frame, &shape, &draw->geometry);
-    shape_free(&shape);
+    scene_keep_shape(loader->frame, &shape, &draw->geometry);
     scene_read_state(node_member(&node, "state"), view, &draw->state);
     scene_read_material(loader, node_member(&node, "material"), view, "blit", draw);
     node_close(&node);

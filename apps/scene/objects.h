@@ -13,7 +13,7 @@ void scene_read_object(Loader *loader, Node node, const SceneView *view);
 /* "quad" of a pass: a rectangle over the whole viewport, in clip space, without depth test. */
 void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *draw);
 
-/* The frame's own copy of a shape, as draws have it; without memory there is none. */
-void scene_copy_shape(Frame *frame, const Shape *shape, GpGeometry *geometry);
+/* Gives a shape to the frame, as draws have it; without memory there is none. The shape is empty then. */
+void scene_keep_shape(Frame *frame, Shape *shape, GpGeometry *geometry);
 
 #endif

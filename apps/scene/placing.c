@@ -66,25 +66,33 @@ static void read_transform(Node node, double m[4][4], double scale[3])
     node_close(&node);
 }
 
+/* Three doubles, and one that means nothing: columns of a matrix, so that a product is found in all rows at once,
+ * each summed in its order. */
+typedef double double4 __attribute__((vector_size(4 * sizeof(double))));
+
 /* Positions by m, normals by its inverse transpose. returns whether m mirrors */
 static bool transform_vertices(const PlacedVertices *vertices, double m[4][4])
 {
     double normals[3][3];
+    double4 column[4] = { { 0 } }, turn[3] = { { 0 } };
     matrix_normals(m, normals);
     const bool mirrored = vector_dot(m[0], normals[0]) < 0.0;
+    for (int row = 0; row < 3; row++)
+        for (int c = 0; c < 4; c++) {
+            column[c][row] = m[row][c];
+            if (c < 3)
+                turn[c][row] = normals[row][c];
+        }
     for (uint32_t i = 0; i < vertices->count; i++) {
         float *position = vertex_at(vertices->positions, vertices, i);
         float *direction = vertex_at(vertices->normals, vertices, i);
-        double p[3], n[3], world[3], normal[3];
-        for (int k = 0; k < 3; k++) {
-            p[k] = (double)position[k];
-            n[k] = (double)direction[k];
-        }
-        for (int k = 0; k < 3; k++) {
-            world[k] = vector_dot(m[k], p) + m[k][3];
-            normal[k] = vector_dot(normals[k], n) * (mirrored ? -1.0 : 1.0);
-        }
-        vector_normalize(normal);
+        const double4 world = column[0] * (double)position[0] + column[1] * (double)position[1] +
+                              column[2] * (double)position[2] + column[3];
+        const double4 n = (turn[0] * (double)direction[0] + turn[1] * (double)direction[1] +
+                           turn[2] * (double)direction[2]) *
+                          (mirrored ? -1.0 : 1.0);
+        const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        const double4 normal = n / (length > 0 ? length : 1);
         for (int k = 0; k < 3; k++) {
             position[k] = (float)world[k];
             direction[k] = (float)normal[k];

@@ -10,22 +10,36 @@ static void add_triangle(const float *positions, const uint32_t corner[3], doubl
     const float *a = positions + 3 * (size_t)corner[0];
     const float *b = positions + 3 * (size_t)corner[1];
     const float *c = positions + 3 * (size_t)corner[2];
-    double u[3], v[3];
-    for (int i = 0; i < 3; i++) {
-        u[i] = (double)b[i] - (double)a[i];
-        v[i] = (double)c[i] - (double)a[i];
-    }
-    double normal[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                         u[0] * v[1] - u[1] * v[0] };
+    const double ax = (double)a[0], ay = (double)a[1], az = (double)a[2];
+    const double ux = (double)b[0] - ax, uy = (double)b[1] - ay, uz = (double)b[2] - az;
+    const double vx = (double)c[0] - ax, vy = (double)c[1] - ay, vz = (double)c[2] - az;
+    const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
     for (int k = 0; k < 3; k++) {
-        for (int i = 0; i < 3; i++)
-            sums[3 * (size_t)corner[k] + (size_t)i] += normal[i];
+        double *sum = sums + 3 * (size_t)corner[k];
+        sum[0] += x;
+        sum[1] += y;
+        sum[2] += z;
     }
+}
+
+static bool is_absent(const float normal[3])
+{
+    return normal[0] == 0 && normal[1] == 0 && normal[2] == 0;
+}
+
+static bool lacks_normals(const GpMesh *mesh)
+{
+    bool lacks = false;
+    for (size_t v = 0; v < mesh->vertex_count && !lacks; v++)
+        lacks = is_absent(mesh->normals + 3 * v);
+    return lacks;
 }
 
 GpResult gp_mesh_normals(GpMesh *mesh, bool all)
 {
     GP_ASSERT(mesh);
+    if (!all && !lacks_normals(mesh))
+        return GP_OK;
     double *sums = gp_alloc(3 * (size_t)mesh->vertex_count, sizeof(double));
     if (!sums)
         return GP_ERROR_MEMORY;
@@ -34,8 +48,7 @@ GpResult gp_mesh_normals(GpMesh *mesh, bool all)
 
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         float *normal = mesh->normals + 3 * v;
-        bool is_absent = normal[0] == 0 && normal[1] == 0 && normal[2] == 0;
-        if (!all && !is_absent)
+        if (!all && !is_absent(normal))
             continue;
         const double *sum = sums + 3 * v;
         double length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);

@@ -9,12 +9,35 @@ static const struct {
     [GP_MESH_COLOR] = { .first = GP_VERTEX_COLOR, .size = 4 },
 };
 
+static size_t row_bytes(const GpMeshBuilder *mesh, int attribute)
+{
+    const bool has = attribute == GP_MESH_POSITION || mesh->has[attribute];
+    return has ? columns[attribute].size * sizeof(float) : 0;
+}
+
+bool gp_mesh_new_vertices(GpMeshBuilder *mesh, size_t count, float *rows[GP_MESH_ATTRIBUTES])
+{
+    bool has_room = true;
+    for (int i = 0; i < GP_MESH_ATTRIBUTES; i++) {
+        GpBytes *values = &mesh->values[i];
+        const size_t bytes = row_bytes(mesh, i);
+        has_room &= gp_bytes_reserve(values, count * bytes);
+        rows[i] = has_room && bytes ? (float *)(void *)(values->data + values->size) : NULL;
+    }
+    return has_room;
+}
+
+void gp_mesh_add_vertices(GpMeshBuilder *mesh, size_t count)
+{
+    for (int i = 0; i < GP_MESH_ATTRIBUTES; i++)
+        mesh->values[i].size += count * row_bytes(mesh, i);
+    mesh->vertex_count += count;
+}
+
 void gp_mesh_builder_reserve(GpMeshBuilder *mesh, size_t vertices, size_t triangles)
 {
-    for (int i = 0; i < GP_MESH_ATTRIBUTES; i++) {
-        if (i == GP_MESH_POSITION || mesh->has[i])
-            gp_bytes_reserve(&mesh->values[i], vertices * columns[i].size * sizeof(float));
-    }
+    float *rows[GP_MESH_ATTRIBUTES];
+    gp_mesh_new_vertices(mesh, vertices, rows);
     gp_bytes_reserve(&mesh->indices, triangles * 3 * sizeof(uint32_t));
 }
 

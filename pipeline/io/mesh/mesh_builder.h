@@ -42,6 +42,14 @@ void gp_mesh_builder_reserve(GpMeshBuilder *mesh, size_t vertices, size_t triang
 /* Appends a vertex: of the row, what mesh->has. */
 void gp_mesh_add_vertex(GpMeshBuilder *mesh, const float vertex[GP_VERTEX_FLOATS]);
 
+/* Room for so many more vertices behind the last.
+ * out    rows: where the floats of each attribute that mesh->has go, the next vertex's first; of others NULL
+ * returns false where memory is short */
+bool gp_mesh_new_vertices(GpMeshBuilder *mesh, size_t count, float *rows[GP_MESH_ATTRIBUTES]);
+
+/* Appends vertices that were put there. */
+void gp_mesh_add_vertices(GpMeshBuilder *mesh, size_t count);
+
 static inline void gp_mesh_begin_face(GpMeshBuilder *mesh)
 {
     mesh->face_count++;

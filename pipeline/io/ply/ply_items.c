@@ -1,7 +1,5 @@
 #include "pipeline/io/ply/ply_items.h"
 
-#include "pipeline/io/bytes.h"
-
 #include <math.h>
 #include <stdio.h>
 
@@ -127,6 +125,74 @@ uint8_t gp_ply_color(const PlyItems *items, PlyType type)
     return (uint8_t)(type == PLY_UINT16 ? value / 257 + 0.5 : value);
 }
 
+/* --- many items at once ----------------------------------------------------------------------- */
+
+static bool is_color(PlyRole role)
+{
+    return role >= PLY_RED && role <= PLY_ALPHA;
+}
+
+static void copy_bytes(const char *from, size_t row, size_t count, PlyColumn column)
+{
+    uint8_t *to = column.to;
+    for (size_t i = 0; i < count; i++)
+        to[i * column.stride] = (uint8_t)from[i * row];
+}
+
+/* returns whether all are finite */
+static bool copy_floats(const char *from, size_t row, size_t count, PlyColumn column)
+{
+    const uint32_t exponent = 0x7f800000;
+    uint32_t *to = column.to, infinite = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        memcpy(&bits, from + i * row, sizeof bits);
+        to[i * column.stride] = bits;
+        infinite |= (bits & exponent) == exponent;
+    }
+    return !infinite;
+}
+
+/* Bytes of an item, whose properties are all such as gp_ply_read_block copies; 0: they are not. */
+static size_t row_bytes(const PlyItems *items, const PlyColumn column[PLY_VERTEX_ROLES])
+{
+    size_t row = 0;
+    for (size_t i = items->element->first; i < items->element->end; i++) {
+        const PlyProperty *property = &items->header->property[i];
+        const PlyRole role = property->role;
+        if (property->is_list || (role < PLY_VERTEX_ROLES && column[role].to &&
+                                  property->type != (is_color(role) ? PLY_UINT8 : PLY_FLOAT32)))
+            return 0;
+        row += gp_ply_size(property->type);
+    }
+    return row;
+}
+
+size_t gp_ply_read_block(const PlyItems *items, const PlyColumn column[PLY_VERTEX_ROLES])
+{
+    GpInput *input = items->input;
+    const size_t row = gp_ply_is_native(items) ? row_bytes(items, column) : 0;
+    const size_t count = gp_ply_block(items);
+    if (!row || count > (size_t)(input->end - input->next) / row)
+        return 0;
+    const char *from = input->next;
+    bool valid = true;
+    for (size_t i = items->element->first; i < items->element->end; i++) {
+        const PlyProperty *property = &items->header->property[i];
+        const PlyRole role = property->role;
+        if (role < PLY_VERTEX_ROLES && column[role].to && is_color(role))
+            copy_bytes(from, row, count, column[role]);
+        else if (role < PLY_VERTEX_ROLES && column[role].to)
+            valid &= copy_floats(from, row, count, column[role]);
+        from += gp_ply_size(property->type);
+    }
+    if (valid)
+        input->next += count * row;
+    return valid ? count : 0;
+}
+
+/* --- all items -------------------------------------------------------------------------------- */
+
 void gp_ply_items(GpInput *input, const PlyHeader *header, PlyItemFn read, void *context)
 {
     bool is_ascii = header->encoding == PLY_ASCII;
@@ -134,9 +200,9 @@ void gp_ply_items(GpInput *input, const PlyHeader *header, PlyItemFn read, void 
     PlyItems items = { .input = input, .header = header };
     for (size_t i = 0; i < header->element_count; i++) {
         items.element = &header->element[i];
-        for (items.item = 0; items.item < items.element->count && input->result == GP_OK;
-             items.item++)
-            read(&items, context);
+        items.item = 0;
+        while (items.item < items.element->count && input->result == GP_OK)
+            items.item += read(&items, context);
     }
     GpWord word;
     bool is_left = is_ascii ? gp_input_any_word(input, &word) : input->next < input->end;

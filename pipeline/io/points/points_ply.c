@@ -2,9 +2,76 @@
 #include "pipeline/io/ply/ply_items.h"
 #include "pipeline/io/points/points_formats.h"
 
-static void read_item(const PlyItems *items, void *context)
+/* The builder's arrays, as far as the points have them, and bytes of a point in each. */
+typedef enum Attribute { POSITION, NORMAL, RADIUS, COLOR, ATTRIBUTES } Attribute;
+static const size_t row_bytes[ATTRIBUTES] = {
+    [POSITION] = 3 * sizeof(float),
+    [NORMAL] = 3 * sizeof(float),
+    [RADIUS] = sizeof(float),
+    [COLOR] = 3,
+};
+
+static void arrays_of(GpPointsBuilder *points, GpBytes *array[ATTRIBUTES])
 {
-    GpPointsBuilder *points = context;
+    array[POSITION] = &points->positions;
+    array[NORMAL] = points->has_normals ? &points->normals : NULL;
+    array[RADIUS] = points->has_radii ? &points->radii : NULL;
+    array[COLOR] = points->has_colors ? &points->colors : NULL;
+}
+
+/* Room behind the last of them for so many more points.
+ * out    rows: where it is, of each array; NULL: there is no such array
+ * returns false where memory is short */
+static bool new_rows(GpBytes *const array[ATTRIBUTES], size_t count, void *rows[ATTRIBUTES])
+{
+    bool has_room = true;
+    for (int i = 0; i < ATTRIBUTES; i++) {
+        has_room &= !array[i] || gp_bytes_reserve(array[i], count * row_bytes[i]);
+        rows[i] = array[i] && has_room ? array[i]->data + array[i]->size : NULL;
+    }
+    return has_room;
+}
+
+static void add_rows(GpBytes *const array[ATTRIBUTES], size_t count)
+{
+    for (int i = 0; i < ATTRIBUTES; i++)
+        if (array[i])
+            array[i]->size += count * row_bytes[i];
+}
+
+/* A block of points; returns how many, 0 where they want reading one by one. */
+static size_t read_block(const PlyItems *items, GpPointsBuilder *points)
+{
+    GpBytes *array[ATTRIBUTES];
+    void *rows[ATTRIBUTES];
+    PlyColumn column[PLY_VERTEX_ROLES] = { { NULL, 0 } };
+    char *const first = items->input->next;
+    arrays_of(points, array);
+    if (!new_rows(array, gp_ply_block(items), rows))
+        return 0;
+    float *const position = rows[POSITION], *const normal = rows[NORMAL];
+    const float *const radius = rows[RADIUS];
+    uint8_t *const color = rows[COLOR];
+    column[PLY_RADIUS] = (PlyColumn){ rows[RADIUS], 1 };
+    for (int i = 0; i < 3; i++) {
+        column[PLY_X + i] = (PlyColumn){ position + i, 3 };
+        column[PLY_NX + i] = (PlyColumn){ normal ? normal + i : NULL, 3 };
+        column[PLY_RED + i] = (PlyColumn){ color ? color + i : NULL, 3 };
+    }
+    const size_t count = gp_ply_read_block(items, column);
+    bool valid = true;
+    for (size_t i = 0; i < count && radius; i++)
+        valid &= radius[i] >= 0;
+    if (!valid) {
+        items->input->next = first;
+        return 0;
+    }
+    add_rows(array, count);
+    return count;
+}
+
+static void read_one(const PlyItems *items, GpPointsBuilder *points)
+{
     float row[PLY_VERTEX_ROLES] = { 0 };
     uint8_t color[3] = { 0 };
     for (size_t i = items->element->first; i < items->element->end; i++) {
@@ -21,13 +88,21 @@ static void read_item(const PlyItems *items, void *context)
         gp_ply_fail(items, "a radius of 0 or more");
     if (items->element->kind != PLY_VERTEX || items->input->result != GP_OK)
         return;
-    gp_bytes_append(&points->positions, row + PLY_X, 3 * sizeof(float));
-    if (points->has_normals)
-        gp_bytes_append(&points->normals, row + PLY_NX, 3 * sizeof(float));
-    if (points->has_radii)
-        gp_bytes_append(&points->radii, row + PLY_RADIUS, sizeof(float));
-    if (points->has_colors)
-        gp_bytes_append(&points->colors, color, sizeof color);
+    const void *const values[ATTRIBUTES] = { row + PLY_X, row + PLY_NX, row + PLY_RADIUS, color };
+    GpBytes *array[ATTRIBUTES];
+    arrays_of(points, array);
+    for (int i = 0; i < ATTRIBUTES; i++)
+        if (array[i])
+            gp_bytes_append(array[i], values[i], row_bytes[i]);
+}
+
+static size_t read_items(const PlyItems *items, void *context)
+{
+    const size_t count = items->element->kind == PLY_VERTEX ? read_block(items, context) : 0;
+    if (count > 0)
+        return count;
+    read_one(items, context);
+    return 1;
 }
 
 /* What it takes at least in the file, so that a promise of too many is refused before memory is
@@ -67,10 +142,10 @@ void gp_points_read_ply(GpInput *input, GpPointsBuilder *points)
             points->face_count = count;
         if (element->kind != PLY_VERTEX)
             continue;
-        gp_bytes_reserve(&points->positions, count * 3 * sizeof(float));
-        gp_bytes_reserve(&points->normals, points->has_normals ? count * 3 * sizeof(float) : 0);
-        gp_bytes_reserve(&points->radii, points->has_radii ? count * sizeof(float) : 0);
-        gp_bytes_reserve(&points->colors, points->has_colors ? count * 3 : 0);
+        GpBytes *array[ATTRIBUTES];
+        void *rows[ATTRIBUTES];
+        arrays_of(points, array);
+        new_rows(array, count, rows);
     }
-    gp_ply_items(input, &header, read_item, points);
+    gp_ply_items(input, &header, read_items, points);
 }
