@@ -33,15 +33,19 @@ static GpResult check_program(const GpProgram *program, const GpGeometry *geomet
 
 /* --- what it gets ------------------------------------------------------------------------------- */
 
+static Bounds shape_bounds(const Shape *shape)
+{
+    return bounds_of(shape->positions, 3 * sizeof(float), NULL, shape->vertex_count);
+}
+
 /* The centre of the box to the origin, its longest side from -1 to 1. */
 static void centre_shape(Shape *shape)
 {
-    const Bounds box =
-        bounds_of(shape->vertices->position, sizeof *shape->vertices, NULL, shape->vertex_count);
+    const Bounds box = shape_bounds(shape);
     const double longest = bounds_longest(&box), scale = longest > 0 ? 2 / longest : 1;
     for (uint32_t i = 0; i < shape->vertex_count; i++)
-        for (int k = 0; k < 3; k++) {
-            float *at = &shape->vertices[i].position[k];
+        for (uint32_t k = 0; k < 3; k++) {
+            float *at = &shape->positions[3 * i + k];
             *at = (float)(((double)*at - 0.5 * (box.low[k] + box.high[k])) * scale);
         }
 }
@@ -51,8 +55,7 @@ static EffectUniforms find_uniforms(const EffectInput *input, const Shape *shape
     EffectUniforms uniforms = { .time = (float)input->time,
                                 .resolution = { (float)input->width, (float)input->height } };
     const double aspect = (double)input->width / input->height;
-    const Bounds seen =
-        bounds_of(shape->vertices->position, sizeof *shape->vertices, NULL, shape->vertex_count);
+    const Bounds seen = shape_bounds(shape);
     const Camera camera = orbit_camera(&input->orbit, &seen, aspect, NEAREST);
     const CameraAxes axes = camera_axes(&camera, aspect);
     double light[3];
@@ -93,6 +96,7 @@ static GpResult build_draw(const EffectInput *input, Shape *shape, Frame *frame,
     centre_shape(shape);
     const EffectUniforms uniforms = find_uniforms(input, shape);
     scene_keep_shape(frame, shape, &geometry);
+    scene_complete_streams(frame, input->program, &geometry);
     GpResult result = frame_result(frame, error);
     if (!result)
         result = check_program(input->program, &geometry, error);
@@ -110,7 +114,7 @@ static GpResult build_draw(const EffectInput *input, Shape *shape, Frame *frame,
 
 GpResult effect_build(const EffectInput *input, Frame *frame, GpError *error)
 {
-    Shape shape = { .vertices = NULL };
+    Shape shape = { .positions = NULL };
     GpResult result = model_shape(NULL, input->model, false, &shape, error);
     if (!result && !shape.vertex_count)
         result = gp_fail(error, GP_ERROR_FORMAT, "%s: no vertices", input->model);

@@ -157,11 +157,12 @@ static json_t *tell_inputs(const GpDraw *draw)
     json_t *inputs = json_array();
     for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
         const GpStream *stream = &draw->geometry.streams[program->inputs[i].semantic];
-        json_array_append_new(
-            inputs, json_pack("{s:s, s:i, s:s, s:i, s:i}", "name",
-                              gp_semantic_names[program->inputs[i].semantic], "components",
-                              (int)program->inputs[i].components, "type", types[stream->type],
-                              "stored", (int)stream->components, "stride", (int)stream->stride));
+        json_array_append_new(inputs,
+                              json_pack("{s:s, s:i, s:s, s:i, s:i}", "name",
+                                        gp_semantic_names[program->inputs[i].semantic],
+                                        "components", (int)program->inputs[i].components, "type",
+                                        types[stream->type], "stored", (int)stream->components,
+                                        "stride", (int)gp_stream_stride(stream)));
     }
     return inputs;
 }

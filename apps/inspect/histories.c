@@ -107,7 +107,7 @@ static json_t *raw_json(const GpDraw *draw, uint32_t vertex)
     for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
         const GpStream *stream = &draw->geometry.streams[program->inputs[i].semantic];
         const size_t bytes = stream->components * gp_component_bytes(stream->type);
-        const size_t stride = stream->stride ? stream->stride : bytes;
+        const size_t stride = gp_stream_stride(stream);
         char text[64] = "";
         for (size_t b = 0, at = 0; stream->data && b < bytes; b++)
             at += (size_t)snprintf(text + at, sizeof text - at, b % 4 || !b ? "%02x" : " %02x",

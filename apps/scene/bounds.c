@@ -6,7 +6,7 @@ void draw_position(const GpDraw *draw, uint32_t vertex, double position[3])
 {
     const GpStream *stream = &draw->geometry.streams[GP_POSITION];
     float p[3];
-    memcpy(p, (const char *)stream->data + (size_t)vertex * stream->stride, sizeof p);
+    memcpy(p, (const char *)stream->data + vertex * gp_stream_stride(stream), sizeof p);
     for (int k = 0; k < 3; k++)
         position[k] = (double)p[k];
 }
@@ -14,7 +14,7 @@ void draw_position(const GpDraw *draw, uint32_t vertex, double position[3])
 Bounds draw_bounds(const GpDraw *draw)
 {
     const GpStream *stream = &draw->geometry.streams[GP_POSITION];
-    return bounds_of(stream->data, stream->stride, NULL, draw->geometry.vertex_count);
+    return bounds_of(stream->data, gp_stream_stride(stream), NULL, draw->geometry.vertex_count);
 }
 
 Bounds scene_bounds(const Scene *scene)

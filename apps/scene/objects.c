@@ -30,15 +30,16 @@ static void read_triangles(const Node *triangles, Shape *shape)
     }
 }
 
-/* Reads rows of numbers into one member of the vertices; there is none, or a row for each. */
-static void read_rows(Node rows, int count, size_t offset, Shape *shape)
+/* Reads rows of numbers, one for each vertex, where there are any.
+ * out    to: [vertices][count]; NULL: there was no memory, and no vertex */
+static void read_rows(Node rows, uint32_t vertices, int count, float *to)
 {
-    if (node_exists(&rows) && node_length(rows, MAX_INLINE) != shape->vertex_count)
+    if (node_exists(&rows) && node_length(rows, MAX_INLINE) != vertices)
         node_fail(&rows, GP_ERROR_FORMAT, "expected one row for each position");
-    for (uint32_t i = 0; i < shape->vertex_count && node_exists(&rows); i++) {
+    for (uint32_t i = 0; i < vertices && node_exists(&rows); i++, to += count) {
         Node row = node_element(&rows, i);
         node_require(&row);
-        node_numbers(row, (void *)((char *)&shape->vertices[i] + offset), count, -FAR, FAR);
+        node_numbers(row, to, count, -FAR, FAR);
     }
 }
 
@@ -48,7 +49,7 @@ static void read_inline(Node node, Shape *shape)
 {
     node_define(&node, "mesh");
     Node positions = node_member(&node, "positions"), triangles = node_member(&node, "triangles");
-    Node normals = node_member(&node, "normals");
+    Node normals = node_member(&node, "normals"), colors = node_member(&node, "colors");
     node_require(&positions);
     node_require(&triangles);
     size_t vertices = node_length(positions, MAX_INLINE);
@@ -58,10 +59,14 @@ static void read_inline(Node node, Shape *shape)
     else if (shape_alloc(shape, (uint32_t)vertices, (uint32_t)faces * 3))
         node_fail(&node, GP_ERROR_MEMORY, "no memory");
     read_triangles(&triangles, shape);
-    read_rows(positions, 3, offsetof(ShapeVertex, position), shape);
-    read_rows(normals, 3, offsetof(ShapeVertex, normal), shape);
-    read_rows(node_member(&node, "texcoords"), 2, offsetof(ShapeVertex, texcoord), shape);
-    read_rows(node_member(&node, "colors"), 4, offsetof(ShapeVertex, color), shape);
+    const uint32_t count = shape->vertex_count;
+    read_rows(positions, count, 3, shape->positions);
+    read_rows(normals, count, 3, shape->normals);
+    read_rows(node_member(&node, "texcoords"), count, 2, shape->texcoords);
+    if (node_exists(&colors) && shape_need_colors(shape))
+        node_fail(&node, GP_ERROR_MEMORY, "no memory");
+    else
+        read_rows(colors, count, 4, shape->colors);
     node_close(&node);
     if (node_lacks(&normals))
         shape_compute_normals(shape);
@@ -93,35 +98,63 @@ static void read_tile_and_size(Node tile_node, Node size_node, Shape *shape)
     node_numbers(tile_node, tile, 2, -1000, 1000);
     float size = node_number(size_node, 0, 0, FAR);
     node_without_default(&size_node);
-    for (uint32_t i = 0; i < shape->vertex_count; i++) {
-        ShapeVertex *vertex = &shape->vertices[i];
-        vertex->texcoord[0] *= tile[0];
-        vertex->texcoord[1] *= tile[1];
-        if (node_exists(&size_node))
-            vertex->size = size;
-    }
+    for (size_t i = 0; i < 2 * (size_t)shape->vertex_count && shape->texcoords; i++)
+        shape->texcoords[i] *= tile[i % 2];
+    if (!node_exists(&size_node))
+        return;
+    shape->sizes = gp_alloc(shape->vertex_count, sizeof *shape->sizes);
+    if (!shape->sizes)
+        node_fail(&size_node, GP_ERROR_MEMORY, "no memory");
+    for (uint32_t i = 0; i < shape->vertex_count && shape->sizes; i++)
+        shape->sizes[i] = size;
+}
+
+/* Floats of a shape's vertices, from now on the frame's. */
+static GpStream keep_floats(Frame *frame, float *floats, uint8_t components)
+{
+    return (GpStream){ .data = frame_own(frame, floats),
+                       .stride = components * (uint32_t)sizeof *floats,
+                       .components = components };
 }
 
 void scene_keep_shape(Frame *frame, Shape *shape, GpGeometry *geometry)
 {
-    const Shape kept = *shape;
-    const uint32_t stride = sizeof *kept.vertices;
-    const ShapeVertex *first = frame_own(frame, kept.vertices);
-    const uint32_t *indices = frame_own(frame, kept.indices);
-    *shape = (Shape){ .vertices = NULL };
-    if (!first)
-        return;
-    *geometry = (GpGeometry){
-        .primitive = kept.indices ? GP_TRIANGLES : GP_POINTS,
-        .vertex_count = kept.vertex_count,
-        .indices = indices,
-        .index_count = kept.index_count,
-        .streams = { [GP_POSITION] = { first->position, stride, 3, GP_FLOAT32 },
-                     [GP_NORMAL] = { first->normal, stride, 3, GP_FLOAT32 },
-                     [GP_TEXCOORD0] = { first->texcoord, stride, 2, GP_FLOAT32 },
-                     [GP_COLOR] = { first->color, stride, 4, GP_FLOAT32 },
-                     [GP_POINT_SIZE] = { &first->size, stride, 1, GP_FLOAT32 } },
+    const GpGeometry kept = {
+        .primitive = shape->indices ? GP_TRIANGLES : GP_POINTS,
+        .vertex_count = shape->vertex_count,
+        .indices = frame_own(frame, shape->indices),
+        .index_count = shape->index_count,
+        .streams = { [GP_POSITION] = keep_floats(frame, shape->positions, 3),
+                     [GP_NORMAL] = keep_floats(frame, shape->normals, 3),
+                     [GP_TEXCOORD0] = keep_floats(frame, shape->texcoords, 2),
+                     [GP_COLOR] = keep_floats(frame, shape->colors, 4),
+                     [GP_POINT_SIZE] = keep_floats(frame, shape->sizes, 1) },
     };
+    *shape = (Shape){ .positions = NULL };
+    if (kept.streams[GP_POSITION].data)
+        *geometry = kept;
+}
+
+static float default_of(GpSemantic semantic)
+{
+    return semantic == GP_COLOR ? 1.0f : 0.0f;
+}
+
+void scene_complete_streams(Frame *frame, const GpProgram *program, GpGeometry *geometry)
+{
+    for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
+        const GpSemantic semantic = program->inputs[i].semantic;
+        const bool is_optional =
+            semantic == GP_TEXCOORD0 || semantic == GP_COLOR || semantic == GP_POINT_SIZE;
+        if (!is_optional || geometry->streams[semantic].data)
+            continue;
+        GpStream *stream = &geometry->streams[semantic];
+        const size_t floats = (size_t)geometry->vertex_count * stream->components;
+        float *data = frame_alloc(frame, floats, sizeof *data);
+        for (size_t at = 0; at < floats && data; at++)
+            data[at] = default_of(semantic);
+        stream->data = data;
+    }
 }
 
 /* --- objects --------------------------------------------------------------------------------- */
@@ -139,9 +172,11 @@ static void turn_triangles(Shape *shape)
 static void color_shape(Node node, const PlacedVertices *vertices, Shape *shape)
 {
     const SceneColor color = scene_color(node, vertices);
-    for (uint32_t i = 0; i < shape->vertex_count && color.given; i++)
-        scene_color_at(&color, shape->vertices[i].position, shape->vertices[i].normal,
-                       shape->vertices[i].color);
+    if (color.given && shape_need_colors(shape))
+        node_fail(&node, GP_ERROR_MEMORY, "no memory");
+    for (size_t i = 0; i < shape->vertex_count && color.given && shape->colors; i++)
+        scene_color_at(&color, shape->positions + 3 * i, shape->normals + 3 * i,
+                       shape->colors + 4 * i);
 }
 
 /* Reads "mesh" or "points" and all that changes their vertices. */
@@ -161,9 +196,8 @@ static void read_geometry(Loader *loader, Node *node, GpGeometry *geometry)
     }
     if (!shape.vertex_count)
         node_fail(node, GP_ERROR_FORMAT, "no vertices");
-    const PlacedVertices vertices = { shape.vertices ? shape.vertices->position : NULL,
-                                      shape.vertices ? shape.vertices->normal : NULL,
-                                      sizeof *shape.vertices, shape.vertex_count };
+    const PlacedVertices vertices = { shape.positions, shape.normals, 3 * sizeof(float),
+                                      shape.vertex_count };
     if (scene_place(transform, fit, &vertices).mirrored)
         turn_triangles(&shape);
     color_shape(node_member(node, "color"), &vertices, &shape);
@@ -199,6 +233,8 @@ static void read_drawn(Loader *loader, Node *node, const SceneView *view, GpDraw
     if (!loader->reader.result)
         scene_read_material(loader, node_member(node, "material"), &own,
                             draw->geometry.primitive == GP_POINTS ? "sprite" : "phong", draw);
+    if (draw->program)
+        scene_complete_streams(loader->frame, draw->program, &draw->geometry);
     scene_refuse(node, of_splats, GP_COUNT(of_splats), "of splats: expected a method");
     scene_refuse(node, of_images, GP_COUNT(of_images), "of depth images: expected one");
     scene_refuse_without_volume(node);

@@ -16,4 +16,7 @@ void scene_read_quad(Loader *loader, Node node, const SceneView *view, GpDraw *d
 /* Gives a shape to the frame, as draws have it; without memory there is none. The shape is empty then. */
 void scene_keep_shape(Frame *frame, Shape *shape, GpGeometry *geometry);
 
+/* Adds what a program reads and a shape may lack: texture coordinates and sizes of 0, and white. */
+void scene_complete_streams(Frame *frame, const GpProgram *program, GpGeometry *geometry);
+
 #endif

@@ -8,23 +8,23 @@
 
 #include "pipeline/base/base.h"
 
-typedef struct ShapeVertex {
-    float position[3];
-    float normal[3];   /* unit length, outwards */
-    float texcoord[2]; /* (0, 0) is the top left of a picture */
-    float color[4];
-    float size; /* of points: the diameter */
-} ShapeVertex;
-
-/* Triangles with indices, or points without. Owned by the caller until shape_free. */
+/* Triangles with indices, or points without. Arrays are packed, of gp_alloc, and owned by the caller until
+ * shape_free. */
 typedef struct Shape {
-    ShapeVertex *vertices;
+    float *positions;  /* [3 * vertex_count] */
+    float *normals;    /* [3 * vertex_count] of unit length, outwards */
+    float *texcoords;  /* [2 * vertex_count] (0, 0) is the top left of a picture; NULL: all are 0 */
+    float *colors;     /* [4 * vertex_count]; NULL: white */
+    float *sizes;      /* [vertex_count] of points: diameters; NULL: 0 */
     uint32_t *indices; /* NULL: points */
     uint32_t vertex_count, index_count;
 } Shape;
 
-/* Allocates zeroed vertices (white, no normals) and indices. errors GP_ERROR_MEMORY */
+/* Allocates zeroed positions, normals, texture coordinates, and indices. errors GP_ERROR_MEMORY */
 GpResult shape_alloc(Shape *shape, uint32_t vertices, uint32_t indices);
+
+/* Makes colors, white, where there are none. errors GP_ERROR_MEMORY */
+GpResult shape_need_colors(Shape *shape);
 
 /* Frees and zeroes; a zeroed shape is fine. */
 void shape_free(Shape *shape);
@@ -38,8 +38,8 @@ typedef struct ShapePoint {
     double position[3], normal[3], texcoord[2];
 } ShapePoint;
 
-/* The direction of a normal is all that counts; texcoord is copied. */
-void shape_set_vertex(ShapeVertex *vertex, ShapePoint *point);
+/* Sets vertex i; of a normal only the direction counts, and it is brought to unit length. */
+void shape_set_vertex(Shape *shape, uint32_t i, ShapePoint *point);
 
 /* A grid of columns x rows quads on a surface. Seen from outside, columns run to the right and rows
  * down. */

@@ -173,7 +173,7 @@ GpResult shape_create_points(const char *name, Shape *shape)
     for (uint32_t i = 0; i < count && !result; i++) {
         ShapePoint point = { 0 };
         (is_grid ? grid_point : spiral_point)(i, count, &point);
-        shape_set_vertex(&shape->vertices[i], &point);
+        shape_set_vertex(shape, i, &point);
     }
     return result;
 }

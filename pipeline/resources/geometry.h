@@ -75,6 +75,12 @@ typedef struct GpStream {
     GpComponentType type;
 } GpStream;
 
+/* Bytes from vertex to vertex. */
+static inline size_t gp_stream_stride(const GpStream *stream)
+{
+    return stream->stride ? stream->stride : gp_component_bytes(stream->type) * stream->components;
+}
+
 /* Vertices and how they are joined; everything is borrowed until the run returns. */
 typedef struct GpGeometry {
     GpPrimitive primitive;

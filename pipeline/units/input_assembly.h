@@ -5,12 +5,6 @@
 #include "pipeline/resources/geometry.h"
 #include "pipeline/shader/program.h"
 
-/* Bytes from vertex to vertex. */
-static inline size_t gp_stream_stride(const GpStream *stream)
-{
-    return stream->stride ? stream->stride : gp_component_bytes(stream->type) * stream->components;
-}
-
 /* Byte of a vertex at which a component begins. */
 static inline size_t gp_stream_offset(const GpStream *stream, int component)
 {

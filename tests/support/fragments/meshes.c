@@ -31,7 +31,7 @@ static void add_shape(FragmentCase *made, const char *name, const double scale[3
         for (int row = 0; row < 3; row++) {
             double at = move[row];
             for (int k = 0; k < 3; k++)
-                at += turn[row][k] * scale[k] * (double)shape.vertices[i].position[k];
+                at += turn[row][k] * scale[k] * (double)shape.positions[3 * i + (uint32_t)k];
             made->positions[made->vertex_count][row] = (float)at;
         }
     shape_free(&shape);

@@ -18,7 +18,7 @@ static Shape make(const char *name)
 
 static const float *corner(const Shape *shape, uint32_t at)
 {
-    return shape->vertices[shape->indices[at]].position;
+    return shape->positions + 3 * shape->indices[at];
 }
 
 static void face_normal(const Shape *shape, uint32_t triangle, double normal[3])
@@ -99,7 +99,7 @@ static void every_shape_has_unit_normals_on_the_outside_of_its_triangles(void **
         assert_true(shape.index_count > 0 && shape.index_count % 3 == 0);
         for (uint32_t i = 0; i < shape.index_count; i++) {
             assert_true(shape.indices[i] < shape.vertex_count);
-            const float *normal = shape.vertices[shape.indices[i]].normal;
+            const float *normal = shape.normals + 3 * shape.indices[i];
             double face[3], along = 0, length = 0, size = 0;
             face_normal(&shape, i - i % 3, face);
             for (int k = 0; k < 3; k++) {
@@ -162,7 +162,7 @@ static void the_knot_is_a_closed_tube(void **state)
 static bool has_vertex(const Shape *shape, float x, float y, float z)
 {
     for (uint32_t i = 0; i < shape->vertex_count; i++) {
-        const float *p = shape->vertices[i].position;
+        const float *p = shape->positions + 3 * i;
         if (p[0] == x && p[1] == y && p[2] == z)
             return true;
     }
@@ -185,7 +185,7 @@ static void the_teapot_goes_through_newells_corner_points(void **state)
             fail_msg("no vertex at %g %g %g", (double)corners[i][0], (double)corners[i][1],
                      (double)corners[i][2]);
     for (uint32_t i = 0; i < shape.vertex_count; i++) { /* the same on both sides of z = 0 */
-        const float *p = shape.vertices[i].position;
+        const float *p = shape.positions + 3 * i;
         assert_true(p[1] >= 0 && p[1] <= 3.15f);
         if (i % 97 == 0)
             assert_true(has_vertex(&shape, p[0], p[1], -p[2]));
@@ -199,13 +199,13 @@ static void handle_and_spout_of_the_teapot_face_outwards(void **state)
     Shape shape = make("teapot");
     int seen = 0;
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
-        const ShapeVertex *v = &shape.vertices[i];
-        if (v->position[0] == -3.0f) { /* the handle's back */
-            assert_true(v->normal[0] < -0.99f);
+        const float *position = shape.positions + 3 * i, *normal = shape.normals + 3 * i;
+        if (position[0] == -3.0f) { /* the handle's back */
+            assert_true(normal[0] < -0.99f);
             seen |= 1;
         }
-        if (v->position[0] == 1.7f && v->position[1] == 0.6f) { /* below the spout */
-            assert_true(v->normal[1] < -0.9f);
+        if (position[0] == 1.7f && position[1] == 0.6f) { /* below the spout */
+            assert_true(normal[1] < -0.9f);
             seen |= 2;
         }
     }
@@ -230,8 +230,8 @@ static void texture_coordinates_run_over_the_picture(void **state)
         Shape shape = make(shape_names[n]);
         float low[2] = { 2, 2 }, high[2] = { -2, -2 };
         for (uint32_t i = 0; i < shape.vertex_count; i++)
-            for (int k = 0; k < 2; k++) {
-                float t = shape.vertices[i].texcoord[k];
+            for (uint32_t k = 0; k < 2; k++) {
+                float t = shape.texcoords[2 * i + k];
                 low[k] = t < low[k] ? t : low[k];
                 high[k] = t > high[k] ? t : high[k];
             }
@@ -245,14 +245,15 @@ static void computed_normals_are_those_of_the_surface(void **state)
 {
     (void)state;
     Shape shape = make("torus");
-    ShapeVertex *before = malloc(shape.vertex_count * sizeof *before);
+    const size_t bytes = shape.vertex_count * 3 * sizeof(float);
+    float *before = malloc(bytes);
     assert_non_null(before);
-    memcpy(before, shape.vertices, shape.vertex_count * sizeof *before);
+    memcpy(before, shape.normals, bytes);
     shape_compute_normals(&shape);
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
         double along = 0;
-        for (int k = 0; k < 3; k++)
-            along += (double)before[i].normal[k] * (double)shape.vertices[i].normal[k];
+        for (uint32_t k = 0; k < 3; k++)
+            along += (double)before[3 * i + k] * (double)shape.normals[3 * i + k];
         assert_true(along > 0.99);
     }
     free(before);
@@ -267,12 +268,12 @@ static void points_lie_on_their_surface_and_apart(void **state)
     assert_null(shape.indices);
     double mean[3] = { 0 };
     for (uint32_t i = 0; i < shape.vertex_count; i++) {
-        const ShapeVertex *v = &shape.vertices[i];
+        const float *position = shape.positions + 3 * i, *normal = shape.normals + 3 * i;
         double square = 0;
         for (int k = 0; k < 3; k++) {
-            square += (double)v->position[k] * (double)v->position[k];
-            mean[k] += (double)v->position[k] / shape.vertex_count;
-            assert_true(v->position[k] == v->normal[k]);
+            square += (double)position[k] * (double)position[k];
+            mean[k] += (double)position[k] / shape.vertex_count;
+            assert_true(position[k] == normal[k]);
         }
         assert_true(fabs(square - 1) < 1e-6);
     }
@@ -287,7 +288,7 @@ static void unknown_names_are_refused(void **state)
     Shape shape = { 0 };
     assert_int_equal(shape_create("teapots", &shape), GP_ERROR_INVALID);
     assert_int_equal(shape_create_points("", &shape), GP_ERROR_INVALID);
-    assert_null(shape.vertices);
+    assert_null(shape.positions);
 }
 
 int main(void)

@@ -141,7 +141,7 @@ static TruthTriangle *make_shape(const char *name, VoxelBox *space, uint32_t *co
     assert_int_equal(shape_create(name, &shape), GP_OK);
     float *positions = gp_alloc(shape.vertex_count, 3 * sizeof *positions);
     for (uint32_t i = 0; i < shape.vertex_count; i++)
-        memcpy(positions + 3 * (size_t)i, shape.vertices[i].position, 3 * sizeof *positions);
+        memcpy(positions + 3 * (size_t)i, shape.positions + 3 * i, 3 * sizeof *positions);
     *count = shape.index_count / 3;
     *space = voxel_box(positions, shape.indices, 3 * *count, space->size);
     TruthTriangle *triangles = gp_alloc(*count, sizeof *triangles);

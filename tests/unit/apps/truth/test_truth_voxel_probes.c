@@ -46,7 +46,7 @@ static TruthTriangle *make_shape(const char *name, const double scale[3], double
     for (uint32_t i = 0; i < 3 * *count; i++)
         for (int k = 0; k < 3; k++)
             triangles[i / 3].corner[i % 3][k] =
-                scale[k] * (double)shape.vertices[shape.indices[i]].position[k] + offset;
+                scale[k] * (double)shape.positions[3 * shape.indices[i] + (uint32_t)k] + offset;
     shape_free(&shape);
     return triangles;
 }

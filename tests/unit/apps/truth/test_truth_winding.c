@@ -24,7 +24,8 @@ static void add_shape(const char *name, double scale, double x, double y, double
     for (uint32_t i = 0; i < shape.index_count; i++)
         for (int k = 0; k < 3; k++)
             triangles[triangle_count + i / 3].corner[scale < 0 ? 2 - i % 3 : i % 3][k] =
-                fabs(scale) * (double)shape.vertices[shape.indices[i]].position[k] + offset[k];
+                fabs(scale) * (double)shape.positions[3 * shape.indices[i] + (uint32_t)k] +
+                offset[k];
     triangle_count += shape.index_count / 3;
     shape_free(&shape);
 }

@@ -27,7 +27,7 @@ static Mesh make(const char *name)
     Mesh mesh = { gp_alloc(shape.vertex_count, 12), gp_alloc(shape.index_count + 3 * MORE, 4),
                   shape.vertex_count, shape.index_count / 3 };
     for (uint32_t i = 0; i < shape.vertex_count; i++)
-        memcpy(mesh.positions + 3 * (size_t)i, shape.vertices[i].position, 12);
+        memcpy(mesh.positions + 3 * (size_t)i, shape.positions + 3 * i, 12);
     memcpy(mesh.indices, shape.indices, shape.index_count * sizeof *mesh.indices);
     shape_free(&shape);
     return mesh;
