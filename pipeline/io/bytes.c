@@ -18,7 +18,7 @@ bool gp_bytes_reserve(GpBytes *bytes, size_t size)
     if (bytes->failed || size <= bytes->room - bytes->size)
         return !bytes->failed;
     size_t room = 2 * bytes->room + size + 4096;
-    char *grown = gp_alloc(room, 1);
+    char *grown = gp_alloc_unset(room);
     if (grown && bytes->size > 0)
         memcpy(grown, bytes->data, bytes->size);
     gp_free(bytes->data);

@@ -47,4 +47,12 @@ static inline void gp_bytes_append(GpBytes *bytes, const void *data, size_t size
     bytes->size += size;
 }
 
+static inline void gp_bytes_append_zeros(GpBytes *bytes, size_t size)
+{
+    if (size == 0 || !gp_bytes_reserve(bytes, size))
+        return;
+    memset(bytes->data + bytes->size, 0, size);
+    bytes->size += size;
+}
+
 #endif

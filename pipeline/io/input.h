@@ -4,6 +4,8 @@
 
 #include "pipeline/io/file.h"
 
+#include <string.h>
+
 /* Largest count of vertices, faces or corners that a file may promise. */
 #define GP_INPUT_COUNT_MAX ((int64_t)0x7fffffff)
 
@@ -55,8 +57,13 @@ bool gp_input_word(GpInput *input, GpWord *word);
 /* Next word of the text across lines, for formats where lines mean nothing; false at the end. */
 bool gp_input_any_word(GpInput *input, GpWord *word);
 
-bool gp_word_is(const GpWord *word, const char *text);          /* exactly */
 bool gp_word_is_any_case(const GpWord *word, const char *text); /* ASCII letters of any case */
+
+/* Exactly. In line, as most words are told from others by their length. */
+static inline bool gp_word_is(const GpWord *word, const char *text)
+{
+    return word->size == strlen(text) && memcmp(word->text, text, word->size) == 0;
+}
 
 /* A decimal number, [+-] digits [. digits] [e [+-] digits], that is finite as a float. Hexadecimal,
  * nan and inf are no numbers. */

@@ -55,7 +55,7 @@ GpResult gp_mesh_builder_finish(GpMeshBuilder *builder, GpMesh *mesh)
 {
     /* Every mesh has normals, and indices be there none. */
     size_t zeros = builder->has[GP_MESH_NORMAL] ? 0 : 3 * builder->vertex_count * sizeof(float);
-    gp_bytes_reserve(&builder->values[GP_MESH_NORMAL], zeros);
+    gp_bytes_append_zeros(&builder->values[GP_MESH_NORMAL], zeros);
     gp_bytes_reserve(&builder->indices, 1);
     bool failed = builder->indices.failed;
     for (int i = 0; i < GP_MESH_ATTRIBUTES; i++)

@@ -32,13 +32,23 @@ typedef struct Obj {
 } Obj;
 
 static const struct {
-    const char *keyword, *name;
+    const char *name;
     size_t least, most, kept; /* numbers */
 } attributes[ATTRIBUTES] = {
-    [POSITION] = { "v", "vertex", 3, 7, 6 },
-    [TEXCOORD] = { "vt", "texture coordinate", 2, 3, 2 },
-    [NORMAL] = { "vn", "normal", 3, 3, 3 },
+    [POSITION] = { "vertex", 3, 7, 6 },
+    [TEXCOORD] = { "texture coordinate", 2, 3, 2 },
+    [NORMAL] = { "normal", 3, 3, 3 },
 };
+
+/* Of a line's keyword; ATTRIBUTES: of none. */
+static Attribute attribute_of(const GpWord *keyword)
+{
+    if (gp_word_is(keyword, "v"))
+        return POSITION;
+    if (gp_word_is(keyword, "vt"))
+        return TEXCOORD;
+    return gp_word_is(keyword, "vn") ? NORMAL : ATTRIBUTES;
+}
 
 static const float *value_of(const Obj *obj, Attribute attribute, uint32_t number)
 {
@@ -204,10 +214,9 @@ static void read_attributes(Obj *obj)
         if (gp_word_is(&word, "vc"))
             gp_input_fail(input, GP_ERROR_UNSUPPORTED,
                           "colours apart from vertices (vc) are not read");
-        for (int i = 0; i < ATTRIBUTES; i++) {
-            if (gp_word_is(&word, attributes[i].keyword))
-                read_numbers(obj, (Attribute)i);
-        }
+        const Attribute attribute = attribute_of(&word);
+        if (attribute < ATTRIBUTES)
+            read_numbers(obj, attribute);
     }
 }
 
@@ -217,9 +226,10 @@ static void read_faces(Obj *obj)
     while (obj->input->result == GP_OK && gp_input_line(obj->input)) {
         GpWord word = { .text = NULL, .size = 0 };
         gp_input_word(obj->input, &word);
-        for (int i = 0; i < ATTRIBUTES; i++)
-            obj->seen[i] += gp_word_is(&word, attributes[i].keyword);
-        if (gp_word_is(&word, "f"))
+        const Attribute attribute = attribute_of(&word);
+        if (attribute < ATTRIBUTES)
+            obj->seen[attribute]++;
+        else if (gp_word_is(&word, "f"))
             read_face(obj);
     }
 }
@@ -241,8 +251,7 @@ static void prepare(Obj *obj)
                     input->path, colors, count);
     if (input->result != GP_OK)
         return;
-    gp_bytes_reserve(&obj->vertices, size);
-    obj->vertices.size = size; /* unused, so all zero */
+    gp_bytes_append_zeros(&obj->vertices, size); /* unused */
     obj->latest = gp_alloc((size_t)count, sizeof *obj->latest);
     if (!obj->latest || obj->vertices.failed || obj->values[POSITION].failed ||
         obj->values[TEXCOORD].failed || obj->values[NORMAL].failed)

@@ -63,7 +63,7 @@ static size_t read_vertices(const PlyItems *items, GpMeshBuilder *mesh)
     float *rows[GP_MESH_ATTRIBUTES];
     uint8_t color[PLY_BLOCK][4];
     PlyColumn column[PLY_VERTEX_ROLES] = { { NULL, 0 } };
-    if (!gp_mesh_new_vertices(mesh, gp_ply_block(items), rows))
+    if (!gp_ply_is_native(items) || !gp_mesh_new_vertices(mesh, gp_ply_block(items), rows))
         return 0;
     float *const position = rows[GP_MESH_POSITION], *const normal = rows[GP_MESH_NORMAL];
     float *const texcoord = rows[GP_MESH_TEXCOORD], *const rgba = rows[GP_MESH_COLOR];
@@ -75,7 +75,8 @@ static size_t read_vertices(const PlyItems *items, GpMeshBuilder *mesh)
         column[PLY_U + i] = (PlyColumn){ texcoord ? texcoord + i : NULL, 2 };
     for (int i = 0; i < 4; i++)
         column[PLY_RED + i] = (PlyColumn){ rgba ? &color[0][i] : NULL, 4 };
-    memset(color, 255, sizeof color); /* where there is no alpha */
+    if (rgba)
+        memset(color, 255, sizeof color); /* where there is no alpha */
     const size_t count = gp_ply_read_block(items, column);
     for (size_t i = 0; i < 4 * count && rgba; i++)
         rgba[i] = (float)color[i / 4][i % 4] / 255.0f;
