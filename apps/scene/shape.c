@@ -106,7 +106,8 @@ GpResult shape_from_patches(const ShapePatch *patches, int count, Shape *shape)
 
 void shape_compute_normals(Shape *shape)
 {
-    memset(shape->normals, 0, shape->vertex_count * 3 * sizeof *shape->normals);
+    for (uint32_t i = 0; i < 3 * shape->vertex_count; i++)
+        shape->normals[i] = 0;
     for (uint32_t i = 0; i + 2 < shape->index_count; i += 3) {
         const uint32_t *corner = &shape->indices[i];
         const float *at[3];

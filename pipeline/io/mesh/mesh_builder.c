@@ -20,8 +20,8 @@ bool gp_mesh_new_vertices(GpMeshBuilder *mesh, size_t count, float *rows[GP_MESH
     bool has_room = true;
     for (int i = 0; i < GP_MESH_ATTRIBUTES; i++) {
         GpBytes *values = &mesh->values[i];
-        const size_t bytes = row_bytes(mesh, i);
-        has_room &= gp_bytes_reserve(values, count * bytes);
+        const size_t bytes = count * row_bytes(mesh, i);
+        has_room &= gp_bytes_reserve(values, bytes);
         rows[i] = has_room && bytes ? (float *)(void *)(values->data + values->size) : NULL;
     }
     return has_room;

@@ -27,7 +27,7 @@ static bool new_rows(GpBytes *const array[ATTRIBUTES], size_t count, void *rows[
     bool has_room = true;
     for (int i = 0; i < ATTRIBUTES; i++) {
         has_room &= !array[i] || gp_bytes_reserve(array[i], count * row_bytes[i]);
-        rows[i] = array[i] && has_room ? array[i]->data + array[i]->size : NULL;
+        rows[i] = array[i] && has_room && count ? array[i]->data + array[i]->size : NULL;
     }
     return has_room;
 }
