@@ -143,11 +143,12 @@ static void copy_bytes(const char *from, size_t row, size_t count, PlyColumn col
 static bool copy_floats(const char *from, size_t row, size_t count, PlyColumn column)
 {
     const uint32_t exponent = 0x7f800000;
-    uint32_t *to = column.to, infinite = 0;
+    float *to = column.to;
+    uint32_t infinite = 0;
     for (size_t i = 0; i < count; i++) {
         uint32_t bits;
         memcpy(&bits, from + i * row, sizeof bits);
-        to[i * column.stride] = bits;
+        to[i * column.stride] = gp_bits_float(bits);
         infinite |= (bits & exponent) == exponent;
     }
     return !infinite;
