@@ -135,11 +135,6 @@ void scene_keep_shape(Frame *frame, Shape *shape, GpGeometry *geometry)
         *geometry = kept;
 }
 
-static float default_of(GpSemantic semantic)
-{
-    return semantic == GP_COLOR ? 1.0f : 0.0f;
-}
-
 void scene_complete_streams(Frame *frame, const GpProgram *program, GpGeometry *geometry)
 {
     for (size_t i = 0; i < GP_COUNT(program->inputs) && program->inputs[i].components; i++) {
@@ -151,8 +146,8 @@ void scene_complete_streams(Frame *frame, const GpProgram *program, GpGeometry *
         GpStream *stream = &geometry->streams[semantic];
         const size_t floats = (size_t)geometry->vertex_count * stream->components;
         float *data = frame_alloc(frame, floats, sizeof *data);
-        for (size_t at = 0; at < floats && data; at++)
-            data[at] = default_of(semantic);
+        for (size_t at = 0; semantic == GP_COLOR && at < floats && data; at++)
+            data[at] = 1.0f;
         stream->data = data;
     }
 }

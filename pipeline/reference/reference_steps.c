@@ -1,41 +1,27 @@
 /* A shader's instructions, one by one: a quad, or a primitive's vertices, are shaded once more by the counting
  * build, which computes, and what comes out is held against what was drawn with. */
+#include "pipeline/base/grow.h"
 #include "pipeline/reference/reference_draw.h"
 #include "pipeline/units/input_assembly.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    MOST_OUTPUTS = 4 * GP_MAX_TARGETS + GP_MAX_VARYINGS + 5 /* of either shader */
-};
-
 /* What the run told. */
 typedef struct Steps {
     GpShaderStep *step;
     GpStepWatch *watch;
     int steps, step_room, watches, watch_room;
-    GpStepOutput output[MOST_OUTPUTS];
+    GpStepOutput output[GP_STEP_OUTPUTS];
     int outputs;
     bool failed;
 } Steps;
 
-/* Room for one more; NULL: there is none. */
-static void *grown(Steps *all, void *list, int count, int *room, size_t size)
-{
-    if (count < *room)
-        return list;
-    const int more = *room ? 2 * *room : 64;
-    void *larger = realloc(list, (size_t)more * size);
-    all->failed = all->failed || !larger;
-    *room = larger ? more : *room;
-    return larger;
-}
-
 static void take_step(void *user, const GpShaderStep *step)
 {
     Steps *all = user;
-    GpShaderStep *list = grown(all, all->step, all->steps, &all->step_room, sizeof *list);
+    GpShaderStep *list =
+        gp_grown(all->step, all->steps, &all->step_room, sizeof *list, &all->failed);
     if (list) {
         all->step = list;
         all->step[all->steps++] = *step;
@@ -45,7 +31,8 @@ static void take_step(void *user, const GpShaderStep *step)
 static void take_watch(void *user, const GpStepWatch *watch)
 {
     Steps *all = user;
-    GpStepWatch *list = grown(all, all->watch, all->watches, &all->watch_room, sizeof *list);
+    GpStepWatch *list =
+        gp_grown(all->watch, all->watches, &all->watch_room, sizeof *list, &all->failed);
     if (list) {
         all->watch = list;
         all->watch[all->watches++] = *watch;

@@ -1,3 +1,4 @@
+#include "pipeline/base/grow.h"
 #include "pipeline/shader/graph_nodes.h"
 
 #include <stdlib.h>
@@ -98,8 +99,8 @@ void gp_graph_watch(const char *name, const GpOperand *value)
 {
     if (!recorded->compute)
         return;
-    GpGraphWatch *list = gp_graph_grown(recorded, recorded->watch, recorded->watches,
-                                        &recorded->watch_room, sizeof *list);
+    GpGraphWatch *list = gp_grown(recorded->watch, recorded->watches, &recorded->watch_room,
+                                  sizeof *list, &recorded->no_memory);
     if (!list)
         return;
     recorded->watch = list;
@@ -170,7 +171,7 @@ void gp_graph_name_input(GpSemantic semantic, int first)
 
 static void add_output(GpGraph *graph, const GpPart *part, int parts, int first)
 {
-    if (graph->outputs == GP_GRAPH_OUTPUTS)
+    if (graph->outputs == GP_STEP_OUTPUTS)
         return;
     GpGraphRegister *output = &graph->output[graph->outputs++];
     output->parts = parts;

@@ -1,5 +1,7 @@
 #include "pipeline/shader/graph_nodes.h"
 
+#include "pipeline/base/grow.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,21 +25,10 @@ int gp_graph_input_components(const GpGraph *graph, int i)
     return i < (int)GP_COUNT(p->varyings) ? p->varyings[i].components : 0;
 }
 
-void *gp_graph_grown(GpGraph *graph, void *list, int count, int *room, size_t size)
-{
-    if (count < *room)
-        return list;
-    const int more = *room ? 2 * *room : 64;
-    void *larger = realloc(list, (size_t)more * size);
-    graph->no_memory = graph->no_memory || !larger;
-    *room = larger ? more : *room;
-    return larger;
-}
-
 int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node)
 {
     GpNode *list =
-        gp_graph_grown(graph, graph->node, graph->nodes, &graph->node_room, sizeof *list);
+        gp_grown(graph->node, graph->nodes, &graph->node_room, sizeof *list, &graph->no_memory);
     if (!list)
         return 0;
     graph->node = list;

@@ -33,10 +33,7 @@ typedef struct GpGraphWatch {
     GpOperand value;
 } GpGraphWatch;
 
-enum {
-    GP_GRAPH_HASHES = 64,
-    GP_GRAPH_OUTPUTS = 4 * GP_MAX_TARGETS + GP_MAX_VARYINGS + 5 /* of either shader */
-};
+enum { GP_GRAPH_HASHES = 64 };
 
 typedef struct GpGraph {
     const GpProgram *program;
@@ -53,7 +50,7 @@ typedef struct GpGraph {
     int32_t leaf[GP_GRAPH_HASHES]; /* the newest of each hash; -1: none */
     int32_t *schedule;             /* nodes of live instructions, each after its operands */
     int scheduled;
-    GpGraphRegister output[GP_GRAPH_OUTPUTS];
+    GpGraphRegister output[GP_STEP_OUTPUTS];
     int outputs;
     GpGraphWatch *watch;
     int watches, watch_room;
@@ -76,9 +73,6 @@ enum { GP_GRAPH_INPUTS = 16 }; /* registers that a program can declare for eithe
 
 /* Components of declared register i < GP_GRAPH_INPUTS that the shader reads; 0: it is not declared. */
 int gp_graph_input_components(const GpGraph *graph, int i);
-
-/* A list of the graph, with room for one more; NULL: there is no memory, and the graph knows. */
-void *gp_graph_grown(GpGraph *graph, void *list, int count, int *room, size_t size);
 
 /* Adds a node; node 0 without memory. */
 int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node);

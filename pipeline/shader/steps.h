@@ -125,6 +125,9 @@ typedef struct GpStepOutput {
     GpStepPart part;
 } GpStepOutput;
 
+/* The most of either shader. */
+enum { GP_STEP_OUTPUTS = 4 * GP_MAX_TARGETS + GP_MAX_VARYINGS + 5 };
+
 /* A value that the shader names, watch("opacity", alpha). Its parts have values, and are of steps that are told
  * where anything needs them, else of step -1. */
 typedef struct GpStepWatch {

@@ -44,9 +44,9 @@ void gp_mesh_builder_reserve(GpMeshBuilder *mesh, size_t vertices, size_t triang
 void gp_mesh_add_vertex(GpMeshBuilder *mesh, const float vertex[GP_VERTEX_FLOATS])
 {
     for (int i = 0; i < GP_MESH_ATTRIBUTES; i++) {
-        if (i == GP_MESH_POSITION || mesh->has[i])
-            gp_bytes_append(&mesh->values[i], vertex + columns[i].first,
-                            columns[i].size * sizeof(float));
+        const size_t bytes = row_bytes(mesh, i);
+        if (bytes > 0)
+            gp_bytes_append(&mesh->values[i], vertex + columns[i].first, bytes);
     }
     mesh->vertex_count++;
 }
