@@ -6,6 +6,7 @@
 #include "apps/commands/output.h"
 #include "apps/compare/comparison_page.h"
 #include "apps/golden/limits.h"
+#include "pipeline/io/image/image_file.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -192,11 +193,13 @@ static int print_comparison(const Compare *compare, const Comparison *comparison
     return EXIT_DONE;
 }
 
-static int compare_pair(GpPool *pool, const Compare *compare, Picture pictures[2])
+static int compare_pair(GpPool *pool, const Compare *compare, const GpImage images[2])
 {
     GpError error = { "" };
-    Comparison comparison = { .flip_map = NULL };
-    if (comparison_make(pictures, &compare->settings, pool, &comparison, &error))
+    Picture pictures[2];
+    Comparison comparison;
+    if (comparison_make(images, compare->output || compare->report, &compare->settings, pool,
+                        pictures, &comparison, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
     int code = print_comparison(compare, &comparison, pictures);
     if (!code && compare->output && !comparison.other_sizes)
@@ -206,6 +209,8 @@ static int compare_pair(GpPool *pool, const Compare *compare, Picture pictures[2
     if (!code)
         code = comparison.failed ? EXIT_DIFFERS : EXIT_DONE;
     comparison_free(&comparison);
+    picture_free(&pictures[0]);
+    picture_free(&pictures[1]);
     return code;
 }
 
@@ -213,7 +218,7 @@ static int compare_pair(GpPool *pool, const Compare *compare, Picture pictures[2
 
 typedef struct Reading {
     const char *path;
-    Picture *picture;
+    GpImage *image;
     GpResult result;
     GpError error;
 } Reading;
@@ -222,14 +227,14 @@ static void read_one(void *context, uint32_t item, int worker)
 {
     (void)worker;
     Reading *reading = (Reading *)context + item;
-    reading->result = picture_read(reading->path, reading->picture, &reading->error);
+    reading->result = gp_image_read(reading->path, reading->image, &reading->error);
 }
 
 /* Both at once: that takes most of the time where they are the same. */
-static int read_pair(GpPool *pool, const Compare *compare, Picture pictures[2])
+static int read_pair(GpPool *pool, const Compare *compare, GpImage images[2])
 {
-    Reading readings[2] = { { .path = compare->paths[0], .picture = &pictures[0] },
-                            { .path = compare->paths[1], .picture = &pictures[1] } };
+    Reading readings[2] = { { .path = compare->paths[0], .image = &images[0] },
+                            { .path = compare->paths[1], .image = &images[1] } };
     gp_pool_run(pool, 2, read_one, readings);
     for (int i = 0; i < 2; i++)
         if (readings[i].result)
@@ -253,12 +258,12 @@ int cmd_compare(int argc, char **argv)
     GpPool *pool = NULL;
     if (gp_pool_create(machine_processors(), &pool, &error))
         return report(EXIT_INTERNAL, "%s", error.text);
-    Picture pictures[2] = { { .width = 0 }, { .width = 0 } };
-    int code = read_pair(pool, &compare, pictures);
+    GpImage images[2] = { { .data = NULL }, { .data = NULL } };
+    int code = read_pair(pool, &compare, images);
     if (!code)
-        code = compare_pair(pool, &compare, pictures);
+        code = compare_pair(pool, &compare, images);
     gp_pool_destroy(&pool);
-    picture_free(&pictures[0]);
-    picture_free(&pictures[1]);
+    gp_image_free(&images[0]);
+    gp_image_free(&images[1]);
     return code;
 }

@@ -129,6 +129,14 @@ void compare_pictures(const Picture *a, const Picture *b, const CompareLimits *l
         (limits->hard_warn > 0 && sums.max > limits->hard_warn);
 }
 
+CompareReport compare_same(uint32_t width, uint32_t height)
+{
+    return (CompareReport){ .pixels = (uint64_t)width * height,
+                            .psnr = HUGE_VAL,
+                            .ssim = ssim_of_same(width, height),
+                            .same = true };
+}
+
 /* --- difference picture ----------------------------------------------------------------------- */
 
 void compare_difference(const Picture *a, const Picture *b, double scale, float *values)

@@ -39,6 +39,9 @@ typedef struct CompareReport {
 void compare_pictures(const Picture *a, const Picture *b, const CompareLimits *limits,
                       CompareReport *report);
 
+/* The same of two pictures of this size that are the same. */
+CompareReport compare_same(uint32_t width, uint32_t height);
+
 /* Difference picture: abs(a - b) * scale for each channel, alpha (channel 3) 1.
  * out  values: [height][width][channels] */
 void compare_difference(const Picture *a, const Picture *b, double scale, float *values);

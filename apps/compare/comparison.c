@@ -1,15 +1,16 @@
 #include "apps/compare/comparison.h"
 
 #include <inttypes.h>
+#include <string.h>
 
 /* --- alpha ------------------------------------------------------------------------------------ */
 
-static bool has_alpha(const Picture *picture)
+static bool has_alpha(const GpImage *image)
 {
-    return picture->channels % 2 == 0;
+    return image->channels % 2 == 0;
 }
 
-static ComparedAlpha alpha_of(const Picture *a, const Picture *b, bool no_alpha)
+static ComparedAlpha alpha_of(const GpImage *a, const GpImage *b, bool no_alpha)
 {
     if (!has_alpha(a) || !has_alpha(b))
         return has_alpha(a) ? ALPHA_FIRST : has_alpha(b) ? ALPHA_SECOND : ALPHA_NONE;
@@ -35,6 +36,41 @@ const char *comparison_alpha(const Comparison *comparison)
     return words[comparison->alpha];
 }
 
+/* --- samples and floats ----------------------------------------------------------------------- */
+
+/* Of pictures of one size. */
+static bool has_same_samples(const GpImage *a, const GpImage *b)
+{
+    const size_t bytes = (size_t)a->width * a->height * a->channels * gp_image_sample_size(a->type);
+    return a->type == b->type && a->channels == b->channels && memcmp(a->data, b->data, bytes) == 0;
+}
+
+typedef struct Loading {
+    const GpImage *images;
+    Picture *pictures;
+    int channels; /* of both; 0: each its own */
+    GpResult result[2];
+} Loading;
+
+static void load_one(void *context, uint32_t item, int worker)
+{
+    (void)worker;
+    Loading *loading = context;
+    Picture *picture = &loading->pictures[item];
+    loading->result[item] = picture_of_image(&loading->images[item], picture, NULL);
+    if (!loading->result[item] && loading->channels)
+        loading->result[item] = picture_set_channels(picture, loading->channels, NULL);
+}
+
+static GpResult load_pictures(const GpImage images[2], int channels, GpPool *pool,
+                              Picture pictures[2], GpError *error)
+{
+    Loading loading = { .images = images, .pictures = pictures, .channels = channels };
+    gp_pool_run(pool, 2, load_one, &loading);
+    return loading.result[0] || loading.result[1] ? gp_fail(error, GP_ERROR_MEMORY, "out of memory")
+                                                  : GP_OK;
+}
+
 /* --- comparing -------------------------------------------------------------------------------- */
 
 static GpResult see_flip(const Picture pictures[2], GpPool *pool, Comparison *made, GpError *error)
@@ -58,15 +94,16 @@ static bool flip_fails(const Comparison *comparison, const ComparisonSettings *s
     return settings->flip_fail > 0 && comparison->flip.mean > settings->flip_fail;
 }
 
-static GpResult compare_equal_sizes(Picture pictures[2], const ComparisonSettings *settings,
-                                    GpPool *pool, Comparison *made, GpError *error)
+static int channels_to_compare(const GpImage images[2], ComparedAlpha alpha)
 {
-    made->alpha = alpha_of(&pictures[0], &pictures[1], settings->no_alpha);
-    const bool color = pictures[0].channels > 2 || pictures[1].channels > 2;
-    const int channels = (color ? 3 : 1) + (made->alpha == ALPHA_COMPARED);
-    for (int i = 0; i < 2; i++)
-        if (picture_set_channels(&pictures[i], channels, error))
-            return GP_ERROR_MEMORY;
+    const bool color = images[0].channels > 2 || images[1].channels > 2;
+    return (color ? 3 : 1) + (alpha == ALPHA_COMPARED);
+}
+
+/* Pictures of one size and number of channels. */
+static GpResult compare_floats(const Picture pictures[2], const ComparisonSettings *settings,
+                               GpPool *pool, Comparison *made, GpError *error)
+{
     compare_pictures(&pictures[0], &pictures[1], &settings->limits, &made->report);
     if (!made->report.same && see_flip(pictures, pool, made, error))
         return GP_ERROR_MEMORY;
@@ -76,23 +113,38 @@ static GpResult compare_equal_sizes(Picture pictures[2], const ComparisonSetting
     return GP_OK;
 }
 
-GpResult comparison_make(Picture pictures[2], const ComparisonSettings *settings, GpPool *pool,
-                         Comparison *comparison, GpError *error)
+GpResult comparison_make(const GpImage images[2], bool views, const ComparisonSettings *settings,
+                         GpPool *pool, Picture pictures[2], Comparison *comparison, GpError *error)
 {
     const double ppd = settings->pixels_per_degree;
     Comparison made = { .pixels_per_degree = ppd > 0 ? ppd : FLIP_PIXELS_PER_DEGREE };
+    int channels = 0;
     for (int i = 0; i < 2; i++) {
-        made.sizes[i][0] = pictures[i].width;
-        made.sizes[i][1] = pictures[i].height;
+        pictures[i] = (Picture){ .values = NULL };
+        made.sizes[i][0] = images[i].width;
+        made.sizes[i][1] = images[i].height;
     }
     made.failed = made.other_sizes =
         made.sizes[0][0] != made.sizes[1][0] || made.sizes[0][1] != made.sizes[1][1];
-    if (!made.other_sizes && compare_equal_sizes(pictures, settings, pool, &made, error)) {
+    if (!made.other_sizes) {
+        made.alpha = alpha_of(&images[0], &images[1], settings->no_alpha);
+        channels = channels_to_compare(images, made.alpha);
+    }
+    const bool same = !made.other_sizes && has_same_samples(&images[0], &images[1]);
+    GpResult result = GP_OK;
+    if (views || !same)
+        result = load_pictures(images, channels, pool, pictures, error);
+    if (same)
+        made.report = compare_same(images[0].width, images[0].height);
+    else if (!result && !made.other_sizes)
+        result = compare_floats(pictures, settings, pool, &made, error);
+    if (result) {
         comparison_free(&made);
-        return GP_ERROR_MEMORY;
+        for (int i = 0; i < 2; i++)
+            picture_free(&pictures[i]);
     }
     *comparison = made;
-    return GP_OK;
+    return result;
 }
 
 void comparison_free(Comparison *comparison)

@@ -36,11 +36,15 @@ typedef struct Comparison {
     bool failed, warned;
 } Comparison;
 
-/* Compares two pictures, and gives them the same channels before: grey is repeated; alpha is left out
- * unless both have it and it is wanted.
+/* Compares two pictures as their files hold them. Where all samples are the same, nothing is left to look
+ * at as floats.
+ * in     views: the pictures are wanted even then
+ * out    pictures: as floats, of the same channels where they have one size (grey is repeated; alpha is
+ *        left out unless both have it and it is wanted); empty where they are not wanted, and on errors;
+ *        owns: the caller, until picture_free
  * errors GP_ERROR_MEMORY; owns: the caller, until comparison_free */
-GpResult comparison_make(Picture pictures[2], const ComparisonSettings *settings, GpPool *pool,
-                         Comparison *comparison, GpError *error);
+GpResult comparison_make(const GpImage images[2], bool views, const ComparisonSettings *settings,
+                         GpPool *pool, Picture pictures[2], Comparison *comparison, GpError *error);
 
 void comparison_free(Comparison *comparison); /* zeroes it */
 

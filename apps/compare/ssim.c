@@ -86,9 +86,14 @@ static bool is_same_row(const Picture *a, const Picture *b, uint32_t y)
     return memcmp(a->values + y * values, b->values + y * values, values * sizeof(float)) == 0;
 }
 
+double ssim_of_same(uint32_t width, uint32_t height)
+{
+    return width < SSIM_WINDOW || height < SSIM_WINDOW ? (double)NAN : 1;
+}
+
 double ssim_of(const Picture *a, const Picture *b)
 {
-    if (a->width < SSIM_WINDOW || a->height < SSIM_WINDOW)
+    if (isnan(ssim_of_same(a->width, a->height)))
         return (double)NAN;
     double weight[SSIM_WINDOW], sum = 0;
     gaussian(weight);

@@ -14,5 +14,7 @@ enum { SSIM_WINDOW = 11 }; /* pixels a side of the Gaussian window */
  *        structural similarity", IEEE TIP 13(4), 2004, equations 13 to 17: Gaussian weights of sigma
  *        1.5, K1 0.01, K2 0.03, dynamic range 1 */
 double ssim_of(const Picture *a, const Picture *b);
+double ssim_of_same(uint32_t width,
+                    uint32_t height); /* of two pictures of this size that are the same */
 
 #endif

@@ -43,13 +43,12 @@ static void load_bytes(const uint8_t *data, size_t count, float *values)
         values[i] = value[data[i]];
 }
 
-static GpResult picture_of_image(const GpImage *image, const char *path, Picture *picture,
-                                 GpError *error)
+GpResult picture_of_image(const GpImage *image, Picture *picture, GpError *error)
 {
     size_t count = (size_t)image->width * image->height * image->channels;
     float *values = gp_alloc(count, sizeof *values);
     if (!values)
-        return gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
+        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
     if (image->type == GP_IMAGE_U8)
         load_bytes(image->data, count, values);
     else
@@ -65,7 +64,8 @@ GpResult picture_read(const char *path, Picture *picture, GpError *error)
     GpResult result = gp_image_read(path, &image, error);
     if (result)
         return result;
-    result = picture_of_image(&image, path, picture, error);
+    if (picture_of_image(&image, picture, error))
+        result = gp_fail(error, GP_ERROR_MEMORY, "%s: out of memory", path);
     gp_image_free(&image);
     return result;
 }
@@ -371,15 +371,4 @@ void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE])
     snprintf(line, PICTURE_HASH_LINE, "hash %s %ux%u %016" PRIx64,
              gp_format_info(surface->format)->name, surface->width, surface->height,
              gp_surface_hash(surface));
-}
-
-GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,
-                         GpError *error)
-{
-    GpImage image = { .data = NULL };
-    GpResult result = sample_surface(path, surface, PART_ALL, &surface->window, &image, error);
-    if (!result)
-        result = picture_of_image(&image, path, picture, error);
-    gp_image_free(&image);
-    return result;
 }

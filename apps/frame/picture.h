@@ -14,6 +14,9 @@ typedef struct Picture {
     float *values; /* [height][width][channels] */
 } Picture;
 
+/* Samples as floats. errors GP_ERROR_MEMORY; owns: the caller, until picture_free */
+GpResult picture_of_image(const GpImage *image, Picture *picture, GpError *error);
+
 /* Reads a picture file. Errors: GP_ERROR_IO, GP_ERROR_FORMAT, GP_ERROR_MEMORY, with the path.
  * Owns: the caller, until picture_free. */
 GpResult picture_read(const char *path, Picture *picture, GpError *error);
@@ -48,7 +51,8 @@ GpResult picture_encode_png(const Picture *picture, GpFile *file, GpError *error
 GpResult picture_read_surface(const char *path, bool srgb, bool mips, GpSurface **surface,
                               GpError *error);
 
-/* The samples that a file of this name would have of a part of a surface.
+/* The samples that a file of this name would have of a part of a surface, alpha included: rounded as that
+ * file rounds.
  * errors GP_ERROR_MEMORY; owns: the caller, until gp_image_free */
 GpResult picture_samples(const char *path, const GpSurface *surface, const GpRect *part,
                          GpImage *image, GpError *error);
@@ -67,10 +71,5 @@ enum { PICTURE_HASH_LINE = 96 };
 
 /* What the program says of a picture: "hash A8R8G8B8 64x48 0123456789abcdef", by gp_surface_hash. */
 void picture_hash_line(const GpSurface *surface, char line[PICTURE_HASH_LINE]);
-
-/* A surface as picture_read would give it back, had picture_write_surface written it to a file of this
- * name, alpha included: rounded as that file rounds. errors GP_ERROR_MEMORY; owns: the caller */
-GpResult picture_of_file(const char *path, const GpSurface *surface, Picture *picture,
-                         GpError *error);
 
 #endif

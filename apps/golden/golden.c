@@ -5,6 +5,7 @@
 #include "apps/golden/limits.h"
 #include "apps/scene/scene.h"
 #include "apps/techniques/shadow/shadowed.h"
+#include "pipeline/io/image/image_file.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -138,14 +139,16 @@ static GpResult write_page(const Run *run, const char *path, const Picture pair[
     return result;
 }
 
-static GpResult check_pair(Run *run, const char *path, Picture pair[2], GpError *error)
+static GpResult check_pair(Run *run, const char *path, const GpImage images[2], GpError *error)
 {
+    Picture pair[2];
     Comparison comparison;
-    GpResult result = comparison_make(pair, &run->settings, run->pool, &comparison, error);
-    if (result)
-        return result;
     Text *message = &run->result->message;
     const bool hash_differs = run->result->state == GOLDEN_DIFFERS;
+    GpResult result = comparison_make(images, run->task->reports && hash_differs, &run->settings,
+                                      run->pool, pair, &comparison, error);
+    if (result)
+        return result;
     if (comparison.failed || hash_differs || !comparison.report.same) {
         differ(run, comparison.failed ? GOLDEN_DIFFERS : GOLDEN_SAME);
         text_add(message, "%s: ", strrchr(path, '/') + 1);
@@ -155,19 +158,22 @@ static GpResult check_pair(Run *run, const char *path, Picture pair[2], GpError 
     if (run->task->reports && (comparison.failed || hash_differs))
         result = write_page(run, path, pair, &comparison, error);
     comparison_free(&comparison);
+    picture_free(&pair[0]);
+    picture_free(&pair[1]);
     return result;
 }
 
 static GpResult check_picture(Run *run, const char *path, GpError *error)
 {
-    Picture pair[2] = { { .values = NULL }, { .values = NULL } };
-    GpResult result = picture_read(path, &pair[0], error);
+    GpImage images[2] = { { .data = NULL }, { .data = NULL } };
+    const GpSurface *drawn = run->scene->picture;
+    GpResult result = gp_image_read(path, &images[0], error);
     if (!result)
-        result = picture_of_file(path, run->scene->picture, &pair[1], error);
+        result = picture_samples(path, drawn, &drawn->window, &images[1], error);
     if (!result)
-        result = check_pair(run, path, pair, error);
-    picture_free(&pair[0]);
-    picture_free(&pair[1]);
+        result = check_pair(run, path, images, error);
+    gp_image_free(&images[0]);
+    gp_image_free(&images[1]);
     return result;
 }
 

@@ -155,9 +155,12 @@ void course_page_name(const Course *course, uint32_t number, char *name, size_t 
 
 GpResult course_add(Course *course, const Lesson *lesson, const GpSurface *surface, GpError *error)
 {
+    GpImage image = { .data = NULL };
     Picture picture = { .values = NULL };
     GpFile png = { .data = NULL };
-    GpResult result = picture_of_file("picture.png", surface, &picture, error);
+    GpResult result = picture_samples("picture.png", surface, &surface->window, &image, error);
+    if (!result)
+        result = picture_of_image(&image, &picture, error);
     if (!result)
         result = picture_set_channels(&picture, 3, error);
     if (!result)
@@ -174,6 +177,7 @@ GpResult course_add(Course *course, const Lesson *lesson, const GpSurface *surfa
     }
     gp_file_free(&png);
     picture_free(&picture);
+    gp_image_free(&image);
     return result;
 }
 

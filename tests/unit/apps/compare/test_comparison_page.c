@@ -10,23 +10,27 @@
 static const char *const names[2] = { "a<b>.png", "\"c\" & d.png" };
 static const ComparisonSettings no_settings;
 
-static Picture make_picture(uint32_t width, uint32_t height, int channels, float value)
+static GpImage make_image(uint32_t width, uint32_t height, uint32_t channels, float value)
 {
-    const size_t count = (size_t)width * height * (size_t)channels;
-    Picture picture = { width, height, channels, gp_alloc(count, sizeof(float)) };
-    assert_non_null(picture.values);
+    const size_t count = (size_t)width * height * channels;
+    float *samples = gp_alloc(count, sizeof(float));
+    assert_non_null(samples);
     for (size_t i = 0; i < count; i++)
-        picture.values[i] = value;
-    return picture;
+        samples[i] = value;
+    return (GpImage){ width, height, channels, GP_IMAGE_F32, samples };
 }
 
 /* The page of these two, which are freed. */
-static Text make_page(Picture a, Picture b)
+static Text make_page(GpImage a, GpImage b)
 {
-    Picture pictures[2] = { a, b };
+    GpImage images[2] = { a, b };
+    Picture pictures[2];
     Comparison comparison;
     Text page = { .data = NULL };
-    assert_int_equal(comparison_make(pictures, &no_settings, pool, &comparison, NULL), GP_OK);
+    assert_int_equal(comparison_make(images, true, &no_settings, pool, pictures, &comparison, NULL),
+                     GP_OK);
+    gp_image_free(&images[0]);
+    gp_image_free(&images[1]);
     assert_int_equal(comparison_page(names, pictures, &comparison, &no_settings, &page, NULL),
                      GP_OK);
     comparison_free(&comparison);
@@ -52,18 +56,18 @@ static void expect_page(Text page, int pictures, const char *part)
 static void a_page_has_every_view_and_the_worst_tile_and_nothing_from_elsewhere(void **state)
 {
     (void)state;
-    Picture b = make_picture(100, 70, 3, 0.25f);
-    b.values[3 * (66 * 100 + 90)] = 1;
-    expect_page(make_page(make_picture(100, 70, 3, 0.25f), b), 8,
+    GpImage b = make_image(100, 70, 3, 0.25f);
+    ((float *)b.data)[3 * (66 * 100 + 90)] = 1;
+    expect_page(make_page(make_image(100, 70, 3, 0.25f), b), 8,
                 "the one at (64, 64) has the largest sum of squared differences; 1 of its pixels");
 }
 
 static void equal_pictures_have_no_worst_tile_and_other_sizes_no_slider(void **state)
 {
     (void)state;
-    expect_page(make_page(make_picture(5, 4, 2, 0.5f), make_picture(5, 4, 3, 0.5f)), 4,
+    expect_page(make_page(make_image(5, 4, 2, 0.5f), make_image(5, 4, 3, 0.5f)), 4,
                 "good\">same bits in all 5x4 pixels; only the first has alpha");
-    expect_page(make_page(make_picture(5, 4, 3, 0), make_picture(4, 5, 3, 0)), 2,
+    expect_page(make_page(make_image(5, 4, 3, 0), make_image(4, 5, 3, 0)), 2,
                 "bad\">different sizes: 5x4 and 4x5<");
 }
 
