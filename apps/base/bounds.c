@@ -1,5 +1,7 @@
 #include "apps/base/bounds.h"
 
+#include "pipeline/base/lanes/types.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -39,6 +41,7 @@ Bounds bounds_of(const float *positions, size_t stride, const uint32_t *indices,
     for (uint32_t i = 0; i < count; i++) {
         float p[3];
         memcpy(p, (const char *)positions + stride * (indices ? indices[i] : i), sizeof p);
+        GP_UNROLL
         for (int k = 0; k < 3; k++) {
             low[k] = p[k] < low[k] ? p[k] : low[k];
             high[k] = p[k] > high[k] ? p[k] : high[k];

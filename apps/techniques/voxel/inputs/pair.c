@@ -52,9 +52,9 @@ static VoxelBox place_one(const VoxelPair *pair, uint32_t size)
     const VoxelScene *scene = pair->scenes[0];
     const double least = VOXEL_BOX_MARGIN, most = size - VOXEL_BOX_MARGIN;
     const Bounds cube = { { least, least, least }, { most, most, most } };
-    const Bounds bounds = voxel_scene_bounds(scene);
     if (scene->is_placed || !(pair->place.fit > 0))
         return voxel_scene_box(scene, size);
+    const Bounds bounds = voxel_scene_bounds(scene);
     const Similarity to = place_beside(&pair->place, &bounds, &cube);
     return box_beside(&to, &(VoxelBox){ .size = size, .scale = 1 });
 }

@@ -12,35 +12,40 @@ enum { SLAB = 32, CORNERS = 9 }; /* voxels of a slab; floats of a triangle */
  * columns that it does not cross. */
 #define LONG_SIDE 24.0f
 
-/* Slabs that a triangle may reach beyond its lowest; one that moves may lie anywhere over them. */
-static float slabs_beyond(const VoxelExtent *extent)
+/* How a triangle is drawn. */
+typedef enum Shape { ONE_COLUMN, SQUARE, RECTANGLE, NOT_AT_ALL, SHAPES } Shape;
+
+static Shape shape_of(const VoxelExtent *extent, bool thin)
 {
-    return floorf(extent->high / SLAB) - floorf(extent->low / SLAB);
+    if (extent->side > LONG_SIDE)
+        return RECTANGLE;
+    if (thin)
+        return extent->meets_lines ? SQUARE : NOT_AT_ALL;
+    return extent->in_column ? ONE_COLUMN : SQUARE;
 }
 
-static bool in_one_column(const VoxelExtent *extent, float step)
+/* Triangles by their shapes, in their order. */
+static void sort_by_shape(const VoxelModel *model, Frame *frame, const VoxelExtent *extents,
+                          bool thin, VoxelList lists[SHAPES])
 {
-    return extent->in_column && slabs_beyond(extent) >= step;
+    uint32_t *sorted = frame_alloc(frame, (size_t)model->triangle_count + 1, sizeof *sorted);
+    uint32_t count[SHAPES] = { 0 }, next[SHAPES], first = 0;
+    const uint32_t triangles = sorted && extents ? model->triangle_count : 0;
+    for (uint32_t i = 0; i < triangles; i++)
+        count[shape_of(&extents[i], thin)]++;
+    for (int s = 0; s < SHAPES; s++) {
+        lists[s] = (VoxelList){ count[s] ? sorted + first : NULL, count[s] };
+        next[s] = first;
+        first += count[s];
+    }
+    for (uint32_t i = 0; i < triangles; i++)
+        sorted[next[shape_of(&extents[i], thin)]++] = i;
 }
 
-static bool in_square(const VoxelExtent *extent, float step)
+/* Whether a triangle may reach so many slabs beyond its lowest; one that moves may lie anywhere over them. */
+static bool reaches(const VoxelExtent *extent, float slabs)
 {
-    return extent->side <= LONG_SIDE && slabs_beyond(extent) >= step;
-}
-
-static bool in_columns(const VoxelExtent *extent, float step)
-{
-    return !extent->in_column && in_square(extent, step);
-}
-
-static bool in_rectangle(const VoxelExtent *extent, float step)
-{
-    return extent->side > LONG_SIDE && slabs_beyond(extent) >= step;
-}
-
-static bool sampled_in_square(const VoxelExtent *extent, float step)
-{
-    return extent->meets_lines && in_square(extent, step);
+    return floorf(extent->high / SLAB) - floorf(extent->low / SLAB) >= slabs;
 }
 
 /* --- streams ---------------------------------------------------------------------------------- */
@@ -120,34 +125,24 @@ static void add_draw(const VoxelModel *model, Frame *frame, const FlatTexture *f
 /* Points of a draw: as many as stay in a core's caches from their vertices to their pixels. */
 enum { POINTS_A_DRAW = 1 << 15 };
 
-/* The triangles that one program draws, and how. */
-typedef struct Share {
-    VoxelChoice *choice;
-    const GpProgram *program;
-    bool is_rectangles;
-} Share;
+static const GpProgram *const touched[] = { [ONE_COLUMN] = &voxel_touched_column_program,
+                                            [SQUARE] = &voxel_touched_program,
+                                            [RECTANGLE] = &voxel_touched_rectangle_program };
 
-static const Share touched[] = {
-    { in_one_column, &voxel_touched_column_program, false },
-    { in_columns, &voxel_touched_program, false },
-    { in_rectangle, &voxel_touched_rectangle_program, true },
-};
-
-static const Share sampled[] = {
-    { sampled_in_square, &voxel_sampled_program, false },
-    { in_rectangle, &voxel_sampled_rectangle_program, true },
+static const GpProgram *const sampled[] = {
+    [SQUARE] = &voxel_sampled_program, [RECTANGLE] = &voxel_sampled_rectangle_program
 };
 
 static void draw_list(const VoxelModel *model, Frame *frame, const FlatTexture *flat,
-                      const Share *share, VoxelList list, uint32_t step)
+                      const GpProgram *program, bool rectangles, VoxelList list, uint32_t step)
 {
-    const uint32_t room = share->is_rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
+    const uint32_t room = rectangles ? POINTS_A_DRAW / 4 : POINTS_A_DRAW;
     for (uint32_t done = 0; done < list.count; done += room) {
         const uint32_t *from = list.triangles + done;
         const uint32_t next = list.count - done < room ? list.count - done : room;
-        GpGeometry geometry = share->is_rectangles ? make_rectangles(model, frame, from, next)
-                                                   : make_points(model, frame, from, next);
-        add_draw(model, frame, flat, share->program, step, &geometry);
+        GpGeometry geometry = rectangles ? make_rectangles(model, frame, from, next)
+                                         : make_points(model, frame, from, next);
+        add_draw(model, frame, flat, program, step, &geometry);
     }
 }
 
@@ -155,16 +150,17 @@ void voxel_columns(const VoxelModel *model, const VoxelSetting *setting, Frame *
                    const FlatTexture *flat)
 {
     const bool thin = setting->method == VOXEL_THIN;
-    const Share *shares = thin ? sampled : touched;
-    const size_t share_count = thin ? GP_COUNT(sampled) : GP_COUNT(touched);
     const VoxelExtent *extents = voxel_extents(model, frame);
+    VoxelList lists[SHAPES];
+    sort_by_shape(model, frame, extents, thin, lists);
     flat_texture_pass(frame, thin ? "sampled" : "touched", flat);
-    for (size_t i = 0; i < share_count; i++) {
-        VoxelList list = { NULL, model->triangle_count };
+    for (int s = 0; s < NOT_AT_ALL; s++) {
+        VoxelList list = lists[s];
         for (uint32_t step = 0; list.count && step < flat->slabs; step++) {
-            /* what reaches so far has reached all slabs before */
-            list = voxel_choose(frame, extents, list, shares[i].choice, (float)step);
-            draw_list(model, frame, flat, &shares[i], list, step);
+            if (step) /* what reaches so far has reached all slabs before */
+                list = voxel_choose(frame, extents, list, reaches, (float)step);
+            draw_list(model, frame, flat, (thin ? sampled : touched)[s], s == RECTANGLE, list,
+                      step);
         }
     }
 }

@@ -58,20 +58,6 @@ void voxel_model_view(const VoxelModel *model, uint32_t size, bool from_far, flo
     matrix[3][3] = 1;
 }
 
-/* --- triangles -------------------------------------------------------------------------------- */
-
-void voxel_model_corners(const VoxelModel *model, uint32_t triangle, double corners[3][3])
-{
-    for (size_t j = 0; j < 3; j++) {
-        const float *p = model->positions + 3 * (size_t)model->indices[3 * (size_t)triangle + j];
-        for (int k = 0; k < 3; k++) {
-            const float *row = model->motion.to_voxels[k];
-            corners[j][k] = (double)row[0] * (double)p[0] + (double)row[1] * (double)p[1] +
-                            (double)row[2] * (double)p[2] + (double)row[3];
-        }
-    }
-}
-
 GpGeometry voxel_model_geometry(const VoxelModel *model)
 {
     return (GpGeometry){

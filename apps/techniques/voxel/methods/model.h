@@ -4,6 +4,7 @@
 
 #include "apps/frame/frame.h"
 #include "apps/base/voxel_box.h"
+#include "pipeline/base/lanes/types.h"
 #include "shaders_c/voxel/methods/motion.h"
 
 /* Where draws keep the motion of a model that moves; the frame owns the list. A zeroed one is
@@ -43,7 +44,20 @@ VoxelModel voxel_model_along(const VoxelModel *model, int axis);
 void voxel_model_view(const VoxelModel *model, uint32_t size, bool from_far, float matrix[4][4]);
 
 /* Where the corners of a triangle lie in the volume, if the model stands still. */
-void voxel_model_corners(const VoxelModel *model, uint32_t triangle, double corners[3][3]);
+static inline void voxel_model_corners(const VoxelModel *model, uint32_t triangle,
+                                       double corners[3][3])
+{
+    GP_UNROLL
+    for (size_t j = 0; j < 3; j++) {
+        const float *p = model->positions + 3 * (size_t)model->indices[3 * (size_t)triangle + j];
+        GP_UNROLL
+        for (int k = 0; k < 3; k++) {
+            const float *row = model->motion.to_voxels[k];
+            corners[j][k] = (double)row[0] * (double)p[0] + (double)row[1] * (double)p[1] +
+                            (double)row[2] * (double)p[2] + (double)row[3];
+        }
+    }
+}
 
 /* The model's triangles, with positions. */
 GpGeometry voxel_model_geometry(const VoxelModel *model);
