@@ -9,21 +9,22 @@
 
 /* --- values in groups ------------------------------------------------------------------------- */
 
-/* Up to three values a triangle, each of a group: first as listed, then sorted by group and, within it,
- * by value. */
+/* Up to three values a triangle, each of a group: sorted by group and, within it, by value. They are listed
+ * twice, to be counted and to be put in their places, which takes less than to keep the list. */
 typedef struct Groups {
-    uint32_t *group_of; /* [count] */
-    uint64_t *values;   /* [count] */
-    size_t count;
     uint32_t group_count;
-    uint32_t *begin; /* [group_count + 1] of each group in sorted */
+    uint32_t
+        *begin; /* [group_count + 2] of each group in sorted; while they are listed, one further */
     uint64_t *sorted;
+    bool puts;
 } Groups;
 
 static void add(Groups *groups, uint32_t group, uint64_t value)
 {
-    groups->group_of[groups->count] = group;
-    groups->values[groups->count++] = value;
+    if (groups->puts)
+        groups->sorted[groups->begin[group + 1]++] = value;
+    else
+        groups->begin[group + 2]++;
 }
 
 static int compare_values(const void *a, const void *b)
@@ -32,20 +33,21 @@ static int compare_values(const void *a, const void *b)
     return (*x > *y) - (*x < *y);
 }
 
-static void sort_groups(Groups *groups)
+/* Most groups have a handful. */
+static void sort_values(uint64_t *values, uint32_t count)
 {
-    const uint32_t group_count = groups->group_count;
-    uint32_t *next = groups->begin + 1; /* where a group's next value goes; at last, its end */
-    memset(groups->begin, 0, ((size_t)group_count + 2) * sizeof *groups->begin);
-    for (size_t i = 0; i < groups->count; i++)
-        next[groups->group_of[i] + 1]++;
-    for (uint32_t g = 0; g < group_count; g++)
-        next[g + 1] += next[g];
-    for (size_t i = 0; i < groups->count; i++)
-        groups->sorted[next[groups->group_of[i]]++] = groups->values[i];
-    for (uint32_t g = 0; g < group_count; g++)
-        qsort(groups->sorted + groups->begin[g], groups->begin[g + 1] - groups->begin[g],
-              sizeof *groups->sorted, compare_values);
+    enum { FEW = 16 };
+    if (count > FEW) {
+        qsort(values, count, sizeof *values, compare_values);
+        return;
+    }
+    for (uint32_t i = 1; i < count; i++) {
+        const uint64_t value = values[i];
+        uint32_t at = i;
+        for (; at > 0 && values[at - 1] > value; at--)
+            values[at] = values[at - 1];
+        values[at] = value;
+    }
 }
 
 /* --- triangles -------------------------------------------------------------------------------- */
@@ -64,7 +66,6 @@ static void places_of(const uint32_t *place_of, const uint32_t *index, uint32_t 
 static void list_edges(const uint32_t *place_of, const uint32_t *indices, uint32_t triangle_count,
                        Groups *groups)
 {
-    groups->count = 0;
     for (size_t i = 0; i < triangle_count; i++) {
         uint32_t corner[3];
         places_of(place_of, indices + 3 * i, corner);
@@ -86,7 +87,6 @@ static void put_in_order(uint32_t *a, uint32_t *b)
 static void list_triangles(const uint32_t *place_of, const uint32_t *indices,
                            uint32_t triangle_count, Groups *groups)
 {
-    groups->count = 0;
     for (size_t i = 0; i < triangle_count; i++) {
         uint32_t corner[3];
         places_of(place_of, indices + 3 * i, corner);
@@ -95,6 +95,24 @@ static void list_triangles(const uint32_t *place_of, const uint32_t *indices,
         put_in_order(&corner[0], &corner[1]);
         add(groups, corner[0], (uint64_t)corner[1] << 32 | corner[2]);
     }
+}
+
+typedef void List(const uint32_t *place_of, const uint32_t *indices, uint32_t triangle_count,
+                  Groups *groups);
+
+static void sort_groups(List *list, const uint32_t *place_of, const uint32_t *indices,
+                        uint32_t triangle_count, Groups *groups)
+{
+    const uint32_t group_count = groups->group_count;
+    memset(groups->begin, 0, ((size_t)group_count + 2) * sizeof *groups->begin);
+    groups->puts = false;
+    list(place_of, indices, triangle_count, groups);
+    for (uint32_t g = 0; g < group_count; g++)
+        groups->begin[g + 2] += groups->begin[g + 1];
+    groups->puts = true;
+    list(place_of, indices, triangle_count, groups);
+    for (uint32_t g = 0; g < group_count; g++)
+        sort_values(groups->sorted + groups->begin[g], groups->begin[g + 1] - groups->begin[g]);
 }
 
 static void count_edge(uint64_t ways[2], MeshReport *report)
@@ -156,27 +174,21 @@ GpResult mesh_report(const float *positions, uint32_t vertex_count, const uint32
     MeshReport found = { .edges = 0 };
     uint32_t *place_of = gp_alloc(vertex_count, sizeof *place_of);
     const size_t corners = 3 * (size_t)triangle_count;
-    Groups groups = { .group_of = gp_alloc(corners, sizeof *groups.group_of),
-                      .values = gp_alloc(corners, sizeof *groups.values),
-                      .group_count = vertex_count,
+    Groups groups = { .group_count = vertex_count,
                       .begin = gp_alloc((size_t)vertex_count + 2, sizeof *groups.begin),
                       .sorted = gp_alloc(corners, sizeof *groups.sorted) };
-    GpResult result = place_of && groups.group_of && groups.values && groups.begin && groups.sorted
+    GpResult result = place_of && groups.begin && groups.sorted
                           ? mesh_places(positions, vertex_count, place_of)
                           : GP_ERROR_MEMORY;
     if (!result) {
-        list_edges(place_of, indices, triangle_count, &groups);
-        sort_groups(&groups);
+        sort_groups(list_edges, place_of, indices, triangle_count, &groups);
         count_edges(&groups, &found);
-        list_triangles(place_of, indices, triangle_count, &groups);
-        sort_groups(&groups);
+        sort_groups(list_triangles, place_of, indices, triangle_count, &groups);
         count_duplicates(&groups, &found);
     }
     if (!result && triangle_count > 0)
         measure(positions, indices, triangle_count, &found);
     gp_free(place_of);
-    gp_free(groups.group_of);
-    gp_free(groups.values);
     gp_free(groups.begin);
     gp_free(groups.sorted);
     if (result)

@@ -28,27 +28,30 @@ static int32_t clamp(double value, uint32_t size)
     return (int32_t)fmin(fmax(value, 0), size);
 }
 
-/* Lines first <= i < end that may lie between two places. */
-static void find_lines(const TruthTriangle *triangle, int axis, uint32_t size, int32_t range[2])
+/* Lines first <= i < end that may cross a triangle; false: there are none. They are found generously: a line
+ * goes by the centre, but for `aside`. */
+static bool find_lines(const TruthTriangle *triangle, int axis, uint32_t size, int32_t range[2])
 {
+    const double margin = 1.0 / 256;
     double low, high;
     truth_bounds(triangle, axis, &low, &high);
-    range[0] = clamp(floor(low - 1), size);
-    range[1] = clamp(ceil(high + 1), size);
+    range[0] = clamp(ceil(low - 0.5 - margin), size);
+    range[1] = clamp(floor(high - 0.5 + margin) + 1, size);
+    return range[0] < range[1];
 }
 
 /* Counts the crossings of a triangle, or, from the back, puts them in their places. */
 static void add_triangle(const Columns *columns, const TruthTriangle *triangle, bool puts)
 {
-    const TruthProjection p = truth_project(triangle, columns->axis);
     const uint32_t size = columns->size;
     double normal[3];
     int32_t u[2], v[2];
+    if (!find_lines(triangle, columns->u, size, u) || !find_lines(triangle, columns->v, size, v))
+        return;
+    const TruthProjection p = truth_project(triangle, columns->axis);
     truth_normal(triangle, normal);
     if (normal[columns->axis] == 0)
         return;
-    find_lines(triangle, p.u, size, u);
-    find_lines(triangle, p.v, size, v);
     for (int32_t j = v[0]; j < v[1]; j++)
         for (int32_t i = u[0]; i < u[1]; i++) {
             const double x = i + 0.5 + aside[p.u], y = j + 0.5 + aside[p.v];
