@@ -30,32 +30,31 @@ static VoxelBox box_beside(const Similarity *to, const VoxelBox *other)
     return box;
 }
 
-static void place_two(const VoxelPair *pair, uint32_t size, VoxelBox boxes[2])
+static void place_two(const VoxelPair *pair, const Bounds bounds[2], uint32_t size,
+                      VoxelBox boxes[2])
 {
     const VoxelScene *first = pair->scenes[0];
-    Bounds both = voxel_scene_bounds(first);
-    const Bounds second = voxel_scene_bounds(pair->scenes[1]);
-    const Similarity to = place_beside(&pair->place, &second, &both);
-    Bounds moved;
+    const Similarity to = place_beside(&pair->place, &bounds[1], &bounds[0]);
+    Bounds both = bounds[0], moved;
     for (int k = 0; k < 3; k++) {
-        moved.low[k] = to.scale * second.low[k] + to.offset[k];
-        moved.high[k] = to.scale * second.high[k] + to.offset[k];
+        moved.low[k] = to.scale * bounds[1].low[k] + to.offset[k];
+        moved.high[k] = to.scale * bounds[1].high[k] + to.offset[k];
     }
     bounds_join(&both, &moved);
-    boxes[0] = first->is_placed ? voxel_scene_box(first, size) : voxel_box_of(&both, size);
+    boxes[0] = first->is_placed ? voxel_scene_box_around(first, &bounds[0], size)
+                                : voxel_box_of(&both, size);
     boxes[1] = box_beside(&to, &boxes[0]);
 }
 
 /* In its volume, as beside a cube that fills it. */
-static VoxelBox place_one(const VoxelPair *pair, uint32_t size)
+static VoxelBox place_one(const VoxelPair *pair, const Bounds *bounds, uint32_t size)
 {
     const VoxelScene *scene = pair->scenes[0];
     const double least = VOXEL_BOX_MARGIN, most = size - VOXEL_BOX_MARGIN;
     const Bounds cube = { { least, least, least }, { most, most, most } };
     if (scene->is_placed || !(pair->place.fit > 0))
-        return voxel_scene_box(scene, size);
-    const Bounds bounds = voxel_scene_bounds(scene);
-    const Similarity to = place_beside(&pair->place, &bounds, &cube);
+        return voxel_scene_box_around(scene, bounds, size);
+    const Similarity to = place_beside(&pair->place, bounds, &cube);
     return box_beside(&to, &(VoxelBox){ .size = size, .scale = 1 });
 }
 
@@ -75,16 +74,16 @@ static GpResult check(const VoxelPair *pair, const VoxelSetting *setting, GpErro
 }
 
 /* What is too small or too large for its volume, or too far from it, has no matrix. */
-static GpResult check_box(const VoxelPair *pair, int which, const VoxelBox *box, GpError *error)
+static GpResult check_box(const VoxelPair *pair, int which, const Bounds *bounds,
+                          const VoxelBox *box, GpError *error)
 {
     if (voxel_box_is_usable(box))
         return GP_OK;
-    const Bounds bounds = voxel_scene_bounds(pair->scenes[which]);
     return gp_fail(
         error, GP_ERROR_INVALID,
         "%.100s: %g is no longest side for voxels of %g: a voxel in units of the model, and "
         "the model's place in voxels, have to be 32-bit floats",
-        pair->names[which], bounds_longest(&bounds), 1 / box->scale);
+        pair->names[which], bounds_longest(bounds), 1 / box->scale);
 }
 
 /* Whoever draws the first names it; the second is named here. */
@@ -135,12 +134,15 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Fr
     const bool two = pair->scenes[1] != NULL;
     *made = (VoxelPairMade){ .result = { .size = 0 } };
     VoxelBox *boxes = made->boxes;
+    Bounds bounds[2];
+    for (int i = 0; i <= two; i++)
+        bounds[i] = voxel_scene_bounds(pair->scenes[i]);
     if (two)
-        place_two(pair, setting->size, boxes);
+        place_two(pair, bounds, setting->size, boxes);
     else
-        boxes[0] = place_one(pair, setting->size);
+        boxes[0] = place_one(pair, &bounds[0], setting->size);
     for (int i = 0; i <= two && !result; i++)
-        result = check_box(pair, i, &boxes[i], error);
+        result = check_box(pair, i, &bounds[i], &boxes[i], error);
     if (result)
         return result;
     for (int i = 0; i <= two; i++)
@@ -148,7 +150,7 @@ GpResult voxel_pair_build(const VoxelPair *pair, const VoxelSetting *setting, Fr
     VoxelRange ranges[2];
     for (int i = 0; i <= two && !result; i++) {
         result = draw_model(pair, i, setting, &boxes[i], frame, made, error);
-        ranges[i] = voxel_scene_range(pair->scenes[i], &boxes[i]);
+        ranges[i] = voxel_scene_range(&bounds[i], &boxes[i]);
     }
     if (result)
         return result;

@@ -99,10 +99,15 @@ Bounds voxel_scene_bounds(const VoxelScene *scene)
 
 VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size)
 {
+    const Bounds bounds = voxel_scene_bounds(scene);
+    return voxel_scene_box_around(scene, &bounds, size);
+}
+
+VoxelBox voxel_scene_box_around(const VoxelScene *scene, const Bounds *bounds, uint32_t size)
+{
     if (!scene->is_placed && scene->input == VOXEL_FUNCTION)
         return voxel_box_of_cube(scene->cube.high[0], size);
-    const Bounds bounds = voxel_scene_bounds(scene);
-    VoxelBox box = voxel_box_of(&bounds, size);
+    VoxelBox box = voxel_box_of(bounds, size);
     if (scene->is_placed) {
         box.scale = scene->scale;
         memcpy(box.offset, scene->offset, sizeof box.offset);
@@ -110,12 +115,11 @@ VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size)
     return box;
 }
 
-VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box)
+VoxelRange voxel_scene_range(const Bounds *bounds, const VoxelBox *box)
 {
-    const Bounds bounds = voxel_scene_bounds(scene);
     float to_voxels[4][4];
     voxel_box_matrix(box, to_voxels);
-    return voxel_range(bounds.low, bounds.high, to_voxels, box->size);
+    return voxel_range(bounds->low, bounds->high, to_voxels, box->size);
 }
 
 /* --- passes ----------------------------------------------------------------------------------- */

@@ -47,8 +47,11 @@ Bounds voxel_scene_bounds(const VoxelScene *scene);
 /* Where a volume of `size` voxels a side lies in the model's space. */
 VoxelBox voxel_scene_box(const VoxelScene *scene, uint32_t size);
 
-/* The voxels that a model may set. */
-VoxelRange voxel_scene_range(const VoxelScene *scene, const VoxelBox *box);
+/* The same where the model's bounds are known. */
+VoxelBox voxel_scene_box_around(const VoxelScene *scene, const Bounds *bounds, uint32_t size);
+
+/* The voxels that a model of these bounds may set. */
+VoxelRange voxel_scene_range(const Bounds *bounds, const VoxelBox *box);
 
 /* The mesh of a scene as voxel_draw takes it, borrowed and not twisted. */
 VoxelModel voxel_scene_model(const VoxelScene *scene, const VoxelBox *box);

@@ -137,7 +137,8 @@ static void models_stay_in_their_range_and_fill_their_volume(void **state)
         scene.twist = cases[i].twist;
         voxel_run(append, &scene, SIZE, false, bits);
         const VoxelBox box = voxel_scene_box(&scene, SIZE);
-        const VoxelRange may = voxel_scene_range(&scene, &box), range = range_of(bits);
+        const Bounds bounds = voxel_scene_bounds(&scene);
+        const VoxelRange may = voxel_scene_range(&bounds, &box), range = range_of(bits);
         uint32_t longest = 0;
         for (int k = 0; k < 3; k++) {
             assert_in_range(range.low[k], may.low[k], may.end[k]);
