@@ -114,9 +114,14 @@ static bool has_all_above(const Search *search, const Plane *plane)
 /* The vertices farthest along the axes and their diagonals: most planes have one of them below. */
 static void find_farthest(Search *search)
 {
-    double most[DIRECTIONS], largest = 0;
-    for (int i = 0; i < DIRECTIONS; i++)
-        most[i] = -HUGE_VAL;
+    double most[DIRECTIONS], way[DIRECTIONS][3], largest = 0;
+    for (int d = 0; d < DIRECTIONS; d++) {
+        const int n = d < 13 ? d : d + 1; /* 13 is none */
+        way[d][0] = n % 3 - 1;
+        way[d][1] = n / 3 % 3 - 1;
+        way[d][2] = n / 9 - 1;
+        most[d] = -HUGE_VAL;
+    }
     for (uint32_t i = 0; i < search->pass->draw_count; i++) {
         const GpDraw *draw = &search->pass->draws[i];
         for (uint32_t j = 0; j < draw->geometry.vertex_count; j++) {
@@ -124,9 +129,7 @@ static void find_farthest(Search *search)
             draw_position(draw, j, p);
             largest = fmax(largest, vector_extent(p));
             for (int d = 0; d < DIRECTIONS; d++) {
-                const int n = d < 13 ? d : d + 1; /* 13 is none */
-                const double along =
-                    (n % 3 - 1) * p[0] + (n / 3 % 3 - 1) * p[1] + (n / 9 - 1) * p[2];
+                const double along = vector_dot(way[d], p);
                 if (along <= most[d])
                     continue;
                 most[d] = along;
@@ -221,12 +224,12 @@ static SceneCaster choose_triangles(const GpDraw *draw, const bool *receives, Fr
     uint32_t *parent = gp_alloc(vertices, sizeof *parent);
     bool *casts = gp_alloc(vertices, sizeof *casts);
     uint32_t *indices = frame_alloc(frame, geometry->index_count, sizeof *indices);
-    for (uint32_t i = 0; positions && i < vertices; i++)
-        for (int k = 0; k < 3; k++) {
-            double position[3];
-            draw_position(draw, i, position);
-            positions[3 * (size_t)i + (size_t)k] = (float)position[k];
-        }
+    for (uint32_t i = 0; positions && i < vertices; i++) {
+        double position[3];
+        draw_position(draw, i, position);
+        for (size_t k = 0; k < 3; k++)
+            positions[3 * (size_t)i + k] = (float)position[k];
+    }
     if (!positions || !place || !parent || !casts || !indices ||
         mesh_places(positions, vertices, place)) {
         frame_fail(frame);

@@ -2,35 +2,49 @@
 
 #include <string.h>
 
+enum { MOST_SAMPLES = 1024 }; /* of a field's side */
+
 /* --- ranges ------------------------------------------------------------------------------------- */
-
-static void widen(uint8_t range[2], const uint8_t *values, uint32_t count)
-{
-    uint8_t least = range[0], most = range[1];
-    for (uint32_t i = 0; i < count; i++) {
-        least = values[i] < least ? values[i] : least;
-        most = values[i] > most ? values[i] : most;
-    }
-    range[0] = least;
-    range[1] = most;
-}
-
-/* Of a row of bricks and a row of samples that is theirs. */
-static void widen_row(const Field *field, const Bricks *bricks, uint32_t y, uint32_t z,
-                      uint8_t (*range)[2])
-{
-    const uint8_t *row = field->value + ((size_t)z * field->size[1] + y) * field->size[0];
-    for (uint32_t x = 0; x < bricks->count[0]; x++) {
-        const uint32_t first = x * BRICK_SIDE, left = field->size[0] - first;
-        widen(range[x], row + first, left < BRICK_SIDE + 1 ? left : BRICK_SIDE + 1);
-    }
-}
 
 /* Samples of a side that belong to a brick: [first, end). */
 static uint32_t end_of(const Field *field, int axis, uint32_t brick)
 {
     const uint32_t end = (brick + 1) * BRICK_SIDE + 1;
     return end < field->size[axis] ? end : field->size[axis];
+}
+
+/* The least and the most at each x of the rows of samples that are a row of bricks'. */
+typedef struct Column {
+    uint8_t least[MOST_SAMPLES], most[MOST_SAMPLES];
+} Column;
+
+static void widen_one(Column *column, uint32_t x, uint8_t value)
+{
+    column->least[x] = value < column->least[x] ? value : column->least[x];
+    column->most[x] = value > column->most[x] ? value : column->most[x];
+}
+
+/* AT_ONCE is known to the compiler, which takes them in one vector. */
+static void widen(Column *restrict column, const uint8_t *restrict row, uint32_t count)
+{
+    enum { AT_ONCE = 16 };
+    uint32_t x = 0;
+    for (; x + AT_ONCE <= count; x += AT_ONCE)
+        for (uint32_t i = x; i < x + AT_ONCE; i++)
+            widen_one(column, i, row[i]);
+    for (; x < count; x++)
+        widen_one(column, x, row[x]);
+}
+
+static void find_range(const Field *field, const Column *column, uint32_t brick, uint8_t range[2])
+{
+    const uint32_t first = brick * BRICK_SIDE, end = end_of(field, 0, brick);
+    range[0] = FIELD_VALUES - 1;
+    range[1] = 0;
+    for (uint32_t x = first; x < end; x++) {
+        range[0] = column->least[x] < range[0] ? column->least[x] : range[0];
+        range[1] = column->most[x] > range[1] ? column->most[x] : range[1];
+    }
 }
 
 GpResult bricks_make(const Field *field, Bricks *bricks, GpError *error)
@@ -44,11 +58,15 @@ GpResult bricks_make(const Field *field, Bricks *bricks, GpError *error)
     uint8_t(*row)[2] = made.range;
     for (uint32_t z = 0; z < made.count[2]; z++)
         for (uint32_t y = 0; y < made.count[1]; y++, row += made.count[0]) {
-            for (uint32_t x = 0; x < made.count[0]; x++)
-                row[x][0] = FIELD_VALUES - 1;
+            Column column;
+            memset(column.least, FIELD_VALUES - 1, sizeof column.least);
+            memset(column.most, 0, sizeof column.most);
             for (uint32_t k = z * BRICK_SIDE; k < end_of(field, 2, z); k++)
                 for (uint32_t j = y * BRICK_SIDE; j < end_of(field, 1, y); j++)
-                    widen_row(field, &made, j, k, row);
+                    widen(&column, field->value + ((size_t)k * field->size[1] + j) * field->size[0],
+                          field->size[0]);
+            for (uint32_t x = 0; x < made.count[0]; x++)
+                find_range(field, &column, x, row[x]);
         }
     *bricks = made;
     return GP_OK;
@@ -136,7 +154,7 @@ static void grow_cubes(const Bricks *bricks, const uint8_t *is, uint8_t kind, un
 {
     const uint32_t nx = bricks->count[0], ny = bricks->count[1], nz = bricks->count[2];
     const int64_t along_y = way & 2 ? -1 : 1, along_z = way & 4 ? -1 : 1;
-    uint8_t far[1024 / BRICK_SIDE];
+    uint8_t far[MOST_SAMPLES / BRICK_SIDE];
     memset(far, BRICKS_FAR, sizeof far);
     GP_ASSERT(nx <= sizeof far);
     for (uint32_t k = 0; k < nz; k++)

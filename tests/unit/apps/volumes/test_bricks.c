@@ -42,6 +42,43 @@ static void sides_are_rounded_up_and_samples_between_are_both_bricks(void **stat
     bricks_free(&bricks);
 }
 
+/* Sides around the numbers of samples that are looked at together. */
+static void ranges_are_those_of_all_samples(void **state)
+{
+    (void)state;
+    enum { MOST = 1024 * 9 * 4 };
+    static const uint32_t sizes[][3] = { { 1, 1, 1 },   { 2, 3, 5 },    { 15, 9, 8 },
+                                         { 16, 8, 9 },  { 17, 17, 10 }, { 33, 21, 10 },
+                                         { 40, 9, 17 }, { 1024, 9, 4 } };
+    static uint8_t values[MOST];
+    Random random = { 5 };
+    for (int i = 0; i < MOST; i++)
+        values[i] = (uint8_t)random_int(&random, i % 7 ? 90 : 0, i % 5 ? 160 : 255);
+    for (size_t s = 0; s < GP_COUNT(sizes); s++) {
+        const uint32_t *size = sizes[s];
+        const Field field = { .size = { size[0], size[1], size[2] }, .value = values };
+        Bricks bricks = bricks_of(&field);
+        for (size_t b = 0; b < bricks_total(&bricks); b++) {
+            const size_t at[3] = { b % bricks.count[0], b / bricks.count[0] % bricks.count[1],
+                                   b / bricks.count[0] / bricks.count[1] };
+            uint8_t least = 255, most = 0;
+            for (size_t i = 0; i < (size_t)size[0] * size[1] * size[2]; i++) {
+                const size_t place[3] = { i % size[0], i / size[0] % size[1],
+                                          i / size[0] / size[1] };
+                bool inside = true;
+                for (int k = 0; k < 3; k++)
+                    inside = inside && place[k] >= at[k] * BRICK_SIDE &&
+                             place[k] <= (at[k] + 1) * BRICK_SIDE;
+                least = inside && values[i] < least ? values[i] : least;
+                most = inside && values[i] > most ? values[i] : most;
+            }
+            assert_int_equal(bricks.range[b][0], least);
+            assert_int_equal(bricks.range[b][1], most);
+        }
+        bricks_free(&bricks);
+    }
+}
+
 /* A peak between two whole values is seen, and values next to it are too near to be left out. */
 static void what_shows_anything_is_shown(void **state)
 {
@@ -121,6 +158,7 @@ static void a_volume_one_sample_thin_has_none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ranges_are_those_of_all_samples),
         cmocka_unit_test(sides_are_rounded_up_and_samples_between_are_both_bricks),
         cmocka_unit_test(what_shows_anything_is_shown),
         cmocka_unit_test(runs_are_the_largest_cubes_along_each_way),
