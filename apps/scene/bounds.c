@@ -1,16 +1,5 @@
 #include "apps/scene/bounds.h"
 
-#include <string.h>
-
-void draw_position(const GpDraw *draw, uint32_t vertex, double position[3])
-{
-    const GpStream *stream = &draw->geometry.streams[GP_POSITION];
-    float p[3];
-    memcpy(p, (const char *)stream->data + vertex * gp_stream_stride(stream), sizeof p);
-    for (int k = 0; k < 3; k++)
-        position[k] = (double)p[k];
-}
-
 Bounds draw_bounds(const GpDraw *draw)
 {
     const GpStream *stream = &draw->geometry.streams[GP_POSITION];

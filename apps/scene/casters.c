@@ -111,16 +111,14 @@ static bool has_all_above(const Search *search, const Plane *plane)
     return true;
 }
 
-/* The vertices farthest along the axes and their diagonals: most planes have one of them below. */
+/* The vertices farthest along the axes and their diagonals, both ways: most planes have one of them below. */
 static void find_farthest(Search *search)
 {
-    double most[DIRECTIONS], way[DIRECTIONS][3], largest = 0;
-    for (int d = 0; d < DIRECTIONS; d++) {
-        const int n = d < 13 ? d : d + 1; /* 13 is none */
-        way[d][0] = n % 3 - 1;
-        way[d][1] = n / 3 % 3 - 1;
-        way[d][2] = n / 9 - 1;
-        most[d] = -HUGE_VAL;
+    enum { WAYS = DIRECTIONS / 2 };
+    double most[2][WAYS], way[WAYS][3], largest = 0;
+    for (int d = 0; d < WAYS; d++) {
+        vector_set(way[d], d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
+        most[0][d] = most[1][d] = -HUGE_VAL;
     }
     for (uint32_t i = 0; i < search->pass->draw_count; i++) {
         const GpDraw *draw = &search->pass->draws[i];
@@ -128,12 +126,16 @@ static void find_farthest(Search *search)
             double p[3];
             draw_position(draw, j, p);
             largest = fmax(largest, vector_extent(p));
-            for (int d = 0; d < DIRECTIONS; d++) {
+            for (int d = 0; d < WAYS; d++) {
                 const double along = vector_dot(way[d], p);
-                if (along <= most[d])
-                    continue;
-                most[d] = along;
-                memcpy(search->farthest[d], p, sizeof p);
+                if (along > most[0][d]) {
+                    most[0][d] = along;
+                    memcpy(search->farthest[d], p, sizeof p);
+                }
+                if (-along > most[1][d]) {
+                    most[1][d] = -along;
+                    memcpy(search->farthest[WAYS + d], p, sizeof p);
+                }
             }
         }
     }
@@ -203,9 +205,10 @@ static void find_pieces(const GpGeometry *geometry, const bool *receives, uint32
 {
     for (uint32_t i = 0; i < geometry->vertex_count; i++)
         parent[i] = i;
-    for (uint32_t i = 0; i < geometry->index_count; i++) {
-        const uint32_t first = place[geometry->indices[i - i % 3]];
-        parent[root_of(parent, place[geometry->indices[i]])] = root_of(parent, first);
+    for (uint32_t i = 0; i < geometry->index_count; i += 3) {
+        const uint32_t root = root_of(parent, place[geometry->indices[i]]);
+        for (uint32_t k = 1; k < 3; k++)
+            parent[root_of(parent, place[geometry->indices[i + k]])] = root;
     }
     for (uint32_t i = 0; i < geometry->vertex_count; i++)
         place[i] = root_of(parent, place[i]);

@@ -46,13 +46,13 @@ static void sides_are_rounded_up_and_samples_between_are_both_bricks(void **stat
 static void ranges_are_those_of_all_samples(void **state)
 {
     (void)state;
-    enum { MOST = 1024 * 9 * 4 };
+    enum { SAMPLES = 1024 * 9 * 4 };
     static const uint32_t sizes[][3] = { { 1, 1, 1 },   { 2, 3, 5 },    { 15, 9, 8 },
                                          { 16, 8, 9 },  { 17, 17, 10 }, { 33, 21, 10 },
                                          { 40, 9, 17 }, { 1024, 9, 4 } };
-    static uint8_t values[MOST];
+    static uint8_t values[SAMPLES];
     Random random = { 5 };
-    for (int i = 0; i < MOST; i++)
+    for (int i = 0; i < SAMPLES; i++)
         values[i] = (uint8_t)random_int(&random, i % 7 ? 90 : 0, i % 5 ? 160 : 255);
     for (size_t s = 0; s < GP_COUNT(sizes); s++) {
         const uint32_t *size = sizes[s];
