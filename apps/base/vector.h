@@ -25,16 +25,14 @@ static inline void vector_cross(const double a[3], const double b[3], double out
 
 static inline void vector_subtract(const double a[3], const double b[3], double out[3])
 {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[i] - b[i];
+    vector_set(out, a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /* out = a + scale * b; out may be a. */
 static inline void vector_add_scaled(const double a[3], double scale, const double b[3],
                                      double out[3])
 {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[i] + scale * b[i];
+    vector_set(out, a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]);
 }
 
 /* The largest of the absolute components. */
@@ -46,9 +44,9 @@ static inline double vector_extent(const double a[3])
 /* Scales to length 1; the zero vector stays. */
 static inline void vector_normalize(double a[3])
 {
-    double length = sqrt(vector_dot(a, a));
-    for (int i = 0; i < 3 && length > 0; i++)
-        a[i] /= length;
+    const double length = sqrt(vector_dot(a, a));
+    if (length > 0)
+        vector_set(a, a[0] / length, a[1] / length, a[2] / length);
 }
 
 #endif

@@ -15,9 +15,9 @@ static void find_normal(const FragmentMesh *mesh, const uint32_t corner[3], floa
     vector_subtract(at[1], at[0], edge[0]);
     vector_subtract(at[2], at[0], edge[1]);
     vector_cross(edge[0], edge[1], across);
-    const double length = sqrt(vector_dot(across, across));
+    vector_normalize(across);
     for (int k = 0; k < 3; k++)
-        normal[k] = length > 0 ? (float)(across[k] / length) : 0;
+        normal[k] = (float)across[k];
 }
 
 /* The corner that is the first: one whose vertex is no other triangle's first; 3 where there is none. */

@@ -56,9 +56,9 @@ static void color_by_normal(const GpMesh *file, const uint32_t corner[3], float 
     vector_subtract(at[1], at[0], edge[0]);
     vector_subtract(at[2], at[0], edge[1]);
     vector_cross(edge[0], edge[1], normal);
-    const double length = sqrt(vector_dot(normal, normal));
+    vector_normalize(normal);
     for (int k = 0; k < 3; k++)
-        color[k] = length > 0 ? (float)(fabs(normal[k]) / length) : 0;
+        color[k] = (float)fabs(normal[k]);
 }
 
 /* The mean of the corners' colours; a grey where the file has none. */
