@@ -5,17 +5,22 @@
 #include <math.h>
 #include <string.h>
 
-/* Of unit length, or 0. */
-static void find_normal(const FragmentMesh *mesh, const uint32_t corner[3], float normal[3])
+void fragment_normal(const float *positions, const uint32_t corner[3], double normal[3])
 {
-    double at[3][3], edge[2][3], across[3];
+    double at[3][3], edge[2][3];
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            at[i][k] = (double)mesh->positions[corner[i]][k];
+            at[i][k] = (double)positions[3 * (size_t)corner[i] + (size_t)k];
     vector_subtract(at[1], at[0], edge[0]);
     vector_subtract(at[2], at[0], edge[1]);
-    vector_cross(edge[0], edge[1], across);
-    vector_normalize(across);
+    vector_cross(edge[0], edge[1], normal);
+    vector_normalize(normal);
+}
+
+static void set_normal(const FragmentMesh *mesh, const uint32_t corner[3], float normal[3])
+{
+    double across[3];
+    fragment_normal(&mesh->positions[0][0], corner, across);
     for (int k = 0; k < 3; k++)
         normal[k] = (float)across[k];
 }
@@ -47,7 +52,7 @@ static void fill(const FragmentMesh *mesh, bool *is_first, FragmentGeometry *geo
             drawn[0] = count++;
         }
         memcpy(geometry->colors[drawn[0]], mesh->colors[i], sizeof *mesh->colors);
-        find_normal(mesh, corner, geometry->normals[drawn[0]]);
+        set_normal(mesh, corner, geometry->normals[drawn[0]]);
         memcpy(geometry->reversed + 3 * (size_t)(mesh->triangle_count - 1 - i), drawn,
                3 * sizeof *drawn);
     }

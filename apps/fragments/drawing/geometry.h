@@ -14,6 +14,10 @@ typedef struct FragmentGeometry {
     uint32_t *indices, *reversed;
 } FragmentGeometry;
 
+/* A triangle's normal, of unit length (0: none), to the side from which its corners turn counter-clockwise.
+ * in     positions: three floats a vertex */
+void fragment_normal(const float *positions, const uint32_t corner[3], double normal[3]);
+
 /* errors GP_ERROR_MEMORY; owns: the caller, until fragment_geometry_free */
 GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geometry,
                                 GpError *error);

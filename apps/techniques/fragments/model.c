@@ -49,14 +49,8 @@ static GpResult find_spheres(const char *path, uint32_t *layers, uint32_t *colum
 /* The size of a triangle's normal along each axis. */
 static void color_by_normal(const GpMesh *file, const uint32_t corner[3], float color[3])
 {
-    double at[3][3], edge[2][3], normal[3];
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            at[i][k] = (double)file->positions[3 * (size_t)corner[i] + (size_t)k];
-    vector_subtract(at[1], at[0], edge[0]);
-    vector_subtract(at[2], at[0], edge[1]);
-    vector_cross(edge[0], edge[1], normal);
-    vector_normalize(normal);
+    double normal[3];
+    fragment_normal(file->positions, corner, normal);
     for (int k = 0; k < 3; k++)
         color[k] = (float)fabs(normal[k]);
 }
