@@ -4,7 +4,16 @@
 
 #include "pipeline/io/mesh/mesh.h"
 
-/* Edges are numbered by their lower vertex, then by their higher. */
+/* Of an edge, its lower vertex and its higher, and its sides in their order. Sides are numbered by triangle:
+ * 3 t + i goes from corner i to corner i + 1. */
+typedef void (*EdgeFn)(void *context, const uint32_t ends[2], const uint32_t *sides, size_t count);
+
+/* Visits the edges, by their lower vertex, then by their higher.
+ * in     mesh: its indices and counts matter
+ * errors GP_ERROR_MEMORY: none was visited */
+GpResult edges_visit(const GpMesh *mesh, EdgeFn visit, void *context);
+
+/* Numbered in that order. */
 typedef struct Edges {
     uint32_t
         *of_side;   /* [3 * triangle_count] the edge from corner i to corner i + 1 of a triangle */

@@ -37,7 +37,7 @@ typedef struct PointsFacts {
 void facts_of_surfels(const Surfels *surfels, PointsFacts *facts);
 
 /* Fills what the triangles tell: spacing, boundary and components.
- * in     mesh: as mesh_of_referenced makes it. errors GP_ERROR_MEMORY */
+ * in     mesh: as mesh_keep_referenced leaves it. errors GP_ERROR_MEMORY */
 GpResult facts_of_mesh(const GpMesh *mesh, PointsFacts *facts);
 
 /* Fills what the neighbours tell. in: surfels: how many there are */

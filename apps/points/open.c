@@ -110,45 +110,46 @@ static GpResult open_prepared(Opening *opening, GpMesh *mesh)
     return result;
 }
 
-GpResult points_surface(const PointsSource *source, const GpMesh *mesh, GpMesh *surface,
-                        PointsFacts *facts)
+GpResult points_surface(const PointsSource *source, GpMesh *mesh, PointsFacts *facts)
 {
-    GpMesh made;
+    const uint32_t vertices = mesh->vertex_count, triangles = mesh->triangle_count;
     uint32_t turned = 0;
-    GpResult result = mesh_of_referenced(mesh, &made);
+    GpResult result = mesh_keep_referenced(mesh);
+    const uint32_t used = mesh->vertex_count;
+    if (result == GP_OK)
+        result = mesh_orient(mesh, &turned);
+    if (result == GP_OK && (source->sharp > 0 || source->sample))
+        result = mesh_split_creases(mesh, source->sharp > 0 ? source->sharp : CREASE_DEGREES);
     if (result != GP_OK)
         return result;
-    const uint32_t used = made.vertex_count;
-    result = mesh_orient(&made, &turned);
-    if (result == GP_OK && (source->sharp > 0 || source->sample))
-        result = mesh_split_creases(&made, source->sharp > 0 ? source->sharp : CREASE_DEGREES);
-    if (result != GP_OK) {
-        gp_mesh_free(&made);
-        return result;
-    }
-    facts->read = mesh->vertex_count;
-    facts->triangles = mesh->triangle_count;
-    facts->left_out = mesh->vertex_count - used;
+    facts->read = vertices;
+    facts->triangles = triangles;
+    facts->left_out = vertices - used;
     facts->turned = turned;
-    facts->split = made.vertex_count - used;
-    *surface = made;
+    facts->split = mesh->vertex_count - used;
     return GP_OK;
 }
 
-static GpResult open_mesh(Opening *opening, const GpMesh *mesh)
+/* mesh: is freed */
+static GpResult open_mesh(Opening *opening, GpMesh *mesh)
 {
-    GpMesh surface;
-    const GpResult result =
-        tell(opening, points_surface(opening->source, mesh, &surface, &opening->facts));
-    if (result != GP_OK)
+    GpResult result = tell(opening, points_surface(opening->source, mesh, &opening->facts));
+    if (result == GP_OK && !mesh_has_area(mesh))
+        result =
+            gp_fail(opening->error, GP_ERROR_FORMAT, "%s: no triangle with an area", opening->name);
+    if (result != GP_OK) {
+        gp_mesh_free(mesh);
         return result;
-    if (!(mesh_area(&surface) > 0)) {
-        gp_mesh_free(&surface);
-        return gp_fail(opening->error, GP_ERROR_FORMAT, "%s: no triangle with an area",
-                       opening->name);
     }
     opening->facts.subdivided = opening->source->subdivide;
-    return open_prepared(opening, &surface);
+    return open_prepared(opening, mesh);
+}
+
+static GpResult open_copy(Opening *opening, const GpMesh *mesh)
+{
+    GpMesh copy;
+    const GpResult result = tell(opening, mesh_copy(mesh, &copy));
+    return result == GP_OK ? open_mesh(opening, &copy) : result;
 }
 
 /* --- files -------------------------------------------------------------------------------------- */
@@ -176,8 +177,9 @@ static GpResult open_mesh_file(Opening *opening, const char *path)
     GpResult result = gp_mesh_read(path, GP_MESH_ALLOW_POINTS, &mesh, opening->error);
     if (result != GP_OK)
         return result;
-    result =
-        mesh.triangle_count > 0 ? open_mesh(opening, &mesh) : open_lone_vertices(opening, &mesh);
+    if (mesh.triangle_count > 0)
+        return open_mesh(opening, &mesh);
+    result = open_lone_vertices(opening, &mesh);
     gp_mesh_free(&mesh);
     return result;
 }
@@ -219,7 +221,7 @@ GpResult points_open(const PointsSource *source, GpPool *pool, Surfels *surfels,
                         .error = error,
                         .wants_facts = facts != NULL };
     const GpResult result = source->path   ? open_file(&opening)
-                            : source->mesh ? open_mesh(&opening, source->mesh)
+                            : source->mesh ? open_copy(&opening, source->mesh)
                                            : open_cloud(&opening, source->points);
     if (result != GP_OK) {
         surfels_free(&opening.surfels);

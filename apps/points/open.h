@@ -22,11 +22,10 @@ typedef struct PointsSource {
 /* Makes the triangles ready whose vertices, or samples, become surfels: without what is not used,
  * turned outwards, and cut along creases where `sharp` says so or samples are taken, which look as the
  * face does that they lie on (creases.h).
- * in     mesh: with triangles
- * out    surface and facts: untouched on failure; of the facts read, triangles, left_out, turned and split
- * errors GP_ERROR_MEMORY, GP_ERROR_UNSUPPORTED; owns: the caller, until gp_mesh_free */
-GpResult points_surface(const PointsSource *source, const GpMesh *mesh, GpMesh *surface,
-                        PointsFacts *facts);
+ * in/out mesh: with triangles; on failure it is no good any more
+ * out    facts: untouched on failure; of them read, triangles, left_out, turned and split
+ * errors GP_ERROR_MEMORY, GP_ERROR_UNSUPPORTED */
+GpResult points_surface(const PointsSource *source, GpMesh *mesh, PointsFacts *facts);
 
 /* Makes surfels.
  *

@@ -53,25 +53,23 @@ static bool unite(const Forest *forest, uint32_t a, uint32_t b, bool against)
     return true;
 }
 
+/* What connects a mesh's triangles. */
+typedef struct Connection {
+    const uint32_t *corners; /* welded */
+    Forest forest;
+    bool *twisted; /* [triangle_count] something does not fit there */
+} Connection;
+
 /* Across an edge of two triangles they turn one way where they pass it in opposite directions. Where
- * more meet, the file's word is taken for how they turn. twisted: of a triangle, [triangle_count] */
-static void connect(const Sides *sides, uint32_t triangles, const Forest *forest, uint32_t *first,
-                    bool *twisted)
+ * more meet, the file's word is taken for how they turn. */
+static void connect_edge(void *context, const uint32_t ends[2], const uint32_t *sides, size_t count)
 {
-    for (uint32_t t = 0; t < triangles; t++)
-        forest->parents[t] = t;
-    for (uint32_t s = 0; s < 3 * triangles; s++) {
-        const uint32_t edge = sides->edges.of_side[s], other = first[edge], t = s / 3;
-        if (sides->corners[s] == sides->corners[side_end(s)])
-            continue;
-        if (other == NO_SIDE) {
-            first[edge] = s;
-            continue;
-        }
-        const bool against = sides->mate[s] == other && sides->corners[s] == sides->corners[other];
-        if (!unite(forest, t, other / 3, against))
-            twisted[t] = true;
-    }
+    const Connection *connection = context;
+    const uint32_t *corners = connection->corners;
+    const bool against = count == 2 && corners[sides[0]] == corners[sides[1]];
+    for (size_t i = 1; i < count && ends[0] != ends[1]; i++)
+        if (!unite(&connection->forest, sides[i] / 3, sides[0] / 3, against))
+            connection->twisted[sides[i] / 3] = true;
 }
 
 static void add_triangle(const GpMesh *mesh, size_t triangle, bool odd, bool begins, Part *part)
@@ -85,8 +83,8 @@ static void add_triangle(const GpMesh *mesh, size_t triangle, bool odd, bool beg
             const double at = (double)mesh->positions[vertex + (size_t)k];
             if (begins && i == 0)
                 part->origin[k] = part->low[k] = part->high[k] = at;
-            part->low[k] = fmin(part->low[k], at);
-            part->high[k] = fmax(part->high[k], at);
+            part->low[k] = at < part->low[k] ? at : part->low[k];
+            part->high[k] = at > part->high[k] ? at : part->high[k];
             from[k] = at - part->origin[k];
             normals += (double)mesh->normals[vertex + (size_t)k] * cross[k];
         }
@@ -241,27 +239,31 @@ static GpResult orient_parts(GpMesh *mesh, const Forest *forest, const bool *twi
 
 GpResult mesh_orient(GpMesh *mesh, uint32_t *turned)
 {
-    Sides sides;
-    GpResult result = sides_find(mesh, &sides);
-    if (result != GP_OK)
-        return result;
-    const size_t triangles = mesh->triangle_count, edges = sides.edges.count;
+    const size_t triangles = mesh->triangle_count;
     const Forest forest = { .parents = gp_alloc_unset(triangles * sizeof(uint32_t) + 1),
                             .odd = gp_alloc(triangles + 1, sizeof(bool)) };
     bool *twisted = gp_alloc(triangles + 1, sizeof *twisted);
     bool *done = gp_alloc(mesh->vertex_count + 1, sizeof *done);
-    uint32_t *first = gp_alloc_unset((edges > triangles ? edges : triangles) * sizeof *first + 1);
-    result = GP_ERROR_MEMORY;
-    if (forest.parents && forest.odd && twisted && done && first) {
-        memset(first, 0xff, edges * sizeof *first); /* NO_SIDE */
-        connect(&sides, mesh->triangle_count, &forest, first, twisted);
-        result = orient_parts(mesh, &forest, twisted, first, done, turned);
-    }
+    uint32_t *number = gp_alloc_unset(triangles * sizeof *number + 1);
+    uint32_t *welded = NULL;
+    GpMesh at_places = *mesh;
+    GpResult result = GP_ERROR_MEMORY;
+    if (forest.parents && forest.odd && twisted && done && number)
+        result = corners_weld(mesh, &welded);
+    if (welded)
+        at_places.indices = welded;
+    for (uint32_t t = 0; result == GP_OK && t < triangles; t++)
+        forest.parents[t] = t;
+    if (result == GP_OK)
+        result = edges_visit(&at_places, connect_edge,
+                             &(Connection){ at_places.indices, forest, twisted });
+    gp_free(welded);
+    if (result == GP_OK)
+        result = orient_parts(mesh, &forest, twisted, number, done, turned);
     gp_free(forest.parents);
     gp_free(forest.odd);
     gp_free(twisted);
     gp_free(done);
-    gp_free(first);
-    sides_free(&sides);
+    gp_free(number);
     return result;
 }

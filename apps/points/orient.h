@@ -17,7 +17,7 @@
  * Normals of the file that then look inwards on the whole of a part are turned with it; others are
  * made again by gp_mesh_normals where any triangle was turned.
  *
- * in/out mesh: as mesh_of_referenced makes it
+ * in/out mesh: as mesh_keep_referenced leaves it
  * out    turned: parts of which most was turned
  * errors GP_ERROR_MEMORY
  * source the sign of the volume: the divergence theorem */

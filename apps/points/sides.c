@@ -3,74 +3,68 @@
 #include "apps/base/vector.h"
 #include "apps/points/cloud/distinct.h"
 
-#include <string.h>
+/* --- welding ---------------------------------------------------------------------------------- */
 
-enum { SEVERAL = UINT32_MAX - 1 };
-
-/* first: [edges->count], NO_SIDE throughout */
-static void pair_sides(const Edges *edges, size_t count, uint32_t *first, uint32_t *mate)
+static bool are_apart(const uint32_t *first, uint32_t count)
 {
-    for (size_t s = 0; s < count; s++) {
-        uint32_t *other = &first[edges->of_side[s]];
-        mate[s] = NO_SIDE;
-        if (*other == NO_SIDE) {
-            *other = (uint32_t)s;
-        } else if (*other != SEVERAL && mate[*other] == NO_SIDE) {
-            mate[s] = *other;
-            mate[*other] = (uint32_t)s;
-        } else if (*other != SEVERAL) { /* the third at this edge */
-            mate[mate[*other]] = NO_SIDE;
-            mate[*other] = NO_SIDE;
-            *other = SEVERAL;
-        }
-    }
+    for (uint32_t v = 0; v < count; v++)
+        if (first[v] != v)
+            return false;
+    return true;
 }
 
-/* Indices of the first vertices at the vertices' places. */
-static GpResult weld(const GpMesh *mesh, uint32_t *corners)
+GpResult corners_weld(const GpMesh *mesh, uint32_t **welded)
 {
-    uint32_t *first = gp_alloc_unset(mesh->vertex_count * sizeof *first + 1);
-    GpResult result = first ? GP_OK : GP_ERROR_MEMORY;
-    if (result == GP_OK)
+    const size_t corners = 3 * (size_t)mesh->triangle_count;
+    uint32_t *first = gp_alloc_unset(mesh->vertex_count * sizeof *first + 1), *made = NULL;
+    GpResult result = GP_ERROR_MEMORY;
+    if (first)
         result = places_find(mesh->positions, mesh->vertex_count, first);
-    for (size_t i = 0; result == GP_OK && i < 3 * (size_t)mesh->triangle_count; i++)
-        corners[i] = first[mesh->indices[i]];
+    if (result == GP_OK && !are_apart(first, mesh->vertex_count)) {
+        made = gp_alloc_unset(corners * sizeof *made + 1);
+        result = made ? GP_OK : GP_ERROR_MEMORY;
+        for (size_t i = 0; made && i < corners; i++)
+            made[i] = first[mesh->indices[i]];
+    }
     gp_free(first);
+    if (result == GP_OK)
+        *welded = made;
     return result;
+}
+
+/* --- sides ------------------------------------------------------------------------------------ */
+
+/* context: mate */
+static void pair_sides(void *context, const uint32_t ends[2], const uint32_t *sides, size_t count)
+{
+    (void)ends;
+    uint32_t *mate = context;
+    for (size_t i = 0; i < count; i++)
+        mate[sides[i]] = count == 2 ? sides[1 - i] : NO_SIDE;
 }
 
 GpResult sides_find(const GpMesh *mesh, Sides *sides)
 {
-    const size_t count = 3 * (size_t)mesh->triangle_count;
-    Sides found = { .corners = gp_alloc_unset(count * sizeof(uint32_t) + 1),
-                    .mate = gp_alloc_unset(count * sizeof(uint32_t) + 1) };
-    uint32_t *first = NULL;
-    GpResult result = found.corners && found.mate ? weld(mesh, found.corners) : GP_ERROR_MEMORY;
-    if (result == GP_OK) {
-        GpMesh welded = *mesh;
-        welded.indices = found.corners;
-        result = edges_find(&welded, &found.edges);
-    }
-    if (result == GP_OK) {
-        first = gp_alloc_unset(found.edges.count * sizeof *first + 1);
-        result = first ? GP_OK : GP_ERROR_MEMORY;
-    }
-    if (result == GP_OK) {
-        memset(first, 0xff, found.edges.count * sizeof *first); /* NO_SIDE */
-        pair_sides(&found.edges, count, first, found.mate);
+    Sides found = { .mate =
+                        gp_alloc_unset(3 * (size_t)mesh->triangle_count * sizeof(uint32_t) + 1) };
+    GpMesh at_places = *mesh;
+    GpResult result = found.mate ? corners_weld(mesh, &found.welded) : GP_ERROR_MEMORY;
+    if (found.welded)
+        at_places.indices = found.welded;
+    found.corners = at_places.indices;
+    if (result == GP_OK)
+        result = edges_visit(&at_places, pair_sides, found.mate);
+    if (result == GP_OK)
         *sides = found;
-    } else {
+    else
         sides_free(&found);
-    }
-    gp_free(first);
     return result;
 }
 
 void sides_free(Sides *sides)
 {
-    gp_free(sides->corners);
     gp_free(sides->mate);
-    edges_free(&sides->edges);
+    gp_free(sides->welded);
     *sides = (Sides){ .corners = NULL };
 }
 

@@ -7,15 +7,22 @@
 
 #define NO_SIDE UINT32_MAX
 
-/* Sides are numbered by triangle: 3 t + i goes from corner i to corner i + 1. */
+/* Makes one vertex of those at a place.
+ * in     mesh: as mesh_keep_referenced leaves it
+ * out    welded: [3 * triangle_count] the mesh's indices, but the first vertex at each place; NULL where
+ *        no two are at one, so that the mesh's own are that
+ * errors GP_ERROR_MEMORY
+ * owns   the caller, until gp_free */
+GpResult corners_weld(const GpMesh *mesh, uint32_t **welded);
+
+/* Sides are numbered as in edges.h. */
 typedef struct Sides {
-    uint32_t
-        *corners;   /* [3 * triangle_count] of the mesh's indices: the first vertex at the place */
+    const uint32_t *corners; /* [3 * triangle_count] the first vertex at the place */
     uint32_t *mate; /* [3 * triangle_count] the other side at the edge; NO_SIDE: none or several */
-    Edges edges;    /* of `corners` */
+    uint32_t *welded;
 } Sides;
 
-/* in     mesh: as mesh_of_referenced makes it
+/* in     mesh: as mesh_keep_referenced leaves it; `corners` may be its own
  * errors GP_ERROR_MEMORY
  * owns   the caller, until sides_free */
 GpResult sides_find(const GpMesh *mesh, Sides *sides);

@@ -50,36 +50,64 @@ static uint32_t number_referenced(const GpMesh *mesh, uint32_t *number, uint32_t
     return count;
 }
 
-GpResult mesh_of_referenced(const GpMesh *mesh, GpMesh *referenced)
+/* Vertices move down only. number: from number_referenced */
+static void move_vertices(GpMesh *mesh, const uint32_t *number)
+{
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        if (number[v] == 0)
+            continue;
+        const size_t to = number[v] - 1;
+        memmove(mesh->positions + 3 * to, mesh->positions + 3 * v, 3 * sizeof(float));
+        memmove(mesh->normals + 3 * to, mesh->normals + 3 * v, 3 * sizeof(float));
+        if (mesh->colors)
+            memmove(mesh->colors + 4 * to, mesh->colors + 4 * v, 4 * sizeof(float));
+    }
+}
+
+static void move_triangles(GpMesh *mesh, const uint32_t *number)
+{
+    uint32_t *index = mesh->indices;
+    for (size_t t = 0; t < mesh->triangle_count; t++) {
+        uint32_t corner[3];
+        memcpy(corner, mesh->indices + 3 * t, sizeof corner); /* may be where it goes */
+        for (int i = 0; is_triangle(corner) && i < 3; i++)
+            *index++ = number[corner[i]] - 1;
+    }
+}
+
+GpResult mesh_keep_referenced(GpMesh *mesh)
 {
     uint32_t triangles = 0;
     uint32_t *number = gp_alloc(mesh->vertex_count, sizeof *number);
     if (!number)
         return GP_ERROR_MEMORY;
     const uint32_t count = number_referenced(mesh, number, &triangles);
-    GpMesh made;
-    GpResult result = alloc_mesh(count, triangles, mesh, &made);
-    for (size_t v = 0; result == GP_OK && v < mesh->vertex_count; v++) {
-        if (number[v] == 0)
-            continue;
-        const size_t to = number[v] - 1;
-        memcpy(made.positions + 3 * to, mesh->positions + 3 * v, 3 * sizeof(float));
-        memcpy(made.normals + 3 * to, mesh->normals + 3 * v, 3 * sizeof(float));
-        if (made.colors)
-            memcpy(made.colors + 4 * to, mesh->colors + 4 * v, 4 * sizeof(float));
-    }
-    uint32_t *index = made.indices;
-    for (size_t t = 0; result == GP_OK && t < mesh->triangle_count; t++) {
-        const uint32_t *corner = mesh->indices + 3 * t;
-        for (int i = 0; is_triangle(corner) && i < 3; i++)
-            *index++ = number[corner[i]] - 1;
+    if (count < mesh->vertex_count || triangles < mesh->triangle_count) {
+        move_triangles(mesh, number);
+        move_vertices(mesh, number);
     }
     gp_free(number);
-    if (result == GP_OK && (result = gp_mesh_normals(&made, !made.had_normals)) != GP_OK)
-        gp_mesh_free(&made);
-    if (result == GP_OK)
-        *referenced = made;
-    return result;
+    gp_free(mesh->texcoords);
+    mesh->texcoords = NULL;
+    mesh->had_texcoords = false;
+    mesh->vertex_count = count;
+    mesh->triangle_count = triangles;
+    return gp_mesh_normals(mesh, !mesh->had_normals);
+}
+
+GpResult mesh_copy(const GpMesh *mesh, GpMesh *copy)
+{
+    const size_t vertices = mesh->vertex_count, triangles = mesh->triangle_count;
+    GpMesh made;
+    if (alloc_mesh(mesh->vertex_count, mesh->triangle_count, mesh, &made) != GP_OK)
+        return GP_ERROR_MEMORY;
+    memcpy(made.positions, mesh->positions, 3 * vertices * sizeof(float));
+    memcpy(made.normals, mesh->normals, 3 * vertices * sizeof(float));
+    if (made.colors)
+        memcpy(made.colors, mesh->colors, 4 * vertices * sizeof(float));
+    memcpy(made.indices, mesh->indices, 3 * triangles * sizeof(uint32_t));
+    *copy = made;
+    return GP_OK;
 }
 
 static float middle(float a, float b)

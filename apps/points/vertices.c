@@ -28,6 +28,14 @@ double mesh_area(const GpMesh *mesh)
     return area;
 }
 
+bool mesh_has_area(const GpMesh *mesh)
+{
+    for (size_t t = 0; t < mesh->triangle_count; t++)
+        if (mesh_triangle_area(mesh, t) > 0)
+            return true;
+    return false;
+}
+
 /* Gives each triangle's area and reach to its corners; returns the largest reach. */
 static double measure(const GpMesh *mesh, Vertex *vertices)
 {

@@ -11,7 +11,7 @@
  * The radius is one for all: the smallest at which discs around the vertices leave no hole, which is the
  * largest triangle_reach. Or (each) a vertex has that of the triangles at it, so that a few large
  * triangles do not widen all discs.
- * in     mesh: with an area, as mesh_of_referenced makes it
+ * in     mesh: with an area, as mesh_keep_referenced leaves it
  * errors GP_ERROR_MEMORY
  * owns   the caller, until surfels_free */
 GpResult surfels_of_vertices(const GpMesh *mesh, bool each, Surfels *surfels);
@@ -25,5 +25,6 @@ static inline uint8_t color_byte(float color)
 /* The area of a triangle, and of all. */
 double mesh_triangle_area(const GpMesh *mesh, size_t triangle);
 double mesh_area(const GpMesh *mesh);
+bool mesh_has_area(const GpMesh *mesh);
 
 #endif

@@ -28,6 +28,12 @@ static void seeds_ply(const FuzzSeeds *to)
         mesh_write_ply(&bytes, encoding, PLY_VARIANTS - 1);
         to->take(to->user, names[encoding], bytes.data, bytes.size);
     }
+    /* every byte a letter: the floats are finite */
+    fuzz_seed_text(to, "columns",
+                   "ply\nformat binary_little_endian 1.0\nelement vertex 2\nproperty float x\n"
+                   "property float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+                   "property uchar blue\nproperty float radius\nend_header\n"
+                   "aaaabbbbccccdefgggghhhhiiiijjjjklmnnnn");
     fuzz_seed_text(
         to, "surfels",
         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"

@@ -16,6 +16,9 @@ static uint64_t hash_of(const float place[3])
     return hash;
 }
 
+/* Points whose places in the table are asked for together, since most are not in a cache. */
+enum { TOGETHER = 32 };
+
 GpResult places_find(const float *positions, uint32_t count, uint32_t *first)
 {
     size_t size = 16;
@@ -24,9 +27,14 @@ GpResult places_find(const float *positions, uint32_t count, uint32_t *first)
     uint32_t *table = gp_alloc(size, sizeof *table); /* a point's number + 1; 0: free */
     if (!table)
         return GP_ERROR_MEMORY;
+    size_t slot[TOGETHER];
     for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t k = 0; i % TOGETHER == 0 && k < TOGETHER && k < count - i; k++) {
+            slot[k] = hash_of(positions + 3 * (size_t)(i + k)) & (size - 1);
+            __builtin_prefetch(&table[slot[k]]);
+        }
         const float *place = positions + 3 * (size_t)i;
-        size_t at = hash_of(place) & (size - 1);
+        size_t at = slot[i % TOGETHER];
         while (table[at] && !is_same_place(place, positions + 3 * (size_t)(table[at] - 1)))
             at = (at + 1) & (size - 1);
         if (!table[at])

@@ -273,15 +273,14 @@ static GpResult read_triangles(PointsModel *model, GpError *error)
         return gp_fail(error, GP_ERROR_INVALID,
                        "the truth is the surface whose vertices the points are, and a file of "
                        "points has none");
-    GpMesh surface;
     PointsFacts facts;
     const bool is_cut = model->source.sharp > 0 || model->source.sample > 0;
     if (model->is_surface || !is_cut) /* what vertices look like in the file is the truth of them */
         return GP_OK;
-    if (points_surface(&model->source, &model->mesh, &surface, &facts))
+    if (points_surface(&model->source, &model->mesh, &facts)) {
+        gp_mesh_free(&model->mesh); /* to be read again */
         return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    gp_mesh_free(&model->mesh);
-    model->mesh = surface;
+    }
     model->is_surface = true;
     return GP_OK;
 }

@@ -58,7 +58,7 @@ static GpResult finish(const char *path, GpPointsBuilder *builder, GpPoints *poi
     GpResult result = GP_OK;
     if (failed)
         result = gp_fail(error, GP_ERROR_MEMORY, "%s: no memory for the points", path);
-    else if (count == 0)
+    else if (count == 0 && builder->face_count == 0)
         result = gp_fail(error, GP_ERROR_FORMAT, "%s: no points", path);
     else if (count > (size_t)GP_INPUT_COUNT_MAX)
         result = gp_fail(error, GP_ERROR_UNSUPPORTED, "%s: %zu points are too many", path, count);

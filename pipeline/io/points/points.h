@@ -11,14 +11,16 @@ typedef struct GpPoints {
     float *radii;     /* [count] >= 0 as stored; NULL without */
     uint8_t *colors;  /* [3 * count] red, green, blue; NULL without */
     uint32_t count;
-    uint32_t face_count; /* that the file has beside them: more than 0, and it holds a mesh */
+    uint32_t
+        face_count; /* of the file: more than 0, and it holds a mesh, whose vertices are no points */
 } GpPoints;
 
 /* Reads points. The format is that of the extension (any case); .ply is confirmed by its first word.
  *
  *  .ply             the vertices, in any encoding, with properties of any type and order: x y z, nx ny
  *                   nz, radius, red green blue; all others, lists and other elements are skipped.
- *                   Colours are integers of 0..255, ushorts of 0..65535 or floats of 0..1
+ *                   Colours are integers of 0..255, ushorts of 0..65535 or floats of 0..1. Where there
+ *                   are faces, only how many is read
  *  .xyz .asc .txt   x y z; x y z intensity; x y z and three more; or x y z and six more. Three more are
  *                   a colour where they are integers of 0..255 in every line and above 1 somewhere,
  *                   else a normal
@@ -31,7 +33,7 @@ typedef struct GpPoints {
  * blocks may follow each other. Colours of texts are integers of 0..255 throughout, or numbers of 0..1.
  *
  * in     path: as for fopen
- * out    points: untouched on failure; count is at least 1
+ * out    points: untouched on failure; count is at least 1, or 0 where there are faces
  * errors GP_ERROR_IO (file access); GP_ERROR_FORMAT with "path: line 12: ..." or "path: byte 34: ..."
  *        (truncated, impossible counts, a number that is none or is not finite, no points ...);
  *        GP_ERROR_UNSUPPORTED (an unknown extension); GP_ERROR_MEMORY

@@ -124,6 +124,12 @@ void gp_points_read_ply(GpInput *input, GpPointsBuilder *points)
     PlyHeader header;
     if (!gp_ply_header(input, &header))
         return;
+    for (size_t i = 0; i < header.element_count; i++)
+        if (header.element[i].kind == PLY_FACE)
+            points->face_count = header.element[i].count;
+    if (points->face_count >
+        0) /* a million triangles would be walked over in half the time they are read in */
+        return;
     points->has_normals = header.has[PLY_NX];
     points->has_radii = header.has[PLY_RADIUS];
     points->has_colors = header.has[PLY_RED];
@@ -138,8 +144,6 @@ void gp_points_read_ply(GpInput *input, GpPointsBuilder *points)
                           left - 1);
             return;
         }
-        if (element->kind == PLY_FACE)
-            points->face_count = count;
         if (element->kind != PLY_VERTEX)
             continue;
         GpBytes *array[ATTRIBUTES];

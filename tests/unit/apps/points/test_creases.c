@@ -14,7 +14,7 @@
 /* A builtin mesh with one vertex at a place, whose normal is the mean of what is there. */
 static GpMesh welded(const char *name)
 {
-    GpMesh mesh, used;
+    GpMesh mesh;
     GpError error;
     if (model_mesh(name, &mesh, &error) != GP_OK)
         fail_msg("%s", error.text);
@@ -24,15 +24,14 @@ static GpMesh welded(const char *name)
         mesh.indices[i] = first[mesh.indices[i]];
     gp_free(first);
     mesh.had_normals = false;
-    assert_int_equal(mesh_of_referenced(&mesh, &used), GP_OK);
-    gp_mesh_free(&mesh);
-    return used;
+    assert_int_equal(mesh_keep_referenced(&mesh), GP_OK);
+    return mesh;
 }
 
 static GpMesh copy_of(const GpMesh *mesh)
 {
     GpMesh copy;
-    assert_int_equal(mesh_of_referenced(mesh, &copy), GP_OK);
+    assert_int_equal(mesh_copy(mesh, &copy), GP_OK);
     return copy;
 }
 

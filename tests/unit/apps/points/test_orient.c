@@ -9,13 +9,12 @@
 
 static GpMesh mesh_named(const char *name)
 {
-    GpMesh mesh, referenced;
+    GpMesh mesh;
     GpError error;
     if (model_mesh(name, &mesh, &error) != GP_OK)
         fail_msg("%s", error.text);
-    assert_int_equal(mesh_of_referenced(&mesh, &referenced), GP_OK);
-    gp_mesh_free(&mesh);
-    return referenced;
+    assert_int_equal(mesh_keep_referenced(&mesh), GP_OK);
+    return mesh;
 }
 
 static void turn_triangle(GpMesh *mesh, size_t t)
@@ -35,7 +34,7 @@ static uint32_t orient(GpMesh *mesh)
 static GpMesh copy_of(const GpMesh *mesh)
 {
     GpMesh copy;
-    assert_int_equal(mesh_of_referenced(mesh, &copy), GP_OK);
+    assert_int_equal(mesh_copy(mesh, &copy), GP_OK);
     return copy;
 }
 

@@ -13,13 +13,12 @@
 
 static GpMesh mesh_named(const char *name)
 {
-    GpMesh mesh, referenced;
+    GpMesh mesh;
     GpError error;
     if (model_mesh(name, &mesh, &error) != GP_OK)
         fail_msg("%s", error.text);
-    assert_int_equal(mesh_of_referenced(&mesh, &referenced), GP_OK);
-    gp_mesh_free(&mesh);
-    return referenced;
+    assert_int_equal(mesh_keep_referenced(&mesh), GP_OK);
+    return mesh;
 }
 
 static GpPoints sample(const GpMesh *mesh, uint32_t count)

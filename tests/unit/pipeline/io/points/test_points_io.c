@@ -137,7 +137,7 @@ static void write_ply(MeshBytes *bytes, int encoding, const Property *properties
                  types[p->type].name, p->name);
         mesh_put_string(bytes, line);
     }
-    mesh_put_string(bytes, "element face 1\nproperty list uchar int vertex_indices\nend_header\n");
+    mesh_put_string(bytes, "element strip 1\nproperty list uchar int corners\nend_header\n");
     put_value(bytes, F32, 3);
     for (int point = 0; point < 2; point++) {
         for (const Property *p = properties; p->name; p++) {
@@ -205,10 +205,23 @@ static void ply_properties_come_in_any_order_type_and_encoding(void **state)
             const char *path = put_file("a.ply", bytes.data, bytes.size);
             assert_points(path, cases[i].has);
             GpPoints points = read_points(path);
-            assert_int_equal(points.face_count, 1);
+            assert_int_equal(points.face_count, 0);
             gp_points_free(&points);
         }
     }
+}
+
+static void of_a_mesh_only_its_faces_are_counted(void **state)
+{
+    (void)state;
+    GpPoints points = read_points(put_text(
+        "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+                 "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"));
+    assert_int_equal(points.face_count, 2);
+    assert_int_equal(points.count, 0);
+    assert_null(points.positions);
+    gp_points_free(&points);
 }
 
 /* --- what is wrong ----------------------------------------------------------------------------- */
@@ -307,7 +320,7 @@ static GpResult read_and_verify(const char *path)
     const GpResult result = gp_points_read(path, &points, &error);
     if (result != GP_OK && !strstr(error.text, path))
         fail_msg("no file is named: '%s'", error.text);
-    if (result == GP_OK && points.count == 0)
+    if (result == GP_OK && points.count == 0 && points.face_count == 0)
         fail_msg("%s: no points, no error", path);
     for (size_t i = 0; i < 3 * (size_t)points.count; i++) {
         const float zero = points.positions[i] - points.positions[i];
@@ -422,6 +435,7 @@ int main(void)
         TEST(texts_are_read_by_their_columns),
         TEST(small_integers_are_a_normal_where_none_is_above_one),
         TEST(ply_properties_come_in_any_order_type_and_encoding),
+        TEST(of_a_mesh_only_its_faces_are_counted),
         TEST(errors_name_the_place_and_what_was_expected),
         TEST(binary_errors_name_the_byte),
         TEST(every_truncation_is_refused_or_whole_lines),
