@@ -3,6 +3,7 @@
 #include "apps/base/vector.h"
 
 #include <float.h>
+#include <string.h>
 
 enum { SIDES = 8, MOST_CORNERS = SIDES + CELLS_NEIGHBOURS };
 
@@ -23,38 +24,48 @@ typedef struct Beside {
 } Beside;
 
 /* A regular octagon around a circle. */
-static Cell limit_cell(double radius)
+static void set_limit(double radius, Cell *cell)
 {
     static const double part = 0.41421356237309503; /* tan(22.5 degrees) */
     static const double places[SIDES][2] = { { 1, -part },  { 1, part },  { part, 1 },
                                              { -part, 1 },  { -1, part }, { -1, -part },
                                              { -part, -1 }, { part, -1 } };
-    Cell cell = { .count = SIDES };
+    cell->count = SIDES;
     for (int i = 0; i < SIDES; i++)
-        cell.corners[i] =
+        cell->corners[i] =
             (Corner){ .x = places[i][0] * radius, .y = places[i][1] * radius, .is_limit = true };
-    return cell;
 }
 
-/* Takes off what is nearer to the neighbour. */
-static void cut(Cell *cell, const Beside *beside)
+/* Takes off what is nearer to the neighbour; returns whether anything is. */
+static bool cut(Cell *cell, const Beside *beside)
 {
-    const Cell whole = *cell;
+    double from[MOST_CORNERS]; /* above 0: nearer to the neighbour */
+    bool is_cut = false;
+    for (int i = 0; i < cell->count; i++) {
+        const Corner *a = &cell->corners[i];
+        from[i] = a->x * beside->x + a->y * beside->y - beside->distance2 / 2;
+        is_cut |= !(from[i] <= 0);
+    }
+    if (!is_cut)
+        return false;
+    Corner whole[MOST_CORNERS];
+    const int count = cell->count;
+    memcpy(whole, cell->corners, (size_t)count * sizeof *whole);
     cell->count = 0;
-    for (int i = 0; i < whole.count; i++) {
-        const Corner *a = &whole.corners[i], *b = &whole.corners[(i + 1) % whole.count];
-        const double from_a = a->x * beside->x + a->y * beside->y - beside->distance2 / 2;
-        const double from_b = b->x * beside->x + b->y * beside->y - beside->distance2 / 2;
-        if (from_a <= 0)
+    for (int i = 0; i < count; i++) {
+        const int next = i + 1 < count ? i + 1 : 0;
+        const Corner *a = &whole[i], *b = &whole[next];
+        if (from[i] <= 0)
             cell->corners[cell->count++] = *a;
-        if ((from_a <= 0) == (from_b <= 0) || cell->count == MOST_CORNERS)
+        if ((from[i] <= 0) == (from[next] <= 0) || cell->count == MOST_CORNERS)
             continue;
-        const double share = from_a / (from_a - from_b);
+        const double share = from[i] / (from[i] - from[next]);
         /* Coming in: the new side ends and the old one goes on. Going out: the new one begins. */
         cell->corners[cell->count++] = (Corner){ .x = a->x + share * (b->x - a->x),
                                                  .y = a->y + share * (b->y - a->y),
-                                                 .is_limit = from_a > 0 && a->is_limit };
+                                                 .is_limit = from[i] > 0 && a->is_limit };
     }
+    return true;
 }
 
 static double reach2_of(const Cell *cell)
@@ -62,22 +73,21 @@ static double reach2_of(const Cell *cell)
     double reach2 = 0;
     for (int i = 0; i < cell->count; i++) {
         const Corner *c = &cell->corners[i];
-        reach2 = fmax(reach2, c->x * c->x + c->y * c->y);
+        const double corner2 = c->x * c->x + c->y * c->y;
+        reach2 = corner2 > reach2 ? corner2 : reach2;
     }
     return reach2;
 }
 
 /* Neighbours come nearest first: what is twice as far as the cell reaches, and all after it, cannot
  * cut it. */
-static Cell cell_among(const Beside *beside, int count, double limit)
+static void find_cell(const Beside *beside, int count, double limit, Cell *cell)
 {
-    Cell cell = limit_cell(limit);
-    double reach2 = reach2_of(&cell);
-    for (int i = 0; i < count && beside[i].distance2 < 4 * reach2; i++) {
-        cut(&cell, &beside[i]);
-        reach2 = reach2_of(&cell);
-    }
-    return cell;
+    set_limit(limit, cell);
+    double reach2 = reach2_of(cell);
+    for (int i = 0; i < count && beside[i].distance2 < 4 * reach2; i++)
+        if (cut(cell, &beside[i]))
+            reach2 = reach2_of(cell);
 }
 
 static double area_of(const Cell *cell)
@@ -171,15 +181,16 @@ static double distance_to(const Beside *beside, int count, int which)
 static bool measure_cell(const Beside *beside, int count, double *radius, double *area)
 {
     bool is_open;
-    const Cell cell = cell_among(beside, count, distance_to(beside, count, count - 1));
+    Cell cell;
+    find_cell(beside, count, distance_to(beside, count, count - 1), &cell);
     *radius = reach_between(&cell, &is_open);
     *area = area_of(&cell);
     if (!is_open)
         return false;
     const double limit = distance_to(beside, count, 2) / 2;
-    const Cell closed = cell_among(beside, count, limit);
+    find_cell(beside, count, limit, &cell);
     *radius = fmax(fmin(*radius, distance_to(beside, count, 3)), limit);
-    *area = area_of(&closed);
+    *area = area_of(&cell);
     return true;
 }
 
@@ -191,11 +202,10 @@ static void measure_piece(void *context, uint32_t piece, int worker)
     const uint32_t end = neighbour_piece(tree->count, piece, &rank);
     CellFacts facts = { .nearest_least = (double)INFINITY };
     (void)worker;
-    for (; rank < end; rank++) {
-        Neighbour found[CELLS_NEIGHBOURS];
+    Neighbour found[CELLS_NEIGHBOURS];
+    for (uint32_t count = 0; rank < end; rank++) {
         Beside beside[CELLS_NEIGHBOURS];
-        const uint32_t count = neighbours_find(tree, tree->positions + 3 * (size_t)rank, rank,
-                                               CELLS_NEIGHBOURS, found);
+        count = neighbours_of(tree, rank, CELLS_NEIGHBOURS, count, found);
         const double nearest = count > 0 ? sqrt(found[0].distance2) : 0;
         double radius = nearest / 2, area = 3.141592653589793 * radius * radius;
         const int kept = neighbours_beside(measure, rank, found, count, beside);
@@ -223,8 +233,7 @@ static void cap_piece(void *context, uint32_t piece, int worker)
         Neighbour found[4];
         if (measure->caps[rank] == 0)
             continue;
-        const uint32_t count =
-            neighbours_find(tree, tree->positions + 3 * (size_t)rank, rank, 4, found);
+        const uint32_t count = neighbours_of(tree, rank, 4, 0, found);
         for (uint32_t i = 0; i < count; i++) {
             const float cap = 2 * measure->radii[tree->numbers[found[i].rank]];
             if (cap < measure->caps[rank])

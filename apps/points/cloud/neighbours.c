@@ -128,77 +128,134 @@ void neighbour_tree_free(NeighbourTree *tree)
 
 /* --- search ----------------------------------------------------------------------------------- */
 
+enum { MOST_IN_LEAF = 16 };
+
 typedef struct Search {
     const NeighbourTree *tree;
     double place[3];
-    uint32_t except, most, count;
+    uint32_t rank, most, count;
+    double limit; /* nothing beyond is sought */
     Neighbour *found;
 } Search;
 
-static bool comes_first(const Search *search, double distance2, uint32_t rank,
-                        const Neighbour *other)
-{
-    const uint32_t *numbers = search->tree->numbers;
-    return distance2 < other->distance2 ||
-           (distance2 == other->distance2 && numbers[rank] < numbers[other->rank]);
-}
-
-static void offer(Search *search, uint32_t rank)
+static double distance2_to(const Search *search, uint32_t rank)
 {
     const float *position = search->tree->positions + 3 * (size_t)rank;
     const double x = (double)position[0] - search->place[0];
     const double y = (double)position[1] - search->place[1];
     const double z = (double)position[2] - search->place[2];
-    const double distance2 = x * x + y * y + z * z;
+    return x * x + y * y + z * z;
+}
+
+static bool comes_first(const NeighbourTree *tree, const Neighbour *a, const Neighbour *b)
+{
+    return a->distance2 < b->distance2 ||
+           (a->distance2 == b->distance2 && tree->numbers[a->rank] < tree->numbers[b->rank]);
+}
+
+static void offer(Search *search, const Neighbour *offered)
+{
     Neighbour *found = search->found;
     const bool is_full = search->count == search->most;
-    if (is_full && !comes_first(search, distance2, rank, &found[search->count - 1]))
+    if (is_full && !comes_first(search->tree, offered, &found[search->count - 1]))
         return;
     uint32_t at = is_full ? search->count - 1 : search->count++;
-    for (; at > 0 && comes_first(search, distance2, rank, &found[at - 1]); at--)
+    for (; at > 0 && comes_first(search->tree, offered, &found[at - 1]); at--)
         found[at] = found[at - 1];
-    found[at] = (Neighbour){ .distance2 = distance2, .rank = rank };
+    found[at] = *offered;
+    if (search->count == search->most)
+        search->limit = found[search->most - 1].distance2;
 }
 
-/* away: along each axis, how far the place is from the node's box; distance2: the sum of their
- * squares, which rounding may have made a little too large. */
-static void search_node(Search *search, int depth, uint32_t node, double distance2,
-                        const double away[3])
+/* Those within the limit first, without a branch: which they are is hard to foresee. */
+static void search_leaf(Search *search, uint32_t rank, uint32_t end)
 {
-    const NeighbourTree *tree = search->tree;
-    if (search->count == search->most &&
-        distance2 * (1 - 1e-12) > search->found[search->most - 1].distance2)
-        return;
-    if (depth == tree->depth) {
-        const uint32_t end = tree_bound(tree->count, depth, (uint64_t)node + 1);
-        for (uint32_t rank = tree_bound(tree->count, depth, node); rank < end; rank++) {
-            if (rank != search->except)
-                offer(search, rank);
-        }
-        return;
+    Neighbour within[MOST_IN_LEAF];
+    uint32_t count = 0;
+    for (; rank < end; rank++) {
+        within[count] = (Neighbour){ .distance2 = distance2_to(search, rank), .rank = rank };
+        count += (within[count].distance2 <= search->limit) & (rank != search->rank);
     }
-    const NeighbourNode *parted = node_at(tree, depth, node);
-    const double at = search->place[parted->axis];
-    const double to_second = (double)parted->high - at, to_first = at - (double)parted->low;
+    for (uint32_t i = 0; i < count; i++)
+        offer(search, &within[i]);
+}
+
+/* A node that may hold some. */
+typedef struct Waiting {
+    double away[3]; /* along each axis, how far the place is from the node's box */
+    double
+        distance2; /* the sum of their squares, which rounding may have made a little too large */
+    uint32_t node;
+    int depth;
+} Waiting;
+
+static bool is_beyond(const Search *search, double distance2)
+{
+    return distance2 * (1 - 1e-12) > search->limit;
+}
+
+/* Goes to the half that is nearer. other: becomes the other */
+static void descend(const Search *search, Waiting *at, Waiting *other)
+{
+    const NeighbourNode *parted = node_at(search->tree, at->depth, at->node);
+    const uint8_t axis = parted->axis;
+    const double to_second = (double)parted->high - search->place[axis];
+    const double to_first = search->place[axis] - (double)parted->low;
     const bool second_is_near = to_second < to_first;
     const double step = second_is_near ? to_first : to_second;
-    search_node(search, depth + 1, 2 * node + second_is_near, distance2, away);
-    double beyond[3] = { away[0], away[1], away[2] };
-    beyond[parted->axis] = step > away[parted->axis] ? step : away[parted->axis];
-    const double far2 = beyond[0] * beyond[0] + beyond[1] * beyond[1] + beyond[2] * beyond[2];
-    search_node(search, depth + 1, 2 * node + !second_is_near, far2, beyond);
+    *other = *at;
+    other->away[axis] = step > at->away[axis] ? step : at->away[axis];
+    other->distance2 = other->away[0] * other->away[0] + other->away[1] * other->away[1] +
+                       other->away[2] * other->away[2];
+    other->node = 2 * at->node + !second_is_near;
+    other->depth = ++at->depth;
+    at->node = 2 * at->node + second_is_near;
 }
 
-uint32_t neighbours_find(const NeighbourTree *tree, const float place[3], uint32_t except,
-                         uint32_t most, Neighbour *found)
+static void search_tree(Search *search)
 {
+    const NeighbourTree *tree = search->tree;
+    Waiting stack[32];
+    stack[0] = (Waiting){ .depth = 0 };
+    for (int count = 1; count > 0;) {
+        Waiting at = stack[--count];
+        if (is_beyond(search, at.distance2))
+            continue;
+        while (at.depth < tree->depth) {
+            descend(search, &at, &stack[count]);
+            count += !is_beyond(search, stack[count].distance2);
+        }
+        search_leaf(search, tree_bound(tree->count, at.depth, at.node),
+                    tree_bound(tree->count, at.depth, (uint64_t)at.node + 1));
+    }
+}
+
+/* As many points as are sought are no farther: those of the rank before, but for that rank itself in the place of
+ * this one. */
+static double known_limit(const Search *search)
+{
+    double limit = 0;
+    for (uint32_t i = 0; i < search->most; i++) {
+        const uint32_t rank = search->found[i].rank;
+        const double distance2 = distance2_to(search, rank == search->rank ? rank - 1 : rank);
+        limit = distance2 > limit ? distance2 : limit;
+    }
+    return limit;
+}
+
+uint32_t neighbours_of(const NeighbourTree *tree, uint32_t rank, uint32_t most, uint32_t known,
+                       Neighbour *found)
+{
+    const float *place = tree->positions + 3 * (size_t)rank;
     Search search = { .tree = tree,
                       .place = { (double)place[0], (double)place[1], (double)place[2] },
-                      .except = except,
+                      .rank = rank,
                       .most = most,
+                      .limit = (double)INFINITY,
                       .found = found };
-    const double away[3] = { 0 };
+    if (most > 0 && known == most)
+        search.limit = known_limit(&search);
     if (most > 0)
-        search_node(&search, 0, 0, 0, away);
+        search_tree(&search);
     return search.count;
 }

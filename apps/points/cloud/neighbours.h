@@ -23,7 +23,7 @@ typedef struct Neighbour {
     uint32_t rank;
 } Neighbour;
 
-enum { NEIGHBOURS_MOST = 32, NEIGHBOURS_NO_RANK = UINT32_MAX };
+enum { NEIGHBOURS_MOST = 32 };
 
 /* in     positions: [3 * count], finite; count: at least 1
  * order  the same for any number of threads
@@ -35,12 +35,13 @@ GpResult neighbour_tree_build(const float *positions, uint32_t count, GpPool *po
 /* Frees and zeroes; a zeroed one is fine. */
 void neighbour_tree_free(NeighbourTree *tree);
 
-/* Finds the points nearest to a place.
- * in   except: a rank that is left out, NEIGHBOURS_NO_RANK: none; most: at most NEIGHBOURS_MOST
+/* Finds the points nearest to one of them, which is left out.
+ * in   most: at most NEIGHBOURS_MOST; known: how many `found` has of the rank before, as this left it, which
+ *      bounds the search; 0: none
  * out  found: nearest first; of points at one distance that of the lowest number
  * returns their count: as many as there are, up to `most` */
-uint32_t neighbours_find(const NeighbourTree *tree, const float place[3], uint32_t except,
-                         uint32_t most, Neighbour *found);
+uint32_t neighbours_of(const NeighbourTree *tree, uint32_t rank, uint32_t most, uint32_t known,
+                       Neighbour *found);
 
 /* All ranks in pieces, which do not depend on the count of threads: items of gp_pool_run. */
 enum { NEIGHBOURS_PIECE = 2048 };

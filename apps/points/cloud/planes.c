@@ -57,10 +57,9 @@ static void fit_piece(void *context, uint32_t piece, int worker)
     uint32_t rank;
     const uint32_t end = neighbour_piece(tree->count, piece, &rank);
     (void)worker;
-    for (; rank < end; rank++) {
-        Neighbour found[PLANES_NEIGHBOURS];
-        const uint32_t count = neighbours_find(tree, tree->positions + 3 * (size_t)rank, rank,
-                                               PLANES_NEIGHBOURS, found);
+    Neighbour found[PLANES_NEIGHBOURS];
+    for (uint32_t count = 0; rank < end; rank++) {
+        count = neighbours_of(tree, rank, PLANES_NEIGHBOURS, count, found);
         LinkedPoint *point = &planes->links.points[rank];
         const float *given = normal_of(planes, rank);
         double normal[3] = { (double)given[0], (double)given[1], (double)given[2] };

@@ -38,7 +38,7 @@ static void measure_evenness(const GpPoints *points, double area, double *deviat
     assert_int_equal(neighbour_tree_build(points->positions, points->count, pool, &tree), GP_OK);
     for (uint32_t rank = 0; rank < points->count; rank++) {
         Neighbour nearest;
-        neighbours_find(&tree, tree.positions + 3 * (size_t)rank, rank, 1, &nearest);
+        neighbours_of(&tree, rank, 1, 0, &nearest);
         sum += sqrt(nearest.distance2);
         squares += nearest.distance2;
     }

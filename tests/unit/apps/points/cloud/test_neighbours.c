@@ -35,19 +35,27 @@ static uint32_t find_slowly(uint32_t count, const float place[3], uint32_t excep
     return taken;
 }
 
+static bool is_same(const Neighbour *a, const Neighbour *b, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (a[i].rank != b[i].rank || a[i].distance2 != b[i].distance2)
+            return false;
+    return true;
+}
+
 static void assert_finds_the_same(uint32_t count, uint32_t most)
 {
     NeighbourTree tree;
     assert_int_equal(neighbour_tree_build(positions, count, pool, &tree), GP_OK);
-    for (uint32_t rank = 0; rank < count + 50; rank++) {
+    Neighbour walked[NEIGHBOURS_MOST]; /* each bounded by the one before */
+    for (uint32_t rank = 0, known = 0; rank < count; rank++) {
         Neighbour found[NEIGHBOURS_MOST], expected[NEIGHBOURS_MOST];
-        const bool is_own = rank < count;
-        const float *place = is_own ? tree.positions + 3 * (size_t)rank
-                                    : (const float[3]){ (float)rank * 0.01F, 0.5F, -2 };
-        const uint32_t of =
-            neighbours_find(&tree, place, is_own ? rank : NEIGHBOURS_NO_RANK, most, found);
-        const uint32_t number = is_own ? tree.numbers[rank] : NEIGHBOURS_NO_RANK;
-        assert_int_equal(of, find_slowly(count, place, number, most, expected));
+        const float *place = tree.positions + 3 * (size_t)rank;
+        const uint32_t of = neighbours_of(&tree, rank, most, 0, found);
+        assert_int_equal(of, find_slowly(count, place, tree.numbers[rank], most, expected));
+        known = neighbours_of(&tree, rank, most, known, walked);
+        assert_int_equal(known, of);
+        assert_true(is_same(found, walked, of));
         for (uint32_t i = 0; i < of; i++) {
             if (tree.numbers[found[i].rank] != expected[i].rank ||
                 found[i].distance2 != expected[i].distance2)
