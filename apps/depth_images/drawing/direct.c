@@ -15,67 +15,73 @@ static const EdgeSetting usual_edges[2] = { { .rule = EDGES_SLOPES },
 static const double usual_reach[2] = { 0.4, 0.5 };
 static const GridEnds usual_ends[2] = { { .lean = 1 }, { .lean = 2, .most = 3.5 } };
 
-static GpResult make_grids(const DepthPlane *plane, const DepthPixels *pixels, bool layers,
-                           bool turned, WarpGrid grids[DIRECT_STEPS])
-{
-    DepthLattice lattice = { .flat = NULL };
-    GridSetting setting = { .reach = usual_reach[layers],
-                            .ends = usual_ends[layers],
-                            .turned = turned };
-    if (!pixels->width)
-        return GP_OK;
-    GpResult result = depth_lattice_make(plane, pixels, &usual_edges[layers], &lattice);
-    for (uint32_t i = 0; i < DIRECT_STEPS && !result; i++) {
-        setting.step = 1u << i;
-        result = warp_grid_make(&lattice, &setting, &grids[i]);
-    }
-    depth_lattice_free(&lattice);
-    return result;
-}
-
-static GpResult make_all_grids(const DepthImage *image, Direct *direct)
-{
-    const DepthPlane *plane = &image->plane;
-    GpResult result = make_grids(plane, &image->front, false, false, direct->front);
-    if (!result && image->behind.width)
-        result = make_grids(plane, &image->front, true, false, direct->layers[0]);
-    if (!result)
-        result = make_grids(plane, &image->behind, true, true, direct->layers[1]);
-    return result;
-}
-
 GpResult direct_open(const DepthImage *image, Direct *made, GpError *error)
 {
     Direct direct = { .image = image, .pixel = surface_grid_pixel(image) };
     if (image->is_cylinder)
         return gp_fail(error, GP_ERROR_INVALID, "a cylinder is no planar depth image");
     plane_ball(image, direct.center, &direct.radius);
-    if (make_all_grids(image, &direct)) {
-        direct_close(&direct);
-        return gp_fail(error, GP_ERROR_MEMORY, "out of memory");
-    }
-    const DepthPixels *layers[2] = { &image->front, &image->behind };
-    GpResult result = GP_OK;
-    for (int i = 0; i < 2 && !result; i++)
-        if (layers[i]->width)
-            result = depth_textures_open(layers[i], layers[i]->normal, &direct.textures[i], error);
-    if (result)
-        direct_close(&direct);
-    else
-        *made = direct;
-    return result;
+    *made = direct;
+    return GP_OK;
 }
 
 void direct_close(Direct *made)
 {
-    for (int i = 0; i < DIRECT_STEPS; i++) {
-        warp_grid_free(&made->front[i]);
-        warp_grid_free(&made->layers[0][i]);
-        warp_grid_free(&made->layers[1][i]);
+    for (int layer = 0; layer < DIRECT_LAYERS; layer++)
+        for (int i = 0; i < DIRECT_STEPS; i++)
+            warp_grid_free(&made->grids[layer][i]);
+    for (int i = 0; i < 4; i++) {
+        gp_surface_destroy(&made->colors[i / 2][i % 2]);
+        gp_surface_destroy(&made->normals[i / 2][i % 2]);
     }
-    for (int i = 0; i < 2; i++)
-        depth_textures_close(&made->textures[i]);
     *made = (Direct){ .image = NULL };
+}
+
+static const DepthPixels *pixels_of(const Direct *made, DirectLayer layer)
+{
+    return layer == DIRECT_BEHIND ? &made->image->behind : &made->image->front;
+}
+
+static GpResult build_grid(const Direct *made, DirectLayer layer, const EdgeSetting *edges,
+                           const GridSetting *setting, WarpGrid *grid)
+{
+    DepthLattice lattice;
+    GpResult result =
+        depth_lattice_make(&made->image->plane, pixels_of(made, layer), edges, &lattice);
+    if (result)
+        return result;
+    result = warp_grid_make(&lattice, setting, grid);
+    depth_lattice_free(&lattice);
+    return result;
+}
+
+static GpResult keep_grid(Direct *made, DirectLayer layer, int step)
+{
+    const int layers = layer != DIRECT_ALONE;
+    const GridSetting setting = { .step = 1u << step,
+                                  .reach = usual_reach[layers],
+                                  .ends = usual_ends[layers],
+                                  .turned = layer == DIRECT_BEHIND };
+    GpResult result = GP_OK;
+    if (!made->has_grid[layer][step])
+        result = build_grid(made, layer, &usual_edges[layers], &setting, &made->grids[layer][step]);
+    made->has_grid[layer][step] = !result;
+    return result;
+}
+
+static GpResult keep_textures(Direct *made, DirectLayer layer, bool is_lit, bool all_levels,
+                              GpError *error)
+{
+    const DepthPixels *pixels = pixels_of(made, layer);
+    const uint32_t levels = all_levels ? GP_MAX_LEVELS : 1;
+    GpSurface **color = &made->colors[layer == DIRECT_BEHIND][all_levels];
+    GpSurface **normal = &made->normals[layer == DIRECT_BEHIND][all_levels];
+    GpResult result = GP_OK;
+    if (!*color)
+        result = depth_color_texture(pixels, levels, color, error);
+    if (!result && is_lit && !*normal)
+        result = depth_normal_texture(pixels, pixels->normal, levels, normal, error);
+    return result;
 }
 
 /* --- a frame ---------------------------------------------------------------------------------------- */
@@ -102,10 +108,9 @@ static bool is_usual(const DirectSetting *setting)
 }
 
 /* A layer's grid for this frame alone. */
-static GpResult make_grid(const Direct *made, const DirectSetting *setting, int layer,
+static GpResult make_grid(const Direct *made, const DirectSetting *setting, DirectLayer layer,
                           uint32_t step, Frame *frame, WarpGrid *grid)
 {
-    const DepthImage *image = made->image;
     const EdgeSetting *edges =
         has_edges(&setting->edges) ? &setting->edges : &usual_edges[setting->layers];
     const GridSetting own = { .step = step,
@@ -113,15 +118,9 @@ static GpResult make_grid(const Direct *made, const DirectSetting *setting, int 
                               .reach = setting->reach > 0 ? setting->reach
                                                           : usual_reach[setting->layers],
                               .ends = usual_ends[setting->layers],
-                              .turned = layer == 1 };
-    DepthLattice lattice;
+                              .turned = layer == DIRECT_BEHIND };
     WarpGrid whole;
-    GpResult result =
-        depth_lattice_make(&image->plane, layer ? &image->behind : &image->front, edges, &lattice);
-    if (result)
-        return result;
-    result = warp_grid_make(&lattice, &own, &whole);
-    depth_lattice_free(&lattice);
+    const GpResult result = build_grid(made, layer, edges, &own, &whole);
     if (result)
         return result;
     *grid = whole;
@@ -133,13 +132,14 @@ static GpResult make_grid(const Direct *made, const DirectSetting *setting, int 
     return frame_result(frame, NULL);
 }
 
-static GpResult find_grid(const Direct *made, const DirectSetting *setting, int layer,
+static GpResult find_grid(Direct *made, const DirectSetting *setting, DirectLayer layer,
                           uint32_t step, Frame *frame, WarpGrid *grid)
 {
     if (!is_usual(setting))
         return make_grid(made, setting, layer, step, frame, grid);
-    *grid = setting->layers ? made->layers[layer][kept_step(step)] : made->front[kept_step(step)];
-    return GP_OK;
+    const GpResult result = keep_grid(made, layer, kept_step(step));
+    *grid = made->grids[layer][kept_step(step)];
+    return result;
 }
 
 static DirectUniforms find_uniforms(const DepthImage *image, const DirectSetting *setting,
@@ -161,9 +161,9 @@ static DirectUniforms find_uniforms(const DepthImage *image, const DirectSetting
     return uniforms;
 }
 
-static GpDraw *draw_layer(const WarpGrid *grid, const DepthTextures *textures,
-                          const DirectUniforms *uniforms, const WarpDetail *detail, bool is_lit,
-                          bool is_far, Frame *frame)
+static GpDraw *draw_grid(const WarpGrid *grid, GpSurface *color, GpSurface *normal,
+                         const DirectUniforms *uniforms, const WarpDetail *detail, bool is_far,
+                         Frame *frame)
 {
     static const GpProgram *const programs[2][2] = { { &direct_program, &direct_lit_program },
                                                      { &direct_detail_program,
@@ -181,48 +181,60 @@ static GpDraw *draw_layer(const WarpGrid *grid, const DepthTextures *textures,
         .streams = { [GP_POSITION] = { &grid->vertices->x, stride, 3, GP_FLOAT32 },
                      [GP_TEXCOORD0] = { &grid->vertices->u, stride, 2, GP_FLOAT32 } }
     };
-    const bool has_detail = detail->heights != NULL;
+    const bool has_detail = detail->heights != NULL, is_lit = normal != NULL;
     GpDraw *draw = frame_draw_copied(frame, programs[has_detail][is_lit], uniforms, &geometry);
-    draw->textures[0] = (GpTexture){ textures->color, linear };
+    draw->textures[0] = (GpTexture){ color, linear };
     if (is_lit)
-        draw->textures[1] = (GpTexture){ textures->normal, linear };
+        draw->textures[1] = (GpTexture){ normal, linear };
     if (has_detail)
         draw->textures[WARP_DETAIL_SLOT] = warp_detail_texture(detail);
     draw->state.depth = (GpDepthState){ .test = GP_LESS, .write = true };
     return draw;
 }
 
-GpResult direct_add(const Direct *made, const DirectSetting *given, const WarpView *view,
+static GpResult add_layer(Direct *made, const DirectSetting *setting, const WarpView *view,
+                          DirectLayer layer, uint32_t footprint, Frame *frame, GpError *error)
+{
+    const DepthPixels *pixels = pixels_of(made, layer);
+    const bool is_behind = layer == DIRECT_BEHIND, is_far = footprint > 1,
+               is_lit = view->light && pixels->normal;
+    const uint32_t step = setting->step ? setting->step : footprint;
+    WarpGrid grid;
+    GpResult result = find_grid(made, setting, layer, step, frame, &grid);
+    if (result)
+        return gp_fail(error, result, "out of memory");
+    if (!grid.index_count)
+        return GP_OK;
+    result = keep_textures(made, layer, is_lit, is_far, error);
+    if (result)
+        return result;
+    const DirectUniforms uniforms = find_uniforms(made->image, setting, step, view);
+    GpDraw *draw = draw_grid(&grid, made->colors[is_behind][is_far],
+                             is_lit ? made->normals[is_behind][is_far] : NULL, &uniforms,
+                             &setting->detail, is_far, frame);
+    if (setting->one_sided || (is_behind && pixels->normal)) /* insides */
+        draw->state.raster.cull = GP_CULL_CW;
+    return GP_OK;
+}
+
+GpResult direct_add(Direct *made, const DirectSetting *given, const WarpView *view,
                     const WarpTarget *target, Frame *frame, GpError *error)
 {
     static const float nothing[4] = { 0 };
-    const DepthImage *image = made->image;
-    DirectSetting own = *given;
-    const DirectSetting *setting = &own;
-    own.layers = own.layers && image->behind.width;
+    DirectSetting setting = *given;
+    setting.layers = setting.layers && made->image->behind.width;
     const uint32_t footprint = plane_step(made->center, made->radius, made->pixel, view);
-    const uint32_t step = setting->step ? setting->step : footprint;
-    const DirectUniforms uniforms = find_uniforms(image, setting, step, view);
     GpSurface *depth =
         target->depth ? target->depth : frame_surface(frame, GP_D32F, view->width, view->height, 1);
     GpPass *pass =
-        frame_pass(frame, setting->name ? setting->name : "direct", target->color, depth, nothing);
+        frame_pass(frame, setting.name ? setting.name : "direct", target->color, depth, nothing);
     pass->color[0].clear = false;
     pass->depth.clear_depth = !target->depth;
-    for (int layer = 0; layer < 1 + setting->layers; layer++) {
-        WarpGrid grid;
-        const DepthTextures *textures = &made->textures[layer];
-        const GpResult result = find_grid(made, setting, layer, step, frame, &grid);
-        if (result)
-            return gp_fail(error, result, "out of memory");
-        if (!grid.index_count)
-            continue;
-        GpDraw *draw = draw_layer(&grid, textures, &uniforms, &setting->detail,
-                                  view->light && textures->normal, footprint > 1, frame);
-        if (setting->one_sided || (layer == 1 && image->behind.normal)) /* insides */
-            draw->state.raster.cull = GP_CULL_CW;
-    }
-    return frame_result(frame, error);
+    GpResult result = add_layer(made, &setting, view, setting.layers ? DIRECT_BEFORE : DIRECT_ALONE,
+                                footprint, frame, error);
+    if (!result && setting.layers)
+        result = add_layer(made, &setting, view, DIRECT_BEHIND, footprint, frame, error);
+    return result ? result : frame_result(frame, error);
 }
 
 const char *direct_warning(const DepthImage *image, const WarpView *view)

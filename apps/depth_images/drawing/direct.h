@@ -28,25 +28,30 @@ typedef struct DirectSetting {
     const char *name; /* of the pass, borrowed; NULL: "direct" */
 } DirectSetting;
 
-enum { DIRECT_STEPS = 5 }; /* grids that are kept: of steps 1, 2, 4, 8, 16 */
+enum { DIRECT_STEPS = 5 }; /* of grids that are kept: 1, 2, 4, 8, 16 */
 
-/* Owned by whoever made it, until direct_close. A zeroed one is empty. */
+/* A layer as a grid: the front alone; before what is behind it; and that. */
+typedef enum DirectLayer { DIRECT_ALONE, DIRECT_BEFORE, DIRECT_BEHIND, DIRECT_LAYERS } DirectLayer;
+
+/* Owned by whoever made it, until direct_close. A zeroed one is empty. Grids and textures are made when a frame
+ * first wants them. */
 typedef struct Direct {
-    const DepthImage *image;          /* borrowed */
-    WarpGrid front[DIRECT_STEPS];     /* alone, */
-    WarpGrid layers[2][DIRECT_STEPS]; /* and before what is behind it, and that */
-    DepthTextures textures[2];        /* of the front, of what is behind */
-    double center[3], radius;         /* of a ball about the image */
-    double pixel;                     /* side of its pixels in the world, about */
+    const DepthImage *image; /* borrowed */
+    WarpGrid grids[DIRECT_LAYERS][DIRECT_STEPS];
+    bool has_grid[DIRECT_LAYERS][DIRECT_STEPS];
+    GpSurface *colors[2][2]; /* of the front, of what is behind; one level, all levels */
+    GpSurface *normals[2][2];
+    double center[3], radius; /* of a ball about the image */
+    double pixel;             /* side of its pixels in the world, about */
 } Direct;
 
-/* errors GP_ERROR_INVALID: a cylinder; those of depth_textures_open */
+/* errors GP_ERROR_INVALID: a cylinder */
 GpResult direct_open(const DepthImage *image, Direct *made, GpError *error);
 
 /* Appends a pass. Triangles of the second layer that turn their insides to the eye are left out, where it has
  * normals; grids of settings that are not the usual ones are made for the frame.
- * errors GP_ERROR_MEMORY */
-GpResult direct_add(const Direct *made, const DirectSetting *setting, const WarpView *view,
+ * errors GP_ERROR_MEMORY; those of textures.h */
+GpResult direct_add(Direct *made, const DirectSetting *setting, const WarpView *view,
                     const WarpTarget *target, Frame *frame, GpError *error);
 void direct_close(Direct *made);
 

@@ -73,13 +73,14 @@ static void store(const Weighted *picture, float scale, float offset, GpSurface 
 
 /* values: [height][width][3]; a texel is value * scale + offset */
 static GpResult make_texture(const DepthPixels *pixels, const float *values, float scale,
-                             float offset, GpSurface **surface, GpError *error)
+                             float offset, uint32_t level_count, GpSurface **surface,
+                             GpError *error)
 {
     const size_t count = (size_t)pixels->width * pixels->height;
     const GpSurfaceDesc desc = { .format = GP_A8R8G8B8,
                                  .width = pixels->width,
                                  .height = pixels->height,
-                                 .levels = GP_MAX_LEVELS };
+                                 .levels = level_count };
     Weighted levels[MOST_LEVELS] = { { pixels->width, pixels->height,
                                        gp_alloc(count, 4 * sizeof(float)) } };
     GpSurface *made = NULL;
@@ -101,13 +102,25 @@ static GpResult make_texture(const DepthPixels *pixels, const float *values, flo
     return result;
 }
 
+GpResult depth_color_texture(const DepthPixels *pixels, uint32_t levels, GpSurface **surface,
+                             GpError *error)
+{
+    return make_texture(pixels, pixels->color, 1, 0, levels, surface, error);
+}
+
+GpResult depth_normal_texture(const DepthPixels *pixels, const float *normals, uint32_t levels,
+                              GpSurface **surface, GpError *error)
+{
+    return make_texture(pixels, normals, 0.5f, 0.5f, levels, surface, error);
+}
+
 GpResult depth_textures_open(const DepthPixels *pixels, const float *normals,
                              DepthTextures *textures, GpError *error)
 {
     DepthTextures made = { .color = NULL };
-    GpResult result = make_texture(pixels, pixels->color, 1, 0, &made.color, error);
+    GpResult result = depth_color_texture(pixels, GP_MAX_LEVELS, &made.color, error);
     if (!result && normals)
-        result = make_texture(pixels, normals, 0.5f, 0.5f, &made.normal, error);
+        result = depth_normal_texture(pixels, normals, GP_MAX_LEVELS, &made.normal, error);
     if (result)
         depth_textures_close(&made);
     else

@@ -20,7 +20,7 @@ static GpResult open_simplified(const DepthImage *image, const WarpOptions *opti
     return dmesh_open_detailed(image, &detail, made, error);
 }
 
-static GpResult add_dmesh(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_dmesh(void *made, const WarpUse *use, const WarpView *view,
                           const WarpTarget *target, Frame *frame, GpError *error)
 {
     (void)use;
@@ -30,7 +30,7 @@ static GpResult add_dmesh(const void *made, const WarpUse *use, const WarpView *
 
 /* --- rays ---------------------------------------------------------------------------------------- */
 
-static GpResult add_relief(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_relief(void *made, const WarpUse *use, const WarpView *view,
                            const WarpTarget *target, Frame *frame, GpError *error)
 {
     const ReliefSetting setting = { .steps = use->options->search,
@@ -50,7 +50,7 @@ static void close_displacement(void *made)
     displacement_close(made);
 }
 
-static GpResult add_displacement(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_displacement(void *made, const WarpUse *use, const WarpView *view,
                                  const WarpTarget *target, Frame *frame, GpError *error)
 {
     const DisplacementSetting setting = { .steps = use->options->search };
@@ -59,14 +59,14 @@ static GpResult add_displacement(const void *made, const WarpUse *use, const War
 
 /* --- pictures on rectangles ---------------------------------------------------------------------- */
 
-static GpResult add_relief_texture(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_relief_texture(void *made, const WarpUse *use, const WarpView *view,
                                    const WarpTarget *target, Frame *frame, GpError *error)
 {
     const ReliefTextureSetting setting = { .cut = use->options->cut == WARP_CUT_NONE ? -1 : 0 };
     return relief_texture_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_parallax(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_parallax(void *made, const WarpUse *use, const WarpView *view,
                              const WarpTarget *target, Frame *frame, GpError *error)
 {
     const ParallaxSetting setting = { .kind = use->options->unlimited ? PARALLAX_OFFSET
@@ -74,7 +74,7 @@ static GpResult add_parallax(const void *made, const WarpUse *use, const WarpVie
     return parallax_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_bump(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_bump(void *made, const WarpUse *use, const WarpView *view,
                          const WarpTarget *target, Frame *frame, GpError *error)
 {
     (void)use;

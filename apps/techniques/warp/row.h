@@ -18,8 +18,8 @@ typedef struct WarpRow {
     GpResult (*open)(const DepthImage *image, const WarpOptions *options, void *made,
                      GpError *error);
     void (*close)(void *made); /* of a zeroed one too */
-    GpResult (*add)(const void *made, const WarpUse *use, const WarpView *view,
-                    const WarpTarget *target, Frame *frame, GpError *error);
+    GpResult (*add)(void *made, const WarpUse *use, const WarpView *view, const WarpTarget *target,
+                    Frame *frame, GpError *error);
     /* What of a view the method cannot do, a sentence; NULL: nothing. NULL: never */
     const char *(*warning)(const DepthImage *image, const WarpView *view);
 } WarpRow;

@@ -23,14 +23,14 @@ static DirectSetting direct_setting(const WarpUse *use)
                             .one_sided = use->one_sided };
 }
 
-static GpResult add_direct(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_direct(void *made, const WarpUse *use, const WarpView *view,
                            const WarpTarget *target, Frame *frame, GpError *error)
 {
     const DirectSetting setting = direct_setting(use);
     return direct_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_layers(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_layers(void *made, const WarpUse *use, const WarpView *view,
                            const WarpTarget *target, Frame *frame, GpError *error)
 {
     DirectSetting setting = direct_setting(use);
@@ -50,7 +50,7 @@ static void close_surface(void *made)
     surface_close(made);
 }
 
-static GpResult add_surface(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_surface(void *made, const WarpUse *use, const WarpView *view,
                             const WarpTarget *target, Frame *frame, GpError *error)
 {
     const SurfaceSetting setting = { .step = use->options->step };
@@ -59,7 +59,7 @@ static GpResult add_surface(const void *made, const WarpUse *use, const WarpView
 
 /* --- as printed ---------------------------------------------------------------------------------- */
 
-static GpResult add_planar(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_planar(void *made, const WarpUse *use, const WarpView *view,
                            const WarpTarget *target, Frame *frame, GpError *error)
 {
     const PlanarSetting setting = { .step = use->options->step,
@@ -69,7 +69,7 @@ static GpResult add_planar(const void *made, const WarpUse *use, const WarpView 
     return planar_add(made, &setting, view, target, frame, error);
 }
 
-static GpResult add_cylinder(const void *made, const WarpUse *use, const WarpView *view,
+static GpResult add_cylinder(void *made, const WarpUse *use, const WarpView *view,
                              const WarpTarget *target, Frame *frame, GpError *error)
 {
     const CylinderSetting setting = { .step = use->options->step, .detail = use->detail };

@@ -23,8 +23,8 @@ static Direct open_image(const DepthImage *image)
 }
 
 /* A picture of an image as a camera sees it. owns: the caller, frame_free */
-static Frame draw(const Direct *direct, const DirectSetting *setting, const Camera *camera,
-                  bool lit, bool floats)
+static Frame draw(Direct *direct, const DirectSetting *setting, const Camera *camera, bool lit,
+                  bool floats)
 {
     const WarpView view = { *camera, FORMULA_SIDE, FORMULA_SIDE, lit ? &light : NULL };
     Frame frame = { .color = NULL };
@@ -257,7 +257,7 @@ typedef struct Change {
     double color, cover;
 } Change;
 
-static Change change_of(const Direct *direct, uint32_t first, uint32_t second, const Camera *camera)
+static Change change_of(Direct *direct, uint32_t first, uint32_t second, const Camera *camera)
 {
     static float rgba[2][FORMULA_SIDE * FORMULA_SIDE][4];
     double color = 0, both = 0, one = 0;
