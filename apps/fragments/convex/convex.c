@@ -148,7 +148,9 @@ static uint32_t copy_vertex(Levels *levels, uint32_t vertex, Vertex *copied, uin
         memcpy(to->position, (const float(*)[3])streams[GP_POSITION].data + vertex,
                sizeof to->position);
         memcpy(to->color, (const float(*)[4])streams[GP_COLOR].data + vertex, sizeof to->color);
-        memcpy(to->normal, (const float(*)[3])streams[GP_NORMAL].data + vertex, sizeof to->normal);
+        if (streams[GP_NORMAL].data)
+            memcpy(to->normal, (const float(*)[3])streams[GP_NORMAL].data + vertex,
+                   sizeof to->normal);
         levels->mark[vertex] = levels->draws;
         levels->number[vertex] = (*count)++;
     }

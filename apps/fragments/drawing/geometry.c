@@ -52,7 +52,8 @@ static void fill(const FragmentMesh *mesh, bool *is_first, FragmentGeometry *geo
             drawn[0] = count++;
         }
         memcpy(geometry->colors[drawn[0]], mesh->colors[i], sizeof *mesh->colors);
-        set_normal(mesh, corner, geometry->normals[drawn[0]]);
+        if (geometry->normals)
+            set_normal(mesh, corner, geometry->normals[drawn[0]]);
         memcpy(geometry->reversed + 3 * (size_t)(mesh->triangle_count - 1 - i), drawn,
                3 * sizeof *drawn);
     }
@@ -64,18 +65,18 @@ static GpStream stream_of(const void *data, uint8_t components)
     return (GpStream){ .data = data, .components = components };
 }
 
-GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geometry,
-                                GpError *error)
+GpResult fragment_geometry_make(const FragmentMesh *mesh, bool has_normals,
+                                FragmentGeometry *geometry, GpError *error)
 {
     const size_t room = (size_t)mesh->vertex_count + mesh->triangle_count;
     FragmentGeometry made = { .positions = gp_alloc(room, sizeof *made.positions),
                               .colors = gp_alloc(room, sizeof *made.colors),
-                              .normals = gp_alloc(room, sizeof *made.normals),
+                              .normals = has_normals ? gp_alloc(room, sizeof *made.normals) : NULL,
                               .indices = gp_alloc(mesh->triangle_count, 3 * sizeof(uint32_t)),
                               .reversed = gp_alloc(mesh->triangle_count, 3 * sizeof(uint32_t)) };
     bool *is_first = gp_alloc(mesh->vertex_count, sizeof *is_first);
-    if (!made.positions || !made.colors || !made.normals || !made.indices || !made.reversed ||
-        !is_first) {
+    if (!made.positions || !made.colors || (has_normals && !made.normals) || !made.indices ||
+        !made.reversed || !is_first) {
         fragment_geometry_free(&made);
         gp_free(is_first);
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u triangles", mesh->triangle_count);
@@ -86,7 +87,8 @@ GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geom
     made.drawn.index_count = 3 * mesh->triangle_count;
     made.drawn.streams[GP_POSITION] = stream_of(made.positions, 3);
     made.drawn.streams[GP_COLOR] = stream_of(made.colors, 4);
-    made.drawn.streams[GP_NORMAL] = stream_of(made.normals, 3);
+    if (has_normals)
+        made.drawn.streams[GP_NORMAL] = stream_of(made.normals, 3);
     made.backwards = made.drawn;
     made.backwards.indices = made.reversed;
     *geometry = made;

@@ -9,8 +9,8 @@
  * corner a vertex is, and no other's: they are for flat varyings. Triangle i stands at indices 3 i, with
  * its corners in their turn; which is the first may differ. */
 typedef struct FragmentGeometry {
-    GpGeometry drawn, backwards; /* backwards: the last triangle first */
-    float (*positions)[3], (*colors)[4], (*normals)[3];
+    GpGeometry drawn, backwards;                        /* backwards: the last triangle first */
+    float (*positions)[3], (*colors)[4], (*normals)[3]; /* normals: NULL: without */
     uint32_t *indices, *reversed;
 } FragmentGeometry;
 
@@ -18,9 +18,10 @@ typedef struct FragmentGeometry {
  * in     positions: three floats a vertex */
 void fragment_normal(const float *positions, const uint32_t corner[3], double normal[3]);
 
-/* errors GP_ERROR_MEMORY; owns: the caller, until fragment_geometry_free */
-GpResult fragment_geometry_make(const FragmentMesh *mesh, FragmentGeometry *geometry,
-                                GpError *error);
+/* in     has_normals: glass reads them, and nothing else does
+ * errors GP_ERROR_MEMORY; owns: the caller, until fragment_geometry_free */
+GpResult fragment_geometry_make(const FragmentMesh *mesh, bool has_normals,
+                                FragmentGeometry *geometry, GpError *error);
 
 void fragment_geometry_free(FragmentGeometry *geometry); /* zeroes it; a zeroed one is fine */
 

@@ -85,7 +85,8 @@ static GpResult make_mesh(const FragmentOptions *options, FragmentModel *model, 
                                   .indices = file->indices,
                                   .triangle_count = file->triangle_count,
                                   .colors = (const float(*)[4])model->colors };
-    const GpResult result = fragment_geometry_make(&model->mesh, &model->geometry, error);
+    const GpResult result =
+        fragment_geometry_make(&model->mesh, options->sigma > 0, &model->geometry, error);
     model->mesh.drawn = &model->geometry.drawn;
     model->mesh.backwards = &model->geometry.backwards;
     return result;

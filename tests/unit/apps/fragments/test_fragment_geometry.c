@@ -28,7 +28,7 @@ static void every_triangle_keeps_its_corners_and_has_its_colour_and_normal(void 
                                 .indices = indices,
                                 .triangle_count = TRIANGLES,
                                 .colors = (const float(*)[4])colors };
-    assert_int_equal(fragment_geometry_make(&mesh, &geometry, NULL), GP_OK);
+    assert_int_equal(fragment_geometry_make(&mesh, true, &geometry, NULL), GP_OK);
     bool is_first[VERTICES + TRIANGLES] = { false };
     for (uint32_t i = 0; i < TRIANGLES; i++) {
         const uint32_t *corner = indices + 3 * i, *drawn = geometry.indices + 3 * i;

@@ -36,7 +36,7 @@ static void open_case(Drawn *drawn, FragmentCase made, const PiecesSetting *piec
         for (int k = 0; k < 4; k++)
             colors[i][k] = k < 3 ? random_float(&random, 0, 1) : random_float(&random, 0.1f, 0.9f);
     drawn->mesh.colors = (const float(*)[4])colors;
-    assert_int_equal(fragment_geometry_make(&drawn->mesh, &drawn->geometry, NULL), GP_OK);
+    assert_int_equal(fragment_geometry_make(&drawn->mesh, true, &drawn->geometry, NULL), GP_OK);
     drawn->mesh.drawn = &drawn->geometry.drawn;
     assert_int_equal(convex_open(&drawn->mesh, &setting, &drawn->model, &fault, &error), GP_OK);
 }

@@ -96,7 +96,7 @@ static FragmentError error_of(const float (*corners)[3], uint32_t triangles, con
                                  .colors = (const float(*)[4])model.colors,
                                  .drawn = &model.geometry.drawn,
                                  .backwards = &model.geometry.backwards };
-    assert_int_equal(fragment_geometry_make(&model.mesh, &model.geometry, &error), GP_OK);
+    assert_int_equal(fragment_geometry_make(&model.mesh, true, &model.geometry, &error), GP_OK);
     assert_int_equal(gp_device_create(&(GpDeviceDesc){ .threads = 1 }, &device, &error), GP_OK);
     if (technique_setting(&fragment_technique, options, (void **)&setting, &error) ||
         fragment_technique.build(&model, setting, device, &frame, &error) ||
