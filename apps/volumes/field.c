@@ -70,7 +70,7 @@ static bool even_scale(const GpVolume *volume, double scale[3])
     return is_even;
 }
 
-GpResult field_make(const GpVolume *volume, Field *field, GpError *error)
+GpResult field_make(GpVolume *volume, Field *field, GpError *error)
 {
     const uint32_t *dims = volume->dims;
     Field made = { .size = { dims[0], dims[1], dims[2] } };
@@ -85,11 +85,13 @@ GpResult field_make(const GpVolume *volume, Field *field, GpError *error)
     double range[2] = { 0, FIELD_VALUES - 1 };
     if (volume->type != GP_VOLUME_U8)
         made.value = field_bytes(volume, range);
-    else if ((made.value = gp_alloc_unset(sample_count(volume))))
-        memcpy(made.value, volume->data, sample_count(volume));
+    else
+        made.value = volume->data;
     if (!made.value)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for %u x %u x %u samples", dims[0],
                        dims[1], dims[2]);
+    if (made.value == volume->data)
+        volume->data = NULL;
     made.least = range[0];
     made.most = range[1];
     *field = made;

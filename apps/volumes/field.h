@@ -30,11 +30,12 @@ GpResult field_read(const char *name, GpVolume *volume, GpError *error);
 uint8_t *field_bytes(const GpVolume *volume, double range[2]);
 
 /* Makes a field of a volume's samples: bytes as they are, all others as field_bytes.
+ * in/out volume: bytes become the field's, and are no longer here
  * out    field: untouched on failure
  * errors GP_ERROR_MEMORY; GP_ERROR_UNSUPPORTED: a side of more than 1024 samples, or samples more than
  *        a thousand times as far from each other along one axis as along another
  * owns   the caller, until field_free */
-GpResult field_make(const GpVolume *volume, Field *field, GpError *error);
+GpResult field_make(GpVolume *volume, Field *field, GpError *error);
 
 /* Opens a volume by name: a file, looked for as data is, or builtin:NAME[:N] (builtin.h).
  * errors those of field_read and field_make; GP_ERROR_INVALID: no such builtin

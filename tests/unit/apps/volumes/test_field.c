@@ -6,9 +6,14 @@
 
 static GpError error;
 
-static GpVolume volume_of(GpVolumeType type, void *data)
+/* owns: the caller, until gp_volume_free */
+static GpVolume volume_of(GpVolumeType type, const void *data)
 {
-    return (GpVolume){ .dims = { 2, 2, 1 }, .type = type, .spacing = { 1, 1, 1 }, .data = data };
+    GpVolume volume = { .dims = { 2, 2, 1 }, .type = type, .spacing = { 1, 1, 1 } };
+    volume.data = gp_alloc_unset(gp_volume_bytes(&volume));
+    assert_non_null(volume.data);
+    memcpy(volume.data, data, gp_volume_bytes(&volume));
+    return volume;
 }
 
 /* --- samples ------------------------------------------------------------------------------------ */
@@ -37,12 +42,14 @@ static void bytes_stay_and_all_else_goes_from_the_least_to_the_greatest(void **s
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         Field field;
-        const GpVolume volume = volume_of(cases[i].type, cases[i].data);
+        GpVolume volume = volume_of(cases[i].type, cases[i].data);
         assert_int_equal(field_make(&volume, &field, &error), GP_OK);
+        assert_true((volume.data == NULL) == (cases[i].type == GP_VOLUME_U8));
         assert_memory_equal(field.value, cases[i].expected, 4);
         if (field.least != cases[i].least || field.most != cases[i].most)
             fail_msg("case %zu: %g to %g", i, field.least, field.most);
         field_free(&field);
+        gp_volume_free(&volume);
     }
 }
 
@@ -59,6 +66,7 @@ static void the_closest_samples_are_one_apart(void **state)
     assert_true(field.scale[0] == 4 && field.scale[1] == 2 && field.scale[2] == 1);
     assert_int_equal(field_samples(&field), 4);
     field_free(&field);
+    gp_volume_free(&volume);
 }
 
 static void what_is_too_large_or_too_uneven_is_refused(void **state)
