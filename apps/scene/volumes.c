@@ -235,7 +235,8 @@ SceneVolume *scene_draw_volumes(Loader *loader, const SceneView *view, const cha
         const VolumeView own = view_of(volume, view);
         snprintf(text, sizeof text, "%.200s-volume", name);
         volume->setting.name = scene_copy(loader, text);
-        raycast_add(&volume->rays, &own, &volume->setting, &target, loader->frame, NULL);
+        if (raycast_add(&volume->rays, &own, &volume->setting, &target, loader->frame, NULL))
+            frame_fail(loader->frame); /* no memory */
         volume->next = drawn;
         drawn = volume;
     }
