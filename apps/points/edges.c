@@ -26,22 +26,23 @@ static void sort_keys(uint64_t *keys, size_t count)
     }
 }
 
-static void side_ends(const GpMesh *mesh, size_t side, uint32_t ends[2])
+static void side_ends(const uint32_t *corners, size_t side, uint32_t ends[2])
 {
-    const uint32_t a = mesh->indices[side];
-    const uint32_t b = mesh->indices[side % 3 < 2 ? side + 1 : side - 2];
+    const uint32_t a = corners[side], b = corners[side_end(side)];
     ends[0] = a < b ? a : b;
     ends[1] = a < b ? b : a;
 }
 
 /* Lists the sides by lower vertex: those of v are sides[first[v]] .. sides[first[v + 1] - 1].
  * returns how many a vertex has at most */
-static size_t list_sides(const GpMesh *mesh, size_t side_count, size_t *first, uint32_t *sides)
+static size_t list_sides(const GpMesh *mesh, const uint32_t *corners, size_t *first,
+                         uint32_t *sides)
 {
+    const size_t side_count = 3 * (size_t)mesh->triangle_count;
     uint32_t ends[2];
     size_t most = 0;
     for (size_t s = 0; s < side_count; s++) {
-        side_ends(mesh, s, ends);
+        side_ends(corners, s, ends);
         first[ends[0] + 2]++;
     }
     for (size_t v = 2; v < (size_t)mesh->vertex_count + 2; v++) {
@@ -49,7 +50,7 @@ static size_t list_sides(const GpMesh *mesh, size_t side_count, size_t *first, u
         first[v] += first[v - 1];
     }
     for (size_t s = 0; s < side_count; s++) {
-        side_ends(mesh, s, ends);
+        side_ends(corners, s, ends);
         sides[first[ends[0] + 1]++] = (uint32_t)s;
     }
     return most;
@@ -58,12 +59,12 @@ static size_t list_sides(const GpMesh *mesh, size_t side_count, size_t *first, u
 /* The edges of one lower vertex.
  * in/out sides: of it, to be sorted
  * keys   [count] higher vertex, side */
-static void visit_vertex(const GpMesh *mesh, uint32_t *sides, size_t count, uint64_t *keys,
+static void visit_vertex(const uint32_t *corners, uint32_t *sides, size_t count, uint64_t *keys,
                          EdgeFn visit, void *context)
 {
     uint32_t ends[2] = { 0 };
     for (size_t i = 0; i < count; i++) {
-        side_ends(mesh, sides[i], ends);
+        side_ends(corners, sides[i], ends);
         keys[i] = (uint64_t)ends[1] << 32 | sides[i];
     }
     sort_keys(keys, count);
@@ -77,16 +78,16 @@ static void visit_vertex(const GpMesh *mesh, uint32_t *sides, size_t count, uint
     }
 }
 
-GpResult edges_visit(const GpMesh *mesh, EdgeFn visit, void *context)
+GpResult edges_visit(const GpMesh *mesh, const uint32_t *corners, EdgeFn visit, void *context)
 {
     const size_t side_count = 3 * (size_t)mesh->triangle_count;
     size_t *first = gp_alloc((size_t)mesh->vertex_count + 2, sizeof *first);
     uint32_t *sides = gp_alloc_unset(side_count * sizeof *sides + 1);
     uint64_t *keys = NULL;
     if (first && sides)
-        keys = gp_alloc_unset(list_sides(mesh, side_count, first, sides) * sizeof *keys + 1);
+        keys = gp_alloc_unset(list_sides(mesh, corners, first, sides) * sizeof *keys + 1);
     for (size_t v = 0; keys && v < mesh->vertex_count; v++)
-        visit_vertex(mesh, sides + first[v], first[v + 1] - first[v], keys, visit, context);
+        visit_vertex(corners, sides + first[v], first[v + 1] - first[v], keys, visit, context);
     const GpResult result = keys ? GP_OK : GP_ERROR_MEMORY;
     gp_free(first);
     gp_free(sides);
@@ -113,7 +114,7 @@ GpResult edges_find(const GpMesh *mesh, Edges *edges)
                     .ends = gp_alloc_unset(2 * side_count * sizeof(uint32_t) + 1) };
     GpResult result = GP_ERROR_MEMORY;
     if (found.of_side && found.ends)
-        result = edges_visit(mesh, number_edge, &found);
+        result = edges_visit(mesh, mesh->indices, number_edge, &found);
     if (result == GP_OK)
         *edges = found;
     else

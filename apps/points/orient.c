@@ -246,17 +246,15 @@ GpResult mesh_orient(GpMesh *mesh, uint32_t *turned)
     bool *done = gp_alloc(mesh->vertex_count + 1, sizeof *done);
     uint32_t *number = gp_alloc_unset(triangles * sizeof *number + 1);
     uint32_t *welded = NULL;
-    GpMesh at_places = *mesh;
     GpResult result = GP_ERROR_MEMORY;
     if (forest.parents && forest.odd && twisted && done && number)
         result = corners_weld(mesh, &welded);
-    if (welded)
-        at_places.indices = welded;
+    const uint32_t *corners = welded ? welded : mesh->indices;
     for (uint32_t t = 0; result == GP_OK && t < triangles; t++)
         forest.parents[t] = t;
     if (result == GP_OK)
-        result = edges_visit(&at_places, connect_edge,
-                             &(Connection){ at_places.indices, forest, twisted });
+        result =
+            edges_visit(mesh, corners, connect_edge, &(Connection){ corners, forest, twisted });
     gp_free(welded);
     if (result == GP_OK)
         result = orient_parts(mesh, &forest, twisted, number, done, turned);

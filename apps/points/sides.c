@@ -47,13 +47,10 @@ GpResult sides_find(const GpMesh *mesh, Sides *sides)
 {
     Sides found = { .mate =
                         gp_alloc_unset(3 * (size_t)mesh->triangle_count * sizeof(uint32_t) + 1) };
-    GpMesh at_places = *mesh;
     GpResult result = found.mate ? corners_weld(mesh, &found.welded) : GP_ERROR_MEMORY;
-    if (found.welded)
-        at_places.indices = found.welded;
-    found.corners = at_places.indices;
+    found.corners = found.welded ? found.welded : mesh->indices;
     if (result == GP_OK)
-        result = edges_visit(&at_places, pair_sides, found.mate);
+        result = edges_visit(mesh, found.corners, pair_sides, found.mate);
     if (result == GP_OK)
         *sides = found;
     else

@@ -29,12 +29,6 @@ GpResult sides_find(const GpMesh *mesh, Sides *sides);
 
 void sides_free(Sides *sides); /* zeroes; a zeroed one is fine */
 
-/* The corner at which a side ends; it begins at the corner of its own number. */
-static inline size_t side_end(size_t side)
-{
-    return side - side % 3 + (side % 3 + 1) % 3;
-}
-
 /* The cross product of two sides of a triangle: its normal, of twice the area's length. */
 void triangle_cross(const GpMesh *mesh, size_t triangle, double cross[3]);
 

@@ -30,10 +30,8 @@ void direct_close(Direct *made)
     for (int layer = 0; layer < DIRECT_LAYERS; layer++)
         for (int i = 0; i < DIRECT_STEPS; i++)
             warp_grid_free(&made->grids[layer][i]);
-    for (int i = 0; i < 4; i++) {
-        gp_surface_destroy(&made->colors[i / 2][i % 2]);
-        gp_surface_destroy(&made->normals[i / 2][i % 2]);
-    }
+    for (int i = 0; i < 4; i++)
+        depth_textures_close(&made->textures[i / 2][i % 2]);
     *made = (Direct){ .image = NULL };
 }
 
@@ -69,18 +67,15 @@ static GpResult keep_grid(Direct *made, DirectLayer layer, int step)
     return result;
 }
 
-static GpResult keep_textures(Direct *made, DirectLayer layer, bool is_lit, bool all_levels,
-                              GpError *error)
+/* kept: of the layer, of one level or of all */
+static GpResult keep_textures(const DepthPixels *pixels, bool is_lit, uint32_t levels,
+                              DepthTextures *kept, GpError *error)
 {
-    const DepthPixels *pixels = pixels_of(made, layer);
-    const uint32_t levels = all_levels ? GP_MAX_LEVELS : 1;
-    GpSurface **color = &made->colors[layer == DIRECT_BEHIND][all_levels];
-    GpSurface **normal = &made->normals[layer == DIRECT_BEHIND][all_levels];
     GpResult result = GP_OK;
-    if (!*color)
-        result = depth_color_texture(pixels, levels, color, error);
-    if (!result && is_lit && !*normal)
-        result = depth_normal_texture(pixels, pixels->normal, levels, normal, error);
+    if (!kept->color)
+        result = depth_color_texture(pixels, levels, &kept->color, error);
+    if (!result && is_lit && !kept->normal)
+        result = depth_normal_texture(pixels, pixels->normal, levels, &kept->normal, error);
     return result;
 }
 
@@ -199,18 +194,18 @@ static GpResult add_layer(Direct *made, const DirectSetting *setting, const Warp
     const bool is_behind = layer == DIRECT_BEHIND, is_far = footprint > 1,
                is_lit = view->light && pixels->normal;
     const uint32_t step = setting->step ? setting->step : footprint;
+    DepthTextures *textures = &made->textures[is_behind][is_far];
     WarpGrid grid;
     GpResult result = find_grid(made, setting, layer, step, frame, &grid);
     if (result)
         return gp_fail(error, result, "out of memory");
     if (!grid.index_count)
         return GP_OK;
-    result = keep_textures(made, layer, is_lit, is_far, error);
+    result = keep_textures(pixels, is_lit, is_far ? GP_MAX_LEVELS : 1, textures, error);
     if (result)
         return result;
     const DirectUniforms uniforms = find_uniforms(made->image, setting, step, view);
-    GpDraw *draw = draw_grid(&grid, made->colors[is_behind][is_far],
-                             is_lit ? made->normals[is_behind][is_far] : NULL, &uniforms,
+    GpDraw *draw = draw_grid(&grid, textures->color, is_lit ? textures->normal : NULL, &uniforms,
                              &setting->detail, is_far, frame);
     if (setting->one_sided || (is_behind && pixels->normal)) /* insides */
         draw->state.raster.cull = GP_CULL_CW;

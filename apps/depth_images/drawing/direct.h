@@ -39,10 +39,9 @@ typedef struct Direct {
     const DepthImage *image; /* borrowed */
     WarpGrid grids[DIRECT_LAYERS][DIRECT_STEPS];
     bool has_grid[DIRECT_LAYERS][DIRECT_STEPS];
-    GpSurface *colors[2][2]; /* of the front, of what is behind; one level, all levels */
-    GpSurface *normals[2][2];
-    double center[3], radius; /* of a ball about the image */
-    double pixel;             /* side of its pixels in the world, about */
+    DepthTextures textures[2][2]; /* of the front, of what is behind; of one level, of all */
+    double center[3], radius;     /* of a ball about the image */
+    double pixel;                 /* side of its pixels in the world, about */
 } Direct;
 
 /* errors GP_ERROR_INVALID: a cylinder */

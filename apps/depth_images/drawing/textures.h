@@ -16,13 +16,13 @@ GpResult depth_color_texture(const DepthPixels *pixels, uint32_t levels, GpSurfa
 GpResult depth_normal_texture(const DepthPixels *pixels, const float *normals, uint32_t levels,
                               GpSurface **surface, GpError *error);
 
-/* Both, of all levels. A zeroed one is empty. Owned by whoever made it, until depth_textures_close. */
+/* Both. A zeroed one is empty. Owned by whoever made it, until depth_textures_close. */
 typedef struct DepthTextures {
     GpSurface *color;
     GpSurface *normal; /* NULL: none */
 } DepthTextures;
 
-/* in   normals: [height][width][3], or NULL; errors as above */
+/* Of all levels. in: normals: [height][width][3], or NULL; errors as above */
 GpResult depth_textures_open(const DepthPixels *pixels, const float *normals,
                              DepthTextures *textures, GpError *error);
 void depth_textures_close(DepthTextures *textures);

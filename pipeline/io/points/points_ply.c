@@ -127,8 +127,7 @@ void gp_points_read_ply(GpInput *input, GpPointsBuilder *points)
     for (size_t i = 0; i < header.element_count; i++)
         if (header.element[i].kind == PLY_FACE)
             points->face_count = header.element[i].count;
-    if (points->face_count >
-        0) /* a million triangles would be walked over in half the time they are read in */
+    if (points->face_count > 0) /* a mesh, of which no more is asked */
         return;
     points->has_normals = header.has[PLY_NX];
     points->has_radii = header.has[PLY_RADIUS];
