@@ -451,7 +451,7 @@ bool fast_prepare_group(GpFast *fast, FastCursor *at, int lanes, FastGroup *grou
     while (end < at->list->pass_count && at->group_of[end] == number &&
            end - at->pass < MOST_PASSES)
         end++;
-    *group = (FastGroup){ .pass_count = 0 };
+    *group = (FastGroup){ .timed = fast->timed };
     fast_arena_reset(&fast->arena);
     fast->vertex_bytes = 0;
     group->passes = fast_arena_take(&fast->arena, (end - at->pass) * sizeof *group->passes);

@@ -99,7 +99,7 @@ static void start_workers(GpFast *fast, const FastStages *stages, bool timed)
 {
     for (int i = 0; i < gp_pool_threads(fast->pool) && fast->tiles[i]; i++) {
         if (fast->lanes == stages->lanes) {
-            stages->start_counting(fast->tiles[i], timed);
+            stages->start_counting(fast->tiles[i]);
         } else {
             gp_free(fast->tiles[i]);
             fast->tiles[i] = NULL;
@@ -125,7 +125,6 @@ static bool make_tile_memory(GpFast *fast, int workers, const FastStages *stages
         fast->tiles[i] = gp_alloc(1, stages->tile_bytes());
         if (!fast->tiles[i])
             return false;
-        stages->start_counting(fast->tiles[i], fast->timed);
     }
     return true;
 }

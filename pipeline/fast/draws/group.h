@@ -22,6 +22,7 @@ typedef struct FastGroup {
     uint32_t block_count, range_count;
     uint32_t repeated; /* draws whose fragments are kept: repeat.h */
     bool is_whole;     /* all that the group has is drawn now */
+    bool timed;        /* tiles look at the clock */
 } FastGroup;
 
 /* Gives slots to the targets of a pass that have none yet; false, with nothing changed, where there

@@ -26,8 +26,8 @@ typedef struct FastStages {
      * least the least. Borrowed. */
     size_t (*least_fragment_bytes)(void);
     void (*give_fragments)(FastTileMemory *tile, void *memory, size_t bytes);
-    /* What a worker counts, and times where it is asked for: from zero, and added up. */
-    void (*start_counting)(FastTileMemory *memory, bool timed);
+    /* What a worker counts, and times where it is asked for: from zero, as its memory is at first, and added up. */
+    void (*start_counting)(FastTileMemory *memory);
     void (*add_counts)(const FastTileMemory *memory, GpCounters *counters, GpPhases *phases);
 } FastStages;
 

@@ -18,8 +18,8 @@ typedef struct FastTileSlots {
     struct {
         bool held, written;
     } depth[FAST_DEPTH_SLOTS];
-    _Alignas(64) FastPlanes color_planes[FAST_COLOR_SLOTS];
     _Alignas(64) FastDepthPlanes depth_planes[FAST_DEPTH_SLOTS];
+    _Alignas(64) FastPlanes color_planes[FAST_COLOR_SLOTS];
 } FastTileSlots;
 
 /* Starts a tile with nothing in its slots; stores those that were written. */

@@ -254,24 +254,26 @@ static void clear_tile(const Tile *tile, const FastGroup *group)
             fast_clear_box(group->passes[p].pass, &box, true);
 }
 
-/* What one worker needs: the tile, and the memory of its stages. */
+/* What one worker needs: the tile, and the memory of its stages. What most draws use comes first: of four targets no more
+ * than a large page of it is touched, by the worker itself. */
 struct FastTileMemory {
     Tile tile;
-    FastTileSlots slots;
-    FastRecords records;
     FastShaderBlock block;
-    FastLaneRuns lane_runs;
-    FastSums sums;
     FastQueue queue;
     FastVisibility visibility;
     FastHierarchicalDepth hierarchical_depth;
     FastSortedTriangles sorted;
     FastFragments fragments;
     FastRepeated repeated;
+    FastRecords records;
+    FastTileSlots slots;
+    FastLaneRuns lane_runs;
+    FastSums sums;
 };
 
-static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t number)
+static void begin_tile(FastTileMemory *memory, const FastGroup *group, uint32_t number)
 {
+    const FastPass *pass = &group->passes[0];
     Tile *tile = &memory->tile;
     tile->x0 = pass->window.x0 + (int32_t)(number % pass->tiles_x) * FAST_TILE;
     tile->y0 = pass->window.y0 + (int32_t)(number / pass->tiles_x) * FAST_TILE;
@@ -289,6 +291,7 @@ static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t nu
     tile->sorted = &memory->sorted;
     tile->fragments = &memory->fragments;
     tile->repeated = &memory->repeated;
+    tile->timed = group->timed;
     if (tile->timed)
         tile->mark = fast_clock_ms();
     tile->phase = FAST_TRANSFER;
@@ -297,7 +300,7 @@ static void begin_tile(FastTileMemory *memory, const FastPass *pass, uint32_t nu
 static void draw_tile(const FastGroup *group, uint32_t number, FastTileMemory *memory)
 {
     Tile *tile = &memory->tile;
-    begin_tile(memory, &group->passes[0], number);
+    begin_tile(memory, group, number);
     bool touched = false;
     for (uint32_t p = 0; p < group->pass_count && !touched; p++)
         touched = is_touched(&group->passes[p], number);
@@ -333,11 +336,10 @@ static void give_fragments(FastTileMemory *memory, void *room, size_t bytes)
     memory->fragments.bytes = memory->repeated.bytes = bytes;
 }
 
-static void start_counting(FastTileMemory *memory, bool timed)
+static void start_counting(FastTileMemory *memory)
 {
     memory->fragments.sorted = memory->fragments.slices = 0;
     memory->tile.fragments_shaded = 0;
-    memory->tile.timed = timed;
     memset(memory->tile.times, 0, sizeof memory->tile.times);
 }
 
