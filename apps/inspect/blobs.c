@@ -6,19 +6,41 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A block on its way. */
+typedef struct Block {
+    Blobs *blobs;
+    uint32_t number;
+    size_t size;
+    unsigned char bytes[];
+} Block;
+
+static void pack_block(void *context)
+{
+    Block *block = context;
+    Blobs *blobs = block->blobs;
+    GpFile packed;
+    if (gp_pack(block->bytes, block->size, &packed, NULL)) {
+        blobs->unpacked = true;
+    } else {
+        text_add(&blobs->text, "<script type=\"application/octet-stream\" id=\"blob-%u\">",
+                 block->number);
+        page_add_base64(&blobs->text, (const unsigned char *)packed.data, packed.size);
+        text_add(&blobs->text, "</script>\n");
+        gp_file_free(&packed);
+    }
+    gp_free(block);
+}
+
 int blobs_add(Blobs *blobs, const void *bytes, size_t size)
 {
-    GpFile packed;
-    if (gp_pack(bytes, size, &packed, NULL)) {
+    Block *block = gp_alloc_unset(sizeof *block + size);
+    if (!block) {
         blobs->failed = true;
         return BLOB_NONE;
     }
-    text_add(&blobs->text, "<script type=\"application/octet-stream\" id=\"blob-%u\">",
-             blobs->count);
-    page_add_base64(&blobs->text, (const unsigned char *)packed.data, packed.size);
-    text_add(&blobs->text, "</script>\n");
-    gp_file_free(&packed);
-    blobs->failed = blobs->failed || blobs->text.failed;
+    *block = (Block){ .blobs = blobs, .number = blobs->count, .size = size };
+    memcpy(block->bytes, bytes, size);
+    errands_give(blobs->errands, pack_block, block);
     return (int)blobs->count++;
 }
 
@@ -36,16 +58,30 @@ int blobs_add_json(Blobs *blobs, json_t *value)
     return number;
 }
 
-void blobs_cut(Blobs *blobs, const Blobs *before)
+BlobsMark blobs_mark(Blobs *blobs)
 {
-    blobs->text.length = before->text.length;
-    blobs->count = before->count;
+    errands_wait(blobs->errands);
+    return (BlobsMark){ blobs->count, blobs->text.length };
+}
+
+void blobs_cut(Blobs *blobs, BlobsMark mark)
+{
+    errands_wait(blobs->errands);
+    blobs->text.length = mark.length;
+    blobs->count = mark.count;
     if (blobs->text.data)
-        blobs->text.data[blobs->text.length] = 0;
+        blobs->text.data[mark.length] = 0;
+}
+
+const char *blobs_text(Blobs *blobs)
+{
+    errands_wait(blobs->errands);
+    return blobs->failed || blobs->unpacked || blobs->text.failed ? NULL : blobs->text.data;
 }
 
 void blobs_free(Blobs *blobs)
 {
+    errands_wait(blobs->errands);
     text_free(&blobs->text);
     *blobs = (Blobs){ .count = 0 };
 }

@@ -116,18 +116,50 @@ static FragmentVerdict failed_by(const GpTraceTest *test)
     }
 }
 
-static int by_pixel(const void *one, const void *other)
+static int by_sequence(const void *one, const void *other)
 {
     const Fragment *a = one, *b = other;
-    if (a->pixel != b->pixel)
-        return a->pixel < b->pixel ? -1 : 1;
     return a->sequence < b->sequence ? -1 : a->sequence > b->sequence;
 }
 
+/* Counts them out to their pixels. end: [pixels] zeros; as it returns, where each pixel's end. */
+static void count_out(const Fragments *fragments, uint32_t *end, Fragment *sorted)
+{
+    uint32_t before = 0;
+    for (size_t i = 0; i < fragments->count; i++)
+        end[fragments->all[i].pixel]++;
+    for (size_t p = 0; p < (size_t)fragments->width * fragments->height; p++) {
+        const uint32_t count = end[p];
+        end[p] = before;
+        before += count;
+    }
+    for (size_t i = 0; i < fragments->count; i++)
+        sorted[end[fragments->all[i].pixel]++] = fragments->all[i];
+}
+
+/* By pixel, those of a pixel by sequence, as which they mostly come. */
 static void sort(Fragments *fragments)
 {
-    if (fragments->count)
-        qsort(fragments->all, fragments->count, sizeof *fragments->all, by_pixel);
+    const size_t pixels = (size_t)fragments->width * fragments->height;
+    uint32_t *end = gp_alloc(pixels, sizeof *end);
+    Fragment *sorted = malloc((fragments->count + 1) * sizeof *sorted);
+    if (!end || !sorted) {
+        fragments->failed = true;
+        gp_free(end);
+        free(sorted);
+        return;
+    }
+    count_out(fragments, end, sorted);
+    for (size_t p = 0, first = 0; p < pixels; first = end[p++])
+        for (size_t i = first + 1; i < end[p]; i++)
+            if (by_sequence(&sorted[i - 1], &sorted[i]) > 0) {
+                qsort(sorted + first, end[p] - first, sizeof *sorted, by_sequence);
+                break;
+            }
+    gp_free(end);
+    free(fragments->all);
+    fragments->all = sorted;
+    fragments->room = fragments->count + 1;
 }
 
 static uint8_t lod_code(float lod)

@@ -159,7 +159,7 @@ static void add_modules(Text *page)
     text_add(page, "\n}}</script>\n");
 }
 
-static void add_page(Text *page, const Inspect *inspect, const Blobs *blobs, const int frame[2],
+static void add_page(Text *page, const Inspect *inspect, const char *blobs, const int frame[2],
                      int lesson, const json_t *timings)
 {
     const char *title = inspect->lesson ? inspect->lesson->title : inspect->title;
@@ -171,7 +171,7 @@ static void add_page(Text *page, const Inspect *inspect, const Blobs *blobs, con
     add_modules(page);
     text_add(page, "</head>\n");
     add_files(page, ".html");
-    text_add(page, "%s", blobs->text.data);
+    text_add(page, "%s", blobs);
     if (timings) {
         char *text = json_dumps(timings, JSON_COMPACT);
         text_add(page,
@@ -220,14 +220,14 @@ static void tell_histories(Record *record, Blobs *blobs)
 static GpResult fit_histories(Record *record, Blobs *blobs, size_t most, GpError *error)
 {
     enum { TURNS = 3 };
-    const Blobs before = *blobs;
+    const BlobsMark before = blobs_mark(blobs);
     GpResult result = GP_OK;
     for (int turn = 0; !result; turn++) {
         tell_histories(record, blobs);
-        const size_t now = blobs->text.length, length = before.text.length;
+        const size_t now = blobs_mark(blobs).length, length = before.length;
         if (turn == TURNS || now <= most || length >= most)
             break;
-        blobs_cut(blobs, &before);
+        blobs_cut(blobs, before);
         const double fits = 0.9 * (double)(most - length) / (double)(now - length);
         result = record_fewer(record, record->share * fits, error);
     }
@@ -239,7 +239,7 @@ static GpResult add_frame(const Inspect *inspect, size_t most, Blobs *blobs, int
                           int *lesson, json_t **timings, GpError *error)
 {
     Record record;
-    const size_t before = blobs->text.length;
+    const size_t before = blobs_mark(blobs).length;
     GpResult result = record_frame(inspect, blobs, &record, error);
     if (!result) {
         tell_fragments(&record, blobs);
@@ -249,6 +249,7 @@ static GpResult add_frame(const Inspect *inspect, size_t most, Blobs *blobs, int
         result = run_fast(&record, timings, error);
     if (!result)
         result = add_lesson(&record, blobs, lesson, error);
+    errands_wait(blobs->errands); /* the stops' ranges */
     if (!result)
         *frame = blobs_add_json(blobs, tell_frame(&record, blobs));
     record_free(&record);
@@ -257,7 +258,8 @@ static GpResult add_frame(const Inspect *inspect, size_t most, Blobs *blobs, int
 
 GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page, GpError *error)
 {
-    Blobs blobs = { .count = 0 };
+    Errands *errands = inspect->threads == 1 ? NULL : errands_begin();
+    Blobs blobs = { .errands = errands };
     json_t *timings = NULL, *of_other = NULL;
     int frame[2] = { BLOB_NONE, BLOB_NONE }, lesson = BLOB_NONE;
     const size_t most = against ? MOST_BYTES / 2 : MOST_BYTES;
@@ -267,14 +269,16 @@ GpResult inspect_page(const Inspect *inspect, const Inspect *against, Text *page
     GpResult result = add_frame(inspect, most, &blobs, &frame[0], &lesson, &timings, error);
     if (!result && against)
         result = add_frame(&other, most, &blobs, &frame[1], &lesson, &of_other, error);
-    if (!result && !blobs.failed)
-        add_page(page, inspect, &blobs, frame, lesson, timings);
-    if (!result && (blobs.failed || page->failed))
+    const char *text = blobs_text(&blobs);
+    if (!result && text)
+        add_page(page, inspect, text, frame, lesson, timings);
+    if (!result && (!text || page->failed))
         result = gp_fail(error, GP_ERROR_MEMORY, "no memory for the page");
     if (result)
         text_free(page);
     json_decref(timings);
     json_decref(of_other);
     blobs_free(&blobs);
+    errands_end(&errands);
     return result;
 }

@@ -88,6 +88,35 @@ static void difference(TargetState *state)
         }
 }
 
+/* A target's texels whose ranges are found later. */
+typedef struct RangesErrand {
+    json_t *told;
+    const GpSurface *surface;
+    uint8_t texels[];
+} RangesErrand;
+
+static void tell_ranges(void *context)
+{
+    RangesErrand *errand = context;
+    json_object_set_new(errand->told, "ranges", ranges_tell(errand->surface, errand->texels));
+    json_decref(errand->told);
+    gp_free(errand);
+}
+
+/* Adds ranges_tell of the target as it is now. */
+static void add_ranges(json_t *told, const TargetState *state, Blobs *blobs)
+{
+    const size_t bytes = bytes_of(state->surface);
+    RangesErrand *errand = gp_alloc_unset(sizeof *errand + bytes);
+    if (!errand) {
+        blobs->failed = true;
+        return;
+    }
+    *errand = (RangesErrand){ json_incref(told), state->surface };
+    memcpy(errand->texels, state->now, bytes);
+    errands_give(blobs->errands, tell_ranges, errand);
+}
+
 static json_t *changed(TargetState *state, int number, Blobs *blobs)
 {
     const size_t bytes = bytes_of(state->surface);
@@ -96,9 +125,10 @@ static json_t *changed(TargetState *state, int number, Blobs *blobs)
         return NULL;
     difference(state);
     memcpy(state->before, state->now, bytes);
-    return json_pack("{s:i, s:i, s:o}", "surface", number, "blob",
-                     blobs_add(blobs, state->planes, bytes), "ranges",
-                     ranges_tell(state->surface, state->now));
+    json_t *told =
+        json_pack("{s:i, s:i}", "surface", number, "blob", blobs_add(blobs, state->planes, bytes));
+    add_ranges(told, state, blobs);
+    return told;
 }
 
 json_t *targets_changed(Targets *targets, const GpPass *pass, Blobs *blobs)

@@ -31,8 +31,8 @@ void targets_free(Targets *targets);
 /* The number of a surface among them, or -1. */
 int targets_number(const Targets *targets, const GpSurface *surface);
 
-/* [{"surface": 0, "blob": 3, "ranges": ranges_tell}, ...] of the surfaces of a pass that have changed since they were last
- * asked for. The caller owns it. */
+/* [{"surface": 0, "blob": 3, "ranges": ranges_tell}, ...] of the surfaces of a pass that have changed since they were
+ * last asked for. The ranges are there once the errands of the blobs are done. The caller owns it. */
 json_t *targets_changed(Targets *targets, const GpPass *pass, Blobs *blobs);
 
 /* [{"name", "format", "width", "height", "bytes" (of a texel), "depth", "initial", "ranges"}, ...] of

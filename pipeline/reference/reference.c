@@ -131,11 +131,14 @@ static void finish_quad(GpReferenceDraw *d, GpQuad *quad)
 static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
 {
     const GpViewport *viewport = &d->viewport;
+    const bool tells_all = gp_trace_sends(d, GP_TRACE_INTERPOLATE);
     GpRasterWalk walk = gp_raster_triangle(triangle);
     GpQuad quad;
     bool drawn = false;
     while (gp_raster_next(&walk, &quad)) {
         drawn = true;
+        if (gp_trace_skips(d, &quad))
+            continue;
         count_pixels(&d->reference->counters->fragments, quad.mask);
         gp_trace_raster(d, &quad);
         gp_trace_vertex_steps(d, &quad);
@@ -149,8 +152,8 @@ static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
             continue;
         if (d->needs.depth || d->reference->trace)
             gp_interpolate_depth(triangle, viewport->min_depth, viewport->max_depth, &quad);
-        gp_interpolate_varyings(triangle, &d->modes,
-                                d->reference->trace ? ~(uint64_t)0 : d->needs.varyings, &quad);
+        gp_interpolate_varyings(triangle, &d->modes, tells_all ? ~(uint64_t)0 : d->needs.varyings,
+                                &quad);
         gp_trace_interpolate(d, &quad);
         finish_quad(d, &quad);
     }
@@ -214,6 +217,8 @@ static void draw_point(GpReferenceDraw *d)
     memset(quad.edge, 0, sizeof quad.edge); /* a sprite has neither, but traces show them */
     memset(quad.barycentric, 0, sizeof quad.barycentric);
     while (gp_raster_next(&walk, &quad)) {
+        if (gp_trace_skips(d, &quad))
+            continue;
         count_pixels(&d->reference->counters->fragments, quad.mask);
         gp_trace_raster(d, &quad);
         gp_trace_vertex_steps(d, &quad);

@@ -44,6 +44,12 @@ typedef struct GpReferenceDraw {
     bool untold;                /* steps of a shader, for want of memory */
 } GpReferenceDraw;
 
+/* Whether events of a kind are sent of the draw (GpTrace.without). */
+bool gp_trace_sends(const GpReferenceDraw *d, GpTraceKind kind);
+
+/* Whether a quad is not drawn, since none of its pixels is wanted (GpTrace.only_wanted). */
+bool gp_trace_skips(const GpReferenceDraw *d, const GpQuad *quad);
+
 /* One call a unit; each looks at the filter by itself. Where one pixel is watched, the events of
  * vertices, clipping and set-up wait until a quad of the primitive covers it, and then come first. */
 void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number);

@@ -29,6 +29,15 @@ bool gp_trace_wants(const GpReferenceDraw *d, int32_t x, int32_t y)
     return wants_draw(d) && wants_pixel(d, x, y);
 }
 
+bool gp_trace_skips(const GpReferenceDraw *d, const GpQuad *quad)
+{
+    const GpTrace *trace = d->reference->trace;
+    bool wanted = !trace || !trace->only_wanted;
+    for (int pixel = 0; pixel < 4 && !wanted; pixel++)
+        wanted = wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2);
+    return !wanted;
+}
+
 static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)
 {
     return (GpTraceEvent){
@@ -49,10 +58,17 @@ static void send(const GpReferenceDraw *d, const GpTraceEvent *event)
     d->reference->trace->event(d->reference->trace->user, event);
 }
 
-/* Next pixel of a quad, from `pixel` on, that is in the mask and wanted; 4 at the end. */
-static int next_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask, int pixel)
+bool gp_trace_sends(const GpReferenceDraw *d, GpTraceKind kind)
 {
-    if (!wants_draw(d))
+    return wants_draw(d) && !(d->reference->trace->without >> kind & 1);
+}
+
+/* Next pixel of a quad, from `pixel` on, that is in the mask and whose events of the kind are wanted; 4 at
+ * the end. */
+static int next_pixel(const GpReferenceDraw *d, GpTraceKind kind, const GpQuad *quad, unsigned mask,
+                      int pixel)
+{
+    if (!gp_trace_sends(d, kind))
         return 4;
     while (pixel < 4 &&
            !((mask >> pixel & 1) && wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2)))
@@ -84,7 +100,8 @@ static bool clears_pixel(const GpPass *pass, int32_t x, int32_t y)
 void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t pass_number)
 {
     const GpTrace *trace = reference->trace;
-    if (!trace || (trace->one_pass && trace->pass != pass_number))
+    if (!trace || (trace->one_pass && trace->pass != pass_number) ||
+        trace->without >> GP_TRACE_CLEAR & 1)
         return;
     bool cleared = pass->depth.clear_depth || pass->depth.clear_stencil;
     for (int i = 0; i < GP_MAX_TARGETS; i++)
@@ -105,6 +122,8 @@ void gp_trace_clear(const GpReference *reference, const GpPass *pass, uint32_t p
 static void send_vertices(const GpReferenceDraw *d)
 {
     const GpDraw *draw = d->draw;
+    if (!gp_trace_sends(d, GP_TRACE_VERTEX))
+        return;
     for (uint32_t i = 0; i < gp_primitive_corners(draw->geometry.primitive); i++) {
         float inputs[GP_MAX_INPUTS];
         uint32_t number = d->corner_numbers[i];
@@ -123,7 +142,7 @@ static void send_vertices(const GpReferenceDraw *d)
 
 static void send_clip(const GpReferenceDraw *d)
 {
-    if (!d->polygon)
+    if (!d->polygon || !gp_trace_sends(d, GP_TRACE_CLIP))
         return;
     GpTraceEvent event = new_event(d, GP_TRACE_CLIP);
     for (int i = 0; i < 3; i++)
@@ -163,7 +182,7 @@ static void send_setup(const GpReferenceDraw *d)
                                            [GP_SETUP_ZERO_AREA] = "zero area",
                                            [GP_SETUP_CULLED] = "facing",
                                            [GP_SETUP_OUTSIDE] = "no pixel centre inside" };
-    if (!d->corner)
+    if (!d->corner || !gp_trace_sends(d, GP_TRACE_SETUP))
         return;
     GpTraceEvent event = new_event(d, GP_TRACE_SETUP);
     event.setup.part = d->part;
@@ -209,8 +228,8 @@ void gp_trace_setup(const GpReferenceDraw *d)
 
 void gp_trace_raster(const GpReferenceDraw *d, const GpQuad *quad)
 {
-    for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
-         i = next_pixel(d, quad, quad->mask, i + 1)) {
+    for (int i = next_pixel(d, GP_TRACE_RASTER, quad, quad->mask, 0); i < 4;
+         i = next_pixel(d, GP_TRACE_RASTER, quad, quad->mask, i + 1)) {
         if (d->reference->trace->one_pixel)
             send_primitive(d);
         GpTraceEvent event = pixel_event(d, GP_TRACE_RASTER, quad, i);
@@ -238,10 +257,10 @@ static void interpolate_both(const GpReferenceDraw *d, const GpQuad *quad, BothW
 void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad)
 {
     BothWays both;
-    int i = next_pixel(d, quad, quad->mask, 0);
+    int i = next_pixel(d, GP_TRACE_INTERPOLATE, quad, quad->mask, 0);
     if (i < 4)
         interpolate_both(d, quad, &both);
-    for (; i < 4; i = next_pixel(d, quad, quad->mask, i + 1)) {
+    for (; i < 4; i = next_pixel(d, GP_TRACE_INTERPOLATE, quad, quad->mask, i + 1)) {
         float varyings[GP_MAX_VARYINGS], screen[GP_MAX_VARYINGS];
         GpTraceEvent event = pixel_event(d, GP_TRACE_INTERPOLATE, quad, i);
         for (int c = 0; c < d->modes.components; c++) {
@@ -266,8 +285,8 @@ void gp_trace_interpolate(const GpReferenceDraw *d, const GpQuad *quad)
 void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
                       const GpSampleReport reports[4])
 {
-    for (int i = next_pixel(d, d->quad, d->quad->mask, 0); i < 4;
-         i = next_pixel(d, d->quad, d->quad->mask, i + 1)) {
+    for (int i = next_pixel(d, GP_TRACE_TEXTURE, d->quad, d->quad->mask, 0); i < 4;
+         i = next_pixel(d, GP_TRACE_TEXTURE, d->quad, d->quad->mask, i + 1)) {
         GpTraceEvent event = pixel_event(d, GP_TRACE_TEXTURE, d->quad, i);
         event.texture.slot = read->slot;
         event.texture.surface = d->draw->textures[read->slot].surface;
@@ -282,7 +301,8 @@ void gp_trace_texture(const GpReferenceDraw *d, const GpTextureRead *read,
 
 void gp_trace_pixel(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask)
 {
-    for (int i = next_pixel(d, quad, mask, 0); i < 4; i = next_pixel(d, quad, mask, i + 1)) {
+    for (int i = next_pixel(d, GP_TRACE_PIXEL, quad, mask, 0); i < 4;
+         i = next_pixel(d, GP_TRACE_PIXEL, quad, mask, i + 1)) {
         GpTraceEvent event = pixel_event(d, GP_TRACE_PIXEL, quad, i);
         event.pixel.targets = gp_program_targets(d->draw->program);
         for (int t = 0; t < event.pixel.targets; t++)
@@ -307,8 +327,8 @@ static GpTraceEvent test_event(const GpReferenceDraw *d, const GpQuad *quad, int
 void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *unit,
                    unsigned mask_before)
 {
-    for (int i = next_pixel(d, quad, mask_before, 0); i < 4;
-         i = next_pixel(d, quad, mask_before, i + 1)) {
+    for (int i = next_pixel(d, GP_TRACE_TEST, quad, mask_before, 0); i < 4;
+         i = next_pixel(d, GP_TRACE_TEST, quad, mask_before, i + 1)) {
         GpTraceEvent event = test_event(d, quad, i, unit, quad->mask >> i & 1);
         if (strcmp(unit, "alpha test") == 0) {
             const GpAlphaTest *alpha = &d->draw->state.alpha_test;
@@ -323,7 +343,7 @@ void gp_trace_test(const GpReferenceDraw *d, const GpQuad *quad, const char *uni
 void gp_trace_sort(const GpReferenceDraw *d, const GpQuad *quad, uint32_t key, uint32_t place,
                    uint32_t count)
 {
-    const int pixel = next_pixel(d, quad, quad->mask, 0);
+    const int pixel = next_pixel(d, GP_TRACE_SORT, quad, quad->mask, 0);
     if (pixel == 4)
         return;
     GpTraceEvent event = pixel_event(d, GP_TRACE_SORT, quad, pixel);
@@ -334,8 +354,8 @@ void gp_trace_sort(const GpReferenceDraw *d, const GpQuad *quad, uint32_t key, u
 void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsigned mask_before)
 {
     const GpStencilState *stencil = &d->draw->state.stencil;
-    for (int i = next_pixel(d, quad, mask_before, 0); i < 4;
-         i = next_pixel(d, quad, mask_before, i + 1)) {
+    for (int i = next_pixel(d, GP_TRACE_TEST, quad, mask_before, 0); i < 4;
+         i = next_pixel(d, GP_TRACE_TEST, quad, mask_before, i + 1)) {
         bool stencil_passed = quad->stencil_passed >> i & 1;
         if (d->needs.stencil) {
             const GpStencilFace *face =
@@ -368,8 +388,8 @@ void gp_trace_depth_stencil(const GpReferenceDraw *d, const GpQuad *quad, unsign
 void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, float source[4][4])
 {
     const GpSurface *surface = d->pass->color[target].surface;
-    for (int i = next_pixel(d, quad, quad->mask, 0); i < 4;
-         i = next_pixel(d, quad, quad->mask, i + 1)) {
+    for (int i = next_pixel(d, GP_TRACE_OUTPUT, quad, quad->mask, 0); i < 4;
+         i = next_pixel(d, GP_TRACE_OUTPUT, quad, quad->mask, i + 1)) {
         GpTraceEvent event = pixel_event(d, GP_TRACE_OUTPUT, quad, i);
         event.output.target = target;
         event.output.surface = surface;
@@ -392,6 +412,8 @@ void gp_trace_output(const GpReferenceDraw *d, const GpQuad *quad, int target, f
 void gp_trace_send_missed(const GpReferenceDraw *d, int32_t x, int32_t y,
                           const GpTraceMissed *missed)
 {
+    if (!gp_trace_sends(d, GP_TRACE_MISSED))
+        return;
     GpTraceEvent event = new_event(d, GP_TRACE_MISSED);
     event.x = x;
     event.y = y;
@@ -403,6 +425,8 @@ void gp_trace_send_missed(const GpReferenceDraw *d, int32_t x, int32_t y,
 
 void gp_trace_send_steps(const GpReferenceDraw *d, int32_t x, int32_t y, const GpTraceSteps *steps)
 {
+    if (!gp_trace_sends(d, GP_TRACE_STEPS))
+        return;
     GpTraceEvent event = new_event(d, GP_TRACE_STEPS);
     event.x = x;
     event.y = y;

@@ -180,6 +180,133 @@ static void watching_changes_no_bit(void **state)
     gp_free(random);
 }
 
+/* Events of each kind; those of wanted pixels mixed in their order. */
+typedef struct Heard {
+    int count[GP_TRACE_KINDS];
+    uint64_t mix;
+} Heard;
+
+static bool is_chosen(void *user, int32_t x, int32_t y)
+{
+    (void)user;
+    return (x * 31 + y * 17) % 23 == 0;
+}
+
+static void mix(Heard *heard, const void *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        heard->mix = (heard->mix ^ ((const uint8_t *)bytes)[i]) * 0x100000001b3;
+}
+
+static void hear(void *user, const GpTraceEvent *event)
+{
+    Heard *heard = user;
+    heard->count[event->kind]++;
+    if (event->x < 0)
+        return;
+    mix(heard, &event->kind, sizeof event->kind);
+    mix(heard, &event->x, sizeof event->x);
+    mix(heard, &event->y, sizeof event->y);
+    mix(heard, &event->draw, sizeof event->draw);
+    mix(heard, &event->primitive, sizeof event->primitive);
+    if (event->kind == GP_TRACE_OUTPUT)
+        mix(heard, event->output.result, sizeof event->output.result);
+    if (event->kind == GP_TRACE_INTERPOLATE)
+        mix(heard, event->interpolate.varyings,
+            (size_t)event->interpolate.components * sizeof(float));
+}
+
+static void run_pass(const RandomList *random, uint32_t pass, const GpTrace *trace)
+{
+    const GpList list = { (GpPass *)&random->passes[pass], 1 };
+    GpError error = { "" };
+    if (run(&list, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE, .trace = *trace }, &error))
+        fail_msg("pass %u: %s", pass, error.text);
+}
+
+/* What one list has drawn becomes what the other has; of chosen pixels it must be there already.
+ * returns how many texels were compared */
+static int compare_and_copy(const RandomList *from, const RandomList *to)
+{
+    int compared = 0;
+    for (int s = 0; s < from->surface_count; s++) {
+        const GpLevel *all = &from->surfaces[s]->level[0], *some = &to->surfaces[s]->level[0];
+        const size_t bytes = gp_format_info(from->surfaces[s]->format)->bytes;
+        for (uint32_t y = 0; y < all->height; y++) {
+            const uint8_t *row = all->texels + y * all->pitch;
+            for (uint32_t x = 0; x < all->width; x++)
+                if (is_chosen(NULL, (int32_t)x, (int32_t)y)) {
+                    assert_memory_equal(row + x * bytes, some->texels + y * some->pitch + x * bytes,
+                                        bytes);
+                    compared++;
+                }
+            memcpy(some->texels + y * some->pitch, row, all->width * bytes);
+        }
+    }
+    return compared;
+}
+
+/* Of random lists, pass by pass. */
+static void wanted_pixels_alone_are_drawn_and_told_of_as_among_all(void **state)
+{
+    (void)state;
+    RandomList *all = calloc(1, sizeof *all), *some = calloc(1, sizeof *some);
+    assert_true(all && some);
+    uint64_t events = 0;
+    int texels = 0;
+    for (uint64_t seed = 1; seed <= 60; seed++) {
+        assert_true(random_list_create(seed, 48, all) && random_list_create(seed, 48, some));
+        for (uint32_t p = 0; p < all->list.pass_count; p++) {
+            Heard of_all = { .mix = 1 }, of_some = { .mix = 1 };
+            GpTrace trace = {
+                .event = hear, .user = &of_all, .wants = is_chosen, .missed = true, .steps = true
+            };
+            run_pass(all, p, &trace);
+            trace.user = &of_some;
+            trace.only_wanted = true;
+            run_pass(some, p, &trace);
+            assert_memory_equal(of_all.count, of_some.count, sizeof of_all.count);
+            assert_true(of_all.mix == of_some.mix);
+            texels += compare_and_copy(all, some);
+            events += (uint64_t)of_some.count[GP_TRACE_OUTPUT];
+        }
+        random_list_destroy(all);
+        random_list_destroy(some);
+    }
+    free(all);
+    free(some);
+    assert_true(events > 1000 && texels > 10000);
+}
+
+static void kinds_that_are_left_out_change_no_other(void **state)
+{
+    (void)state;
+    RandomList *random = calloc(1, sizeof *random);
+    assert_non_null(random);
+    for (uint64_t seed = 1; seed <= 3 * GP_TRACE_KINDS; seed++) {
+        const uint32_t kind = seed % GP_TRACE_KINDS;
+        Heard heard[2] = { { .mix = 1 }, { .mix = 1 } };
+        uint64_t hash[2];
+        for (int turn = 0; turn < 2; turn++) {
+            assert_true(random_list_create(seed, 48, random));
+            const GpTrace trace = { .event = hear,
+                                    .user = &heard[turn],
+                                    .missed = true,
+                                    .steps = true,
+                                    .without = turn ? 1u << kind : 0 };
+            for (uint32_t p = 0; p < random->list.pass_count; p++)
+                run_pass(random, p, &trace);
+            hash[turn] = random_list_hash(random);
+            random_list_destroy(random);
+        }
+        assert_true(hash[0] == hash[1]);
+        assert_int_equal(heard[1].count[kind], 0);
+        heard[0].count[kind] = 0;
+        assert_memory_equal(heard[0].count, heard[1].count, sizeof heard[0].count);
+    }
+    free(random);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -187,6 +314,8 @@ int main(void)
         cmocka_unit_test(a_trace_tells_of_one_pass_draw_or_primitive_alone),
         cmocka_unit_test(traced_shares_are_those_of_the_vertices_in_their_order),
         cmocka_unit_test(watching_changes_no_bit),
+        cmocka_unit_test(wanted_pixels_alone_are_drawn_and_told_of_as_among_all),
+        cmocka_unit_test(kinds_that_are_left_out_change_no_other),
     };
     return cmocka_run_group_tests_name("trace", tests, NULL, NULL);
 }
