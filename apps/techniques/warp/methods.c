@@ -133,9 +133,10 @@ void warp_methods_warn(const WarpModel *model, const WarpOptions *options, const
 {
     const WarpMethod method = warp_method_of(model, options);
     const WarpRow *row = rows[method];
+    if (!row || !row->warning)
+        return;
     for (const WarpImages *images = model->images; images; images = images->next)
-        for (uint32_t i = 0; row->warning && has_made(images, method) && i < images->model.count;
-             i++) {
+        for (uint32_t i = 0; has_made(images, method) && i < images->model.count; i++) {
             const DepthImage *image = &images->model.images[i];
             const bool is_part = images->model.count > 1 && !image->is_cylinder;
             const char *warning = is_part ? NULL : row->warning(image, view);

@@ -63,11 +63,30 @@ GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, 
     return result;
 }
 
+/* What the technique says of a picture; of others that were drawn before nothing may be left in its way. */
+static GpResult tell(const TechniqueStage *stage, const char *options, const Frame *frame,
+                     GpError *error)
+{
+    const Technique *technique = stage->technique;
+    TechniqueReport report = { .members = json_object() };
+    void *setting;
+    GpResult result = technique_setting(technique, options, &setting, error);
+    if (!result && technique->report)
+        result = technique->report(stage->scene, setting, frame, stage->device, &report, error);
+    if (!result)
+        gp_free(setting);
+    text_free(&report.lines);
+    text_free(&report.warnings);
+    json_decref(report.members);
+    return result;
+}
+
 uint64_t technique_stage_hash(const TechniqueStage *stage, const char *options)
 {
     GpError error = { "" };
     Frame frame;
-    if (technique_stage_draw(stage, options, &frame, &error))
+    if (technique_stage_draw(stage, options, &frame, &error) ||
+        tell(stage, options, &frame, &error))
         fail_msg("%s: %s", options, error.text);
     const uint64_t hash = hash_targets(&frame.list);
     frame_free(&frame);

@@ -41,8 +41,8 @@ void technique_stage_close(TechniqueStage *stage); /* a zeroed one is fine */
 GpResult technique_stage_draw(const TechniqueStage *stage, const char *options, Frame *frame,
                               GpError *error);
 
-/* Draws, and hashes all targets of the frame, those of passes before the picture's too.
- * errors fails the running test where it cannot be drawn */
+/* Draws, has the technique say what there is to say, and hashes all targets of the frame, those of passes before the
+ * picture's too. errors fails the running test where it cannot be drawn, or told of */
 uint64_t technique_stage_hash(const TechniqueStage *stage, const char *options);
 
 /* Draws and measures. */
