@@ -6,7 +6,7 @@
 #include "pipeline/base/fpcontrol.h"
 #include "pipeline/list/isa.h"
 #include "pipeline/list/list_check.h"
-#include "pipeline/reference/reference.h"
+#include "pipeline/watched.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -51,8 +51,11 @@ GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *
     if (desc->threads < 0 || desc->threads > MAX_THREADS)
         return gp_fail(error, GP_ERROR_INVALID, "threads: %d, expected 0 to %d", desc->threads,
                        MAX_THREADS);
-    if (desc->trace.event && desc->executor != GP_EXECUTOR_REFERENCE)
-        return gp_fail(error, GP_ERROR_INVALID, "trace: only the reference executor has one");
+    const bool is_fast = desc->executor == GP_EXECUTOR_FAST;
+    if (desc->trace.event && desc->trace.only_wanted != is_fast)
+        return gp_fail(error, GP_ERROR_INVALID,
+                       is_fast ? "trace: only the reference executor has one of everything"
+                               : "trace: only_wanted is for the fast executor");
     const char *isa = desc->isa;
     if (gp_isa_lanes(isa) == 0 && getenv("GP_ISA"))
         isa = getenv("GP_ISA");
@@ -134,16 +137,23 @@ GpResult gp_device_run(GpDevice *device, const GpList *list, GpError *error)
     if (result)
         return result;
 
+    const GpProgram *missing;
+    const bool is_narrow = !device->forced_lanes && gp_isa_serves(list, 4, &missing);
     GpReference reference = {
-        .lanes = lanes,
+        .lanes = is_narrow ? 4 : lanes,
         .trace = device->desc.trace.event ? &device->desc.trace : NULL,
         .counters = &device->counters,
     };
     GpFpControl control = gp_fp_enter();
     device->phases = (GpPhases){ .prepare = fast_clock_lap(&mark) };
-    result = device->fast ? gp_fast_run(device->fast, list, lanes, device->desc.timed,
-                                        &device->counters, &device->phases, error)
-                          : gp_reference_run(&reference, list, error);
+    if (!device->fast)
+        result = gp_reference_run(&reference, list, error);
+    else if (reference.trace)
+        result = gp_watched_run(&reference, device->fast, list, lanes, device->desc.timed,
+                                &device->counters, &device->phases, error);
+    else
+        result = gp_fast_run(device->fast, list, lanes, device->desc.timed, &device->counters,
+                             &device->phases, error);
     gp_fp_leave(control);
     return result;
 }

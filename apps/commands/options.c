@@ -51,9 +51,11 @@ int options_device(const Options *options, const GpTrace *trace, GpDevice **devi
         .isa = options->isa,
         .timed = options->timed,
     };
-    if (trace) { /* only one of the two can be watched */
-        desc.executor = GP_EXECUTOR_REFERENCE;
+    if (trace) {
         desc.trace = *trace;
+        if (!trace->only_wanted)
+            desc.executor = GP_EXECUTOR_REFERENCE;
+        desc.trace.only_wanted = desc.executor == GP_EXECUTOR_FAST;
     }
 
     GpError error = { "" };

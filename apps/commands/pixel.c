@@ -145,6 +145,7 @@ static int follow(const Pixel *pixel, const Scene *scene)
                     .height = scene->picture->height,
                     .text = pixel->options.json ? NULL : &text };
     GpTrace trace = { .one_pixel = true,
+                      .only_wanted = true,
                       .missed = true,
                       .steps = pixel->steps,
                       .x = (int32_t)pixel->x,

@@ -44,42 +44,23 @@ static bool wants_steps(void *user)
     return histories_want_steps(&record->passes[record->walk.now->pass].histories);
 }
 
-static void after_stop(void *user, const WalkStop *stop)
+static GpResult after_stop(void *user, const WalkStop *stop, uint32_t number, uint32_t total,
+                           GpError *error)
 {
     Record *record = user;
+    (void)number, (void)total, (void)error;
     record->done++;
     progress(record, record->wholly ? "pixels' histories" : "draws");
     if (record->wholly)
-        return;
-    tally_end(&record->tally, record->device);
+        return GP_OK;
+    tally_end(&record->tally, record->walk.device);
     json_array_append_new(
         record->passes[stop->pass].stops,
         json_pack("{s:I, s:I, s:o, s:o}", "first", (json_int_t)stop->first, "count",
                   (json_int_t)stop->count, "counters", tally_tell(&record->tally), "targets",
                   targets_changed(&record->targets, pass_now(record), record->blobs)));
-    tally_begin(&record->tally, record->device);
-}
-
-static GpResult draw_all(void *user, const GpList *draws, GpError *error)
-{
-    const Record *record = user;
-    return gp_device_run(record->device, draws, error);
-}
-
-/* The reference executor draws the chosen pixels, for their events; then the fast one draws everything, from what these
- * held before: frames of many pixels take a third of the time that the reference executor takes of all. */
-static GpResult draw_chosen(void *user, const GpList *draws, GpError *error)
-{
-    Record *record = user;
-    const GpPass *pass = &draws->passes[0];
-    const Histories *histories = &record->passes[record->walk.now->pass].histories;
-    GpResult result = held_texels_take(&record->held, pass, histories, error);
-    if (!result)
-        result = gp_device_run(record->device, draws, error);
-    if (result)
-        return result;
-    held_texels_put(&record->held, pass, histories);
-    return gp_device_run(record->fast, draws, error);
+    tally_begin(&record->tally, record->walk.device);
+    return GP_OK;
 }
 
 static GpResult begin_passes(Record *record, GpError *error)
@@ -111,11 +92,13 @@ static GpResult choose_pixels(Record *record, GpError *error)
     return result;
 }
 
-/* Each walk has a device of its own: shaders are only stepped through in the second. */
+/* Each walk has a device of its own: shaders are only stepped through in the second, which only tells of chosen
+ * pixels. */
 static GpResult walk_once(Record *record, bool wholly, GpError *error)
 {
     const GpDeviceDesc desc = {
-        .executor = GP_EXECUTOR_REFERENCE,
+        .executor = wholly ? GP_EXECUTOR_FAST : GP_EXECUTOR_REFERENCE,
+        .threads = record->inspect->threads,
         .trace = { .event = take_event,
                    .user = record,
                    .wants = wants,
@@ -127,21 +110,17 @@ static GpResult walk_once(Record *record, bool wholly, GpError *error)
                                            1 << GP_TRACE_INTERPOLATE | 1 << GP_TRACE_OUTPUT,
                    .only_wanted = wholly },
     };
-    GpResult result = gp_device_create(&desc, &record->device, error);
-    if (!result && wholly)
-        result = gp_device_create(&(GpDeviceDesc){ .threads = record->inspect->threads },
-                                  &record->fast, error);
+    GpDevice *device = NULL;
+    GpResult result = gp_device_create(&desc, &device, error);
+    if (result)
+        return result;
     record->wholly = wholly;
-    record->walk = (Walk){ .list = record->inspect->list,
-                           .run = wholly ? draw_chosen : draw_all,
-                           .after = after_stop,
-                           .user = record };
-    if (!result) {
-        tally_begin(&record->tally, record->device);
-        result = walk_run(&record->walk, error);
-    }
-    gp_device_destroy(&record->device);
-    gp_device_destroy(&record->fast);
+    record->walk = (Walk){
+        .list = record->inspect->list, .device = device, .after = after_stop, .user = record
+    };
+    tally_begin(&record->tally, device);
+    result = walk_run(&record->walk, error);
+    gp_device_destroy(&device);
     return result;
 }
 
@@ -190,7 +169,6 @@ void record_free(Record *record)
         json_decref(record->passes[p].told);
     }
     gp_free(record->passes);
-    held_texels_free(&record->held);
     targets_free(&record->targets);
     *record = (Record){ .inspect = NULL };
 }

@@ -3,7 +3,6 @@
 #define APPS_INSPECT_RECORD_H
 
 #include "apps/inspect/fragments.h"
-#include "apps/inspect/held_texels.h"
 #include "apps/inspect/histories.h"
 #include "apps/inspect/inspect.h"
 #include "apps/inspect/tally.h"
@@ -26,9 +25,6 @@ typedef struct Record {
     double share;  /* of the pixels that would be chosen, were there room; 1: all */
     /* private */
     Walk walk;
-    GpDevice *device,
-        *fast; /* the reference executor; in the second walk another for what it skips */
-    HeldTexels held;
     Tally tally;
     bool wholly; /* the second walk */
     uint32_t done, total;

@@ -40,7 +40,7 @@ static GpResult run_stop(const Walk *walk, const WalkStop *stop, GpError *error)
     }
     pass.draws += stop->first;
     pass.draw_count = stop->count;
-    return walk->run(walk->user, &(GpList){ &pass, 1 }, error);
+    return gp_device_run(walk->device, &(GpList){ &pass, 1 }, error);
 }
 
 GpResult walk_run(Walk *walk, GpError *error)
@@ -54,8 +54,8 @@ GpResult walk_run(Walk *walk, GpError *error)
     for (uint32_t i = 0; i < total && !result; i++) {
         walk->now = &stops[i];
         result = run_stop(walk, &stops[i], error);
-        if (!result)
-            walk->after(walk->user, &stops[i]);
+        if (!result && walk->after)
+            result = walk->after(walk->user, &stops[i], i, total, error);
     }
     gp_free(stops);
     return result;

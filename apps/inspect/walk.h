@@ -13,24 +13,22 @@ typedef struct WalkStop {
     uint32_t pass, first, count;
 } WalkStop;
 
-/* Who draws a stop: its pass with its draws alone. returns what the walk shall end with, unless it is GP_OK */
-typedef GpResult WalkRunFn(void *user, const GpList *draws, GpError *error);
-
-/* Who is told after each stop. */
-typedef void WalkAfterFn(void *user, const WalkStop *stop);
+/* Who is told: after each stop. returns what the walk shall end with, unless it is GP_OK */
+typedef GpResult WalkFn(void *user, const WalkStop *stop, uint32_t number, uint32_t total,
+                        GpError *error);
 
 typedef struct Walk {
     const GpList *list;
-    const WalkStop *now; /* that is drawn: numbers of a trace's events begin at its first */
-    WalkRunFn *run;
-    WalkAfterFn *after;
+    GpDevice *device;
+    const WalkStop *now; /* of the stop that runs: numbers of a trace's events begin at its first */
+    WalkFn *after;
     void *user;
 } Walk;
 
 /* Draws so many stops; out, where not NULL: [WALK_MOST_STOPS + passes] */
 uint32_t walk_stops(const GpList *list, WalkStop *out);
 
-/* Runs the list. errors those of `run`, GP_ERROR_MEMORY */
+/* Runs the list. errors those of gp_device_run, of `after`, GP_ERROR_MEMORY */
 GpResult walk_run(Walk *walk, GpError *error);
 
 #endif

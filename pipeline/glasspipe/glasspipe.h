@@ -26,7 +26,7 @@ extern "C" {
 /* Who runs a list; all give the same bits. */
 typedef enum GpExecutor {
     GP_EXECUTOR_FAST = 0,  /* tiles, lanes and threads */
-    GP_EXECUTOR_REFERENCE, /* one unit after the other, one thread, can be traced */
+    GP_EXECUTOR_REFERENCE, /* one unit after the other, one thread, can be traced wholly */
     GP_EXECUTORS
 } GpExecutor;
 
@@ -36,15 +36,15 @@ typedef struct GpDeviceDesc {
     int threads;     /* 0: one a processor; never changes a bit */
     const char *isa; /* NULL or "auto": $GP_ISA, else the widest that every program of a list was
                         compiled for; "sse2" "avx2" "avx512" "neon" force one. Never changes a bit */
-    GpTrace trace;   /* reference executor only */
+    GpTrace trace;   /* of the fast executor only with only_wanted, of the reference only without */
     bool timed;      /* fast executor: looks at the clock inside tiles too, which costs some time */
 } GpDeviceDesc;
 
 /* An executor with its threads, its memory and its counters; gp_device_create makes one. */
 typedef struct GpDevice GpDevice;
 
-/* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace on another
- * executor than the reference), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
+/* Creates a device. Errors: GP_ERROR_INVALID (executor, threads, isa's name, a trace that the executor does not
+ * have), GP_ERROR_UNSUPPORTED (an isa that this processor or build lacks),
  * GP_ERROR_MEMORY. Several devices may run at once, each from its own thread. */
 GpResult gp_device_create(const GpDeviceDesc *desc, GpDevice **device, GpError *error);
 void gp_device_destroy(GpDevice **device); /* NULL-safe, sets NULL */

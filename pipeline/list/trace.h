@@ -213,8 +213,9 @@ typedef struct GpTrace {
     bool (*wants)(void *user, int32_t x, int32_t y);
     bool (*wants_steps)(void *user); /* whether steps are, from now on; NULL: always */
     uint32_t without;                /* kinds that are not sent, 1 << GP_TRACE_VERTEX and so on */
-    /* Only quads of 2x2 pixels that have one of those are drawn, and counted as fragments: sooner done, where another
-     * device draws the rest. Their bits are the same */
+    /* On a device of the fast executor, which wants it there: the units draw only quads of 2x2 pixels that have one
+     * which is told of, and the executor everything. The same events as of the reference executor, much sooner
+     * where pixels are few */
     bool only_wanted;
 } GpTrace;
 

@@ -128,6 +128,16 @@ static void finish_quad(GpReferenceDraw *d, GpQuad *quad)
 
 /* --- primitives ------------------------------------------------------------------------------- */
 
+/* Whether a quad is drawn. */
+static bool takes_quad(const GpReferenceDraw *d, const GpQuad *quad)
+{
+    GpHeldQuads *held = d->reference->held;
+    const bool takes = !held || gp_trace_wants_quad(d, quad);
+    if (held && takes)
+        gp_held_add(held, quad->x, quad->y);
+    return takes;
+}
+
 static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
 {
     const GpViewport *viewport = &d->viewport;
@@ -137,7 +147,7 @@ static void fill_triangle(GpReferenceDraw *d, const GpTriangle *triangle)
     bool drawn = false;
     while (gp_raster_next(&walk, &quad)) {
         drawn = true;
-        if (gp_trace_skips(d, &quad))
+        if (!takes_quad(d, &quad))
             continue;
         count_pixels(&d->reference->counters->fragments, quad.mask);
         gp_trace_raster(d, &quad);
@@ -217,7 +227,7 @@ static void draw_point(GpReferenceDraw *d)
     memset(quad.edge, 0, sizeof quad.edge); /* a sprite has neither, but traces show them */
     memset(quad.barycentric, 0, sizeof quad.barycentric);
     while (gp_raster_next(&walk, &quad)) {
-        if (gp_trace_skips(d, &quad))
+        if (!takes_quad(d, &quad))
             continue;
         count_pixels(&d->reference->counters->fragments, quad.mask);
         gp_trace_raster(d, &quad);
@@ -359,8 +369,9 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
     bool untold = false;
     for (uint32_t p = 0; p < list->pass_count; p++) {
         const GpPass *pass = &list->passes[p];
+        const uint32_t number = reference->first_pass + p;
         clear_targets(pass);
-        gp_trace_clear(reference, pass, p);
+        gp_trace_clear(reference, pass, number);
         for (uint32_t i = 0; i < pass->draw_count; i++) {
             const GpDraw *draw = &pass->draws[i];
             if (draw->program != program) { /* counting takes time: once for a run of draws */
@@ -368,13 +379,13 @@ GpResult gp_reference_run(const GpReference *reference, const GpList *list, GpEr
                 varyings_read = gp_pixel_facts(program).varyings_read;
             }
             GpReferenceDraw d = begin_draw(reference, pass, draw, varyings_read, vertices);
-            d.pass_number = p;
+            d.pass_number = number;
             d.draw_number = i;
             d.waiting = &waiting;
             run_draw(&d, gp_index_range(&ranges, &draw->geometry));
             untold = untold || d.untold;
         }
-        output_waiting(reference, pass, p, &waiting);
+        output_waiting(reference, pass, number, &waiting);
         reference->counters->passes++;
     }
     gp_waiting_free(&waiting);

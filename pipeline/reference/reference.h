@@ -4,11 +4,15 @@
 
 #include "pipeline/list/counters.h"
 #include "pipeline/list/trace.h"
+#include "pipeline/reference/held_quads.h"
 
 typedef struct GpReference {
     int lanes;            /* width of the shader code to run: 4, 8 or 16 */
     const GpTrace *trace; /* NULL: nobody watches */
     GpCounters *counters;
+    uint32_t first_pass; /* what the trace calls the list's first */
+    GpHeldQuads *
+        held; /* only quads with a pixel that is told of are drawn, and held first; NULL: all are */
 } GpReference;
 
 /* Runs a checked list.

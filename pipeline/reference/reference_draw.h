@@ -47,8 +47,8 @@ typedef struct GpReferenceDraw {
 /* Whether events of a kind are sent of the draw (GpTrace.without). */
 bool gp_trace_sends(const GpReferenceDraw *d, GpTraceKind kind);
 
-/* Whether a quad is not drawn, since none of its pixels is wanted (GpTrace.only_wanted). */
-bool gp_trace_skips(const GpReferenceDraw *d, const GpQuad *quad);
+/* Whether a quad has a pixel that is told of. */
+bool gp_trace_wants_quad(const GpReferenceDraw *d, const GpQuad *quad);
 
 /* One call a unit; each looks at the filter by itself. Where one pixel is watched, the events of
  * vertices, clipping and set-up wait until a quad of the primitive covers it, and then come first. */

@@ -64,7 +64,7 @@ static void tell(GpReferenceDraw *d, const GpScreenVertex corner[3], const GpRas
         return;
     GpRasterWalk walk = gp_raster_triangle(&triangle);
     while (gp_raster_next(&walk, &quad)) {
-        if (gp_trace_skips(d, &quad))
+        if (!gp_trace_wants_quad(d, &quad))
             continue;
         gp_interpolate_depth(&triangle, d->viewport.min_depth, d->viewport.max_depth, &quad);
         for (int i = 0; i < 4; i++) {

@@ -29,13 +29,12 @@ bool gp_trace_wants(const GpReferenceDraw *d, int32_t x, int32_t y)
     return wants_draw(d) && wants_pixel(d, x, y);
 }
 
-bool gp_trace_skips(const GpReferenceDraw *d, const GpQuad *quad)
+bool gp_trace_wants_quad(const GpReferenceDraw *d, const GpQuad *quad)
 {
-    const GpTrace *trace = d->reference->trace;
-    bool wanted = !trace || !trace->only_wanted;
-    for (int pixel = 0; pixel < 4 && !wanted; pixel++)
-        wanted = wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2);
-    return !wanted;
+    int pixel = 0;
+    while (pixel < 4 && !wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2))
+        pixel++;
+    return pixel < 4;
 }
 
 static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)

@@ -216,95 +216,90 @@ static void hear(void *user, const GpTraceEvent *event)
             (size_t)event->interpolate.components * sizeof(float));
 }
 
-static void run_pass(const RandomList *random, uint32_t pass, const GpTrace *trace)
+static uint64_t run_random(uint64_t seed, const GpDeviceDesc *desc)
 {
-    const GpList list = { (GpPass *)&random->passes[pass], 1 };
+    RandomList *random = calloc(1, sizeof *random);
     GpError error = { "" };
-    if (run(&list, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE, .trace = *trace }, &error))
-        fail_msg("pass %u: %s", pass, error.text);
+    assert_true(random && random_list_create(seed, 48, random));
+    if (run(&random->list, desc, &error))
+        fail_msg("list %llu: %s", (unsigned long long)seed, error.text);
+    const uint64_t hash = random_list_hash(random);
+    random_list_destroy(random);
+    free(random);
+    return hash;
 }
 
-/* What one list has drawn becomes what the other has; of chosen pixels it must be there already.
- * returns how many texels were compared */
-static int compare_and_copy(const RandomList *from, const RandomList *to)
+static void expect_alike(uint64_t seed, GpTrace trace, Heard heard[2])
 {
-    int compared = 0;
-    for (int s = 0; s < from->surface_count; s++) {
-        const GpLevel *all = &from->surfaces[s]->level[0], *some = &to->surfaces[s]->level[0];
-        const size_t bytes = gp_format_info(from->surfaces[s]->format)->bytes;
-        for (uint32_t y = 0; y < all->height; y++) {
-            const uint8_t *row = all->texels + y * all->pitch;
-            for (uint32_t x = 0; x < all->width; x++)
-                if (is_chosen(NULL, (int32_t)x, (int32_t)y)) {
-                    assert_memory_equal(row + x * bytes, some->texels + y * some->pitch + x * bytes,
-                                        bytes);
-                    compared++;
-                }
-            memcpy(some->texels + y * some->pitch, row, all->width * bytes);
-        }
+    uint64_t hash[2];
+    for (int turn = 0; turn < 2; turn++) {
+        heard[turn] = (Heard){ .mix = 1 };
+        trace.event = hear;
+        trace.user = &heard[turn];
+        trace.only_wanted = turn == 1;
+        const GpExecutor executor = turn ? GP_EXECUTOR_FAST : GP_EXECUTOR_REFERENCE;
+        hash[turn] =
+            run_random(seed, &(GpDeviceDesc){ .executor = executor, .threads = 2, .trace = trace });
     }
-    return compared;
+    assert_true(hash[0] == hash[1]);
+    assert_memory_equal(heard[0].count, heard[1].count, sizeof heard[0].count);
+    assert_true(heard[0].mix == heard[1].mix);
 }
 
-/* Of random lists, pass by pass. */
-static void wanted_pixels_alone_are_drawn_and_told_of_as_among_all(void **state)
+static void watched_at_speed_the_events_are_those_of_the_reference_executor(void **state)
 {
     (void)state;
-    RandomList *all = calloc(1, sizeof *all), *some = calloc(1, sizeof *some);
-    assert_true(all && some);
-    uint64_t events = 0;
-    int texels = 0;
-    for (uint64_t seed = 1; seed <= 60; seed++) {
-        assert_true(random_list_create(seed, 48, all) && random_list_create(seed, 48, some));
-        for (uint32_t p = 0; p < all->list.pass_count; p++) {
-            Heard of_all = { .mix = 1 }, of_some = { .mix = 1 };
-            GpTrace trace = {
-                .event = hear, .user = &of_all, .wants = is_chosen, .missed = true, .steps = true
-            };
-            run_pass(all, p, &trace);
-            trace.user = &of_some;
-            trace.only_wanted = true;
-            run_pass(some, p, &trace);
-            assert_memory_equal(of_all.count, of_some.count, sizeof of_all.count);
-            assert_true(of_all.mix == of_some.mix);
-            texels += compare_and_copy(all, some);
-            events += (uint64_t)of_some.count[GP_TRACE_OUTPUT];
-        }
-        random_list_destroy(all);
-        random_list_destroy(some);
+    int outputs = 0, missed = 0;
+    for (uint64_t seed = 1; seed <= 80; seed++) {
+        Heard heard[2];
+        expect_alike(seed, (GpTrace){ .wants = is_chosen, .missed = true, .steps = true }, heard);
+        outputs += heard[0].count[GP_TRACE_OUTPUT];
+        missed += heard[0].count[GP_TRACE_MISSED];
+        expect_alike(seed, (GpTrace){ .one_pixel = true, .x = 5, .y = 7, .missed = true }, heard);
+        expect_alike(seed,
+                     (GpTrace){ .one_pass = true, .pass = (uint32_t)seed % 3, .wants = is_chosen },
+                     heard);
+        expect_alike(seed, (GpTrace){ .one_draw = true, .draw = 1, .wants = is_chosen }, heard);
     }
-    free(all);
-    free(some);
-    assert_true(events > 1000 && texels > 10000);
+    assert_true(outputs > 1000 && missed > 1000);
+}
+
+static void each_executor_has_traces_of_its_own_kind(void **state)
+{
+    (void)state;
+    GpDevice *device = NULL;
+    for (int executor = 0; executor < GP_EXECUTORS; executor++) {
+        GpError error = { "" };
+        const GpDeviceDesc desc = { .executor = (GpExecutor)executor,
+                                    .trace = { .event = hear,
+                                               .only_wanted = executor != GP_EXECUTOR_FAST } };
+        assert_int_equal(gp_device_create(&desc, &device, &error), GP_ERROR_INVALID);
+        assert_non_null(strstr(error.text, "trace"));
+        assert_null(device);
+    }
 }
 
 static void kinds_that_are_left_out_change_no_other(void **state)
 {
     (void)state;
-    RandomList *random = calloc(1, sizeof *random);
-    assert_non_null(random);
     for (uint64_t seed = 1; seed <= 3 * GP_TRACE_KINDS; seed++) {
-        const uint32_t kind = seed % GP_TRACE_KINDS;
+        const uint32_t kind = (uint32_t)seed % GP_TRACE_KINDS;
         Heard heard[2] = { { .mix = 1 }, { .mix = 1 } };
         uint64_t hash[2];
         for (int turn = 0; turn < 2; turn++) {
-            assert_true(random_list_create(seed, 48, random));
             const GpTrace trace = { .event = hear,
                                     .user = &heard[turn],
                                     .missed = true,
                                     .steps = true,
                                     .without = turn ? 1u << kind : 0 };
-            for (uint32_t p = 0; p < random->list.pass_count; p++)
-                run_pass(random, p, &trace);
-            hash[turn] = random_list_hash(random);
-            random_list_destroy(random);
+            hash[turn] = run_random(
+                seed, &(GpDeviceDesc){ .executor = GP_EXECUTOR_REFERENCE, .trace = trace });
         }
         assert_true(hash[0] == hash[1]);
         assert_int_equal(heard[1].count[kind], 0);
         heard[0].count[kind] = 0;
         assert_memory_equal(heard[0].count, heard[1].count, sizeof heard[0].count);
     }
-    free(random);
 }
 
 int main(void)
@@ -314,7 +309,8 @@ int main(void)
         cmocka_unit_test(a_trace_tells_of_one_pass_draw_or_primitive_alone),
         cmocka_unit_test(traced_shares_are_those_of_the_vertices_in_their_order),
         cmocka_unit_test(watching_changes_no_bit),
-        cmocka_unit_test(wanted_pixels_alone_are_drawn_and_told_of_as_among_all),
+        cmocka_unit_test(watched_at_speed_the_events_are_those_of_the_reference_executor),
+        cmocka_unit_test(each_executor_has_traces_of_its_own_kind),
         cmocka_unit_test(kinds_that_are_left_out_change_no_other),
     };
     return cmocka_run_group_tests_name("trace", tests, NULL, NULL);
