@@ -323,18 +323,48 @@ static GpResult find_rect(const GpSurface *surface, uint32_t level, const GpRect
     return GP_OK;
 }
 
+static void load_texels(GpFormat format, const uint8_t *texel, int32_t count, float *rgba)
+{
+    const size_t bytes = gp_format_info(format)->bytes;
+    for (int32_t i = 0; i < count; i++, texel += bytes, rgba += 4)
+        gp_texel_load(format, texel, rgba);
+}
+
+/* The same of bytes, by what each of their 256 codes means. */
+static void look_up_texels(GpFormat format, const float values[256], const uint8_t *texel,
+                           int32_t count, float *rgba)
+{
+    const size_t bytes = gp_format_info(format)->bytes;
+    for (int32_t i = 0; i < count; i++, texel += bytes, rgba += 4) {
+        uint8_t code[4];
+        gp_texel_codes(format, texel, code);
+        for (int c = 0; c < 4; c++)
+            rgba[c] = values[code[c]];
+    }
+}
+
 GpResult gp_surface_read_floats(const GpSurface *surface, uint32_t level, const GpRect *rect,
                                 float *rgba, GpError *error)
 {
-    const size_t bytes = gp_format_info(surface->format)->bytes;
+    const GpFormatInfo *info = gp_format_info(surface->format);
     GpRect r;
     GpResult result = find_rect(surface, level, rect, &r, error);
-    for (int32_t y = r.y0; !result && y < r.y1; y++)
-        for (int32_t x = r.x0; x < r.x1; x++, rgba += 4)
-            gp_texel_load(surface->format,
-                          gp_surface_texel(&surface->level[level], bytes, (uint32_t)x, (uint32_t)y),
-                          rgba);
-    return result;
+    if (result)
+        return result;
+    const int32_t width = r.x1 - r.x0;
+    const bool looks_up = info->is_unorm8 && (int64_t)width * (r.y1 - r.y0) > 256;
+    float values[256];
+    for (uint32_t code = 0; code < 256 && looks_up; code++)
+        values[code] = gp_float_from_unorm(code, 8);
+    for (int32_t y = r.y0; y < r.y1; y++, rgba += 4 * (size_t)width) {
+        const uint8_t *row =
+            gp_surface_texel(&surface->level[level], info->bytes, (uint32_t)r.x0, (uint32_t)y);
+        if (looks_up)
+            look_up_texels(surface->format, values, row, width, rgba);
+        else
+            load_texels(surface->format, row, width, rgba);
+    }
+    return GP_OK;
 }
 
 GpResult gp_surface_read_bytes(const GpSurface *surface, uint32_t level, const GpRect *rect,

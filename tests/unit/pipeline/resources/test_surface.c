@@ -342,6 +342,28 @@ static void reading_gives_texels_as_floats_and_as_they_are(void **state)
     }
 }
 
+/* Of many texels codes are looked up: each of the 256 in each channel, where channels are bytes. */
+static void many_texels_are_read_as_few_are(void **state)
+{
+    enum { WIDE = 37, HIGH = 31 };
+    (void)state;
+    for (GpFormat format = GP_A8R8G8B8; format < GP_FORMATS; format++) {
+        GpSurface *s = make(format, WIDE, HIGH, 1);
+        for (size_t i = 0; i < HIGH * s->level[0].pitch; i++)
+            s->level[0].texels[i] = (uint8_t)(i * 37 + i / 251);
+        static float rgba[WIDE * HIGH * 4];
+        const GpRect inner = { 1, 2, WIDE - 1, HIGH };
+        float one[4];
+        assert_int_equal(gp_surface_read_floats(s, 0, &inner, rgba, NULL), GP_OK);
+        for (uint32_t y = 2, i = 0; y < HIGH; y++)
+            for (uint32_t x = 1; x < WIDE - 1; x++, i++) {
+                load(s, 0, x, y, one);
+                assert_memory_equal(rgba + (size_t)4 * i, one, sizeof one);
+            }
+        gp_surface_destroy(&s);
+    }
+}
+
 static void reading_refuses_what_is_not_there(void **state)
 {
     (void)state;
@@ -378,6 +400,7 @@ int main(void)
         cmocka_unit_test(borrowed_memory_is_kept_and_must_fit),
         cmocka_unit_test(surfaces_share_where_a_texel_of_one_is_a_texel_of_the_other),
         cmocka_unit_test(reading_gives_texels_as_floats_and_as_they_are),
+        cmocka_unit_test(many_texels_are_read_as_few_are),
         cmocka_unit_test(reading_refuses_what_is_not_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
