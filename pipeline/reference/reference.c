@@ -252,6 +252,8 @@ static GpReferenceDraw begin_draw(const GpReference *reference, const GpPass *pa
         .reference = reference,
         .pass = pass,
         .draw = draw,
+        .width = width,
+        .height = height,
         .needs = gp_draw_needs(pass, draw, varyings_read),
         .modes = gp_varying_modes(draw->program),
         .viewport = gp_viewport_resolve(&draw->viewport, width, height),

@@ -18,6 +18,7 @@ typedef struct GpReferenceDraw {
     const GpPass *pass;
     const GpDraw *draw;
     uint32_t pass_number, draw_number;
+    uint32_t width, height; /* of the targets */
 
     GpNeeds needs;
     GpVaryingModes modes;

@@ -31,10 +31,13 @@ bool gp_trace_wants(const GpReferenceDraw *d, int32_t x, int32_t y)
 
 bool gp_trace_wants_quad(const GpReferenceDraw *d, const GpQuad *quad)
 {
-    int pixel = 0;
-    while (pixel < 4 && !wants_pixel(d, quad->x + pixel % 2, quad->y + pixel / 2))
-        pixel++;
-    return pixel < 4;
+    const int32_t right = quad->x + 1 < (int32_t)d->width ? quad->x + 1 : quad->x;
+    const int32_t bottom = quad->y + 1 < (int32_t)d->height ? quad->y + 1 : quad->y;
+    for (int32_t y = quad->y; y <= bottom; y++)
+        for (int32_t x = quad->x; x <= right; x++)
+            if (wants_pixel(d, x, y))
+                return true;
+    return false;
 }
 
 static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)

@@ -184,11 +184,13 @@ static void watching_changes_no_bit(void **state)
 typedef struct Heard {
     int count[GP_TRACE_KINDS];
     uint64_t mix;
+    uint32_t width, height; /* of the largest pass: nobody is asked for pixels that are not there */
 } Heard;
 
 static bool is_chosen(void *user, int32_t x, int32_t y)
 {
-    (void)user;
+    const Heard *heard = user;
+    assert_true(x >= 0 && y >= 0 && (uint32_t)x < heard->width && (uint32_t)y < heard->height);
     return (x * 31 + y * 17) % 23 == 0;
 }
 
@@ -219,8 +221,15 @@ static void hear(void *user, const GpTraceEvent *event)
 static uint64_t run_random(uint64_t seed, const GpDeviceDesc *desc)
 {
     RandomList *random = calloc(1, sizeof *random);
+    Heard *heard = desc->trace.user;
     GpError error = { "" };
     assert_true(random && random_list_create(seed, 48, random));
+    for (uint32_t p = 0; p < random->list.pass_count; p++) {
+        uint32_t width, height;
+        gp_pass_size(&random->passes[p], &width, &height);
+        heard->width = width > heard->width ? width : heard->width;
+        heard->height = height > heard->height ? height : heard->height;
+    }
     if (run(&random->list, desc, &error))
         fail_msg("list %llu: %s", (unsigned long long)seed, error.text);
     const uint64_t hash = random_list_hash(random);
