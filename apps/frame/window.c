@@ -1,17 +1,14 @@
 #include "apps/frame/window.h"
 
-static GpSurface *target_of(const GpPass *pass, int number)
-{
-    return number < GP_MAX_TARGETS ? pass->color[number].surface : pass->depth.surface;
-}
+#include "pipeline/list/pass_target.h"
 
 /* The target of any pass that a texture is; NULL: it is none. */
 static GpSurface *find_target(const GpList *list, const GpSurface *texture)
 {
     for (uint32_t p = 0; p < list->pass_count; p++)
         for (int t = 0; t <= GP_MAX_TARGETS; t++)
-            if (texture && target_of(&list->passes[p], t) == texture)
-                return target_of(&list->passes[p], t);
+            if (texture && gp_pass_target(&list->passes[p], t) == texture)
+                return gp_pass_target(&list->passes[p], t);
     return NULL;
 }
 
@@ -60,9 +57,9 @@ static GpResult settle_targets(const GpPass *pass, bool *changed, GpError *error
 {
     bool whole = false;
     for (int t = 0; t <= GP_MAX_TARGETS; t++)
-        whole = whole || (target_of(pass, t) && gp_surface_is_whole(target_of(pass, t)));
+        whole = whole || (gp_pass_target(pass, t) && gp_surface_is_whole(gp_pass_target(pass, t)));
     for (int t = 0; t <= GP_MAX_TARGETS && whole; t++) {
-        GpSurface *surface = target_of(pass, t);
+        GpSurface *surface = gp_pass_target(pass, t);
         if (!surface || gp_surface_is_whole(surface))
             continue;
         const GpResult result = make_whole(surface, pass, error);

@@ -2,13 +2,9 @@
 
 #include "apps/base/json.h"
 #include "apps/inspect/ranges.h"
+#include "pipeline/list/pass_target.h"
 
 #include <string.h>
-
-static const GpSurface *target_of(const GpPass *pass, int slot)
-{
-    return slot < GP_MAX_TARGETS ? pass->color[slot].surface : pass->depth.surface;
-}
 
 static size_t bytes_of(const GpSurface *surface)
 {
@@ -46,7 +42,7 @@ GpResult targets_find(const GpList *list, Targets *targets, GpError *error)
     bool fits = found.state != NULL;
     for (uint32_t p = 0; p < list->pass_count && fits; p++)
         for (int slot = 0; slot <= GP_MAX_TARGETS && fits; slot++) {
-            const GpSurface *surface = target_of(&list->passes[p], slot);
+            const GpSurface *surface = gp_pass_target(&list->passes[p], slot);
             if (surface && targets_number(&found, surface) < 0)
                 fits = add(&found, surface);
         }
@@ -135,7 +131,7 @@ json_t *targets_changed(Targets *targets, const GpPass *pass, Blobs *blobs)
 {
     json_t *list = json_array();
     for (int slot = 0; slot <= GP_MAX_TARGETS; slot++) {
-        const int number = targets_number(targets, target_of(pass, slot));
+        const int number = targets_number(targets, gp_pass_target(pass, slot));
         json_t *one = number < 0 ? NULL : changed(&targets->state[number], number, blobs);
         if (one)
             json_array_append_new(list, one);
@@ -150,7 +146,7 @@ static json_t *name_of(const GpSurface *surface, const GpList *list)
         return json_string(surface->name);
     for (uint32_t p = 0; p < list->pass_count; p++)
         for (int slot = 0; slot <= GP_MAX_TARGETS; slot++)
-            if (target_of(&list->passes[p], slot) == surface) {
+            if (gp_pass_target(&list->passes[p], slot) == surface) {
                 const char *pass = list->passes[p].name ? list->passes[p].name : "";
                 return slot == GP_MAX_TARGETS ? json_sprintf("%s.depth", pass)
                                               : json_sprintf("%s.%d", pass, slot);

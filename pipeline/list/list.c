@@ -1,6 +1,8 @@
 /* Lists: sizes and targets of passes, and which passes may run as a group. */
 #include "pipeline/list/list.h"
 
+#include "pipeline/list/pass_target.h"
+
 static const GpSurface *first_target(const GpPass *pass)
 {
     return pass->color[0].surface ? pass->color[0].surface : pass->depth.surface;
@@ -33,11 +35,6 @@ bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface)
 
 /* --- memory of the caller's ------------------------------------------------------------------- */
 
-static const GpSurface *target_of(const GpPass *pass, int number)
-{
-    return number < GP_MAX_TARGETS ? pass->color[number].surface : pass->depth.surface;
-}
-
 /* The surfaces that a pass has at hand pixel by pixel: its targets, and what its draws read in place.
  * Calls `look` with each until that says true. */
 static bool any_at_hand(const GpPass *pass,
@@ -45,7 +42,7 @@ static bool any_at_hand(const GpPass *pass,
                         const GpPass *context)
 {
     for (int t = 0; t <= GP_MAX_TARGETS; t++)
-        if (target_of(pass, t) && look(target_of(pass, t), context))
+        if (gp_pass_target(pass, t) && look(gp_pass_target(pass, t), context))
             return true;
     for (uint32_t i = 0; i < pass->draw_count; i++) {
         const GpDraw *draw = &pass->draws[i];
@@ -66,7 +63,8 @@ static bool is_borrowed(const GpSurface *surface, const GpPass *context)
 static bool is_target_by_other_name(const GpSurface *surface, const GpPass *writer)
 {
     for (int t = 0; t <= GP_MAX_TARGETS; t++)
-        if (target_of(writer, t) != surface && gp_surfaces_share(target_of(writer, t), surface))
+        if (gp_pass_target(writer, t) != surface &&
+            gp_surfaces_share(gp_pass_target(writer, t), surface))
             return true;
     return false;
 }
@@ -114,7 +112,7 @@ static void find_surfaces(const GpPass *pass, PassSurfaces *surfaces)
 {
     remove_surfaces(surfaces);
     for (int t = 0; t <= GP_MAX_TARGETS; t++)
-        add_surface(&surfaces->written, target_of(pass, t));
+        add_surface(&surfaces->written, gp_pass_target(pass, t));
     for (uint32_t i = 0; i < pass->draw_count; i++) {
         const GpDraw *draw = &pass->draws[i];
         unsigned anywhere = draw->program->samplers | draw->program->vertex_samplers;

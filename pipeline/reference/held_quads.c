@@ -1,12 +1,9 @@
 #include "pipeline/reference/held_quads.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include "pipeline/base/grow.h"
+#include "pipeline/list/pass_target.h"
 
-static const GpSurface *target_of(const GpPass *pass, int slot)
-{
-    return slot < GP_MAX_TARGETS ? pass->color[slot].surface : pass->depth.surface;
-}
+#include <string.h>
 
 GpResult gp_held_begin(GpHeldQuads *quads, const GpPass *pass, GpError *error)
 {
@@ -18,8 +15,8 @@ GpResult gp_held_begin(GpHeldQuads *quads, const GpPass *pass, GpError *error)
     if (!quads->seen)
         return gp_fail(error, GP_ERROR_MEMORY, "no memory for the quads that are watched");
     for (int slot = 0; slot <= GP_MAX_TARGETS; slot++)
-        if (target_of(pass, slot))
-            quads->bytes += 4 * (size_t)gp_format_info(target_of(pass, slot)->format)->bytes;
+        if (gp_pass_target(pass, slot))
+            quads->bytes += 4 * (size_t)gp_format_info(gp_pass_target(pass, slot)->format)->bytes;
     return GP_OK;
 }
 
@@ -36,14 +33,14 @@ static void put(uint8_t *texel, uint8_t *held, size_t bytes)
 }
 
 /* Between the targets and what is held of a quad; what is outside of them is left out. */
-static void copy_quad(const GpHeldQuads *quads, uint32_t number, CopyFn *copy)
+static void copy_quad(const GpHeldQuads *quads, int number, CopyFn *copy)
 {
-    uint8_t *held = quads->held + number * quads->bytes;
+    uint8_t *held = quads->held + (size_t)number * quads->bytes;
     uint32_t place[2];
     memcpy(place, held, sizeof place);
     held += sizeof place;
     for (int slot = 0; slot <= GP_MAX_TARGETS; slot++) {
-        const GpSurface *surface = target_of(quads->pass, slot);
+        const GpSurface *surface = gp_pass_target(quads->pass, slot);
         if (!surface)
             continue;
         const GpLevel *level = &surface->level[0];
@@ -56,35 +53,24 @@ static void copy_quad(const GpHeldQuads *quads, uint32_t number, CopyFn *copy)
     }
 }
 
-static bool make_room(GpHeldQuads *quads)
-{
-    if (quads->count < quads->room)
-        return true;
-    const uint32_t room = quads->room ? 2 * quads->room : 64;
-    uint8_t *larger = realloc(quads->held, room * quads->bytes);
-    if (!larger) {
-        quads->failed = true;
-        return false;
-    }
-    quads->held = larger;
-    quads->room = room;
-    return true;
-}
-
 void gp_held_add(GpHeldQuads *quads, int32_t x, int32_t y)
 {
     const uint32_t place[2] = { (uint32_t)x, (uint32_t)y };
     uint8_t *seen = &quads->seen[(size_t)(place[1] / 2) * quads->quads_x + place[0] / 2];
-    if (*seen || !make_room(quads))
+    if (*seen)
+        return;
+    uint8_t *held = gp_grown(quads->held, quads->count, &quads->room, quads->bytes, &quads->failed);
+    if (!held)
         return;
     *seen = 1;
-    memcpy(quads->held + quads->count * quads->bytes, place, sizeof place);
+    quads->held = held;
+    memcpy(held + (size_t)quads->count * quads->bytes, place, sizeof place);
     copy_quad(quads, quads->count++, take);
 }
 
 void gp_held_put(const GpHeldQuads *quads)
 {
-    for (uint32_t i = 0; i < quads->count; i++)
+    for (int i = 0; i < quads->count; i++)
         copy_quad(quads, i, put);
 }
 

@@ -69,12 +69,11 @@ static GpResult tell(const TechniqueStage *stage, const char *options, const Fra
 {
     const Technique *technique = stage->technique;
     TechniqueReport report = { .members = json_object() };
-    void *setting;
+    void *setting = NULL;
     GpResult result = technique_setting(technique, options, &setting, error);
     if (!result && technique->report)
         result = technique->report(stage->scene, setting, frame, stage->device, &report, error);
-    if (!result)
-        gp_free(setting);
+    gp_free(setting);
     text_free(&report.lines);
     text_free(&report.warnings);
     json_decref(report.members);
