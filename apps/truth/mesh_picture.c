@@ -10,6 +10,12 @@ typedef struct Corner {
     double place[3], share[3];
 } Corner;
 
+/* What is nearest at a sample: a triangle, and the shares of its corners. */
+typedef struct Seen {
+    double share[3];
+    uint32_t triangle;
+} Seen;
+
 typedef struct Run {
     const MeshPictureScene *scene;
     MeshPicture *picture;
@@ -18,7 +24,7 @@ typedef struct Run {
     uint32_t *first, *listed; /* triangles of band i: listed[first[i]] to listed[first[i + 1]] */
     float *rows;              /* [triangle][2]: lowest and highest row, in pixels; NaN: not seen */
     double *nearest;          /* [worker][band's samples]: 1/z, 0: nothing */
-    double *found;            /* [worker][band's samples][3]: colour */
+    Seen *seen;               /* [worker][band's samples]: where nearest is above 0 */
 } Run;
 
 static size_t band_samples(const Run *run)
@@ -145,70 +151,111 @@ static GpResult list_triangles(Run *run)
 
 /* --- samples ---------------------------------------------------------------------------------- */
 
-static double edge(const Corner *a, const Corner *b, double x, double y)
+/* The line from one corner to the next. */
+typedef struct Edge {
+    double x, y, dx, dy;
+} Edge;
+
+static Edge edge_between(const Corner *a, const Corner *b)
 {
-    return (b->place[0] - a->place[0]) * (y - a->place[1]) -
-           (b->place[1] - a->place[1]) * (x - a->place[0]);
+    return (Edge){ a->place[0], a->place[1], b->place[0] - a->place[0], b->place[1] - a->place[1] };
 }
 
-static void color_sample(const Run *run, uint32_t triangle, const Corner *corners[3],
-                         const double weight[3], double *color)
+/* Twice the area of the triangle that the edge and a place make; negative where it turns the other way. */
+static inline double area_at(const Edge *edge, double x, double y)
+{
+    return edge->dx * (y - edge->y) - edge->dy * (x - edge->x);
+}
+
+/* A triangle of the projected polygon. Corner i's weight is what edge i has of the area. */
+typedef struct Piece {
+    const Corner *corner[3];
+    Edge edge[3];
+    double area, per_z[3]; /* of the corners */
+    uint32_t triangle;
+} Piece;
+
+static Piece piece_of(uint32_t triangle, const Corner *a, const Corner *b, const Corner *c)
+{
+    Piece piece = { .corner = { a, b, c },
+                    .edge = { edge_between(b, c), edge_between(c, a), edge_between(a, b) },
+                    .per_z = { a->place[2], b->place[2], c->place[2] },
+                    .triangle = triangle };
+    piece.area = area_at(&piece.edge[2], c->place[0], c->place[1]);
+    return piece;
+}
+
+static void see(const Piece *piece, const double weight[3], Seen *seen)
 {
     double share[3] = { 0, 0, 0 }, sum = 0;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            share[k] += weight[i] * corners[i]->place[2] * corners[i]->share[k];
+            share[k] += weight[i] * piece->per_z[i] * piece->corner[i]->share[k];
     for (int k = 0; k < 3; k++)
         sum += share[k];
     for (int k = 0; k < 3; k++)
-        share[k] /= sum;
-    run->scene->color(run->scene->context, triangle, share, color);
+        seen->share[k] = share[k] / sum;
+    seen->triangle = piece->triangle;
 }
 
-/* A triangle of the projected polygon, into the samples of a band. */
-static void fill(const Run *run, uint32_t band, uint32_t triangle, const Corner *corners[3],
-                 double *nearest, double *found)
+/* Along a row of samples from x0 to x1. */
+static void fill_row(const Piece *piece, double y, int64_t x0, int64_t x1, double *nearest,
+                     Seen *seen)
+{
+    const Edge e0 = piece->edge[0], e1 = piece->edge[1], e2 = piece->edge[2];
+    const double area = piece->area, turn = area < 0 ? -1 : 1;
+    bool entered = false;
+    for (int64_t x = x0; x <= x1; x++) {
+        const double px = (double)x + 0.5;
+        const double of[3] = { area_at(&e0, px, y), area_at(&e1, px, y), area_at(&e2, px, y) };
+        const bool inside = of[0] * turn >= 0 && of[1] * turn >= 0 && of[2] * turn >= 0;
+        if (!inside && entered)
+            return;
+        entered = inside;
+        if (!inside)
+            continue;
+        const double weight[3] = { of[0] / area, of[1] / area, of[2] / area };
+        const double per_z =
+            weight[0] * piece->per_z[0] + weight[1] * piece->per_z[1] + weight[2] * piece->per_z[2];
+        if (per_z <= nearest[x])
+            continue;
+        nearest[x] = per_z;
+        see(piece, weight, &seen[x]);
+    }
+}
+
+/* The same of all its rows in the band. */
+static void fill(const Run *run, uint32_t band, const Piece *piece, double *nearest, Seen *seen)
 {
     const int64_t side = run->scene->samples;
     const int64_t width = (int64_t)run->scene->width * side, top = (int64_t)band * BAND * side;
-    const double area = edge(corners[0], corners[1], corners[2]->place[0], corners[2]->place[1]);
     double low[2] = { (double)INFINITY, (double)INFINITY },
            high[2] = { -(double)INFINITY, -(double)INFINITY };
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], corners[i]->place[k]);
-            high[k] = fmax(high[k], corners[i]->place[k]);
+            low[k] = fmin(low[k], piece->corner[i]->place[k]);
+            high[k] = fmax(high[k], piece->corner[i]->place[k]);
         }
-    if (area == 0 || high[0] < 0 || low[0] > (double)width)
+    if (piece->area == 0 || high[0] < 0 || low[0] > (double)width)
         return;
     const int64_t x0 = (int64_t)fmax(floor(low[0] - 0.5), 0);
     const int64_t x1 = (int64_t)fmin(ceil(high[0]), (double)(width - 1));
     const int64_t y0 = (int64_t)fmax(floor(low[1] - 0.5), (double)top);
     const int64_t y1 = (int64_t)fmin(ceil(high[1]), (double)(top + BAND * side - 1));
     for (int64_t y = y0; y <= y1; y++)
-        for (int64_t x = x0; x <= x1; x++) {
-            double weight[3], per_z = 0;
-            const double px = (double)x + 0.5, py = (double)y + 0.5;
-            for (int i = 0; i < 3; i++) {
-                weight[i] = edge(corners[(i + 1) % 3], corners[(i + 2) % 3], px, py) / area;
-                per_z += weight[i] * corners[i]->place[2];
-            }
-            const size_t at = (size_t)((y - top) * width + x);
-            if (weight[0] < 0 || weight[1] < 0 || weight[2] < 0 || per_z <= nearest[at])
-                continue;
-            nearest[at] = per_z;
-            color_sample(run, triangle, corners, weight, found + 3 * at);
-        }
+        fill_row(piece, (double)y + 0.5, x0, x1, nearest + (y - top) * width,
+                 seen + (y - top) * width);
 }
 
-static void average(const Run *run, uint32_t band, const double *nearest, const double *found)
+/* Samples get their colours here, once it is known what each of them sees. */
+static void average(const Run *run, uint32_t band, const double *nearest, const Seen *seen)
 {
     const MeshPicture *picture = run->picture;
     const uint32_t side = picture->samples;
     for (uint32_t y = band * BAND; y < (band + 1) * BAND && y < picture->height; y++)
         for (uint32_t x = 0; x < picture->width; x++) {
             const size_t pixel = (size_t)y * picture->width + x;
-            double sum[3] = { 0, 0, 0 };
+            double sum[3] = { 0, 0, 0 }, color[3];
             uint32_t covered = 0;
             for (uint32_t i = 0; i < side * side; i++) {
                 const size_t row = (size_t)(y - band * BAND) * side + i / side;
@@ -216,8 +263,9 @@ static void average(const Run *run, uint32_t band, const double *nearest, const 
                 if (!(nearest[at] > 0))
                     continue;
                 covered++;
+                run->scene->color(run->scene->context, seen[at].triangle, seen[at].share, color);
                 for (size_t k = 0; k < 3; k++)
-                    sum[k] += found[3 * at + k];
+                    sum[k] += color[k];
             }
             picture->covered[pixel] = (uint8_t)covered;
             for (size_t k = 0; k < 3; k++)
@@ -230,7 +278,7 @@ static void find_band(void *context, uint32_t band, int worker)
     const Run *run = context;
     const size_t samples = band_samples(run);
     double *nearest = run->nearest + (uint32_t)worker * samples;
-    double *found = run->found + 3 * (uint32_t)worker * samples;
+    Seen *seen = run->seen + (uint32_t)worker * samples;
     memset(nearest, 0, samples * sizeof *nearest);
     for (uint32_t i = run->first[band]; i < run->first[band + 1]; i++) {
         Corner polygon[4];
@@ -238,11 +286,11 @@ static void find_band(void *context, uint32_t band, int worker)
         for (int k = 0; k < count; k++)
             project(run, &polygon[k]);
         for (int k = 2; k < count; k++) {
-            const Corner *corners[3] = { &polygon[0], &polygon[k - 1], &polygon[k] };
-            fill(run, band, run->listed[i], corners, nearest, found);
+            const Piece piece = piece_of(run->listed[i], &polygon[0], &polygon[k - 1], &polygon[k]);
+            fill(run, band, &piece, nearest, seen);
         }
     }
-    average(run, band, nearest, found);
+    average(run, band, nearest, seen);
 }
 
 /* --- the whole -------------------------------------------------------------------------------- */
@@ -261,9 +309,9 @@ static GpResult make(Run *run, GpPool *pool)
     run->first = gp_alloc(run->bands + 1, sizeof *run->first);
     run->rows = gp_alloc(scene->triangle_count + 1, 2 * sizeof *run->rows);
     run->nearest = gp_alloc_unset(workers * band_samples(run) * sizeof *run->nearest);
-    run->found = gp_alloc_unset(workers * band_samples(run) * 3 * sizeof *run->found);
+    run->seen = gp_alloc_unset(workers * band_samples(run) * sizeof *run->seen);
     if (!run->picture->color || !run->picture->covered || !run->first || !run->rows ||
-        !run->nearest || !run->found)
+        !run->nearest || !run->seen)
         return GP_ERROR_MEMORY;
     gp_pool_run(pool, (scene->triangle_count + 4095) / 4096, find_rows, run);
     GpResult result = list_triangles(run);
@@ -288,7 +336,7 @@ GpResult mesh_picture_make(const MeshPictureScene *scene, GpPool *pool, MeshPict
     gp_free(run.listed);
     gp_free(run.rows);
     gp_free(run.nearest);
-    gp_free(run.found);
+    gp_free(run.seen);
     if (result)
         mesh_picture_free(picture);
     return result;
