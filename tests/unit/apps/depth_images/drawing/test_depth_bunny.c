@@ -58,7 +58,7 @@ static DepthImage capture(GpDevice *device, const GpMesh *mesh, double waves)
 
 typedef enum Way { FRONT, LAYERS, PRINTED } Way;
 
-static DepthCompared measure(GpDevice *device, const Direct *direct, const Planar *planar, Way way,
+static DepthCompared measure(GpDevice *device, Direct *direct, const Planar *planar, Way way,
                              const RayPicture *truth)
 {
     static const float nothing[4] = { 0 };
