@@ -1,14 +1,15 @@
 #include "apps/commands/pass_list.h"
 
 #include "apps/base/json.h"
+#include "pipeline/list/pass_target.h"
+
 #include <stdio.h>
 
 static json_t *formats_of(const GpPass *pass)
 {
     json_t *formats = json_array();
-    for (int i = 0; i < GP_MAX_TARGETS + 1; i++) {
-        const GpSurface *surface =
-            i < GP_MAX_TARGETS ? pass->color[i].surface : pass->depth.surface;
+    for (int i = 0; i <= GP_MAX_TARGETS; i++) {
+        const GpSurface *surface = gp_pass_target(pass, i);
         if (surface)
             json_array_append_new(formats, json_string(gp_format_info(surface->format)->name));
     }

@@ -202,12 +202,13 @@ static void see(const Piece *piece, const double weight[3], Seen *seen)
 static void fill_row(const Piece *piece, double y, int64_t x0, int64_t x1, double *nearest,
                      Seen *seen)
 {
-    const Edge e0 = piece->edge[0], e1 = piece->edge[1], e2 = piece->edge[2];
+    const Edge *edge = piece->edge;
     const double area = piece->area, turn = area < 0 ? -1 : 1;
     bool entered = false;
     for (int64_t x = x0; x <= x1; x++) {
         const double px = (double)x + 0.5;
-        const double of[3] = { area_at(&e0, px, y), area_at(&e1, px, y), area_at(&e2, px, y) };
+        const double of[3] = { area_at(&edge[0], px, y), area_at(&edge[1], px, y),
+                               area_at(&edge[2], px, y) };
         const bool inside = of[0] * turn >= 0 && of[1] * turn >= 0 && of[2] * turn >= 0;
         if (!inside && entered)
             return;
@@ -255,13 +256,14 @@ static void average(const Run *run, uint32_t band, const double *nearest, const 
     for (uint32_t y = band * BAND; y < (band + 1) * BAND && y < picture->height; y++)
         for (uint32_t x = 0; x < picture->width; x++) {
             const size_t pixel = (size_t)y * picture->width + x;
-            double sum[3] = { 0, 0, 0 }, color[3];
+            double sum[3] = { 0, 0, 0 };
             uint32_t covered = 0;
             for (uint32_t i = 0; i < side * side; i++) {
                 const size_t row = (size_t)(y - band * BAND) * side + i / side;
                 const size_t at = row * picture->width * side + (size_t)x * side + i % side;
                 if (!(nearest[at] > 0))
                     continue;
+                double color[3];
                 covered++;
                 run->scene->color(run->scene->context, seen[at].triangle, seen[at].share, color);
                 for (size_t k = 0; k < 3; k++)

@@ -27,10 +27,10 @@ GpRect gp_pass_clear_part(const GpPass *pass, uint32_t i)
 
 bool gp_pass_renders_to(const GpPass *pass, const GpSurface *surface)
 {
-    for (int t = 0; t < GP_MAX_TARGETS; t++)
-        if (gp_surfaces_share(pass->color[t].surface, surface))
+    for (int t = 0; t <= GP_MAX_TARGETS; t++)
+        if (gp_surfaces_share(gp_pass_target(pass, t), surface))
             return true;
-    return gp_surfaces_share(pass->depth.surface, surface);
+    return false;
 }
 
 /* --- memory of the caller's ------------------------------------------------------------------- */

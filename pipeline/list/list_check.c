@@ -2,6 +2,7 @@
 #include "pipeline/list/list_check.h"
 
 #include "pipeline/list/isa.h"
+#include "pipeline/list/pass_target.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -109,7 +110,7 @@ static GpResult check_targets(const Place *place)
     uint32_t width, height;
     gp_pass_size(pass, &width, &height);
     for (int i = 0; i <= GP_MAX_TARGETS; i++) {
-        const GpSurface *s = i < GP_MAX_TARGETS ? pass->color[i].surface : depth;
+        const GpSurface *s = gp_pass_target(pass, i);
         if (s && (s->width != width || s->height != height))
             return refuse(place, i < GP_MAX_TARGETS ? "color" : "depth.surface",
                           "'%s' is %ux%u, but the pass is %ux%u", s->name, s->width, s->height,
