@@ -228,8 +228,8 @@ static GpResult fit_histories(Record *record, Blobs *blobs, size_t most, GpError
         if (turn == TURNS || now <= most || length >= most)
             break;
         blobs_cut(blobs, before);
-        const double fits = 0.9 * (double)(most - length) / (double)(now - length);
-        result = record_fewer(record, record->share * fits, error);
+        const double part = 0.9 * (double)(most - length) / (double)(now - length);
+        result = record_fewer(record, part, error);
     }
     return result;
 }

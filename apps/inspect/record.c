@@ -80,18 +80,6 @@ static GpResult begin_passes(Record *record, GpError *error)
     return targets_find(list, &record->targets, error);
 }
 
-static GpResult choose_pixels(Record *record, GpError *error)
-{
-    GpResult result = GP_OK;
-    for (uint32_t p = 0; p < record->pass_count && !result; p++)
-        result = record_choose(record, p, error);
-    if (!result)
-        record_choose_alike(record);
-    for (uint32_t p = 0; p < record->pass_count && !result; p++)
-        result = histories_ask(&record->passes[p].histories, &record->passes[p].fragments, error);
-    return result;
-}
-
 /* Each walk has a device of its own: shaders are only stepped through in the second, which only tells of chosen
  * pixels. */
 static GpResult walk_once(Record *record, bool wholly, GpError *error)
@@ -127,11 +115,8 @@ static GpResult walk_once(Record *record, bool wholly, GpError *error)
 /* The histories of chosen pixels. */
 static GpResult walk_wholly(Record *record, GpError *error)
 {
-    GpResult result = choose_pixels(record, error);
-    if (result)
-        return result;
     targets_restore(&record->targets);
-    result = walk_once(record, true, error);
+    const GpResult result = walk_once(record, true, error);
     for (uint32_t p = 0; p < record->pass_count; p++)
         histories_finish(&record->passes[p].histories);
     return result;
@@ -148,16 +133,16 @@ GpResult record_frame(const Inspect *inspect, Blobs *blobs, Record *record, GpEr
         result = walk_once(record, false, error);
     for (uint32_t p = 0; p < record->pass_count && !result; p++)
         fragments_finish(&record->passes[p].fragments);
+    if (!result)
+        result = record_choose(record, error);
     return result ? result : walk_wholly(record, error);
 }
 
-GpResult record_fewer(Record *record, double share, GpError *error)
+GpResult record_fewer(Record *record, double part, GpError *error)
 {
-    record->share = share;
     record->total += walk_stops(record->inspect->list, NULL);
-    for (uint32_t p = 0; p < record->pass_count; p++)
-        histories_free(&record->passes[p].histories);
-    return walk_wholly(record, error);
+    const GpResult result = record_choose_fewer(record, part, error);
+    return result ? result : walk_wholly(record, error);
 }
 
 void record_free(Record *record)

@@ -35,8 +35,9 @@ typedef struct Record {
  * errors those of gp_device_run, GP_ERROR_MEMORY. owns: the caller, until record_free, also then */
 GpResult record_frame(const Inspect *inspect, Blobs *blobs, Record *record, GpError *error);
 
-/* Chooses pixels and records their histories once more, of such a share of them. errors as above */
-GpResult record_fewer(Record *record, double share, GpError *error);
+/* Chooses fewer pixels and records their histories once more: about such a part of their bytes. errors as
+ * above */
+GpResult record_fewer(Record *record, double part, GpError *error);
 
 void record_free(Record *record);
 

@@ -81,7 +81,8 @@ static uint32_t grid_step(const Histories *histories, uint32_t pixels)
     return step;
 }
 
-GpResult record_choose(Record *record, uint32_t pass, GpError *error)
+/* A few for every fate that fragments of a draw had, the region, the draw's, and a grid over all. */
+static GpResult choose_of_pass(Record *record, uint32_t pass, GpError *error)
 {
     const Inspect *inspect = record->inspect;
     const GpPass *of = &inspect->list->passes[pass];
@@ -108,7 +109,9 @@ GpResult record_choose(Record *record, uint32_t pass, GpError *error)
     return GP_OK;
 }
 
-void record_choose_alike(Record *record)
+/* Of a technique's frame, once all passes have chosen: the pixels of the picture's pass in all passes of its
+ * size, so that a pixel can be followed through them. */
+static void choose_alike(Record *record)
 {
     const Histories *last = &record->passes[record->pass_count - 1].histories;
     for (uint32_t p = 0; record->inspect->technique && p + 1 < record->pass_count; p++) {
@@ -117,4 +120,53 @@ void record_choose_alike(Record *record)
         for (uint32_t i = 0; same && i < last->count; i++)
             histories_choose(histories, last->pixel[i].x, last->pixel[i].y);
     }
+}
+
+GpResult record_choose(Record *record, GpError *error)
+{
+    GpResult result = GP_OK;
+    for (uint32_t p = 0; p < record->pass_count && !result; p++) {
+        histories_free(&record->passes[p].histories);
+        result = choose_of_pass(record, p, error);
+    }
+    if (!result)
+        choose_alike(record);
+    for (uint32_t p = 0; p < record->pass_count && !result; p++)
+        result = histories_ask(&record->passes[p].histories, &record->passes[p].fragments, error);
+    return result;
+}
+
+/* About the bytes of histories of the chosen pixels. in: each: [pass] those of a fragment */
+static double expected_bytes(const Record *record, const double *each)
+{
+    double bytes = 0;
+    for (uint32_t p = 0; p < record->pass_count; p++)
+        bytes += each[p] * (double)record->passes[p].histories.asked_count;
+    return bytes;
+}
+
+GpResult record_choose_fewer(Record *record, double part, GpError *error)
+{
+    enum { HALVINGS = 7 };
+    double *each = gp_alloc(record->pass_count, sizeof *each);
+    if (!each)
+        return gp_fail(error, GP_ERROR_MEMORY, "no memory for the passes of a frame");
+    for (uint32_t p = 0; p < record->pass_count; p++) {
+        const Histories *histories = &record->passes[p].histories;
+        each[p] = (double)histories->bytes / fmax((double)histories->asked_count, 1);
+    }
+    const double most = part * expected_bytes(record, each);
+    double least = 0, over = record->share;
+    GpResult result = GP_OK;
+    for (int i = 0; i < HALVINGS && !result; i++) {
+        record->share = (least + over) / 2;
+        result = record_choose(record, error);
+        if (expected_bytes(record, each) > most)
+            over = record->share;
+        else
+            least = record->share;
+    }
+    gp_free(each);
+    record->share = least > 0 ? least : over;
+    return result ? result : record_choose(record, error);
 }

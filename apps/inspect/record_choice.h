@@ -4,12 +4,11 @@
 
 #include "apps/inspect/record.h"
 
-/* Chooses pixels once the fragments are known: a few for every fate that fragments of a draw had, the
- * region, the draw's, and a grid over all. errors GP_ERROR_MEMORY */
-GpResult record_choose(Record *record, uint32_t pass, GpError *error);
+/* Chooses pixels of each pass once the fragments are known: of its share. errors GP_ERROR_MEMORY */
+GpResult record_choose(Record *record, GpError *error);
 
-/* Of a technique's frame, once all passes have chosen: the pixels of the picture's pass in all passes of its
- * size, so that a pixel can be followed through them. */
-void record_choose_alike(Record *record);
+/* Once histories are recorded: lowers the share until they take about such a part of the bytes, by how many
+ * each pass's fragments took, and chooses again. errors GP_ERROR_MEMORY */
+GpResult record_choose_fewer(Record *record, double part, GpError *error);
 
 #endif
