@@ -40,7 +40,7 @@ bool gp_trace_wants_quad(const GpReferenceDraw *d, const GpQuad *quad)
     return false;
 }
 
-static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)
+static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind, int32_t x, int32_t y)
 {
     return (GpTraceEvent){
         .kind = kind,
@@ -50,8 +50,8 @@ static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind)
         .pass_name = d->pass->name,
         .draw_name = d->draw->name,
         .program_name = d->draw->program->name,
-        .x = -1,
-        .y = -1,
+        .x = x,
+        .y = y,
     };
 }
 
@@ -81,10 +81,7 @@ static int next_pixel(const GpReferenceDraw *d, GpTraceKind kind, const GpQuad *
 static GpTraceEvent pixel_event(const GpReferenceDraw *d, GpTraceKind kind, const GpQuad *quad,
                                 int pixel)
 {
-    GpTraceEvent event = new_event(d, kind);
-    event.x = quad->x + pixel % 2;
-    event.y = quad->y + pixel / 2;
-    return event;
+    return new_event(d, kind, quad->x + pixel % 2, quad->y + pixel / 2);
 }
 
 /* --- clears ----------------------------------------------------------------------------------- */
@@ -131,7 +128,7 @@ static void send_vertices(const GpReferenceDraw *d)
         uint32_t number = d->corner_numbers[i];
         const GpVertex *vertex = &d->vertices[number - d->first_vertex];
         gp_fetch_vertex(&draw->geometry, draw->program, number, inputs);
-        GpTraceEvent event = new_event(d, GP_TRACE_VERTEX);
+        GpTraceEvent event = new_event(d, GP_TRACE_VERTEX, -1, -1);
         event.vertex.vertex = number;
         event.vertex.input_components = draw->program->input_components;
         event.vertex.varying_components = draw->program->varying_components;
@@ -146,7 +143,7 @@ static void send_clip(const GpReferenceDraw *d)
 {
     if (!d->polygon || !gp_trace_sends(d, GP_TRACE_CLIP))
         return;
-    GpTraceEvent event = new_event(d, GP_TRACE_CLIP);
+    GpTraceEvent event = new_event(d, GP_TRACE_CLIP, -1, -1);
     for (int i = 0; i < 3; i++)
         memcpy(event.clip.clip[i], d->vertices[d->corner_numbers[i] - d->first_vertex].clip,
                sizeof event.clip.clip[i]);
@@ -186,7 +183,7 @@ static void send_setup(const GpReferenceDraw *d)
                                            [GP_SETUP_OUTSIDE] = "no pixel centre inside" };
     if (!d->corner || !gp_trace_sends(d, GP_TRACE_SETUP))
         return;
-    GpTraceEvent event = new_event(d, GP_TRACE_SETUP);
+    GpTraceEvent event = new_event(d, GP_TRACE_SETUP, -1, -1);
     event.setup.part = d->part;
     for (int i = 0; i < 3; i++) {
         const int of = i ? d->part + i : 0; /* a fan round the first corner */
@@ -416,7 +413,7 @@ void gp_trace_send_missed(const GpReferenceDraw *d, int32_t x, int32_t y,
 {
     if (!gp_trace_sends(d, GP_TRACE_MISSED))
         return;
-    GpTraceEvent event = new_event(d, GP_TRACE_MISSED);
+    GpTraceEvent event = new_event(d, GP_TRACE_MISSED, -1, -1);
     event.x = x;
     event.y = y;
     event.missed = *missed;
@@ -429,7 +426,7 @@ void gp_trace_send_steps(const GpReferenceDraw *d, int32_t x, int32_t y, const G
 {
     if (!gp_trace_sends(d, GP_TRACE_STEPS))
         return;
-    GpTraceEvent event = new_event(d, GP_TRACE_STEPS);
+    GpTraceEvent event = new_event(d, GP_TRACE_STEPS, -1, -1);
     event.x = x;
     event.y = y;
     event.steps = *steps;
