@@ -1,5 +1,6 @@
 #include "apps/inspect/fragments.h"
 
+#include "pipeline/base/grow.h"
 #include "pipeline/io/bytes.h"
 
 #include <stdlib.h>
@@ -19,21 +20,6 @@ const char *const fragment_verdict_names[FRAGMENT_VERDICTS] = {
 };
 
 /* --- taking events ---------------------------------------------------------------------------- */
-
-static bool make_room(Fragments *fragments)
-{
-    if (fragments->count < fragments->room)
-        return true;
-    const size_t room = fragments->room ? 2 * fragments->room : 1 << 16;
-    Fragment *larger = realloc(fragments->all, room * sizeof *larger);
-    if (!larger) {
-        fragments->failed = true;
-        return false;
-    }
-    fragments->all = larger;
-    fragments->room = room;
-    return true;
-}
 
 /* Whether nothing of what the targets held is in what a draw leaves there. */
 static bool replaces(const GpPass *pass, const GpDraw *draw)
@@ -66,8 +52,11 @@ static void begin(Fragments *fragments, const GpPass *pass, const GpTraceEvent *
         fragments->left_out++;
         return;
     }
-    if (!make_room(fragments))
+    Fragment *list = gp_grown(fragments->all, fragments->count, &fragments->room, sizeof *list,
+                              &fragments->failed);
+    if (!list)
         return;
+    fragments->all = list;
     fragments->all[fragments->count++] = (Fragment){
         .pixel = pixel_of(fragments, event),
         .sequence = fragments->sequence++,

@@ -1,6 +1,7 @@
 #include "apps/inspect/histories.h"
 
 #include "apps/inspect/trace_json.h"
+#include "pipeline/base/grow.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,16 +23,11 @@ void histories_choose(Histories *histories, int32_t x, int32_t y)
     if (x < 0 || y < 0 || x >= (int32_t)histories->width || y >= (int32_t)histories->height ||
         histories_want(histories, x, y))
         return;
-    if (histories->count == histories->room) {
-        const uint32_t room = histories->room ? 2 * histories->room : 256;
-        HistoryPixel *larger = realloc(histories->pixel, room * sizeof *larger);
-        if (!larger) {
-            histories->failed = true;
-            return;
-        }
-        histories->pixel = larger;
-        histories->room = room;
-    }
+    HistoryPixel *list = gp_grown(histories->pixel, histories->count, &histories->room,
+                                  sizeof *list, &histories->failed);
+    if (!list)
+        return;
+    histories->pixel = list;
     histories->pixel[histories->count++] = (HistoryPixel){ .x = x, .y = y };
     histories->number[(uint32_t)y * histories->width + (uint32_t)x] = histories->count;
 }

@@ -32,7 +32,8 @@ typedef struct Histories {
     uint32_t width, height;
     uint32_t *number; /* [height][width]: 1 + the pixel's number; 0: not chosen. NULL: none is */
     HistoryPixel *pixel;
-    uint32_t count, room;
+    uint32_t count;
+    size_t room;
     size_t bytes;      /* of all their events */
     uint32_t left_out; /* events without room */
 

@@ -1,6 +1,7 @@
 #include "apps/truth/fragments.h"
 
 #include "apps/truth/seen_triangle.h"
+#include "pipeline/base/grow.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -126,14 +127,10 @@ typedef struct Row {
 
 static bool append(Row *row, const Fragment *fragment)
 {
-    if (row->count == row->room) {
-        const size_t room = row->room ? 2 * row->room : 4096;
-        Fragment *more = realloc(row->fragments, room * sizeof *more);
-        if (!more)
-            return false;
-        row->fragments = more;
-        row->room = room;
-    }
+    Fragment *list = gp_grown(row->fragments, row->count, &row->room, sizeof *list, NULL);
+    if (!list)
+        return false;
+    row->fragments = list;
     row->fragments[row->count++] = *fragment;
     return true;
 }

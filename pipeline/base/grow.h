@@ -8,15 +8,18 @@
 
 /* A list of malloc with room for one more element, which may have moved.
  * in   list: NULL where room is 0
- * returns NULL, the list stays as it is, and `failed` is set: there is no memory */
-static inline void *gp_grown(void *list, int count, int *room, size_t size, bool *failed)
+ * out  failed: true where there is no memory, else as it was; may be NULL
+ * returns NULL where there is no memory: the list stays as it is */
+static inline void *gp_grown(void *list, size_t count, size_t *room, size_t size, bool *failed)
 {
     if (count < *room)
         return list;
-    const int more = *room ? 2 * *room : 64;
-    void *larger = realloc(list, (size_t)more * size);
-    *failed = *failed || !larger;
-    *room = larger ? more : *room;
+    const size_t more = *room ? 2 * *room : 64;
+    void *larger = realloc(list, more * size);
+    if (larger)
+        *room = more;
+    else if (failed)
+        *failed = true;
     return larger;
 }
 

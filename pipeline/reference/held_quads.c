@@ -33,9 +33,9 @@ static void put(uint8_t *texel, uint8_t *held, size_t bytes)
 }
 
 /* Between the targets and what is held of a quad; what is outside of them is left out. */
-static void copy_quad(const GpHeldQuads *quads, int number, CopyFn *copy)
+static void copy_quad(const GpHeldQuads *quads, size_t number, CopyFn *copy)
 {
-    uint8_t *held = quads->held + (size_t)number * quads->bytes;
+    uint8_t *held = quads->held + number * quads->bytes;
     uint32_t place[2];
     memcpy(place, held, sizeof place);
     held += sizeof place;
@@ -64,13 +64,13 @@ void gp_held_add(GpHeldQuads *quads, int32_t x, int32_t y)
         return;
     *seen = 1;
     quads->held = held;
-    memcpy(held + (size_t)quads->count * quads->bytes, place, sizeof place);
+    memcpy(held + quads->count * quads->bytes, place, sizeof place);
     copy_quad(quads, quads->count++, take);
 }
 
 void gp_held_put(const GpHeldQuads *quads)
 {
-    for (int i = 0; i < quads->count; i++)
+    for (size_t i = 0; i < quads->count; i++)
         copy_quad(quads, i, put);
 }
 

@@ -10,7 +10,7 @@ typedef struct GpHeldQuads {
     uint8_t *seen;    /* [quads_y][quads_x]: 1 where one is held */
     uint8_t *held;    /* one after the other: its place, then [target][2][2] texels */
     size_t bytes;     /* of each */
-    int count, room;
+    size_t count, room;
     bool failed; /* for want of memory some are not there */
 } GpHeldQuads;
 

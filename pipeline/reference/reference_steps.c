@@ -11,7 +11,8 @@
 typedef struct Steps {
     GpShaderStep *step;
     GpStepWatch *watch;
-    int steps, step_room, watches, watch_room;
+    int steps, watches;
+    size_t step_room, watch_room;
     GpStepOutput output[GP_STEP_OUTPUTS];
     int outputs;
     bool failed;
@@ -21,7 +22,7 @@ static void take_step(void *user, const GpShaderStep *step)
 {
     Steps *all = user;
     GpShaderStep *list =
-        gp_grown(all->step, all->steps, &all->step_room, sizeof *list, &all->failed);
+        gp_grown(all->step, (size_t)all->steps, &all->step_room, sizeof *list, &all->failed);
     if (list) {
         all->step = list;
         all->step[all->steps++] = *step;
@@ -32,7 +33,7 @@ static void take_watch(void *user, const GpStepWatch *watch)
 {
     Steps *all = user;
     GpStepWatch *list =
-        gp_grown(all->watch, all->watches, &all->watch_room, sizeof *list, &all->failed);
+        gp_grown(all->watch, (size_t)all->watches, &all->watch_room, sizeof *list, &all->failed);
     if (list) {
         all->watch = list;
         all->watch[all->watches++] = *watch;

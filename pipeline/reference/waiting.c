@@ -1,32 +1,23 @@
 #include "pipeline/reference/waiting.h"
 
+#include "pipeline/base/grow.h"
 #include "pipeline/units/fragment_order.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static bool make_room(GpWaiting *waiting)
-{
-    if (waiting->count + 4 <= waiting->room)
-        return true;
-    const size_t room = waiting->room ? 2 * waiting->room : 1024;
-    GpWaitingFragment *larger = realloc(waiting->fragment, room * sizeof *larger);
-    if (!larger) {
-        waiting->failed = true;
-        return false;
-    }
-    waiting->fragment = larger;
-    waiting->room = room;
-    return true;
-}
-
 void gp_waiting_add(GpWaiting *waiting, GpOrder order, const GpQuad *quad, float min_depth,
                     float max_depth, uint32_t draw, uint32_t primitive)
 {
-    for (int pixel = 0; pixel < 4 && make_room(waiting); pixel++) {
+    for (int pixel = 0; pixel < 4; pixel++) {
         if (!(quad->mask >> pixel & 1))
             continue;
-        GpWaitingFragment *fragment = &waiting->fragment[waiting->count];
+        GpWaitingFragment *list = gp_grown(waiting->fragment, waiting->count, &waiting->room,
+                                           sizeof *list, &waiting->failed);
+        if (!list)
+            return;
+        waiting->fragment = list;
+        GpWaitingFragment *fragment = &list[waiting->count];
         *fragment = (GpWaitingFragment){
             .x = quad->x + pixel % 2,
             .y = quad->y + pixel / 2,

@@ -99,7 +99,7 @@ void gp_graph_watch(const char *name, const GpOperand *value)
 {
     if (!recorded->compute)
         return;
-    GpGraphWatch *list = gp_grown(recorded->watch, recorded->watches, &recorded->watch_room,
+    GpGraphWatch *list = gp_grown(recorded->watch, (size_t)recorded->watches, &recorded->watch_room,
                                   sizeof *list, &recorded->no_memory);
     if (!list)
         return;

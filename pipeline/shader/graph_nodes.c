@@ -27,8 +27,8 @@ int gp_graph_input_components(const GpGraph *graph, int i)
 
 int32_t gp_graph_add_node(GpGraph *graph, const GpNode *node)
 {
-    GpNode *list =
-        gp_grown(graph->node, graph->nodes, &graph->node_room, sizeof *list, &graph->no_memory);
+    GpNode *list = gp_grown(graph->node, (size_t)graph->nodes, &graph->node_room, sizeof *list,
+                            &graph->no_memory);
     if (!list)
         return 0;
     graph->node = list;

@@ -46,14 +46,16 @@ typedef struct GpGraph {
     void *tagged; /* uniforms that tell which they are; owned */
     size_t uniform_bytes;
     GpNode *node;
-    int nodes, node_room;
+    int nodes;
+    size_t node_room;
     int32_t leaf[GP_GRAPH_HASHES]; /* the newest of each hash; -1: none */
     int32_t *schedule;             /* nodes of live instructions, each after its operands */
     int scheduled;
     GpGraphRegister output[GP_STEP_OUTPUTS];
     int outputs;
     GpGraphWatch *watch;
-    int watches, watch_room;
+    int watches;
+    size_t watch_room;
     uint8_t named_inputs[GP_SEMANTICS]; /* GpShaderCounts.named_inputs */
 } GpGraph;
 

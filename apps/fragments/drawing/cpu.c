@@ -2,6 +2,7 @@
 
 #include "apps/fragments/drawing/passes.h"
 #include "apps/fragments/drawing/stream.h"
+#include "pipeline/base/grow.h"
 
 #include <stdlib.h>
 
@@ -21,14 +22,10 @@ typedef struct Buffer {
 static bool take(void *context, const StreamFragment *fragment)
 {
     Buffer *buffer = context;
-    if (buffer->count == buffer->room) {
-        const size_t room = buffer->room ? 2 * buffer->room : 1 << 16;
-        Link *more = realloc(buffer->links, room * sizeof *more);
-        if (!more)
-            return false;
-        buffer->links = more;
-        buffer->room = room;
-    }
+    Link *list = gp_grown(buffer->links, buffer->count, &buffer->room, sizeof *list, NULL);
+    if (!list)
+        return false;
+    buffer->links = list;
     uint32_t *last = &buffer->last[(size_t)fragment->y * buffer->width + fragment->x];
     buffer->links[buffer->count++] = (Link){ fragment->depth, fragment->triangle, *last };
     *last = (uint32_t)buffer->count;

@@ -1,29 +1,21 @@
 #include "apps/fragments/order/graph.h"
 
-#include <string.h>
+#include "pipeline/base/grow.h"
 
 void pairs_add(Pairs *edges, uint32_t before, uint32_t after)
 {
-    if (edges->count == edges->room) {
-        const size_t room = edges->room * 2 + 1024;
-        uint32_t(*pair)[2] = gp_alloc_unset(room * sizeof *pair);
-        if (!pair) {
-            edges->failed = true;
-            return;
-        }
-        if (edges->count > 0)
-            memcpy(pair, edges->pair, edges->count * sizeof *pair);
-        gp_free(edges->pair);
-        edges->pair = pair;
-        edges->room = room;
-    }
+    uint32_t(*pair)[2] =
+        gp_grown(edges->pair, edges->count, &edges->room, sizeof *pair, &edges->failed);
+    if (!pair)
+        return;
+    edges->pair = pair;
     edges->pair[edges->count][0] = before;
     edges->pair[edges->count++][1] = after;
 }
 
 void pairs_free(Pairs *edges)
 {
-    gp_free(edges->pair);
+    free(edges->pair);
     *edges = (Pairs){ .pair = NULL };
 }
 

@@ -2,6 +2,7 @@
 
 #include "apps/base/mesh_places.h"
 #include "apps/fragments/order/part_two.h"
+#include "pipeline/base/grow.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +25,7 @@ typedef struct Place {
 typedef struct Work {
     PartWork two;
     Partings made;
-    uint32_t room;
+    size_t room;      /* of made */
     Place *order;     /* pieces along x */
     uint32_t *active; /* those of which the sweep is in the box */
 } Work;
@@ -40,14 +41,10 @@ static int compare_places(const void *a, const void *b)
 static bool add_parting(Work *work, const Parting *parting)
 {
     Partings *made = &work->made;
-    if (made->count == work->room) {
-        const uint32_t room = work->room * 2 + 1024;
-        Parting *list = realloc(made->list, room * sizeof *list);
-        if (!list)
-            return false;
-        made->list = list;
-        work->room = room;
-    }
+    Parting *list = gp_grown(made->list, made->count, &work->room, sizeof *list, NULL);
+    if (!list)
+        return false;
+    made->list = list;
     made->list[made->count++] = *parting;
     return true;
 }
