@@ -1,6 +1,7 @@
 /* The fast executor with next to no memory for vertices and bins: what is there is drawn before more
  * is made, and the bits stay the same; so with next to none for fragments to be sorted, where tiles
  * come in slices, and in passes that repeat earlier ones. */
+#include "pipeline/fast/draws/draw.h"
 #include "pipeline/fast/fast.h"
 #include "shaders_c/materials/unlit.h"
 #include "tests/support/lists/random_order.h"
@@ -111,6 +112,7 @@ static void memory_of_a_large_draw_is_predicted_and_said(void **state)
     GpDraw draw = { .program = &unlit_program, .uniforms = &uniforms };
     draw.geometry.vertex_count = VERTICES;
     draw.geometry.streams[GP_POSITION] = (GpStream){ .data = positions, .components = 3 };
+    draw.state.raster.clip_planes = 63; /* distances, beside a vertex's place */
     const GpPass pass = { .color = { { .surface = target } }, .draws = &draw, .draw_count = 1 };
     const GpList list = { &pass, 1 };
     assert_int_equal(run_measured(&list, 2, &predicted, &held, &error), GP_OK);
@@ -135,12 +137,43 @@ static void memory_of_a_large_draw_is_predicted_and_said(void **state)
     gp_free(positions);
 }
 
+static uint64_t predicted_of_clear(uint32_t tiles_x, uint32_t tiles_y, int threads)
+{
+    const GpSurfaceDesc desc = { .format = GP_A8R8G8B8,
+                                 .width = tiles_x * FAST_TILE,
+                                 .height = tiles_y * FAST_TILE };
+    GpSurface *target;
+    GpFast *fast = NULL;
+    assert_int_equal(gp_surface_create(&desc, &target, NULL), GP_OK);
+    assert_int_equal(gp_fast_create(threads, &fast, NULL), GP_OK);
+    const GpPass pass = { .color = { { .surface = target, .clear = true } } };
+    const uint64_t predicted = gp_fast_memory(fast, &(GpList){ &pass, 1 }, LANES);
+    gp_fast_destroy(&fast);
+    gp_surface_destroy(&target);
+    return predicted;
+}
+
+/* A thread without a tile takes nothing. */
+static void memory_is_told_of_as_many_threads_as_have_tiles(void **state)
+{
+    (void)state;
+    const uint64_t of_a_thread = predicted_of_clear(4, 4, 2) - predicted_of_clear(4, 4, 1);
+    assert_true(of_a_thread > 0);
+    for (int threads = 3; threads <= 18; threads++) {
+        const uint64_t more =
+            predicted_of_clear(4, 4, threads) - predicted_of_clear(4, 4, threads - 1);
+        assert_int_equal(more, threads <= 16 ? of_a_thread : 0);
+    }
+    assert_int_equal(predicted_of_clear(1, 1, 8), predicted_of_clear(1, 1, 1));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(memory_limit_changes_no_bit),
         cmocka_unit_test(lists_take_no_more_than_is_predicted),
         cmocka_unit_test(memory_of_a_large_draw_is_predicted_and_said),
+        cmocka_unit_test(memory_is_told_of_as_many_threads_as_have_tiles),
     };
     return cmocka_run_group_tests_name("fast memory", tests, NULL, NULL);
 }
