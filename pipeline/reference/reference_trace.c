@@ -40,6 +40,7 @@ bool gp_trace_wants_quad(const GpReferenceDraw *d, const GpQuad *quad)
     return false;
 }
 
+/* Of a pixel; x and y are -1 where it is of none. */
 static GpTraceEvent new_event(const GpReferenceDraw *d, GpTraceKind kind, int32_t x, int32_t y)
 {
     return (GpTraceEvent){
@@ -413,9 +414,7 @@ void gp_trace_send_missed(const GpReferenceDraw *d, int32_t x, int32_t y,
 {
     if (!gp_trace_sends(d, GP_TRACE_MISSED))
         return;
-    GpTraceEvent event = new_event(d, GP_TRACE_MISSED, -1, -1);
-    event.x = x;
-    event.y = y;
+    GpTraceEvent event = new_event(d, GP_TRACE_MISSED, x, y);
     event.missed = *missed;
     send(d, &event);
     if (d->reference->trace->one_pixel)
@@ -426,9 +425,7 @@ void gp_trace_send_steps(const GpReferenceDraw *d, int32_t x, int32_t y, const G
 {
     if (!gp_trace_sends(d, GP_TRACE_STEPS))
         return;
-    GpTraceEvent event = new_event(d, GP_TRACE_STEPS, -1, -1);
-    event.x = x;
-    event.y = y;
+    GpTraceEvent event = new_event(d, GP_TRACE_STEPS, x, y);
     event.steps = *steps;
     send(d, &event);
 }

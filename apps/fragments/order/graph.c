@@ -2,6 +2,8 @@
 
 #include "pipeline/base/grow.h"
 
+#include <stdlib.h>
+
 void pairs_add(Pairs *edges, uint32_t before, uint32_t after)
 {
     uint32_t(*pair)[2] =
