@@ -131,11 +131,11 @@ static void sort(Fragments *fragments)
 {
     const size_t pixels = (size_t)fragments->width * fragments->height;
     uint32_t *end = gp_alloc(pixels, sizeof *end);
-    Fragment *sorted = malloc((fragments->count + 1) * sizeof *sorted);
+    Fragment *sorted = gp_alloc_unset((fragments->count + 1) * sizeof *sorted);
     if (!end || !sorted) {
         fragments->failed = true;
         gp_free(end);
-        free(sorted);
+        gp_free(sorted);
         return;
     }
     count_out(fragments, end, sorted);
@@ -146,7 +146,7 @@ static void sort(Fragments *fragments)
                 break;
             }
     gp_free(end);
-    free(fragments->all);
+    gp_free(fragments->all);
     fragments->all = sorted;
     fragments->room = fragments->count + 1;
 }
@@ -274,7 +274,7 @@ int fragments_lod_blob(const Fragments *fragments, Blobs *blobs)
 
 void fragments_free(Fragments *fragments)
 {
-    free(fragments->all);
+    gp_free(fragments->all);
     gp_free(fragments->lod);
     *fragments = (Fragments){ .count = 0 };
 }

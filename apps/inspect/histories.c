@@ -310,7 +310,7 @@ void histories_free(Histories *histories)
 {
     for (uint32_t i = 0; i < histories->count; i++)
         text_free(&histories->pixel[i].events);
-    free(histories->pixel);
+    gp_free(histories->pixel);
     gp_free(histories->number);
     gp_free(histories->asked);
     step_listings_free(&histories->listings);

@@ -199,7 +199,7 @@ static void make_row(void *context, uint32_t y, int worker)
         }
     }
     work->fragments[y] = row.count;
-    free(row.fragments);
+    gp_free(row.fragments);
 }
 
 /* Rows that a triangle's box reaches into. */

@@ -2,11 +2,11 @@
 #ifndef GP_GROW_H
 #define GP_GROW_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdlib.h>
+#include "pipeline/base/base.h"
 
-/* A list of malloc with room for one more element, which may have moved.
+#include <string.h>
+
+/* A list of gp_alloc with room for one more element, which may have moved.
  * in   list: NULL where room is 0
  * out  failed: true where there is no memory, else as it was; may be NULL
  * returns NULL where there is no memory: the list stays as it is */
@@ -15,10 +15,13 @@ static inline void *gp_grown(void *list, size_t count, size_t *room, size_t size
     if (count < *room)
         return list;
     const size_t more = *room ? 2 * *room : 64;
-    void *larger = realloc(list, more * size);
-    if (larger)
+    void *larger = gp_alloc_unset(more * size);
+    if (larger) {
+        if (count)
+            memcpy(larger, list, count * size);
+        gp_free(list);
         *room = more;
-    else if (failed)
+    } else if (failed)
         *failed = true;
     return larger;
 }

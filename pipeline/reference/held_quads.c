@@ -77,6 +77,6 @@ void gp_held_put(const GpHeldQuads *quads)
 void gp_held_free(GpHeldQuads *quads)
 {
     gp_free(quads->seen);
-    free(quads->held);
+    gp_free(quads->held);
     *quads = (GpHeldQuads){ .pass = NULL };
 }

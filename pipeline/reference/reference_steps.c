@@ -4,7 +4,6 @@
 #include "pipeline/reference/reference_draw.h"
 #include "pipeline/units/input_assembly.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* What the run told. */
@@ -56,8 +55,8 @@ static GpStepListener listener_of(Steps *all)
 
 static void free_steps(Steps *all)
 {
-    free(all->step);
-    free(all->watch);
+    gp_free(all->step);
+    gp_free(all->watch);
 }
 
 static GpTraceSteps told(const Steps *all, bool of_vertex, int lane, bool agrees)

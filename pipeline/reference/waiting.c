@@ -79,6 +79,6 @@ void gp_waiting_quad(const GpWaitingFragment *fragment, GpQuad *quad)
 
 void gp_waiting_free(GpWaiting *waiting)
 {
-    free(waiting->fragment);
+    gp_free(waiting->fragment);
     *waiting = (GpWaiting){ .failed = waiting->failed };
 }

@@ -225,9 +225,9 @@ bool gp_graph_record(GpGraph *graph, void (*shader)(void))
 void gp_graph_free(GpGraph *graph)
 {
     free(graph->tagged);
-    free(graph->node);
+    gp_free(graph->node);
     free(graph->schedule);
-    free(graph->watch);
+    gp_free(graph->watch);
 }
 
 bool gp_graph_missed(void)

@@ -4,7 +4,6 @@
 #include "apps/fragments/drawing/stream.h"
 #include "pipeline/base/grow.h"
 
-#include <stdlib.h>
 
 /* Fragments as they come, chained by pixels. */
 typedef struct Link {
@@ -87,7 +86,7 @@ GpResult cpu_add(const FragmentMesh *mesh, const FragmentView *view, GpSurface *
         fragment_put_over(&passes, layers);
         result = frame_result(frame, error);
     }
-    free(buffer.links);
+    gp_free(buffer.links);
     gp_free(buffer.last);
     return result;
 }

@@ -2,7 +2,6 @@
 
 #include "pipeline/base/grow.h"
 
-#include <stdlib.h>
 
 void pairs_add(Pairs *edges, uint32_t before, uint32_t after)
 {
@@ -17,7 +16,7 @@ void pairs_add(Pairs *edges, uint32_t before, uint32_t after)
 
 void pairs_free(Pairs *edges)
 {
-    free(edges->pair);
+    gp_free(edges->pair);
     *edges = (Pairs){ .pair = NULL };
 }
 

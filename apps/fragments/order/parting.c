@@ -279,7 +279,7 @@ GpResult partings_unpack(const PiecesBlock *block, const Pieces *pieces, Parting
     if (packed.piece_count != pieces->count || packed.face_count != pieces->face_count ||
         block->size != sizeof packed + list + slabs)
         return GP_ERROR_FORMAT;
-    Partings made = { .list = malloc(list + 1),
+    Partings made = { .list = gp_alloc_unset(list + 1),
                       .count = packed.count,
                       .slab_count = packed.slab_count,
                       .piece_count = packed.piece_count,
@@ -299,7 +299,7 @@ GpResult partings_unpack(const PiecesBlock *block, const Pieces *pieces, Parting
 
 void partings_free(Partings *partings)
 {
-    free(partings->list);
+    gp_free(partings->list);
     gp_free(partings->first);
     gp_free(partings->slab_of);
     gp_free(partings->slab_first);
