@@ -4,7 +4,6 @@
 #include "apps/fragments/drawing/stream.h"
 #include "pipeline/base/grow.h"
 
-
 /* Fragments as they come, chained by pixels. */
 typedef struct Link {
     float depth;

@@ -2,7 +2,6 @@
 
 #include "pipeline/base/grow.h"
 
-
 void pairs_add(Pairs *edges, uint32_t before, uint32_t after)
 {
     uint32_t(*pair)[2] =
