@@ -63,7 +63,7 @@ static void add_texts(Files *files, const char *file, const json_t *value, int d
 
 static void add_name(Files *files, const char *named_by, const char *name, int depth)
 {
-    char path[PATH_MAX], extension[8];
+    char path[PATH_MAX];
     GpFile file;
     if (gp_data_find_beside(named_by, name, path, sizeof path, NULL)) {
         if (!named_by)
@@ -73,9 +73,8 @@ static void add_name(Files *files, const char *named_by, const char *name, int d
     if (!is_new(files, path) || gp_file_read(path, &file, NULL))
         return;
     add(files, file.data, file.size);
-    gp_file_extension(path, extension);
     json_t *root =
-        strcmp(extension, "json") == 0 ? json_loadb(file.data, file.size, 0, NULL) : NULL;
+        gp_file_has_extension(path, "json") ? json_loadb(file.data, file.size, 0, NULL) : NULL;
     add_texts(files, path, root, depth);
     json_decref(root);
     gp_file_free(&file);

@@ -4,7 +4,6 @@
 #include "pipeline/io/image/layers_file.h"
 
 #include <stdio.h>
-#include <string.h>
 
 _Static_assert((int)DEPTH_TEXT <= (int)GP_LAYER_TEXT, "a place fits into a layer's text");
 _Static_assert((int)DEPTH_MODEL_IMAGES <= (int)GP_LAYERS, "a model's images fit into a file");
@@ -30,9 +29,7 @@ static float *channel_of(const DepthPixels *pixels, int channel, size_t *step)
 
 bool depth_file_is_readable(const char *path)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    return strcmp(extension, "exr") == 0;
+    return gp_file_has_extension(path, "exr");
 }
 
 /* --- writing ---------------------------------------------------------------------------------- */

@@ -100,10 +100,8 @@ void picture_free(Picture *picture)
 bool picture_has_extension(const char *path)
 {
     static const char *const known[] = { "png", "exr", "pfm", "ppm" };
-    char extension[8];
-    gp_file_extension(path, extension);
     for (size_t i = 0; i < GP_COUNT(known); i++)
-        if (strcmp(extension, known[i]) == 0)
+        if (gp_file_has_extension(path, known[i]))
             return true;
     return false;
 }
@@ -121,10 +119,8 @@ GpResult picture_check_path(const char *path, GpError *error)
 /* How a file holds a picture: what its format can, and of that what fits the source best. */
 static void choose_samples(const char *path, GpImageType source, GpImage *image)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    bool pfm = strcmp(extension, "pfm") == 0, ppm = strcmp(extension, "ppm") == 0;
-    if (pfm || strcmp(extension, "exr") == 0)
+    const bool pfm = gp_file_has_extension(path, "pfm"), ppm = gp_file_has_extension(path, "ppm");
+    if (pfm || gp_file_has_extension(path, "exr"))
         image->type = source == GP_IMAGE_F16 && !pfm ? GP_IMAGE_F16 : GP_IMAGE_F32;
     else
         image->type = source == GP_IMAGE_U16 ? GP_IMAGE_U16 : GP_IMAGE_U8;

@@ -1,6 +1,7 @@
 #include "apps/frame/strips.h"
 
 #include "apps/frame/picture.h"
+#include "pipeline/io/file.h"
 #include "pipeline/io/image/png_rows.h"
 
 #include <stdio.h>
@@ -20,16 +21,9 @@ struct Strips {
     GpFilePieces *pieces; /* of a PPM */
 };
 
-static bool has_extension(const char *path, const char *extension)
-{
-    char own[8];
-    gp_file_extension(path, own);
-    return strcmp(own, extension) == 0;
-}
-
 bool strips_can_write(const char *path)
 {
-    return has_extension(path, "png") || has_extension(path, "ppm");
+    return gp_file_has_extension(path, "png") || gp_file_has_extension(path, "ppm");
 }
 
 GpResult strips_begin(const char *path, GpFormat format, uint32_t width, uint32_t height,
@@ -47,7 +41,7 @@ GpResult strips_begin(const char *path, GpFormat format, uint32_t width, uint32_
     made->width = width;
     made->height = height;
     made->bytes = gp_format_info(format)->bytes;
-    made->is_ppm = has_extension(path, "ppm");
+    made->is_ppm = gp_file_has_extension(path, "ppm");
     XXH3_64bits_reset(&made->hash);
     *strips = made;
     return GP_OK;

@@ -381,3 +381,10 @@ void gp_file_extension(const char *path, char extension[8])
     }
     extension[length] = '\0';
 }
+
+bool gp_file_has_extension(const char *path, const char *extension)
+{
+    char own[8];
+    gp_file_extension(path, own);
+    return strcmp(own, extension) == 0;
+}

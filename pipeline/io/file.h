@@ -74,6 +74,9 @@ bool gp_path_is_folder(const char *path);
  */
 void gp_file_extension(const char *path, char extension[8]);
 
+/* Whether it is this one: lower case, at most 7 characters. */
+bool gp_file_has_extension(const char *path, const char *extension);
+
 #ifdef __cplusplus
 }
 #endif

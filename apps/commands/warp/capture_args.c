@@ -10,16 +10,12 @@
 #include "apps/techniques/warp/model.h"
 #include "pipeline/io/file.h"
 
-#include <string.h>
-
 CaptureInput capture_input(const CaptureArgs *args)
 {
-    char extension[8];
-    gp_file_extension(args->input, extension);
-    return args->depth                      ? CAPTURE_INPUT_RGBD
-           : args->relief > 0               ? CAPTURE_INPUT_HEIGHTS
-           : strcmp(extension, "json") == 0 ? CAPTURE_INPUT_SCENE
-                                            : CAPTURE_INPUT_MESH;
+    return args->depth                                  ? CAPTURE_INPUT_RGBD
+           : args->relief > 0                           ? CAPTURE_INPUT_HEIGHTS
+           : gp_file_has_extension(args->input, "json") ? CAPTURE_INPUT_SCENE
+                                                        : CAPTURE_INPUT_MESH;
 }
 
 /* --- meshes ----------------------------------------------------------------------------------- */

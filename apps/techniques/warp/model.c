@@ -180,11 +180,9 @@ WarpView warp_model_view(const WarpModel *model, const WarpOptions *options, War
 /* Names that end as what depth images are captured of, but meshes. */
 static GpResult check_name(const char *path, GpError *error)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    const char *what = picture_has_extension(path)      ? "picture"
-                       : strcmp(extension, "json") == 0 ? "scene"
-                                                        : NULL;
+    const char *what = picture_has_extension(path)           ? "picture"
+                       : gp_file_has_extension(path, "json") ? "scene"
+                                                             : NULL;
     return what && !depth_file_is_readable(path)
                ? gp_fail(error, GP_ERROR_INVALID,
                          "%.200s: a %s: expected a mesh, or a depth image, .exr; glasspipe warp "

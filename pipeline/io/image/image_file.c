@@ -2,8 +2,6 @@
 
 #include "pipeline/io/image/image_codec.h"
 
-#include <string.h>
-
 /* What a format can hold, as bits: of GpImageType, of the channel count. */
 typedef struct FormatEntry {
     const char *extension;
@@ -46,12 +44,9 @@ static const char *const type_names[GP_IMAGE_TYPES] = {
 
 static const FormatEntry *find_format(const char *path)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    for (size_t i = 0; i < GP_COUNT(formats); i++) {
-        if (strcmp(extension, formats[i].extension) == 0)
+    for (size_t i = 0; i < GP_COUNT(formats); i++)
+        if (gp_file_has_extension(path, formats[i].extension))
             return &formats[i];
-    }
     return NULL;
 }
 

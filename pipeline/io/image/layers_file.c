@@ -2,13 +2,9 @@
 
 #include "pipeline/io/image/image_codec.h"
 
-#include <string.h>
-
 static GpResult check_path(const char *path, GpError *error)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    return strcmp(extension, "exr") == 0
+    return gp_file_has_extension(path, "exr")
                ? GP_OK
                : gp_fail(error, GP_ERROR_INVALID, "%s: expected a name that ends with .exr", path);
 }

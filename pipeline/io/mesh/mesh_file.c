@@ -3,8 +3,6 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_formats.h"
 
-#include <string.h>
-
 typedef struct FormatEntry {
     const char *extension;
     void (*read)(GpInput *, GpMeshBuilder *);
@@ -17,12 +15,9 @@ static const FormatEntry formats[] = {
 
 static const FormatEntry *find_format(const char *path)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    for (size_t i = 0; i < GP_COUNT(formats); i++) {
-        if (strcmp(extension, formats[i].extension) == 0)
+    for (size_t i = 0; i < GP_COUNT(formats); i++)
+        if (gp_file_has_extension(path, formats[i].extension))
             return &formats[i];
-    }
     return NULL;
 }
 

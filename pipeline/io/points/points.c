@@ -3,8 +3,6 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/points/points_formats.h"
 
-#include <string.h>
-
 static const struct Format {
     const char *extension;
     bool is_text;
@@ -21,12 +19,9 @@ static const struct Format {
 
 static const struct Format *find_format(const char *path)
 {
-    char extension[8];
-    gp_file_extension(path, extension);
-    for (size_t i = 0; i < GP_COUNT(formats); i++) {
-        if (strcmp(extension, formats[i].extension) == 0)
+    for (size_t i = 0; i < GP_COUNT(formats); i++)
+        if (gp_file_has_extension(path, formats[i].extension))
             return &formats[i];
-    }
     return NULL;
 }
 

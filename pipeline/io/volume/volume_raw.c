@@ -84,10 +84,9 @@ static GpResult read_order(const char *path, const json_t *object, GpError *erro
 
 GpResult gp_volume_parse_raw(GpVolumeSource *source, GpError *error)
 {
-    char path[PATH_MAX], extension[8];
+    char path[PATH_MAX];
     GpFile file;
-    gp_file_extension(source->path, extension);
-    source->is_gzip = strcmp(extension, "gz") == 0;
+    source->is_gzip = gp_file_has_extension(source->path, "gz");
     if (!path_of_json(source->path, source->is_gzip, path))
         return gp_fail(error, GP_ERROR_IO, "%.200s: the path is too long", source->path);
     GpResult result = gp_file_read(path, &file, error);

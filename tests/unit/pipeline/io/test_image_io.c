@@ -184,6 +184,8 @@ static void extensions_are_the_last_and_lower_case(void **state)
         char extension[8];
         gp_file_extension(cases[i][0], extension);
         assert_string_equal(extension, cases[i][1]);
+        assert_true(gp_file_has_extension(cases[i][0], cases[i][1]));
+        assert_false(gp_file_has_extension(cases[i][0], "pn"));
     }
 }
 
