@@ -310,7 +310,7 @@ GpResult gp_program_try(const GpProgram *p, const GpProgramCode *code, const voi
         return REFUSE("program %s: its %s code rounds a * b + c once, which makes other pictures: "
                       "compile it with -ffp-contract=off",
                       p->name, code->isa);
-    if (trial.wrong_slot >= 0)
+    if (trial.wrong_slot)
         return REFUSE("program %s: slot %d is read, but there are samplers 0 to %d only", p->name,
                       trial.wrong_slot, GP_MAX_SAMPLERS - 1);
     if (!trial.writes_position)

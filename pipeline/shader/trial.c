@@ -255,7 +255,7 @@ static void try_pixels(Run *run, GpTrial *trial)
 
 GpTrial gp_program_trial(const GpProgram *program, const GpProgramCode *code, const void *uniforms)
 {
-    GpTrial trial = { .wrong_slot = -1, .writes_position = true };
+    GpTrial trial = { .writes_position = true };
     trial.vertex.outputs_written = low_bits(program->varying_components);
     trial.pixel.outputs_written = low_bits(program->color_components);
     Run run = { .program = program, .code = code, .uniforms = uniforms, .trial = &trial };

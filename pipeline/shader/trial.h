@@ -8,7 +8,7 @@ typedef struct GpTrial {
     /* What was seen, in the words of counting; costs are 0. Of inputs_read only those are told that the
      * vertex shader does not write. */
     GpShaderCounts vertex, pixel;
-    int wrong_slot;         /* a texture slot that does not exist was read; -1: none */
+    int wrong_slot;         /* a texture slot that does not exist was read; 0, which does: none */
     bool fused;             /* the code rounds a * b + c once */
     bool writes_position;   /* all of it */
     bool position_moves;    /* the clip-space position follows the input GP_POSITION */

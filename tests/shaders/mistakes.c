@@ -85,6 +85,14 @@ PIXEL_SHADER(slot_ps)
 {
     return texld(16, in->place);
 }
+PIXEL_SHADER(negative_slot_ps)
+{
+    return texld(-1, in->place);
+}
+PIXEL_SHADER(far_slot_ps)
+{
+    return texld(40, in->place);
+}
 PIXEL_SHADER(local_ps)
 {
     return gp_load_local(2);
@@ -140,6 +148,8 @@ MISTAKE(uses_pixel, plain_vs, pixel_ps)
 MISTAKE(uses_face, plain_vs, face_ps)
 MISTAKE(uses_derivatives, plain_vs, derivatives_ps)
 MISTAKE(slot, plain_vs, slot_ps, .samplers = 0xffff)
+MISTAKE(negative_slot, plain_vs, negative_slot_ps)
+MISTAKE(far_slot, plain_vs, far_slot_ps)
 MISTAKE(no_depth, plain_vs, plain_ps, .writes_depth = true)
 MISTAKE(no_point_size, plain_vs, plain_ps, .writes_point_size = true)
 MISTAKE(varying_unwritten, no_varying_vs, plain_ps)

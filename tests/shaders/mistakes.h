@@ -15,7 +15,8 @@ extern const GpProgram mistake_none;
 /* Use what they do not declare. */
 extern const GpProgram mistake_samplers, mistake_vertex_samplers, mistake_local_reads,
     mistake_may_discard, mistake_texkill, mistake_writes_depth, mistake_writes_point_size,
-    mistake_uses_pixel, mistake_uses_face, mistake_uses_derivatives, mistake_slot;
+    mistake_uses_pixel, mistake_uses_face, mistake_uses_derivatives, mistake_slot,
+    mistake_negative_slot, mistake_far_slot;
 
 /* Read a texture in a loop that no vertex or pixel of all zeros enters. */
 extern const GpProgram mistake_samplers_in_loop;

@@ -85,6 +85,8 @@ static void what_shaders_use_must_be_declared(void **state)
         { &mistake_uses_face, "uses_face is not declared" },
         { &mistake_uses_derivatives, "uses_derivatives is not declared" },
         { &mistake_slot, "slot 16 is read, but there are samplers 0 to 15 only" },
+        { &mistake_negative_slot, "slot -1 is read, but there are samplers 0 to 15 only" },
+        { &mistake_far_slot, "slot 40 is read, but there are samplers 0 to 15 only" },
         { &mistake_no_depth, "writes_depth is declared, but no odepth reached" },
         { &mistake_no_point_size, "writes_point_size is declared, but it is never written" },
         { &mistake_inputs_sum, "inputs declare 6 components, the vertex struct has 5" },
