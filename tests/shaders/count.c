@@ -281,6 +281,16 @@ vertex_shader(long_vs, CountUniforms, Vertex, Varying)
 program(count_long_vertex, long_vs, lean_ps, .vertex_profile = GP_VS_2_0,
         .pixel_profile = GP_PS_2_0, .inputs = INPUTS, .varyings = VARYINGS)
 
+vertex_shader(sat_vs, CountUniforms, Vertex, Varying)
+{
+    *position = in->position;
+    out->a = sat(in->color);
+    out->b = in->color;
+    out->uv = xy(in->color);
+}
+program(count_vertex_sat, sat_vs, lean_ps, .vertex_profile = GP_VS_3_0, .pixel_profile = GP_PS_3_0,
+        .inputs = INPUTS, .varyings = VARYINGS)
+
 vertex_shader(texture_vs, CountUniforms, Vertex, Varying)
 {
     *position = in->position;

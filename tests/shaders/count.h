@@ -119,8 +119,9 @@ extern const GpProgram count_gradients, count_explicit_level, count_looping, cou
     count_facing;
 /* A loop of 100 turns in model 3. */
 extern const GpProgram count_looping_3;
-/* Vertex shaders: 257 slots; a texture; an implicit level; a written point size and depth. */
-extern const GpProgram count_long_vertex, count_vertex_texture, count_vertex_texld, count_extras;
+/* Vertex shaders: 257 slots; a saturated input; a texture; an implicit level; a written point size and depth. */
+extern const GpProgram count_long_vertex, count_vertex_sat, count_vertex_texture,
+    count_vertex_texld, count_extras;
 /* A varying, and a target, that are not written whole. */
 extern const GpProgram count_unwritten_varying, count_unwritten_target;
 

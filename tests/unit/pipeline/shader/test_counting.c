@@ -288,6 +288,25 @@ static void wider_profiles_accept_what_narrow_ones_refuse(void **state)
     }
 }
 
+/* Where there is no _sat: a max and a min. */
+static void sat_is_dearer_in_vertex_shaders_of_model_2(void **state)
+{
+    (void)state;
+    const struct {
+        GpProfile profile;
+        int slots;
+    } rows[] = { { GP_VS_2_0, 5 },
+                 { GP_VS_2_SW, 5 },
+                 { GP_VS_3_0, 4 },
+                 { GP_VS_3_SW, 4 },
+                 { GP_PROFILE_NONE, 4 } };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        GpProgram program = count_vertex_sat;
+        program.vertex_profile = rows[i].profile;
+        assert_int_equal(vertex_counts(&program).slots, rows[i].slots);
+    }
+}
+
 static void vertex_textures_need_model_3(void **state)
 {
     (void)state;
@@ -462,6 +481,7 @@ int main(void)
         cmocka_unit_test(counting_again_or_one_side_gives_the_same),
         cmocka_unit_test(programs_are_held_to_the_limits_of_their_profiles),
         cmocka_unit_test(wider_profiles_accept_what_narrow_ones_refuse),
+        cmocka_unit_test(sat_is_dearer_in_vertex_shaders_of_model_2),
         cmocka_unit_test(vertex_textures_need_model_3),
         cmocka_unit_test(what_shaders_need_must_be_declared),
         cmocka_unit_test(declarations_must_agree_with_the_structs),
