@@ -84,6 +84,10 @@ static void memory_of_surfaces_is_predicted(void **state)
     };
     assert_true(gp_surface_bytes(&large) == (uint64_t)1 << 30);
     assert_true(gp_surface_bytes(&chain) == (5 * 3 + 2 * 1 + 1) * 4);
+    const GpSurfaceDesc window = {
+        .format = GP_A8R8G8B8, .width = 64, .height = 64, .window = { 3, 5, 10, 9 }
+    };
+    assert_true(gp_surface_bytes(&window) == 7 * 4 * 4);
     GpSurface *surface = NULL;
     assert_int_equal(gp_surface_create(&chain, &surface, &error), GP_OK);
     uint64_t bytes = 0;

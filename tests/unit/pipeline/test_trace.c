@@ -1,6 +1,7 @@
 /* Traces: what is told of a frame, of which part of it, and that telling changes no bit. */
 #include <math.h>
 
+#include "pipeline/resources/compare.h"
 #include "tests/support/lists/drawing.h"
 #include "tests/support/random_list.h"
 
@@ -180,6 +181,53 @@ static void watching_changes_no_bit(void **state)
     gp_free(random);
 }
 
+/* How many tests of each unit there were, that passed and that did not. */
+typedef struct Tests {
+    int stencil[2], depth[2];
+    int stopped; /* the pixel whose stencil test failed last, as a number; -1: another event came since */
+} Tests;
+
+static void check_test(void *user, const GpTraceEvent *event)
+{
+    Tests *tests = user;
+    const GpTraceTest *test = &event->test;
+    const int stopped = tests->stopped, pixel = event->y * 256 + event->x;
+    tests->stopped = -1;
+    if (event->kind != GP_TRACE_TEST)
+        return;
+    const bool is_stencil = strcmp(test->unit, "stencil") == 0;
+    if (is_stencil) {
+        assert_int_equal(test->passed, gp_compare_codes(test->compare, (uint32_t)test->incoming,
+                                                        (uint32_t)test->stored));
+        tests->stencil[test->passed]++;
+        tests->stopped = test->passed ? -1 : pixel;
+    } else if (strcmp(test->unit, "depth") == 0 && !test->ternary) {
+        assert_true(pixel != stopped); /* what the stencil test stops is not asked for its depth */
+        assert_int_equal(test->passed,
+                         gp_compare_codes(test->compare, test->incoming_code, test->stored_code));
+        tests->depth[test->passed]++;
+    }
+}
+
+/* Whatever pixel of its quad a fragment is. */
+static void what_a_test_says_is_what_its_comparison_does(void **state)
+{
+    (void)state;
+    RandomList *random = gp_alloc(1, sizeof *random);
+    Tests tests = { .stopped = -1 };
+    for (uint64_t seed = 400; seed < 440; seed++) {
+        GpError error;
+        const GpDeviceDesc desc = { .executor = GP_EXECUTOR_REFERENCE,
+                                    .trace = { .event = check_test, .user = &tests } };
+        assert_true(random_list_create(seed, 24, random));
+        assert_int_equal(run(&random->list, &desc, &error), GP_OK);
+        random_list_destroy(random);
+    }
+    for (int passed = 0; passed < 2; passed++)
+        assert_true(tests.stencil[passed] > 1000 && tests.depth[passed] > 1000);
+    gp_free(random);
+}
+
 /* Events of each kind; those of wanted pixels mixed in their order. */
 typedef struct Heard {
     int count[GP_TRACE_KINDS];
@@ -318,6 +366,7 @@ int main(void)
         cmocka_unit_test(a_trace_tells_of_one_pass_draw_or_primitive_alone),
         cmocka_unit_test(traced_shares_are_those_of_the_vertices_in_their_order),
         cmocka_unit_test(watching_changes_no_bit),
+        cmocka_unit_test(what_a_test_says_is_what_its_comparison_does),
         cmocka_unit_test(watched_at_speed_the_events_are_those_of_the_reference_executor),
         cmocka_unit_test(each_executor_has_traces_of_its_own_kind),
         cmocka_unit_test(kinds_that_are_left_out_change_no_other),
