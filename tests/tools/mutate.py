@@ -7,9 +7,9 @@ were noticed. What does not compile does not count, nor what the compiler makes 
 mutants_alike.txt explains.
 
 Works in the checkout that it is run in, where nothing may be edited meanwhile, with a build of its own in
-out/mutants, of the narrowest lanes. A mutant meets the pipeline's own tests, those that noticed most in the
-least time before others, and one that is explained only quick ones; what survives them meets, in the end, the
-techniques' tests and the stored pictures.
+out/mutants, of the narrowest lanes. A mutant meets the pipeline's own tests (those of readers and writers only
+where one of these is among the files), those that noticed most in the least time before others, and one that is
+explained only quick ones; what survives them meets, in the end, the techniques' tests and the stored pictures.
 
 LOG ("" for none) gets the lines as well. Places that it has lines of, though they moved, count as judged, but for
 what survived: that is asked again.
@@ -239,7 +239,8 @@ def main():
     known = told(log)
     places = list({key_of(place): place for place in places}.values())
     places.sort(key=lambda place: key_of(place) not in known)
-    own = made([name for name in test_names("pipeline") if "/io/" not in name[1]] + [
+    reads = any("/io/" in path for path in files)
+    own = made([name for name in test_names("pipeline") if reads or "/io/" not in name[1]] + [
         ("golden", ""), ("differential", "")])
     for test in own:
         test.noticed = sum(who == test.name for who, _ in known.values())
