@@ -256,6 +256,8 @@ static const struct {
     { "a.xyz", "1,5 2,5 3,5\n", "found '1,5'", GP_ERROR_FORMAT },
     { "a.pts", "2147483648\n0 0 0\n", "line 1: 2147483648 points are promised", GP_ERROR_FORMAT },
     { "a.pts", "-1\n0 0 0\n", "line 1: -1 points are promised", GP_ERROR_FORMAT },
+    { "a.pts", "3\n0 0 0\n0 0 0\n", "line 1: 3 points are promised, but only 13 bytes follow",
+      GP_ERROR_FORMAT },
     { "a.pts", "3\n0 0 0\n0.25 0.25 0.25\n", "but 1 more points are expected", GP_ERROR_FORMAT },
     { "a.pts", "1\n0 0 0\n0 0 0\n", "line 3: expected the end of the file after the 1 points",
       GP_ERROR_FORMAT },
