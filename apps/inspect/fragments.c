@@ -131,7 +131,7 @@ static void sort(Fragments *fragments)
 {
     const size_t pixels = (size_t)fragments->width * fragments->height;
     uint32_t *end = gp_alloc(pixels, sizeof *end);
-    Fragment *sorted = gp_alloc_unset((fragments->count + 1) * sizeof *sorted);
+    Fragment *sorted = gp_alloc_unset(fragments->count * sizeof *sorted);
     if (!end || !sorted) {
         fragments->failed = true;
         gp_free(end);
@@ -148,7 +148,7 @@ static void sort(Fragments *fragments)
     gp_free(end);
     gp_free(fragments->all);
     fragments->all = sorted;
-    fragments->room = fragments->count + 1;
+    fragments->room = fragments->count;
 }
 
 static uint8_t lod_code(float lod)

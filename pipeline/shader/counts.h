@@ -38,6 +38,12 @@ struct GpShaderCounts {
     bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
 };
 
+/* The bit of a slot in them; 0: there is no such slot. */
+static inline uint16_t gp_slot_bit(int slot)
+{
+    return slot >= 0 && slot < GP_MAX_SAMPLERS ? (uint16_t)(1u << slot) : (uint16_t)0;
+}
+
 /* What counting a pixel shader tells of it. */
 typedef struct GpPixelFacts {
     uint64_t varyings_read; /* bit i: component i; all where the counting build is not there, or

@@ -1,7 +1,6 @@
 #include "pipeline/base/grow.h"
 #include "pipeline/shader/graph_nodes.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Of the shader that runs in this thread. */
@@ -127,7 +126,7 @@ bool gp_graph_is_stepping(void)
 /* Numbers that no shader holds: negative denormals, which count the words from 1 on. */
 static const void *tagged_uniforms(GpGraph *graph, size_t bytes)
 {
-    uint32_t *word = graph->tagged = malloc(bytes + sizeof *word);
+    uint32_t *word = graph->tagged = gp_alloc_unset(bytes + sizeof *word);
     for (uint32_t i = 0; word && i <= bytes / sizeof *word; i++)
         word[i] = 0x80000001u + i;
     return word;
@@ -224,9 +223,9 @@ bool gp_graph_record(GpGraph *graph, void (*shader)(void))
 
 void gp_graph_free(GpGraph *graph)
 {
-    free(graph->tagged);
+    gp_free(graph->tagged);
     gp_free(graph->node);
-    free(graph->schedule);
+    gp_free(graph->schedule);
     gp_free(graph->watch);
 }
 

@@ -138,12 +138,7 @@ static void drop_unwritten(GpGraph *graph, GpShaderCounts *counts)
     }
 }
 
-/* What does not exist is left to the trial, which refuses it. */
-static uint16_t bit_of_slot(int slot)
-{
-    return slot >= 0 && slot < GP_MAX_SAMPLERS ? (uint16_t)(1u << slot) : 0;
-}
-
+/* Slots that do not exist are left to the trial, which refuses them. */
 static void read_instruction(const GpGraph *graph, const GpNode *node, GpShaderCounts *counts)
 {
     const bool reads = node->op.kind == GP_NODE_TEXTURE || node->op.kind == GP_NODE_KILL;
@@ -156,10 +151,10 @@ static void read_instruction(const GpGraph *graph, const GpNode *node, GpShaderC
     if (node->op.kind != GP_NODE_TEXTURE)
         return;
     if (!node->operands) {
-        counts->local_slots |= bit_of_slot(node->index);
+        counts->local_slots |= gp_slot_bit(node->index);
         return;
     }
-    counts->sampler_slots |= bit_of_slot(node->index);
+    counts->sampler_slots |= gp_slot_bit(node->index);
     counts->implicit_lod |= node->op.mode == GP_LOD_IMPLICIT || node->op.mode == GP_LOD_BIAS;
     counts->explicit_lod |= node->op.mode == GP_LOD_EXPLICIT;
     gp_raise(&counts->dependent_reads, node->order);

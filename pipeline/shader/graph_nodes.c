@@ -2,7 +2,6 @@
 
 #include "pipeline/base/grow.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 bool gp_graph_has_model2(const GpGraph *graph)
@@ -103,7 +102,7 @@ static void place(GpGraph *graph, int32_t number)
 
 bool gp_graph_arrange(GpGraph *graph)
 {
-    graph->schedule = malloc((size_t)graph->nodes * sizeof *graph->schedule);
+    graph->schedule = gp_alloc_unset((size_t)graph->nodes * sizeof *graph->schedule);
     if (!graph->schedule)
         return false;
     for (int32_t i = 0; i < graph->nodes; i++)

@@ -47,14 +47,12 @@ static void digest(Run *run, const void *values, size_t bytes)
         run->digest = (run->digest ^ ((const uint8_t *)values)[i]) * 0x100000001b3u;
 }
 
-static bool note_slot(Run *run, int slot, uint16_t *slots)
+static void note_slot(Run *run, int slot, uint16_t *slots)
 {
-    const bool exists = slot >= 0 && slot < GP_MAX_SAMPLERS;
-    if (exists)
-        *slots = (uint16_t)(*slots | 1u << slot);
-    else
+    const uint16_t bit = gp_slot_bit(slot);
+    *slots |= bit;
+    if (!bit)
         run->trial->wrong_slot = slot;
-    return exists;
 }
 
 /* A texel of what is about the coordinate, so that what is made of it follows the inputs. */

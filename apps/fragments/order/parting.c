@@ -279,12 +279,12 @@ GpResult partings_unpack(const PiecesBlock *block, const Pieces *pieces, Parting
     if (packed.piece_count != pieces->count || packed.face_count != pieces->face_count ||
         block->size != sizeof packed + list + slabs)
         return GP_ERROR_FORMAT;
-    Partings made = { .list = gp_alloc_unset(list + 1),
+    Partings made = { .list = gp_alloc_unset(list),
                       .count = packed.count,
                       .slab_count = packed.slab_count,
                       .piece_count = packed.piece_count,
                       .face_count = packed.face_count,
-                      .slab_of = gp_alloc_unset(slabs + 1) };
+                      .slab_of = gp_alloc_unset(slabs) };
     if (!made.list || !made.slab_of) {
         partings_free(&made);
         return GP_ERROR_MEMORY;
