@@ -41,7 +41,7 @@ struct GpShaderCounts {
 /* The bit of a slot in them; 0: there is no such slot. */
 static inline uint16_t gp_slot_bit(int slot)
 {
-    return slot >= 0 && slot < GP_MAX_SAMPLERS ? (uint16_t)(1u << slot) : (uint16_t)0;
+    return (uint16_t)(slot >= 0 && slot < GP_MAX_SAMPLERS ? 1u << slot : 0);
 }
 
 /* What counting a pixel shader tells of it. */
