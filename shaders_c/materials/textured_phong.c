@@ -1,7 +1,8 @@
-/* A texture with Blinn-Phong lighting per pixel (see phong.c). Texture 0 is the surface's colour,
+/* A texture with Blinn-Phong lighting per pixel (see phong_shared.h). Texture 0 is the surface's colour,
  * linear light. */
 #define GP_SHADER_AT_ONCE 4
 #include "shaders_c/common/vertices_shared.h"
+#include "shaders_c/materials/phong_shared.h"
 #include "shaders_c/materials/textured_phong.h"
 
 typedef struct Varying {
@@ -23,16 +24,9 @@ pixel_shader_begin(textured_phong_ps, PhongUniforms, Varying, float4)
 pixel_shader_end(textured_phong_ps, PhongUniforms, Varying, float4)
 {
     float4 texel = *begun;
-    float3 L = u3(c->light);
-    float3 N = nrm(in->surface.normal);
-    float3 V = nrm(sub(u3(c->eye), in->surface.world));
-    float3 H = nrm(add(V, L));
-
-    flt diffuse = max(dp3(N, L), 0);
-    flt highlight = pow_(max(dp3(N, H), 0), bcast(c->shininess));
-
-    float3 color = mul(xyz(texel), mad(u3(c->diffuse), diffuse, u3(c->ambient)));
-    return rgba(mad(sp3(highlight), c->specular, color), texel.w);
+    PhongLight light = phong_light(c, nrm(in->surface.normal), in->surface.world);
+    float3 color = mul(xyz(texel), light.color);
+    return rgba(with_highlight(c, light, color), texel.w);
 }
 
 program(textured_phong_program, textured_phong_vs, textured_phong_ps, MODEL_2_0,

@@ -1,6 +1,7 @@
 /* Phong, seen through a volume: see through.h. */
 #include "shaders_c/volume/through.h"
 #include "shaders_c/common/vertices_shared.h"
+#include "shaders_c/materials/phong_shared.h"
 #include "shaders_c/volume/raycast_shared.h"
 
 vertex_shader(through_vs, ThroughUniforms, MeshVertex, SurfaceVarying)
@@ -13,21 +14,6 @@ GP_INLINE float3 of_pixel(const float ends[3][3], float2 pixel)
     return mad(u3(ends[1]), pixel.x, mad(u3(ends[2]), pixel.y, u3(ends[0])));
 }
 
-/* As phong.c lights it. */
-GP_INLINE float3 lit_surface(const PhongUniforms *c, const SurfaceVarying *in)
-{
-    float3 L = u3(c->light);
-    float3 N = nrm(in->normal);
-    float3 V = nrm(sub(u3(c->eye), in->world));
-    float3 H = nrm(add(V, L));
-
-    flt diffuse = max(dp3(N, L), 0);
-    flt highlight = pow_(max(dp3(N, H), 0), bcast(c->shininess));
-
-    float3 color = mad(u3(c->diffuse), diffuse, u3(c->ambient));
-    return mad(sp3(highlight), c->specular, color);
-}
-
 GP_INLINE float4 seen_through(GpInvocation *gp, const ThroughUniforms *c, const SurfaceVarying *in,
                               bool lit)
 {
@@ -35,7 +21,9 @@ GP_INLINE float4 seen_through(GpInvocation *gp, const ThroughUniforms *c, const 
     flt share = dp3(in->world, u3(c->share)) + c->share[3];
     Ray ray = cut_ray(&c->rays, of_pixel(c->start, pixel), of_pixel(c->way, pixel), share);
     float4 before = walk(gp, &c->rays, &ray, lit);
-    return rgba(mad(lit_surface(&c->phong, in), 1.0f - before.w, xyz(before)), 1);
+    PhongLight light = phong_light(&c->phong, nrm(in->normal), in->world);
+    float3 surface = with_highlight(&c->phong, light, light.color);
+    return rgba(mad(surface, 1.0f - before.w, xyz(before)), 1);
 }
 
 pixel_shader(through_ps, ThroughUniforms, SurfaceVarying)

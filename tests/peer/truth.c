@@ -76,7 +76,7 @@ static void normalize(double a[3])
         a[c] /= length;
 }
 
-/* Blinn-Phong as shaders_c/materials/phong.c states it, in binary64. */
+/* Blinn-Phong as shaders_c/materials/phong_shared.h states it, in binary64. */
 static void shade(const PhongUniforms *u, double normal[3], const double world[3], double rgb[3])
 {
     double light[3], view[3], half[3];
