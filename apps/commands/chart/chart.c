@@ -35,8 +35,7 @@ static const SettingField options[] = {
       SETTING_TEXT, .offset = offsetof(ChartCommand, folder), .letter = 'o' },
     { "name", "NAME",
       "Call the files NAME.svg and so on (default: the technique's name, with the scene's where "
-      "that "
-      "is not its own, and _own where settings are given)",
+      "that is not its own, and _own where settings are given)",
       SETTING_TEXT, .offset = offsetof(ChartCommand, own_name) },
     { "time", "SECONDS", "Draw each setting for so long (default: 0.3)", SETTING_NUMBER,
       .offset = offsetof(ChartCommand, seconds), .high = OPTIONS_ANY, .letter = 't' },

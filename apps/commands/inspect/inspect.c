@@ -34,10 +34,8 @@ static const SettingField options[] = {
       SETTING_TEXT, .offset = OF(against) },
     { "lesson", "PATH",
       "Instead of a scene: ask the question of NAME.lesson.json about the scene NAME.json beside "
-      "it; or, "
-      "of a folder, all of its lessons, into the folder that -o names (default: out/lessons where "
-      "out/ "
-      "exists, else lessons), with an index",
+      "it; or, of a folder, all of its lessons, into the folder that -o names (default: "
+      "out/lessons where out/ exists, else lessons), with an index",
       SETTING_TEXT, .offset = OF(lesson_path) },
     { "no-timings", NULL, "Leave out times: the page is then the same on every machine",
       SETTING_FLAG, .offset = OF(no_timings) },

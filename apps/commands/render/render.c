@@ -10,8 +10,7 @@
 static const SettingField options[] = {
     { "size", "WxH",
       "Size of the picture in pixels, 1x1 to 32768x32768 (default: the scene's); beyond 8192 it is "
-      "drawn by "
-      "windows",
+      "drawn by windows",
       SETTING_SIZE, .offset = offsetof(Options, size), 1, GP_MAX_WHOLE },
     { "output", "FILE",
       "Write the picture to FILE: .png, .exr, .pfm or .ppm "
@@ -28,8 +27,7 @@ static const SettingField options[] = {
       SETTING_INTEGER, .offset = offsetof(Render, turn), .low = 1, .high = 1000000 },
     { "frames", "A:B[:STEP]",
       "Draw these frames, B included; # in the output's name stands for a digit (default: all of "
-      "the path, or "
-      "of the turn)",
+      "the path, or of the turn)",
       SETTING_TEXT, .offset = offsetof(Render, frames) },
     OPTIONS_ITEMS,
     { "dump", "PASS",

@@ -31,26 +31,22 @@ static const SettingField options[] = {
       SETTING_NAME, .offset = OF(warp.kind), .names = kinds },
     { "source", "CAMERA.json",
       "The camera of a planar image of a mesh, as scenes have it (default: one that sees all of "
-      "it, "
-      "from 30 degrees to the right and 20 above)",
+      "it, from 30 degrees to the right and 20 above)",
       SETTING_TEXT, .offset = OF(warp.source) },
     { "color", "NAME",
       "Of a mesh: file, its own colours (default where there are any); waves:K, 0.5 + 0.5 sin(K "
-      "p); "
-      "or white, grey, clay, gold, jade or black",
+      "p); or white, grey, clay, gold, jade or black",
       SETTING_TEXT, .offset = OF(warp.color) },
     { "up", NULL,
       "Of a mesh: which axis points up, of the default camera and of a cylinder: y (default), z, "
-      "x, "
-      "-y or -z",
+      "x, -y or -z",
       SETTING_NAME, .offset = OF(warp.orbit.up), .names = warp_ups },
     { "layers", "N",
       "2, with what is seen behind what is in front, of meshes the default; 1, without, of scenes",
       SETTING_INTEGER, .offset = OF(layers), .low = 1, .high = 2 },
     { "rays", NULL,
       "Of a cylinder: columns, each drawn from its own azimuth (default); faces, as printed, out "
-      "of six "
-      "planar images",
+      "of six planar images",
       SETTING_NAME, .offset = OF(rays), .names = rays },
     { "depth-file", "FILE",
       "Depths beside a colour picture: a grey picture of its size, 0 where there is none",
@@ -123,10 +119,8 @@ static const CommandSyntax syntax = {
             "into a "
             "file that glasspipe warp draws.\v"
             "A mesh is OFF, OBJ, PLY, STL, OM or builtin:NAME; a scene is captured as it is lit "
-            "there; a "
-            "picture needs --depth-file, as depth cameras take them, or --relief. An image is "
-            "512x512 by "
-            "default, a box has so many pixels along its longest side.",
+            "there; a picture needs --depth-file, as depth cameras take them, or --relief. An "
+            "image is 512x512 by default, a box has so many pixels along its longest side.",
     .offset = offsetof(CaptureArgs, input),
     .least = 1,
     .most = 1,

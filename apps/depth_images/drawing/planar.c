@@ -114,8 +114,7 @@ const char *planar_warning(const DepthImage *image, const WarpView *view)
         return "rays along the plane of a planar depth image warp nothing";
     if (eye.is_among)
         return "the eye is on the plane of a planar depth image, or beyond: only what is in front "
-               "of "
-               "the eye is warped";
+               "of the eye is warped";
     const char *warning = plane_warning(&image->plane, &extent, view);
     return warning ? warning : depth_level_warning(&image->plane, &image->front);
 }

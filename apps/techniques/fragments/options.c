@@ -38,14 +38,12 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 
 const SettingField fragment_settings[] = {
     { "method", NULL,
-      "sorted: the machine sorts the fragments of a pixel (default); convex: convex "
-      "pieces of the mesh, put in order as wholes; dp, ddp: the nearest "
-      "fragments, and the farthest too, peeled pass by pass; "
-      "kbuffer: the nearest few of a pixel; stencil: the first few that are drawn; bucket1, "
-      "bucket2, adaptive: sorted into buckets by depth, of equal depth in one pass or two, or "
-      "where "
-      "there are fragments; mdt: all of them in 32 bits each; abuffer: all of them; cpu: the same "
-      "by the processor; weighted: an average instead of an order",
+      "sorted: the machine sorts the fragments of a pixel (default); convex: convex pieces of the "
+      "mesh, put in order as wholes; dp, ddp: the nearest fragments, and the farthest too, peeled "
+      "pass by pass; kbuffer: the nearest few of a pixel; stencil: the first few that are drawn; "
+      "bucket1, bucket2, adaptive: sorted into buckets by depth, of equal depth in one pass or "
+      "two, or where there are fragments; mdt: all of them in 32 bits each; abuffer: all of them; "
+      "cpu: the same by the processor; weighted: an average instead of an order",
       SETTING_NAME, OF(method), .names = methods },
     { "kept", "N", "Of kbuffer and stencil: fragments of a pixel that are kept (default: 8)",
       SETTING_INTEGER, OF(kept), .low = 1, .high = 64 },
@@ -55,8 +53,7 @@ const SettingField fragment_settings[] = {
 
     { "pieces", NULL,
       "Of convex: both, pieces that are seen from outside or from inside (default); outward, as "
-      "the "
-      "paper has them; merged, joined where they touch",
+      "the paper has them; merged, joined where they touch",
       SETTING_NAME, OF(pieces), .names = pieces },
     { "tolerance", "T",
       "Of convex: a piece may be concave by so much of the mesh's longest side (default: 0, none "

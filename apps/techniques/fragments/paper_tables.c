@@ -82,10 +82,8 @@ static GpResult measure_speed(const PaperTable *table, const PaperRow *row,
 static const char *const speed_reasons[] = {
     "convex is first here as it was there, and last of all loses to what sorts in the tile.",
     "mdts and abs fall behind the buckets, which the A-buffer led: CUDA appends to a pixel's list "
-    "by "
-    "an atomic operation, in one reading of the mesh; here are none, and each layer of a list "
-    "takes "
-    "a reading.",
+    "by an atomic operation, in one reading of the mesh; here are none, and each layer of a list "
+    "takes a reading.",
     "adp overtakes dual peeling where layers are many: it reads the mesh twice, however many there "
     "are, and a reading costs a processor more than it cost the board.",
     "ddp falls behind dp where the mesh is small and has few layers: it reads half as often, but "

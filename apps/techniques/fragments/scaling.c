@@ -41,12 +41,9 @@ static const TechniqueSlope no_slopes[] = { { .name = NULL } };
 
 static const char *const scaling_text[] = {
     "The scene is the paper's: a wall of spheres that grows deeper, each sphere two layers, of "
-    "1,520 "
-    "triangles where the paper's have 39,600. So the mesh grows with the layers, and a method that "
-    "reads it once takes time as "
-    "they "
-    "do. Peeling reads all of it for each layer, and takes time as their square; dual peeling half "
-    "as often.",
+    "1,520 triangles where the paper's have 39,600. So the mesh grows with the layers, and a "
+    "method that reads it once takes time as they do. Peeling reads all of it for each layer, and "
+    "takes time as their square; dual peeling half as often.",
     "How many fragments are in flight changes what is lost, and not how long it takes.", NULL
 };
 

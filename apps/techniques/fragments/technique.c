@@ -48,11 +48,10 @@ const Technique fragment_technique = {
         "and prints the picture's hash.\v"
         "MESH is a file, looked for as given and then in $GLASSPIPE_DATA, or builtin:NAME; "
         "builtin:spheres:N:C is N layers of spheres, 2 to 96, of C columns each. Each triangle has "
-        "one colour. Alpha of "
-        "the picture is how much of what is behind is hidden, and colours are multiplied by it: "
-        "EXR has it, and --output-opacity writes it alone. With --sigma light is taken on its way "
-        "through the mesh, which is to be closed, and by its surfaces where they are seen at a "
-        "grazing angle.",
+        "one colour. Alpha of the picture is how much of what is behind is hidden, and colours are "
+        "multiplied by it: EXR has it, and --output-opacity writes it alone. With --sigma light is "
+        "taken on its way through the mesh, which is to be closed, and by its surfaces where they "
+        "are seen at a grazing angle.",
     .settings = fragment_settings,
     .defaults = &fragment_option_defaults,
     .setting_bytes = sizeof(FragmentOptions),

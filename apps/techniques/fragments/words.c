@@ -2,9 +2,8 @@
 
 const char fragment_truth_words[] =
     "Every fragment under each pixel's centre, of both sides of the triangles, found by brute "
-    "force "
-    "in double precision, sorted by exact depth, of one depth by the order of triangles, and put "
-    "together front to back.";
+    "force in double precision, sorted by exact depth, of one depth by the order of triangles, and "
+    "put together front to back.";
 
 const TechniqueWord fragment_words[] = {
     { "wrong pixels", "Pixels of which red, green or blue is more than 1/255 off the truth." },

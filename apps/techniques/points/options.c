@@ -28,10 +28,9 @@ const SettingField points_settings[] = {
       "surfel's and the pixel's; reconstruction, lowpass: one of them; area, distance: adaptive as "
       "printed; ternary: both in one pass, by a depth test that replaces, adds or drops; "
       "perspective: both, by each pixel's ray against a point's plane; quads: both, four vertices "
-      "a point; sprites: discs without "
-      "filters; pixels: a pixel a point; qsplat, spt: squares of nodes at "
-      "most --detail pixels wide (default: 1), found by "
-      "a walk down the tree, or in a sequence",
+      "a point; sprites: discs without filters; pixels: a pixel a point; qsplat, spt: squares of "
+      "nodes at most --detail pixels wide (default: 1), found by a walk down the tree, or in a "
+      "sequence",
       SETTING_NAME, OF(splats.method), .names = methods },
     { "sums", NULL, "What weights and attributes are added up in: half (default), float or byte",
       SETTING_NAME, OF(splats.sums), .names = sums },
@@ -56,8 +55,7 @@ const SettingField points_settings[] = {
       OF(budget), .low = 1, .high = 1 << 30 },
     { "compress", NULL,
       "Keep points in 8 bytes, taken apart as they are drawn: none (default), ours or printed; for "
-      "the "
-      "methods adaptive to distance",
+      "the methods adaptive to distance",
       SETTING_NAME, OF(compress), .names = forms },
     { "two-sided", NULL, "Draw points that face away from the eye too", SETTING_FLAG,
       OF(splats.two_sided), .low = 0 },
@@ -68,13 +66,11 @@ const SettingField points_settings[] = {
       OF(sample), .low = 1, .high = 1 << 27, .aside = true },
     { "sharp", "A",
       "Of a mesh: where its triangles meet at more than A degrees, such as 40, a point for each "
-      "side "
-      "of the crease, at which its splat ends",
+      "side of the crease, at which its splat ends",
       SETTING_NUMBER, OF(sharp), .low = 1, .high = 179, .aside = true },
     { "one-radius", NULL,
       "Of a mesh: give all its vertices one radius, the smallest without holes, instead of each "
-      "its "
-      "own",
+      "its own",
       SETTING_FLAG, OF(one_radius), .aside = true },
     { "color", "NAME", "file: the points' own (default where there are any); " MODEL_COLOR_HELP,
       SETTING_TEXT, OF(color), .aside = true },
@@ -91,8 +87,7 @@ const SettingField points_settings[] = {
       .low = 0.1, .high = 1000, .aside = true },
     { "cache", "FILE",
       "Keep what is built of the points in FILE, and take it from there where it is of the same "
-      "points "
-      "and settings",
+      "points and settings",
       SETTING_TEXT, OF(cache), .aside = true },
     { "measure", NULL, "Hold the picture against the truth, and say how far off it is",
       SETTING_FLAG, OF(measures), .aside = true },

@@ -39,12 +39,10 @@ static const TechniqueSlope filter_slopes[] = { { 2, "as the square" }, { .name 
 
 static const char *const scaling_text[] = {
     "A splat costs twice: once for itself, to be placed and set up, and once for each pixel that "
-    "it "
-    "lies over, to be tested and added. While splats are larger than a pixel, more of them are "
+    "it lies over, to be tested and added. While splats are larger than a pixel, more of them are "
     "smaller ones, so that pixels stay about as many and only the first cost grows; from there on "
     "none is smaller than the pixel's filter, and both grow with the number. Points that are "
-    "merged "
-    "where they would be smaller than that stop growing with the model.",
+    "merged where they would be smaller than that stop growing with the model.",
     "With a wider filter all splats are wider: pixels grow as the square of it, once it is wider "
     "than the splats themselves.",
     NULL

@@ -37,8 +37,7 @@ const TechniqueWord points_words[] = {
     { "by distances, as printed", "The same by distances, as the later paper prints it." },
     { "ours",
       "A filter is left out, or points are drawn as one, where a bound says how far a colour can "
-      "be "
-      "off by that, with both axes of a spot looked at; coarser discs find what is hidden." },
+      "be off by that, with both axes of a spot looked at; coarser discs find what is hidden." },
     { "ours, merged",
       "The same, where points that are close together on the picture are drawn as one." },
     { "one pass",

@@ -1,11 +1,10 @@
 #include "apps/techniques/shadow/words.h"
 
 const char shadow_truth_words[] = "A ray through the centre of each pixel finds the surface that "
-                                  "is seen, and a ray from there to "
-                                  "the light whether a triangle is in its way, in double precision "
-                                  "and without any map. Of a light "
-                                  "that has a size, 16 points are asked for, and the share that is "
-                                  "seen is the pixel's visibility.";
+                                  "is seen, and a ray from there to the light whether a triangle "
+                                  "is in its way, in double precision and without any map. Of a "
+                                  "light that has a size, 16 points are asked for, and the share "
+                                  "that is seen is the pixel's visibility.";
 
 const TechniqueWord shadow_words[] = {
     { "wrong pixels",

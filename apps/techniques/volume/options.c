@@ -31,8 +31,7 @@ static const char *const ups[] = { "y", "z", "x", "-y", "-z", NULL };
 const SettingField volume_settings[] = {
     { "method", NULL,
       "raycast: a ray for each pixel, values interpolated and then classified (default); slices: "
-      "the "
-      "same in planes between slices, with 2D textures; splat: each sample a spot, added up in "
+      "the same in planes between slices, with 2D textures; splat: each sample a spot, added up in "
       "sheets. An option of one method alone means that method",
       SETTING_NAME, OF(method), .names = methods },
 
@@ -42,8 +41,7 @@ const SettingField volume_settings[] = {
       OF(slices.spacing), .low = 0.05, .high = 16 },
     { "mode", NULL,
       "Where splats are kept: vb, all in vertex buffers (default); vt, pt: values in a texture "
-      "that "
-      "the vertex or the pixel shader reads; im: a draw for each; qd: four vertices each",
+      "that the vertex or the pixel shader reads; im: a draw for each; qd: four vertices each",
       SETTING_NAME, OF(splats.mode), .names = modes },
     { "filter", NULL,
       "What a splat is as wide as: ewa, its kernel and the pixel's filter (default); "

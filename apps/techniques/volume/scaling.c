@@ -42,8 +42,7 @@ static const TechniqueSlope kernel_slopes[] = { { 2, "as the square" }, { .name 
 static const char *const scaling_text[] = {
     "The volume fills the picture, whatever its size. Splats are as many as samples that show "
     "something, eight times as many at twice the side, and smaller by that: the pixels that they "
-    "lie "
-    "over only double, with the slices. So their own cost takes over, as the cube of the side. "
+    "lie over only double, with the slices. So their own cost takes over, as the cube of the side. "
     "Rays are as many as pixels, and their steps grow with the side; so do planes.",
     "Wider kernels lie over more pixels, as the square of their width, once these are what costs.",
     NULL

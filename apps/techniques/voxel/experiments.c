@@ -276,8 +276,7 @@ static const char *const scaling_text[] = {
     "The solid draws up to 128 layers of voxels at once into targets of their own and copies the "
     "whole volume out of them, which is work for every voxel: as the cube of N once it outweighs "
     "the triangles. So is the printed method's, which draws three volumes, gathers their slabs, "
-    "and "
-    "turns two of them by a lookup for every voxel.",
+    "and turns two of them by a lookup for every voxel.",
     "With more triangles the volume's share stays the same for all. Thin surfaces need not draw "
     "triangles so small that no line through the centres of voxels can meet them: the lists, made "
     "once for a model that stands still, leave them out. Meshes of about as many triangles differ "

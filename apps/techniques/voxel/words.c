@@ -10,8 +10,7 @@ const char voxel_solid_truth[] =
     "Points spread evenly around the model are inside where an odd number of triangles lies above "
     "them (for the method winding number: where those that face up and down do not cancel out), in "
     "double precision. The exact voxels of each size, for missing and extra, are those whose "
-    "centre "
-    "is inside in the same way.";
+    "centre is inside in the same way.";
 
 /* --- sentences that stand in more than one table, or under the option's name as well ------------ */
 
@@ -29,11 +28,9 @@ static const char thin[] =
     "fewer than those of conservative.";
 static const char sheets[] =
     "The method as it was printed in 2004: the model is drawn along three axes, each triangle "
-    "along "
-    "the one that it faces most; its depth selects a bit of a pixel, bits are added up by "
-    "blending, "
-    "and the three volumes turned into one. Where two surfaces fall into one voxel, adding carries "
-    "into the next.";
+    "along the one that it faces most; its depth selects a bit of a pixel, bits are added up by "
+    "blending, and the three volumes turned into one. Where two surfaces fall into one voxel, "
+    "adding carries into the next.";
 static const char layered[] =
     "Surfaces are peeled off one behind the other along one axis, and the voxel at each depth is "
     "set.";
@@ -45,11 +42,9 @@ static const char winding[] =
     "one, and what is not 0 is inside; parts that overlap or are nested stay full.";
 static const char rows[] =
     "The method as it was printed in 2004: the surface by sheets along three axes, then each row "
-    "of "
-    "voxels filled between one surface and the next, and of the three answers the majority.";
+    "of voxels filled between one surface and the next, and of the three answers the majority.";
 static const char layered_solid[] = "Surfaces are peeled off one behind the other along one axis, "
-                                    "and rows filled from each odd one "
-                                    "to the next.";
+                                    "and rows filled from each odd one to the next.";
 static const char faces[] =
     "The model's depths as seen from the six faces of its box; what lies behind all of them is "
     "inside, so that cavities and bends that no face sees are filled.";
@@ -60,8 +55,7 @@ const TechniqueWord voxel_surface_words[] = {
     { "RMS distance, thousandths of the model's size",
       "How far the centres of set voxels are from the model's surface, or its surface from them, "
       "whichever is more: the root of the mean square, and 1 is a thousandth of the model's "
-      "longest "
-      "side." },
+      "longest side." },
     { "voxels", voxels },
     { "missing", missing },
     { "extra", extra },

@@ -47,15 +47,11 @@ const SettingField warp_settings[] = {
     { "method", NULL,
       "auto: by what the image is (default); layers: merged grids of what is in front and of what "
       "lies behind it; direct: the front alone; surface: the same of cylinders too; planar, "
-      "cylinder: "
-      "as printed, within a plane; relief: a search along the ray of each pixel; dmesh, "
-      "simplified: a "
-      "mesh of all pixels, or of a part of its triangles; displacement: rays through a field of "
-      "distances; relief-texture: a picture on a rectangle, warped by the processor; parallax, "
-      "bump: "
-      "one whose places are shifted, or not; polygons: the mesh itself. An option of one method "
-      "alone "
-      "means that method",
+      "cylinder: as printed, within a plane; relief: a search along the ray of each pixel; dmesh, "
+      "simplified: a mesh of all pixels, or of a part of its triangles; displacement: rays through "
+      "a field of distances; relief-texture: a picture on a rectangle, warped by the processor; "
+      "parallax, bump: one whose places are shifted, or not; polygons: the mesh itself. An option "
+      "of one method alone means that method",
       SETTING_NAME, OF(method), .names = methods },
     { "kind", NULL,
       "What is captured of a mesh: planar, a picture (default); cylinder, one that is looked "

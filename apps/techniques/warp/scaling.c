@@ -47,11 +47,9 @@ static const TechniqueSlope turn_slopes[] = { { .name = NULL } };
 
 static const char *const scaling_text[] = {
     "A grid has a vertex for each pixel of the image, so that its time grows with the square of "
-    "the "
-    "image's side once triangles cost more than the pixels that they fill. Where flat places are "
-    "merged it grows with how much there is to be seen in the image, which is less. Polygons do "
-    "not "
-    "know the image.",
+    "the image's side once triangles cost more than the pixels that they fill. Where flat places "
+    "are merged it grows with how much there is to be seen in the image, which is less. Polygons "
+    "do not know the image.",
     "A view from farther aside looks at the same image: what is drawn stays the same, and what "
     "grows is the error.",
     NULL

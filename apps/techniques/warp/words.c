@@ -21,8 +21,7 @@ const TechniqueWord warp_words[] = {
     { "depth", "How far depth along the view is off, the median, in the model's unit." },
     { "mean depth", "How far depth along the view is off, on the average, in the same unit." },
     { "layers", "A grid over the image, flat places of which are merged, cut where surfaces end; "
-                "the holes that "
-                "open there are filled from a second layer, of what lies behind." },
+                "the holes that open there are filled from a second layer, of what lies behind." },
     { "layers, coarser", "The same with a vertex for every second or fourth pixel only." },
     { "front alone", "Without the second layer: holes stay open." },
     { "front, cut at 2 %", "Without it, and cut wherever depth steps by more than a fiftieth, so "
@@ -42,8 +41,7 @@ const TechniqueWord warp_words[] = {
       "The same of a depth image on a cylinder around the model, with two caps." },
     { "cylinder, as printed",
       "A depth image on a cylinder, moved within the plane that touches the cylinder before the "
-      "eye, "
-      "without a depth test, in an order in which what is nearer comes later." },
+      "eye, without a depth test, in an order in which what is nearer comes later." },
     { "relief",
       "Relief mapping: each pixel's ray goes through the depth image in even steps until it is "
       "below it, and the last of these is then halved." },
@@ -51,8 +49,7 @@ const TechniqueWord warp_words[] = {
                       "as long as these." },
     { "relief texture",
       "The image is warped by the processor as it has to be on a rectangle, row by row and column "
-      "by "
-      "column, for each frame; that time is not in the chart. Gaps at steps of 2 % stay open." },
+      "by column, for each frame; that time is not in the chart. Gaps at steps of 2 % stay open." },
     { "relief texture, not cut", "The same with all gaps filled, as printed." },
     { "parallax",
       "The image on a rectangle, its places shifted by their depths, at most as far as these." },
