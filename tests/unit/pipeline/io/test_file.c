@@ -1,4 +1,4 @@
-/* Files that are replaced: where links lead, and what is left when a writer is stopped. */
+/* Files that are read whole, or replaced: where links lead, and what is left when a writer is stopped. */
 #define _GNU_SOURCE /* O_TMPFILE */
 #include "pipeline/io/file.h"
 
@@ -55,6 +55,21 @@ static void what_has_nothing_to_replace_is_written_straight(void **state)
     assert_non_null(strstr(error.text, "/dev/full: cannot write"));
     assert_int_equal(gp_file_write(folder, "x", 1, &error), GP_ERROR_IO);
     assert_int_equal(folder_count(false), 0);
+}
+
+/* The kernel says of its files that they fill a page, and then they have a line. */
+static void a_file_that_ends_early_is_refused(void **state)
+{
+    (void)state;
+    static const char path[] = "/sys/devices/system/cpu/online";
+    struct stat info;
+    GpFile file = { .data = NULL };
+    if (stat(path, &info) || info.st_size < 4096)
+        skip();
+    assert_int_equal(gp_file_read(path, &file, &error), GP_ERROR_IO);
+    assert_string_equal(error.text,
+                        "/sys/devices/system/cpu/online: became shorter while it was read");
+    assert_null(file.data);
 }
 
 /* Paths that no system takes: as they are, and by a link that makes them longer. */
@@ -140,6 +155,7 @@ int main(void)
         TEST(a_stopped_write_leaves_the_old_file_alone),
         TEST(a_killed_write_leaves_nothing),
         TEST(what_has_nothing_to_replace_is_written_straight),
+        TEST(a_file_that_ends_early_is_refused),
         TEST(paths_that_are_too_long_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
