@@ -363,9 +363,7 @@ static void render_json_has_the_hash_times_and_counters(void **state)
     char hash[256];
     assert_int_equal(shell("glasspipe render scene.json -o a.png"), 0);
     strcpy(hash, out);
-    assert_int_equal(shell("glasspipe render scene.json -o a.png --json "
-                           "--executor reference"),
-                     0);
+    assert_int_equal(shell("glasspipe render scene.json -o a.png --json --executor reference"), 0);
     json_t *object = parse_output();
     static const char *const numbers[] = { "ms", "first_ms", "cpu_ms" };
     for (size_t i = 0; i < GP_COUNT(numbers); i++)

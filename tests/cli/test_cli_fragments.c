@@ -53,14 +53,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
     unlink("scene.json");
     write_file("one_place.json", "{ \"eye\": [1, 2, 3], \"at\": [1, 2, 3] }");
     write_file("points.off", "OFF\n1 0 0\n0 0 0\n");
-    for (size_t i = 0; i < GP_COUNT(rows); i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "fragments %s -o a.png", rows[i][0]);
-        expect_refused(3, arguments, rows[i][1]);
-        const char *end = strchr(err, '\n');
-        if (!end || end[1])
-            fail_msg("more than a line: %s", err);
-    }
+    expect_input_errors("fragments -o a.png", rows, GP_COUNT(rows));
     expect_files("one_place.json points.off");
 }
 
@@ -155,9 +148,9 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
 {
     (void)state;
     static const char *const pictures[][2] = {
-        { "sorted", "" },
-        { "glass", "--sigma 15" },
-        { "weighted", "--method weighted" },
+        { "fragments_sorted", "" },
+        { "fragments_glass", "--sigma 15" },
+        { "fragments_weighted", "--method weighted" },
     };
     for (size_t i = 0; i < GP_COUNT(pictures); i++) {
         const int code =
@@ -167,9 +160,7 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
         if (code == 3 && strstr(err, "no such file")) /* the scan is not here */
             continue;
         assert_int_equal(code, 0);
-        if (shell("glasspipe compare a.png '%s/../../scenes/pictures/fragments_%s.png'", man_pages,
-                  pictures[i][0]))
-            fail_msg("%s: %s%s", pictures[i][0], out, err);
+        expect_stored_picture(pictures[i][0]);
     }
 }
 

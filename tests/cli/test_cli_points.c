@@ -56,18 +56,6 @@ static void wrong_arguments_are_usage_errors(void **state)
 }
 
 /* One line, with the file's name in it where the file is wrong; nothing is written. */
-static void expect_input_errors(const char *const (*rows)[2], size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "points %s", rows[i][0]);
-        expect_refused(3, arguments, rows[i][1]);
-        const char *end = strchr(err, '\n');
-        if (!end || end[1])
-            fail_msg("more than a line: %s", err);
-    }
-}
-
 static void wrong_points_are_input_errors_of_one_line(void **state)
 {
     (void)state;
@@ -114,7 +102,7 @@ static void wrong_points_are_input_errors_of_one_line(void **state)
     write_points();
     for (size_t i = 0; i < GP_COUNT(files); i++)
         write_file(files[i].name, files[i].text);
-    expect_input_errors(rows, GP_COUNT(rows));
+    expect_input_errors("points", rows, GP_COUNT(rows));
     for (size_t i = 0; i < GP_COUNT(files); i++)
         unlink(files[i].name);
     expect_files("four.xyz zero.ply");
@@ -138,10 +126,10 @@ static void wrong_cameras_are_input_errors_of_one_line(void **state)
     for (size_t i = 0; i < GP_COUNT(cameras); i++) {
         const char *const row[][2] = { { "four.xyz --camera a.json", cameras[i][1] } };
         write_file("a.json", cameras[i][0]);
-        expect_input_errors(row, 1);
+        expect_input_errors("points", row, 1);
     }
     static const char *const rows[][2] = { { "four.xyz --camera none.json", "none.json" } };
-    expect_input_errors(rows, 1);
+    expect_input_errors("points", rows, 1);
     expect_files("a.json four.xyz zero.ply");
 }
 
@@ -233,18 +221,16 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
 {
     (void)state;
     static const char *const pictures[][2] = {
-        { "pixels", "pixels" },
-        { "discs", "sprites" },
-        { "splats", "ewa" },
+        { "points_pixels", "pixels" },
+        { "points_discs", "sprites" },
+        { "points_splats", "ewa" },
     };
     for (size_t i = 0; i < GP_COUNT(pictures); i++) {
         assert_int_equal(shell("glasspipe points -q builtin:knot --size 256x256 --zoom 1.5 "
                                "--color clay --method %s -o a.png",
                                pictures[i][1]),
                          0);
-        if (shell("glasspipe compare a.png '%s/../../scenes/pictures/points_%s.png'", man_pages,
-                  pictures[i][0]))
-            fail_msg("%s: %s%s", pictures[i][0], out, err);
+        expect_stored_picture(pictures[i][0]);
     }
 }
 

@@ -58,18 +58,6 @@ static void wrong_arguments_are_usage_errors(void **state)
 }
 
 /* One line, with the file's name in it where the file is wrong; nothing is written. */
-static void expect_input_errors(const char *const (*rows)[2], size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "volume %s", rows[i][0]);
-        expect_refused(3, arguments, rows[i][1]);
-        const char *end = strchr(err, '\n');
-        if (!end || end[1])
-            fail_msg("more than a line: %s", err);
-    }
-}
-
 static void wrong_volumes_are_input_errors_of_one_line(void **state)
 {
     (void)state;
@@ -89,7 +77,7 @@ static void wrong_volumes_are_input_errors_of_one_line(void **state)
     write_file("short.json", DIMS("3", "3", "3"));
     write_samples("wide", 27);
     write_file("wide.json", DIMS("3", "3", "0"));
-    expect_input_errors(rows, GP_COUNT(rows));
+    expect_input_errors("volume", rows, GP_COUNT(rows));
     expect_files("good.json good.raw lone.raw short.json short.raw wide.json wide.raw");
 }
 
@@ -110,14 +98,14 @@ static void wrong_transfer_functions_are_input_errors_of_one_line(void **state)
     for (size_t i = 0; i < GP_COUNT(files); i++) {
         const char *const row[][2] = { { "good.raw --transfer t.txt", files[i][1] } };
         write_file("t.txt", files[i][0]);
-        expect_input_errors(row, 1);
+        expect_input_errors("volume", row, 1);
     }
     static const char *const rows[][2] = {
         { "good.raw --transfer none", "none: no such file" },
         { "good.raw --transfer .", ".: " },
         { "good.raw --camera none.json", "none.json" },
     };
-    expect_input_errors(rows, GP_COUNT(rows));
+    expect_input_errors("volume", rows, GP_COUNT(rows));
     expect_files("good.json good.raw t.txt");
 }
 
@@ -193,15 +181,6 @@ static void json_has_what_checks_ask_for(void **state)
     expect_files("a.exr b.png");
 }
 
-static void setting_of(const char *options, char setting[512])
-{
-    assert_int_equal(
-        shell("glasspipe volume builtin:ball:16 --size 32x32 -q --json -o a.png %s", options), 0);
-    json_t *object = parse_output();
-    snprintf(setting, 512, "%s", json_string_value(json_object_get(object, "setting")));
-    json_decref(object);
-}
-
 static void options_of_one_method_mean_it(void **state)
 {
     (void)state;
@@ -213,12 +192,7 @@ static void options_of_one_method_mean_it(void **state)
         { "", "--method raycast" },
     };
     unlink("scene.json");
-    for (size_t i = 0; i < GP_COUNT(options); i++) {
-        char implied[512], named[512];
-        setting_of(options[i][0], implied);
-        setting_of(options[i][1], named);
-        assert_string_equal(implied, named);
-    }
+    expect_same_settings("volume builtin:ball:16 --size 32x32", options, GP_COUNT(options));
 }
 
 /* The README shows them. */
@@ -228,12 +202,12 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
 #define BOARD                                                                                      \
     "builtin:checkerboard --transfer checkerboard --up z --from 30 55 --method splat --size 96x96"
     static const char *const pictures[][2] = {
-        { "bonsai", "volumes/bonsai.raw.gz --transfer bonsai --from 40 25" },
-        { "engine", "volumes/engine.raw.gz --transfer engine --lit --from -140 30" },
-        { "head", "volumes/vismale.raw.gz --lit --up -z --from 50 10" },
-        { "reconstruction", BOARD " --filter reconstruction" },
-        { "lowpass", BOARD " --filter lowpass --zoom 14" },
-        { "ewa", BOARD " --filter ewa" },
+        { "volume_bonsai", "volumes/bonsai.raw.gz --transfer bonsai --from 40 25" },
+        { "volume_engine", "volumes/engine.raw.gz --transfer engine --lit --from -140 30" },
+        { "volume_head", "volumes/vismale.raw.gz --lit --up -z --from 50 10" },
+        { "volume_reconstruction", BOARD " --filter reconstruction" },
+        { "volume_lowpass", BOARD " --filter lowpass --zoom 14" },
+        { "volume_ewa", BOARD " --filter ewa" },
     };
     for (size_t i = 0; i < GP_COUNT(pictures); i++) {
         const char *arguments = pictures[i][1];
@@ -242,9 +216,7 @@ static void stored_pictures_are_what_their_commands_draw(void **state)
         if (code == 3 && strstr(err, "no such file")) /* the scan is not here */
             continue;
         assert_int_equal(code, 0);
-        if (shell("glasspipe compare a.png '%s/../../scenes/pictures/volume_%s.png'", man_pages,
-                  pictures[i][0]))
-            fail_msg("%s: %s%s", pictures[i][0], out, err);
+        expect_stored_picture(pictures[i][0]);
     }
 }
 

@@ -97,14 +97,7 @@ static void wrong_files_are_input_errors_of_one_line(void **state)
     write_file("empty.off", "OFF\n1 0 0\n0 0 0\n");
     write_file("even.ppm", "P6 1 1 255\n~~~");
     write_file("nan.off", "OFF\n3 1 0\nnan 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    for (size_t i = 0; i < GP_COUNT(rows); i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "warp %s -o a.png", rows[i][0]);
-        expect_refused(3, arguments, rows[i][1]);
-        const char *end = strchr(err, '\n');
-        if (!end || end[1])
-            fail_msg("more than a line: %s", err);
-    }
+    expect_input_errors("warp -o a.png", rows, GP_COUNT(rows));
     expect_files(
         "ahead.json behind.json empty.off even.ppm far.json inside.json nan.off one_place.json "
         "parallel.json");
@@ -171,17 +164,6 @@ static void json_has_what_checks_ask_for(void **state)
     expect_files("a.exr b.png");
 }
 
-static void setting_of(const char *options, char setting[512])
-{
-    assert_int_equal(shell("glasspipe warp builtin:ball --source-size 16x16 --size 32x32 -q --json "
-                           "-o a.png %s",
-                           options),
-                     0);
-    json_t *object = parse_output();
-    snprintf(setting, 512, "%s", json_string_value(json_object_get(object, "setting")));
-    json_decref(object);
-}
-
 static void options_of_one_method_mean_it(void **state)
 {
     (void)state;
@@ -198,12 +180,8 @@ static void options_of_one_method_mean_it(void **state)
         { "--kind cylinder", "--method surface --kind cylinder" },
     };
     unlink("scene.json");
-    for (size_t i = 0; i < GP_COUNT(options); i++) {
-        char implied[512], named[512];
-        setting_of(options[i][0], implied);
-        setting_of(options[i][1], named);
-        assert_string_equal(implied, named);
-    }
+    expect_same_settings("warp builtin:ball --source-size 16x16 --size 32x32", options,
+                         GP_COUNT(options));
 }
 
 /* Of every kind; even heights stand out everywhere alike, and are of no more than one colour. */

@@ -1,7 +1,7 @@
 /* Meshes of every format. */
 #include "pipeline/io/mesh/mesh_file.h"
 #include "tests/fuzz/targets.h"
-#include "tests/support/mesh_files.h"
+#include "tests/support/meshes/mesh_files.h"
 
 #include <stdio.h>
 

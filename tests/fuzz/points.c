@@ -1,7 +1,7 @@
 /* Points of every format. */
 #include "pipeline/io/points/points.h"
 #include "tests/fuzz/targets.h"
-#include "tests/support/mesh_files.h"
+#include "tests/support/meshes/mesh_files.h"
 
 static bool read_points(const char *path)
 {

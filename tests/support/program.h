@@ -110,6 +110,18 @@ static inline void expect_all_refused(int code, const char *command, const char 
     }
 }
 
+/* A table of wrong inputs: each is told of in one line. */
+static inline void expect_input_errors(const char *command, const char *const (*rows)[2],
+                                       size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        expect_all_refused(3, command, &rows[i], 1);
+        const char *end = strchr(err, '\n');
+        if (!end || end[1])
+            fail_msg("more than a line: %s", err);
+    }
+}
+
 static inline void expect_files(const char *expected)
 {
     char names[4096] = "";
@@ -143,6 +155,30 @@ static inline json_t *parse_output(void)
     if (!object)
         fail_msg("no JSON: %s in:\n%s", error.text, out);
     return object;
+}
+
+/* A table of options, and what they say when all is said: a command has the same setting with both. */
+static inline void expect_same_settings(const char *command, const char *const (*rows)[2],
+                                        size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        json_t *object[2];
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(shell("glasspipe %s -q --json -o a.png %s", command, rows[i][k]), 0);
+            object[k] = parse_output();
+        }
+        assert_string_equal(json_string_value(json_object_get(object[0], "setting")),
+                            json_string_value(json_object_get(object[1], "setting")));
+        json_decref(object[0]);
+        json_decref(object[1]);
+    }
+}
+
+/* That a.png is the picture that the README shows. */
+static inline void expect_stored_picture(const char *name)
+{
+    if (shell("glasspipe compare a.png '%s/../../scenes/pictures/%s.png'", man_pages, name))
+        fail_msg("%s: %s%s", name, out, err);
 }
 
 /* Every test starts in an empty directory of its own that holds the scene. */

@@ -29,6 +29,45 @@ static inline GpResult load_scene_text(const char *text, size_t length, const Sc
     return result;
 }
 
+/* A scene whose only object has these members, and what its refusal says, in part. */
+typedef struct RefusedObject {
+    const char *members, *reason;
+} RefusedObject;
+
+static inline void check_refused(const char *text, const char *reason)
+{
+    Scene scene = { 0 };
+    GpError error = { "" };
+    assert_int_equal(load_scene_text(text, strlen(text), NULL, &scene, &error), GP_ERROR_FORMAT);
+    if (!strstr(error.text, reason))
+        fail_msg("%s: '%s' instead of '%s'", text, error.text, reason);
+}
+
+static inline void check_refused_objects(const RefusedObject *rows, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        char text[400];
+        snprintf(text, sizeof text, "{ \"objects\": [ { %s } ] }", rows[i].members);
+        check_refused(text, rows[i].reason);
+    }
+}
+
+/* Memory fails at the first request, then at the second, and so on until the scene loads. */
+static inline void check_short_memory(const char *text)
+{
+    GpResult result = GP_ERROR_MEMORY;
+    for (uint32_t fails = 1; result; fails++) {
+        Scene scene = { 0 };
+        GpError error = { "" };
+        result =
+            load_scene_text(text, strlen(text), &(SceneOptions){ .fails = fails }, &scene, &error);
+        if (result && (result != GP_ERROR_MEMORY || !strstr(error.text, "out of memory")))
+            fail_msg("request %u: %s", fails, error.text);
+        assert_true(result || fails > 5);
+        scene_free(&scene);
+    }
+}
+
 /* A scene that must load; the caller frees it. */
 static inline Scene load_scene(const char *text)
 {

@@ -5,7 +5,7 @@
 #include "apps/truth/volume_rays.h"
 #include "apps/volumes/drawing/view.h"
 #include "tests/support/devices.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

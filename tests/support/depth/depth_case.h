@@ -3,8 +3,8 @@
 #define TESTS_DEPTH_CASE_H
 
 #include "apps/depth_images/capture.h"
-#include "apps/scene/model.h"
 #include "apps/truth/ray_scene.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 /* A mesh by name, moved; rays are cast at a copy of it. */
@@ -16,9 +16,7 @@ typedef struct DepthCase {
 static inline void depth_case_open(const char *name, double scale, const double move[3],
                                    DepthCase *made)
 {
-    GpError error = { "" };
-    if (model_mesh(name, &made->mesh, &error))
-        fail_msg("%s", error.text);
+    made->mesh = named_mesh(name);
     for (uint32_t i = 0; i < 3 * made->mesh.vertex_count; i++)
         made->mesh.positions[i] =
             (float)((double)made->mesh.positions[i] * scale + (move ? move[i % 3] : 0));

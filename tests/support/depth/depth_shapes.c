@@ -4,6 +4,7 @@
 #include "apps/base/camera.h"
 #include "apps/scene/model.h"
 #include "pipeline/io/mesh/mesh.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
@@ -43,12 +44,9 @@ static void find_cylinder(DepthShape *shape, double waves)
 
 DepthShape depth_shape_open(const char *name, double waves, double degrees)
 {
-    GpMesh mesh;
-    GpError error = { "" };
+    GpMesh mesh = named_mesh(name);
     DepthShape shape = { .triangles = NULL };
     double turn[4][4];
-    if (model_mesh(name, &mesh, &error))
-        fail_msg("%s", error.text);
     matrix_rotation((double[3]){ 1, 0, 0 }, degrees, turn);
     shape.vertex_count = mesh.vertex_count;
     shape.triangle_count = mesh.triangle_count;

@@ -1,6 +1,6 @@
 /* Pictures as their files hold them: what is the same is told from samples as from floats. */
 #include "apps/compare/comparison.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "apps/compare/comparison_page.h"
 #include "apps/compare/comparison_views.h"
 #include "tests/support/markup.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

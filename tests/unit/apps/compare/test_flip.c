@@ -4,7 +4,7 @@
  * alone, which the paper's formulas give. */
 #include "apps/compare/flip.h"
 #include "apps/compare/flip_color.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 

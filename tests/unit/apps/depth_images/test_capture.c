@@ -1,13 +1,12 @@
 /* Captured layers against rays in double: coverage, depth, colour and normal, from cameras and from
  * planes that stand anywhere; models far from the origin; what is behind; the same bits everywhere. */
+#include "tests/support/groups/device.h"
 #include "tests/support/depth/depth_case.h"
 #include "tests/support/devices.h"
 
 #include <string.h>
 
 enum { W = 96, H = 72 };
-
-static GpDevice *device;
 
 static DepthImage captured(const DepthCase *seen, double waves, const CaptureShot *shot)
 {
@@ -279,20 +278,6 @@ static void every_device_captures_the_same_bits(void **state)
     depth_case_close(&knot);
 }
 
-static int open_device(void **state)
-{
-    (void)state;
-    device = device_open(&(GpDeviceDesc){ .threads = 2 });
-    return 0;
-}
-
-static int close_device(void **state)
-{
-    (void)state;
-    gp_device_destroy(&device);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -304,5 +289,5 @@ int main(void)
         cmocka_unit_test(sizes_that_cannot_be_drawn_are_refused),
         cmocka_unit_test(every_device_captures_the_same_bits),
     };
-    return cmocka_run_group_tests(tests, open_device, close_device);
+    return cmocka_run_group_tests(tests, device_set_up, device_tear_down);
 }

@@ -2,7 +2,8 @@
 #include "apps/points/clips.h"
 #include "apps/points/open.h"
 #include "apps/scene/model.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
@@ -36,10 +37,7 @@ static int count_faces(const float place[3])
 static void a_cube_is_clipped_where_its_faces_end(void **state)
 {
     (void)state;
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh("builtin:cube", &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
+    GpMesh mesh = named_mesh("builtin:cube");
     Surfels surfels = open_mesh(&mesh, 2);
     assert_int_equal(surfels.count, 6 * 25);
     assert_int_equal(surfels.clip_count, 6 * 16);
@@ -113,10 +111,7 @@ static void an_inner_corner_is_clipped_by_either_line(void **state)
 static void smooth_meshes_have_no_clips(void **state)
 {
     (void)state;
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh("builtin:torus", &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
+    GpMesh mesh = named_mesh("builtin:torus");
     Surfels surfels = open_mesh(&mesh, 0);
     assert_int_equal(surfels.clip_count, 0);
     surfels_free(&surfels);

@@ -1,4 +1,5 @@
 /* Surfels in 8 bytes: how far off they are, and that shaders read what was written. */
+#define POOL_THREADS 2
 #include "apps/points/compress.h"
 
 #include "apps/base/vector.h"
@@ -8,24 +9,10 @@
 #include "tests/shaders/compressed_points.h"
 #include "tests/support/devices.h"
 #include "tests/support/surfel_shapes.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #define DEGREE (3.14159265358979323846 / 180)
-
-static GpPool *pool;
-
-static int set_up(void **state)
-{
-    (void)state;
-    return gp_pool_create(2, &pool, NULL);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
 
 static void widen(const float from[3], double to[3])
 {
@@ -419,5 +406,5 @@ int main(void)
         cmocka_unit_test(threads_compress_to_the_same_bits),
         cmocka_unit_test(shaders_read_what_was_written),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }

@@ -4,8 +4,8 @@
 #include "apps/points/open.h"
 #include "apps/points/sample.h"
 #include "apps/points/subdivide.h"
-#include "apps/scene/model.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
@@ -14,10 +14,7 @@
 /* A builtin mesh with one vertex at a place, whose normal is the mean of what is there. */
 static GpMesh welded(const char *name)
 {
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh(name, &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
+    GpMesh mesh = named_mesh(name);
     uint32_t *first = gp_alloc(mesh.vertex_count, sizeof *first);
     assert_int_equal(places_find(mesh.positions, mesh.vertex_count, first), GP_OK);
     for (size_t i = 0; i < 3 * (size_t)mesh.triangle_count; i++)
@@ -80,12 +77,10 @@ static void what_has_no_crease_or_is_cut_already_stays(void **state)
     };
     for (size_t i = 0; i < GP_COUNT(cases); i++) {
         GpMesh read = { .positions = NULL }, mesh;
-        GpError error;
         if (cases[i].is_welded) {
             mesh = welded(cases[i].name);
         } else {
-            if (model_mesh(cases[i].name, &read, &error) != GP_OK)
-                fail_msg("%s", error.text);
+            read = named_mesh(cases[i].name);
             mesh = copy_of(&read);
         }
         GpMesh before = copy_of(&mesh);

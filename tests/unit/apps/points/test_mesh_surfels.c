@@ -4,23 +4,13 @@
 #include "apps/points/subdivide.h"
 #include "apps/points/triangle.h"
 #include "apps/points/vertices.h"
-#include "apps/scene/model.h"
 #include "tests/support/random.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
 #include <string.h>
 #include <unistd.h>
-
-static GpMesh mesh_named(const char *name)
-{
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh(name, &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
-    assert_int_equal(mesh_keep_referenced(&mesh), GP_OK);
-    return mesh;
-}
 
 static void refine(GpMesh *mesh)
 {
@@ -60,7 +50,7 @@ static void only_what_triangles_use_is_left(void **state)
 static void edges_are_found_once(void **state)
 {
     (void)state;
-    GpMesh mesh = mesh_named("builtin:torus");
+    GpMesh mesh = referenced_mesh("builtin:torus");
     Edges edges;
     assert_int_equal(edges_find(&mesh, &edges), GP_OK);
     unsigned char *sides = gp_alloc(edges.count, 1);
@@ -172,7 +162,7 @@ static void discs_cover_the_mesh_and_are_no_larger_than_needed(void **state)
     static const char *const names[] = { "builtin:ball", "builtin:torus", "builtin:knot",
                                          "builtin:cube", "builtin:teapot" };
     for (size_t i = 0; i < GP_COUNT(names); i++) {
-        GpMesh mesh = mesh_named(names[i]);
+        GpMesh mesh = referenced_mesh(names[i]);
         assert_surfels(names[i], &mesh);
         gp_mesh_free(&mesh);
     }
@@ -206,7 +196,7 @@ static void reach_is_the_farthest_point_of_a_triangle(void **state)
 static void midpoints_are_shared_and_change_nothing_else(void **state)
 {
     (void)state;
-    GpMesh mesh = mesh_named("builtin:ball");
+    GpMesh mesh = referenced_mesh("builtin:ball");
     const double area = mesh_area(&mesh);
     Surfels before, after;
     assert_int_equal(surfels_of_vertices(&mesh, false, &before), GP_OK);
@@ -243,7 +233,7 @@ static void the_bunny_has_the_surfels_that_figures_are_taken_on(void **state)
         print_message("skipped: %s is not there\n", path);
         return;
     }
-    GpMesh mesh = mesh_named(path);
+    GpMesh mesh = referenced_mesh(path);
     for (int level = 0; level < 3; level++) {
         if (level > 0)
             refine(&mesh);

@@ -1,21 +1,11 @@
 /* Meshes show their outside, however their triangles turn in the file; open ones stay as they are. */
 #include "apps/points/orient.h"
 #include "apps/points/subdivide.h"
-#include "apps/scene/model.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <string.h>
 #include <unistd.h>
-
-static GpMesh mesh_named(const char *name)
-{
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh(name, &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
-    assert_int_equal(mesh_keep_referenced(&mesh), GP_OK);
-    return mesh;
-}
 
 static void turn_triangle(GpMesh *mesh, size_t t)
 {
@@ -60,7 +50,7 @@ static void closed_meshes_are_turned_outwards(void **state)
                                          "builtin:cylinder" };
     for (size_t n = 0; n < GP_COUNT(names); n++)
         for (int round = 0; round < 6; round++) {
-            GpMesh mesh = mesh_named(names[n]);
+            GpMesh mesh = referenced_mesh(names[n]);
             mesh.had_normals = round % 3 < 2;
             if (!mesh.had_normals)
                 assert_int_equal(gp_mesh_normals(&mesh, true), GP_OK);
@@ -89,14 +79,14 @@ static void open_meshes_stay_as_they_are(void **state)
             print_message("skipped: %s is not there\n", names[n]);
             continue;
         }
-        GpMesh mesh = mesh_named(names[n]), before = copy_of(&mesh);
+        GpMesh mesh = referenced_mesh(names[n]), before = copy_of(&mesh);
         assert_int_equal(orient(&mesh), 0);
         assert_same(names[n], &mesh, &before);
         gp_mesh_free(&mesh);
         gp_mesh_free(&before);
     }
     /* A bowl, though its volume has a sign: which of its sides is meant is not known. */
-    GpMesh bowl = mesh_named("builtin:ball");
+    GpMesh bowl = referenced_mesh("builtin:ball");
     uint32_t kept = 0;
     for (size_t t = 0; t < bowl.triangle_count; t++) {
         const uint32_t *corner = bowl.indices + 3 * t;
@@ -121,7 +111,7 @@ static void open_meshes_stay_as_they_are(void **state)
 /* A ball, and one of half its size: inside, with the triangles of a cavity, or beside. */
 static GpMesh two_balls(float aside)
 {
-    GpMesh ball = mesh_named("builtin:ball");
+    GpMesh ball = referenced_mesh("builtin:ball");
     const size_t vertices = ball.vertex_count, indices = 3 * (size_t)ball.triangle_count;
     GpMesh two = { .positions = gp_alloc(6 * vertices, sizeof(float)),
                    .normals = gp_alloc(6 * vertices, sizeof(float)),

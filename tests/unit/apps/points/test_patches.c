@@ -1,4 +1,5 @@
 /* The tree, its patches and their levels. */
+#define POOL_THREADS 2
 #include "apps/points/patches.h"
 #include "apps/points/summary.h"
 
@@ -6,22 +7,8 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/surfel_shapes.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
-
-static GpPool *pool;
-
-static int set_up(void **state)
-{
-    (void)state;
-    return gp_pool_create(2, &pool, NULL);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
 
 enum { SPHERE, TORUS, DUST, THIN, SHAPES };
 
@@ -495,5 +482,5 @@ int main(void)
         cmocka_unit_test(the_bunny_has_patches),
         cmocka_unit_test(nothing_is_no_model),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }

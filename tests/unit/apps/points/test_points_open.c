@@ -1,12 +1,14 @@
 /* Whatever a user has becomes surfels with facts, or an error that says why not. */
+#define POOL_THREADS 2
 #include "apps/points/open.h"
 #include "apps/scene/model.h"
+#include "tests/support/groups/pool.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/folder.h"
 #include "tests/support/random.h"
 
 #include <math.h>
 
-static GpPool *pool;
 static GpError error;
 
 static Surfels open_source(const PointsSource *source, PointsFacts *facts)
@@ -205,9 +207,8 @@ static void meshes_give_vertices_midpoints_or_samples(void **state)
 static void a_mesh_in_memory_is_as_good(void **state)
 {
     (void)state;
-    GpMesh mesh;
+    GpMesh mesh = named_mesh("builtin:torus");
     PointsFacts facts;
-    assert_int_equal(model_mesh("builtin:torus", &mesh, &error), GP_OK);
     Surfels surfels = open_source(&(PointsSource){ .mesh = &mesh, .subdivide = 1 }, &facts);
     assert_true(facts.had_normals && facts.normals_made == 0);
     surfels_free(&surfels);
@@ -262,10 +263,8 @@ static void the_report_tells_what_was_read_and_made(void **state)
 static void a_mesh_turned_inside_out_has_surfels_that_look_outwards(void **state)
 {
     (void)state;
-    GpMesh mesh;
+    GpMesh mesh = named_mesh("builtin:ball");
     PointsFacts facts;
-    if (model_mesh("builtin:ball", &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
     for (size_t t = 0; t < mesh.triangle_count; t++) {
         const uint32_t second = mesh.indices[3 * t + 1];
         mesh.indices[3 * t + 1] = mesh.indices[3 * t + 2];
@@ -304,19 +303,6 @@ static void scans_are_opened(void **state)
     }
 }
 
-static int create_pool(void **state)
-{
-    (void)state;
-    return gp_pool_create(2, &pool, NULL);
-}
-
-static int destroy_pool(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
-
 #define TEST(name) cmocka_unit_test_setup_teardown(name, folder_set_up, folder_tear_down)
 
 int main(void)
@@ -332,5 +318,5 @@ int main(void)
         TEST(a_mesh_turned_inside_out_has_surfels_that_look_outwards),
         cmocka_unit_test(scans_are_opened),
     };
-    return cmocka_run_group_tests(tests, create_pool, destroy_pool);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }

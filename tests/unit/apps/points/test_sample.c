@@ -4,22 +4,12 @@
 #include "apps/points/subdivide.h"
 #include "apps/points/triangle.h"
 #include "apps/points/vertices.h"
-#include "apps/scene/model.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
 #include <string.h>
-
-static GpMesh mesh_named(const char *name)
-{
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh(name, &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
-    assert_int_equal(mesh_keep_referenced(&mesh), GP_OK);
-    return mesh;
-}
 
 static GpPoints sample(const GpMesh *mesh, uint32_t count)
 {
@@ -57,7 +47,7 @@ static void points_are_far_more_even_than_noise(void **state)
         uint32_t count;
     } cases[] = { { "builtin:cube", 20000 }, { "builtin:torus", 1000 }, { "builtin:ball", 5000 } };
     for (size_t c = 0; c < GP_COUNT(cases); c++) {
-        GpMesh mesh = mesh_named(cases[c].name);
+        GpMesh mesh = referenced_mesh(cases[c].name);
         GpPoints points = sample(&mesh, cases[c].count);
         double deviation, mean;
         measure_evenness(&points, mesh_area(&mesh), &deviation, &mean);
@@ -72,7 +62,7 @@ static void points_are_far_more_even_than_noise(void **state)
 static void points_lie_on_the_surface_with_its_normals_and_colors(void **state)
 {
     (void)state;
-    GpMesh mesh = mesh_named("builtin:sphere");
+    GpMesh mesh = referenced_mesh("builtin:sphere");
     gp_free(mesh.colors);
     mesh.colors = gp_alloc(4 * (size_t)mesh.vertex_count, sizeof(float));
     for (size_t v = 0; v < mesh.vertex_count; v++)

@@ -171,9 +171,7 @@ static void files_are_read_beside_the_scene(void **state)
 static void what_is_wrong_is_refused_with_its_place(void **state)
 {
     (void)state;
-    static const struct {
-        const char *object, *reason;
-    } rows[] = {
+    static const RefusedObject rows[] = {
         { "\"depth_image\": \"builtin:cat\"", ": objects[0].depth_image: " },
         { "\"depth_image\": \"nowhere.exr\"", ": objects[0].depth_image: " },
         { "\"depth_image\": 3", ": objects[0].depth_image: expected a string" },
@@ -190,16 +188,7 @@ static void what_is_wrong_is_refused_with_its_place(void **state)
         { BALL ", \"transform\": { \"scale\": [-1, -1, -1] }",
           ": objects[0].transform: depth images keep their shape: expected one scale above 0" },
     };
-    for (size_t i = 0; i < GP_COUNT(rows); i++) {
-        char text[400];
-        Scene scene = { 0 };
-        GpError error = { "" };
-        snprintf(text, sizeof text, "{ \"objects\": [ { %s } ] }", rows[i].object);
-        assert_int_equal(load_scene_text(text, strlen(text), NULL, &scene, &error),
-                         GP_ERROR_FORMAT);
-        if (!strstr(error.text, rows[i].reason))
-            fail_msg("%s: %s", rows[i].object, error.text);
-    }
+    check_refused_objects(rows, GP_COUNT(rows));
 }
 
 static void memory_that_runs_short_is_said(void **state)
@@ -207,17 +196,7 @@ static void memory_that_runs_short_is_said(void **state)
     (void)state;
     static const char text[] = SCENE(NEAR_EYE, "{ \"depth_image\": \"builtin:cube\", \"pixels\": "
                                                "[16, 16] }");
-    int failures = 0;
-    for (uint32_t fails = 1; fails < 30; fails++) {
-        Scene scene = { 0 };
-        GpError error = { "" };
-        const GpResult result =
-            load_scene_text(text, strlen(text), &(SceneOptions){ .fails = fails }, &scene, &error);
-        assert_true(result == GP_OK || result == GP_ERROR_MEMORY);
-        failures += result != GP_OK;
-        scene_free(&scene);
-    }
-    assert_true(failures > 5);
+    check_short_memory(text);
 }
 
 int main(void)

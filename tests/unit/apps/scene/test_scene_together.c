@@ -217,13 +217,8 @@ static void what_is_wrong_is_refused_with_its_reason(void **state)
     };
     for (size_t i = 0; i < GP_COUNT(rows); i++) {
         char text[2000];
-        Scene scene = { 0 };
-        GpError error = { "" };
         snprintf(text, sizeof text, SCENE, 0, 0, 0, rows[i].order, rows[i].objects);
-        assert_int_equal(load_scene_text(text, strlen(text), NULL, &scene, &error),
-                         GP_ERROR_FORMAT);
-        if (!strstr(error.text, rows[i].reason))
-            fail_msg("expected %s: %s", rows[i].reason, error.text);
+        check_refused(text, rows[i].reason);
     }
 }
 
@@ -231,20 +226,9 @@ static void memory_that_runs_short_is_said(void **state)
 {
     (void)state;
     char text[4000], objects[3000];
-    int failures = 0;
     snprintf(objects, sizeof objects, "%s, %s", things[0], things[1]);
     snprintf(text, sizeof text, SCENE, 0, 0, 0, "depth", objects);
-    for (uint32_t fails = 1; fails < 60; fails++) {
-        Scene scene = { 0 };
-        GpError error = { "" };
-        const GpResult result =
-            load_scene_text(text, strlen(text), &(SceneOptions){ .fails = fails }, &scene, &error);
-        assert_true(result == GP_OK || result == GP_ERROR_MEMORY);
-        failures += result != GP_OK;
-        if (!result)
-            scene_free(&scene);
-    }
-    assert_true(failures > 10);
+    check_short_memory(text);
 }
 
 int main(void)

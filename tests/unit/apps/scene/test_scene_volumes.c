@@ -107,9 +107,7 @@ static void the_farthest_is_drawn_first(void **state)
 static void what_is_wrong_is_refused_with_its_place(void **state)
 {
     (void)state;
-    static const struct {
-        const char *object, *reason;
-    } rows[] = {
+    static const RefusedObject rows[] = {
         { "\"volume\": \"builtin:cat\"", ": objects[0].volume: " },
         { "\"volume\": \"nowhere.nrrd\"", ": objects[0].volume: " },
         { "\"volume\": 3", ": objects[0].volume: expected a string" },
@@ -124,33 +122,14 @@ static void what_is_wrong_is_refused_with_its_place(void **state)
         { BALL ", \"transform\": { \"scale\": [-1, -1, -1] }",
           ": objects[0].transform: volumes keep their shape: expected one scale above 0" },
     };
-    for (size_t i = 0; i < GP_COUNT(rows); i++) {
-        char text[300];
-        Scene scene = { 0 };
-        GpError error = { "" };
-        snprintf(text, sizeof text, "{ \"objects\": [ { %s } ] }", rows[i].object);
-        assert_int_equal(load_scene_text(text, strlen(text), NULL, &scene, &error),
-                         GP_ERROR_FORMAT);
-        if (!strstr(error.text, rows[i].reason))
-            fail_msg("%s: %s", rows[i].object, error.text);
-    }
+    check_refused_objects(rows, GP_COUNT(rows));
 }
 
 static void memory_that_runs_short_is_said(void **state)
 {
     (void)state;
     static const char text[] = SCENE(NEAR_EYE, "{ " BALL " }, { " BALL " }");
-    int failures = 0;
-    for (uint32_t fails = 1; fails < 60; fails++) {
-        Scene scene = { 0 };
-        GpError error = { "" };
-        const GpResult result =
-            load_scene_text(text, strlen(text), &(SceneOptions){ .fails = fails }, &scene, &error);
-        assert_true(result == GP_OK || result == GP_ERROR_MEMORY);
-        failures += result != GP_OK;
-        scene_free(&scene);
-    }
-    assert_true(failures > 5);
+    check_short_memory(text);
 }
 
 int main(void)

@@ -233,14 +233,8 @@ static void what_splats_cannot_have_is_refused(void **state)
         { "{ \"objects\": [ { \"points\": \"builtin:grid\", \"method\": \"ternary\" } ] }",
           "expected one of adaptive, ewa, reconstruction, lowpass, area, distance" },
     };
-    for (size_t i = 0; i < GP_COUNT(rows); i++) {
-        Scene scene = { 0 };
-        GpError error = { "" };
-        assert_int_equal(load_scene_text(rows[i][0], strlen(rows[i][0]), NULL, &scene, &error),
-                         GP_ERROR_FORMAT);
-        if (!strstr(error.text, rows[i][1]))
-            fail_msg("'%s' instead of '%s'", error.text, rows[i][1]);
-    }
+    for (size_t i = 0; i < GP_COUNT(rows); i++)
+        check_refused(rows[i][0], rows[i][1]);
 }
 
 static void memory_that_runs_short_is_told(void **state)
@@ -249,16 +243,7 @@ static void memory_that_runs_short_is_told(void **state)
     static const char text[] = "{ \"size\": [32, 32], \"objects\": [ { \"mesh\": \"builtin:cube\","
                                " \"method\": \"adaptive\" }, { \"mesh\": \"builtin:cube\","
                                " \"sample\": 50, \"method\": \"lowpass\" } ] }";
-    GpResult result = GP_ERROR_MEMORY;
-    for (uint32_t n = 1; result; n++) {
-        Scene scene = { 0 };
-        GpError error = { "" };
-        result = load_scene_text(text, strlen(text), &(SceneOptions){ .fails = n }, &scene, &error);
-        if (result && (result != GP_ERROR_MEMORY || !strstr(error.text, "out of memory")))
-            fail_msg("%u pieces of memory: %s", n, error.text);
-        assert_true(result || n > 20);
-        scene_free(&scene);
-    }
+    check_short_memory(text);
 }
 
 int main(void)

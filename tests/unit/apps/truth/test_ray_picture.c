@@ -3,6 +3,7 @@
 #include "apps/truth/mesh_picture.h"
 #include "apps/truth/ray_picture.h"
 #include "apps/scene/model.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
@@ -35,15 +36,6 @@ static RayPicture cast(const GpMesh *mesh, const MeshPaint *paint, const Camera 
     return picture;
 }
 
-static GpMesh mesh_of(const char *name)
-{
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh(name, &mesh, &error))
-        fail_msg("%s", error.text);
-    return mesh;
-}
-
 static const TruthLight light = { .eye = { 2, 1, 3, 1 },
                                   .source = { 0.6, 0.8, 0, 0 },
                                   .ambient = { 0.2, 0.1, 0.3 },
@@ -58,7 +50,7 @@ static void rays_and_samples_at_centres_are_one_picture(void **state)
     static const Camera camera = {
         .eye = { 2, 1, 3 }, .up = { 0, 1, 0 }, .fovy = 45, .near = 0.5, .far = 20
     };
-    GpMesh mesh = mesh_of("builtin:knot");
+    GpMesh mesh = named_mesh("builtin:knot");
     const MeshPaint paint = { .positions = mesh.positions,
                               .normals = mesh.normals,
                               .colors = mesh.colors,
@@ -98,7 +90,7 @@ static void rays_and_samples_at_centres_are_one_picture(void **state)
 /* A square at z = 0, side 2, of waves. */
 static void check_square(const Camera *camera, double depth, int covered)
 {
-    GpMesh mesh = mesh_of("builtin:quad");
+    GpMesh mesh = named_mesh("builtin:quad");
     const MeshPaint paint = { .positions = mesh.positions, .indices = mesh.indices, .waves = 2 };
     RayPicture rays = cast(&mesh, &paint, camera);
     int count = 0;

@@ -1,6 +1,6 @@
 /* The sum over all splats against mathematics. */
 #include "apps/truth/splat_sum.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #include <stdlib.h>

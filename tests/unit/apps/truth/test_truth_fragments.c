@@ -1,6 +1,6 @@
 /* The truth of fragments against something plainer: each pixel's ray at each triangle, one by one. */
 #include "apps/truth/fragments.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 

@@ -2,7 +2,7 @@
 #include "apps/truth/volume_kernels.h"
 #include "apps/truth/volume_rays.h"
 #include "apps/volumes/transfer.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 

@@ -3,7 +3,7 @@
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_file.h"
 #include "tests/support/folder.h"
-#include "tests/support/mesh_files.h"
+#include "tests/support/meshes/mesh_files.h"
 #include "tests/support/random.h"
 
 #include <limits.h>

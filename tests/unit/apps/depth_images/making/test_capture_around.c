@@ -2,12 +2,11 @@
  * thin, on the axis or off it; and how much is lost where faces are sampled a second time, as printed. */
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/capture_cylinder.h"
+#include "tests/support/groups/device.h"
 #include "tests/support/depth/depth_case.h"
 #include "tests/support/devices.h"
 
 #include <string.h>
-
-static GpDevice *device;
 
 static DepthModel turned(const DepthCase *seen, const CaptureTurn *turn)
 {
@@ -239,20 +238,6 @@ static void sizes_that_cannot_be_drawn_are_refused(void **state)
     depth_case_close(&seen);
 }
 
-static int open_device(void **state)
-{
-    (void)state;
-    device = device_open(&(GpDeviceDesc){ .threads = 2 });
-    return 0;
-}
-
-static int close_device(void **state)
-{
-    (void)state;
-    gp_device_destroy(&device);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -263,5 +248,5 @@ int main(void)
         cmocka_unit_test(thin_models_are_captured),
         cmocka_unit_test(sizes_that_cannot_be_drawn_are_refused),
     };
-    return cmocka_run_group_tests(tests, open_device, close_device);
+    return cmocka_run_group_tests(tests, device_set_up, device_tear_down);
 }

@@ -7,7 +7,7 @@
 #include "apps/truth/fragments.h"
 #include "tests/support/devices.h"
 #include "tests/support/fragments/meshes.h"
-#include "tests/support/one_pool.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

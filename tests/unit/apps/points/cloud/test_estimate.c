@@ -1,14 +1,15 @@
 /* Normals look outwards all over, discs close the surface, and areas add up to its own. */
+#define POOL_THREADS 3
 #include "apps/points/cloud/cells.h"
 #include "apps/points/cloud/planes.h"
 #include "apps/scene/model.h"
 #include "tests/support/random.h"
+#include "tests/support/groups/pool.h"
+#include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
 #include <math.h>
 #include <string.h>
-
-static GpPool *pool;
 
 /* Points of a surface whose normals are known. */
 typedef struct Cloud {
@@ -50,10 +51,7 @@ static Cloud ball(uint32_t count, double radius)
 /* Places of a mesh's vertices, each once, and their normals. */
 static Cloud vertices_of(const char *name)
 {
-    GpMesh mesh;
-    GpError error;
-    if (model_mesh(name, &mesh, &error) != GP_OK)
-        fail_msg("%s", error.text);
+    GpMesh mesh = named_mesh(name);
     Cloud cloud = cloud_alloc(mesh.vertex_count, 0);
     cloud.count = 0;
     for (size_t v = 0; v < mesh.vertex_count; v++) {
@@ -381,19 +379,6 @@ static void estimates_do_not_depend_on_the_threads(void **state)
     gp_pool_destroy(&pools[1]);
 }
 
-static int create_pool(void **state)
-{
-    (void)state;
-    return gp_pool_create(3, &pool, NULL);
-}
-
-static int destroy_pool(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -407,5 +392,5 @@ int main(void)
         cmocka_unit_test(a_sheet_does_not_count_the_points_of_another),
         cmocka_unit_test(estimates_do_not_depend_on_the_threads),
     };
-    return cmocka_run_group_tests(tests, create_pool, destroy_pool);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }

@@ -1,13 +1,14 @@
 /* The tree of neighbours finds what comparing with all points finds, in the same order. */
+#define POOL_THREADS 3
 #include "apps/points/cloud/neighbours.h"
 #include "tests/support/random.h"
+#include "tests/support/groups/pool.h"
 #include "tests/support/unit.h"
 
 #include <string.h>
 
 enum { MOST_POINTS = 3000 };
 
-static GpPool *pool;
 static float positions[3 * MOST_POINTS];
 
 /* Of all points but one, by distance and number; found: numbers. */
@@ -102,24 +103,11 @@ static void the_tree_does_not_depend_on_the_threads(void **state)
     gp_pool_destroy(&one);
 }
 
-static int create_pool(void **state)
-{
-    (void)state;
-    return gp_pool_create(3, &pool, NULL);
-}
-
-static int destroy_pool(void **state)
-{
-    (void)state;
-    gp_pool_destroy(&pool);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_search_finds_what_comparing_with_all_finds),
         cmocka_unit_test(the_tree_does_not_depend_on_the_threads),
     };
-    return cmocka_run_group_tests(tests, create_pool, destroy_pool);
+    return cmocka_run_group_tests(tests, pool_set_up, pool_tear_down);
 }

@@ -5,6 +5,7 @@
 
 #include "apps/techniques/points/model.h"
 #include "tests/support/scene_text.h"
+#include "tests/support/groups/device.h"
 #include "tests/support/unit.h"
 
 #include <stdio.h>
@@ -26,21 +27,6 @@ typedef struct Row {
     const char *options, *metric;
     double low, high; /* both included */
 } Row;
-
-static GpDevice *device;
-
-static int set_up(void **state)
-{
-    (void)state;
-    return gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, NULL);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    gp_device_destroy(&device);
-    return 0;
-}
 
 /* --- measuring -------------------------------------------------------------------------------- */
 
@@ -304,5 +290,5 @@ int main(void)
         cmocka_unit_test(radii_too_small_leave_holes),
         cmocka_unit_test(watertight_samplings_have_no_hole_from_all_round),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, device_set_up, device_tear_down);
 }

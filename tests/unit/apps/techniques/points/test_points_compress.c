@@ -3,6 +3,7 @@
 #include "apps/techniques/points/technique.h"
 #include "tests/support/devices.h"
 #include "tests/support/technique/technique_case.h"
+#include "tests/support/groups/device.h"
 #include "tests/support/unit.h"
 
 #include <unistd.h>
@@ -10,21 +11,6 @@
 enum { SIDE = 192 };
 
 #define DEGREE (3.14159265358979323846 / 180)
-
-static GpDevice *device;
-
-static int set_up(void **state)
-{
-    (void)state;
-    return gp_device_create(&(GpDeviceDesc){ .threads = 2 }, &device, NULL);
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    gp_device_destroy(&device);
-    return 0;
-}
 
 static TechniqueStage open_stage(const PointsOptions *options, const char *path)
 {
@@ -278,5 +264,5 @@ int main(void)
         cmocka_unit_test(a_model_opened_for_a_form_keeps_it_alone),
         cmocka_unit_test(other_methods_are_refused),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, device_set_up, device_tear_down);
 }

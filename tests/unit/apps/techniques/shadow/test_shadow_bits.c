@@ -4,6 +4,7 @@
 #include "apps/techniques/shadow/shadow.h"
 #include "pipeline/units/texture.h"
 #include "tests/support/devices.h"
+#include "tests/support/technique/one_picture.h"
 #include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
@@ -14,64 +15,48 @@ enum { MAP = 64, SIDE = 96 };
 
 /* --- one picture ------------------------------------------------------------------------------ */
 
-enum { MAX_TEXTS = 32 };
-
 /* Every text of options gives one hash, wherever it is drawn. */
-static void check_devices(const char *path, char (*texts)[SETTING_MAX_TEXT], int count)
+static void check(const char *path, const char *const *texts, size_t count)
 {
-    uint64_t first[MAX_TEXTS];
-    int failed = 0;
-    GpError error = { "" };
-    TechniqueStage stage = { .technique = &shadow_technique };
-    assert_true(count > 0 && count <= MAX_TEXTS);
-    if (technique_open(&shadow_technique, path, SIDE, SIDE, &stage.scene, &error))
-        fail_msg("%s", error.text);
-    for (size_t d = 0; device_here(d); d++) {
-        stage.device = device_open(device_here(d));
-        for (int i = 0; i < count; i++) {
-            const uint64_t hash = technique_stage_hash(&stage, texts[i]);
-            first[i] = d == 0 ? hash : first[i];
-            if (hash == first[i])
-                continue;
-            print_error("%s: %s draws other bits\n", texts[i], device_name(device_here(d)));
-            failed++;
-        }
-        gp_device_destroy(&stage.device);
-    }
-    assert_int_equal(failed, 0);
-    for (int i = 1; i < count; i++) /* or nothing was compared */
-        assert_true(first[i] != first[0]);
-    shadow_technique.close(stage.scene);
+    uint64_t hashes[SWEEP_ROWS];
+    const TechniqueInput input = {
+        .path = path, .width = SIDE, .height = SIDE, .setting = shadow_technique.defaults
+    };
+    texts_are_one_picture(&shadow_technique, &input, texts, count, hashes);
+    for (size_t i = 1; i < count; i++) /* or nothing was compared */
+        assert_true(hashes[i] != hashes[0]);
 }
 
 static void every_method_of_the_sweep_is_one_picture(void **state)
 {
     (void)state;
-    char texts[MAX_TEXTS][SETTING_MAX_TEXT];
+    char texts[SWEEP_ROWS][SETTING_MAX_TEXT];
+    const char *text[SWEEP_ROWS];
     int count = 0;
     for (const TechniqueSweep *row = shadow_technique.experiments->sweep; row->method;
          row++, count++) {
-        assert_true(count < MAX_TEXTS);
+        assert_true(count < SWEEP_ROWS);
         assert_true(technique_expand(row->options, &texts[count], 1) > 0);
         snprintf(strchr(texts[count], '\0'), 24, " --map %d", MAP + count);
+        text[count] = texts[count];
     }
-    check_devices("scenes/shadow_soft.json", texts, count); /* every setting goes with it */
+    check("scenes/shadow_soft.json", text, (size_t)count); /* every setting goes with it */
 }
 
 static void soft_shadows_are_one_picture(void **state)
 {
     (void)state;
-    char texts[][SETTING_MAX_TEXT] = { "--method plain --filter soft --map 64",
-                                       "--method plain --filter soft --facing smooth --map 64" };
-    check_devices("scenes/shadow_soft.json", texts, GP_COUNT(texts));
+    static const char *const texts[] = { "--method plain --filter soft --map 64",
+                                         "--method plain --filter soft --facing smooth --map 64" };
+    check("scenes/shadow_soft.json", texts, GP_COUNT(texts));
 }
 
 static void several_lights_and_a_cube_map_are_one_picture(void **state)
 {
     (void)state;
-    char texts[][SETTING_MAX_TEXT] = { "--map 64", "--map 64 --facing smooth --filter nearest",
-                                       "--map 64 --depth d32f --outside printed --casters far" };
-    check_devices("scenes/shadow_lamps.json", texts, GP_COUNT(texts));
+    static const char *const texts[] = { "--map 64", "--map 64 --facing smooth --filter nearest",
+                                         "--map 64 --depth d32f --outside printed --casters far" };
+    check("scenes/shadow_lamps.json", texts, GP_COUNT(texts));
 }
 
 /* --- four compares and a filter ------------------------------------------------------------------- */
@@ -80,9 +65,7 @@ static void several_lights_and_a_cube_map_are_one_picture(void **state)
 static const char scene[] =
     "{'size': [96, 96], 'camera': {'eye': [2.4, 2.6, 3.4], 'at': [0, 0.35, 0], 'fovy': 36}, "
     "'lights': [{'position': [0, 3, 0.1], 'at': [0.001, 0, 0.1], 'shadow': {'fovy': 60, 'near': "
-    "0.5, "
-    "'far': 8}}], "
-    "'objects': [{'mesh': 'builtin:plane', 'transform': {'scale': [2, 1, 2]}}, "
+    "0.5, 'far': 8}}], 'objects': [{'mesh': 'builtin:plane', 'transform': {'scale': [2, 1, 2]}}, "
     "{'mesh': 'builtin:torus', 'transform': {'rotate': [1, 0, 0, 90]}, 'fit': [0.6, 0, 0.3, 1]}, "
     "{'mesh': 'builtin:cube', 'fit': [-0.6, 0, -0.3, 0.7]}]}";
 

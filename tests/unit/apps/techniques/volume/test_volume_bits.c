@@ -1,7 +1,7 @@
 /* The bits of pictures of volumes: one picture for every executor, number of threads and lane width. */
 #include "apps/techniques/volume/options.h"
 #include "apps/techniques/volume/technique.h"
-#include "tests/support/technique/sweep_bits.h"
+#include "tests/support/technique/one_picture.h"
 #include "tests/support/unit.h"
 
 enum { SIDE = 64 };

@@ -1,7 +1,7 @@
 /* Points from files: every dialect tells the same points. */
 #include "pipeline/io/points/points.h"
 #include "tests/support/folder.h"
-#include "tests/support/mesh_files.h"
+#include "tests/support/meshes/mesh_files.h"
 
 static GpError error;
 

@@ -1,4 +1,4 @@
-#include "tests/support/mesh_files.h"
+#include "tests/support/meshes/mesh_files.h"
 
 #include <stdio.h>
 #include <string.h>
