@@ -7,9 +7,10 @@ were noticed. What does not compile does not count, nor what the compiler makes 
 mutants_alike.txt explains.
 
 Works in the checkout that it is run in, where nothing may be edited meanwhile, with a build of its own in
-out/mutants, of the narrowest lanes. A mutant meets the pipeline's own tests (those of readers and writers only
-where one of these is among the files), those that noticed most in the least time before others, and one that is
-explained only quick ones; what survives them meets, in the end, the techniques' tests and the stored pictures.
+out/mutants, of the narrowest lanes. A mutant meets the tests of the rooms that the files are of, pipeline or
+apps/ROOM (of the pipeline those of readers and writers only where one of these is among the files), those that
+noticed most in the least time before others, and one that is explained only quick ones; what survives them meets, in
+the end, the techniques' tests and the stored pictures.
 
 LOG ("" for none) gets the lines as well. Places that it has lines of, though they moved, count as judged, but for
 what survived: that is asked again.
@@ -83,11 +84,11 @@ def make(*targets):
 
 
 class Objects:
-    """The pipeline's objects as they are without a mutant."""
+    """The objects of what may be mutated, as they are without a mutant."""
 
     def __init__(self):
-        self.kept = {path: self.read(path)
-                     for path in glob.glob(BUILD + "/obj/pipeline/**/*.o", recursive=True)}
+        self.kept = {path: self.read(path) for room in ("pipeline", "apps")
+                     for path in glob.glob(f"{BUILD}/obj/{room}/**/*.o", recursive=True)}
         self.begun = time.time()
 
     @staticmethod
@@ -137,6 +138,16 @@ class Test:
 def test_names(folder):
     return [(os.path.basename(path)[:-2], path)
             for path in sorted(glob.glob(f"tests/unit/{folder}/**/test_*.c", recursive=True))]
+
+
+def tests_of(files):
+    """Those of the rooms that these files are of."""
+    reads = any("/io/" in path for path in files)
+    names = []
+    for room in sorted({"/".join(path.split("/")[:1 + path.startswith("apps/")]) for path in files}):
+        names += [name for name in test_names(room) if reads or "/io/" not in name[1]]
+        names += [("golden", ""), ("differential", "")] if room == "pipeline" else []
+    return names
 
 
 def first_notice(tests, mutated):
@@ -239,9 +250,7 @@ def main():
     known = told(log)
     places = list({key_of(place): place for place in places}.values())
     places.sort(key=lambda place: key_of(place) not in known)
-    reads = any("/io/" in path for path in files)
-    own = made([name for name in test_names("pipeline") if reads or "/io/" not in name[1]] + [
-        ("golden", ""), ("differential", "")])
+    own = made(tests_of(files))
     for test in own:
         test.noticed = sum(who == test.name for who, _ in known.values())
     quick = [test for test in own if test.seconds <= LONG]
@@ -255,7 +264,7 @@ def main():
             verdicts["noticed" if who else what] += 1
             continue
         who = mutate(place, objects, lambda path: first_notice(quick if reason else own, path))
-        verdict = NO_CODE if who == "" else "noticed" if who else "alike" if reason else "survives the pipeline's tests"
+        verdict = NO_CODE if who == "" else "noticed" if who else "alike" if reason else "survives its rooms' tests"
         verdicts[verdict] += 1
         if verdict.startswith("survives"):
             left.append(place)
