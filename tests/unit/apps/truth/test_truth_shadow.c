@@ -336,6 +336,32 @@ static void an_area_light_casts_a_linear_penumbra(void **state)
         }
 }
 
+/* What is asked only whether half of a light is seen is told no sooner than it is certain. */
+static void half_of_an_area_light_or_more_counts_as_lit(void **state)
+{
+    (void)state;
+    start_with_ground();
+    add_level(0, 9, -9, 9, 1);
+    for (unsigned int samples = 1; samples <= 34; samples += 3)
+        for (int turned = 0; turned < 4; turned++) {
+            TruthLight light = { .kind = TRUTH_AREA, .position = { 0, 2, 0 }, .samples = samples };
+            light.side[0][turned & 1 ? 0 : 2] = light.side[1][turned & 1 ? 2 : 0] =
+                turned & 2 ? -1 : 1;
+            ShadowView view = from_above(0.9, light);
+            ShadowTruth all = cast(model.triangles, model.count, &view);
+            view.only_lit = true;
+            ShadowTruth half = cast(model.triangles, model.count, &view);
+            int lit = 0;
+            for (int i = 0; i < PIXELS; i++) {
+                assert_true(half.visibility[i] == (all.visibility[i] >= 0.5F));
+                lit += half.visibility[i] == 1;
+            }
+            assert_true(lit > PIXELS / 4 && lit < PIXELS);
+            shadow_truth_free(&all);
+            shadow_truth_free(&half);
+        }
+}
+
 /* --- the view --------------------------------------------------------------------------------- */
 
 static void near_and_far_cut_what_is_seen_not_what_shades(void **state)
@@ -496,6 +522,7 @@ int main(void)
         cmocka_unit_test(spots_light_their_shape),
         cmocka_unit_test(a_wall_of_rays_casts_what_is_before_it),
         cmocka_unit_test(an_area_light_casts_a_linear_penumbra),
+        cmocka_unit_test(half_of_an_area_light_or_more_counts_as_lit),
         cmocka_unit_test(near_and_far_cut_what_is_seen_not_what_shades),
         cmocka_unit_test(threads_do_not_matter),
         cmocka_unit_test(the_bunny_shades_the_ground),

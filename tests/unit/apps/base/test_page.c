@@ -1,0 +1,80 @@
+/* Parts of pages: base64 as RFC 4648 has it, and cells. */
+#include "apps/base/page.h"
+
+#include "tests/support/random.h"
+#include "tests/support/unit.h"
+
+static void base64_is_that_of_the_rfc(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        { "", "" },
+        { "f", "Zg==" },
+        { "fo", "Zm8=" },
+        { "foo", "Zm9v" },
+        { "foob", "Zm9vYg==" },
+        { "fooba", "Zm9vYmE=" },
+        { "foobar", "Zm9vYmFy" },
+        { "\xff\xef\xbe\xfb\xf0", "/++++/A=" },
+    };
+    for (size_t i = 0; i < GP_COUNT(rows); i++) {
+        Text page = { .data = NULL };
+        text_add(&page, "<");
+        page_add_base64(&page, (const unsigned char *)rows[i][0], strlen(rows[i][0]));
+        assert_string_equal(page.data + 1, rows[i][1]);
+        text_free(&page);
+    }
+}
+
+static unsigned value_of(char digit)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char *place = strchr(digits, digit);
+    assert_true(digit && place);
+    return (unsigned)(place - digits);
+}
+
+/* Around the length of the blocks that it is made in. */
+static void bytes_of_any_number_come_back(void **state)
+{
+    (void)state;
+    static unsigned char bytes[9300];
+    Random random = { 1 };
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (unsigned char)random_word(&random);
+    for (size_t size = 3060; size <= sizeof bytes; size = size == 3090 ? 9200 : size + 1) {
+        Text page = { .data = NULL };
+        page_add_base64(&page, bytes, size);
+        assert_int_equal(page.length, (size + 2) / 3 * 4);
+        const size_t ends = (3 - size % 3) % 3;
+        for (size_t i = 0; i < ends; i++)
+            assert_int_equal(page.data[page.length - 1 - i], '=');
+        for (size_t i = 0; i < size; i++) {
+            const size_t bit = 8 * i, digit = bit / 6;
+            const unsigned first = value_of(page.data[digit]),
+                           second = value_of(page.data[digit + 1]);
+            const unsigned both = first << 6 | second;
+            assert_int_equal(both >> (4 - bit % 6) & 255, bytes[i]);
+        }
+        text_free(&page);
+    }
+}
+
+static void cells_are_escaped(void **state)
+{
+    (void)state;
+    Text page = { .data = NULL };
+    page_add_cell(&page, "td", " class=\"n\"", "a < b & \"c\"");
+    assert_string_equal(page.data, "<td class=\"n\">a &lt; b &amp; &quot;c&quot;</td>");
+    text_free(&page);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(base64_is_that_of_the_rfc),
+        cmocka_unit_test(bytes_of_any_number_come_back),
+        cmocka_unit_test(cells_are_escaped),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
