@@ -82,8 +82,6 @@ static ColumnRange range_of(const Around *const corner[3], double radius, uint32
     const double high = floor((first + length) * columns - 0.5 + room);
     if (!(high - low + 1 < columns))
         return all;
-    if (high < low)
-        return (ColumnRange){ 0, 0 };
     const double start = low - columns * floor(low / columns);
     return (ColumnRange){ (uint32_t)start % columns, (uint32_t)(high - low) + 1 };
 }

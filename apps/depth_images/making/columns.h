@@ -5,7 +5,7 @@
 #include "apps/depth_images/depth_image.h"
 #include "pipeline/io/mesh/mesh.h"
 
-/* Columns that a triangle may be in: `count` of them from `first` on, round the seam; 0: none. */
+/* Columns that a triangle may be in: `count` of them, at least one, from `first` on, round the seam. */
 typedef struct ColumnRange {
     uint32_t first, count;
 } ColumnRange;
