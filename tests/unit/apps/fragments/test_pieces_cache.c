@@ -111,16 +111,19 @@ static void keys_tell_meshes_and_settings_apart(void **state)
     static const PiecesSetting settings[] = {
         { 0 }, { .tolerance = 1e-3 }, { .outward = true }, { .merge = true }
     };
-    uint64_t keys[6];
-    for (int i = 0; i < 6; i++) {
-        if (i == 5)
-            made.positions[3][1] += 1;
+    float *const last_place = &made.positions[made.vertex_count - 1][2];
+    uint32_t *const last_index = &made.indices[3 * made.triangle_count - 1];
+    uint64_t keys[7];
+    for (int i = 0; i < 7; i++) {
+        *last_place += i == 5;
+        *last_index ^= i == 6;
         keys[i] = pieces_key((const float(*)[3])made.positions, made.vertex_count, made.indices,
                              made.triangle_count - (i == 4), &settings[i < 4 ? i : 0]);
         for (int k = 0; k < i; k++)
             assert_true(keys[k] != keys[i]);
     }
-    made.positions[3][1] -= 1;
+    *last_place -= 1;
+    *last_index ^= 1;
 }
 
 int main(void)
