@@ -8,7 +8,9 @@
 
 enum { SIDE = 12, ROUNDS = 60 };
 
-#define CUT 2.0
+#define CUT    2.0
+#define ACROSS 1.0 /* sides of a pixel */
+#define DOWN   1.5
 
 static double between(Random *random, double low, double high)
 {
@@ -24,14 +26,14 @@ static void random_direction(Random *random, double way[3])
     vector_normalize(way);
 }
 
-/* Square pixels of side 1, looked at along parallel rays from anywhere. */
+/* Looked at along parallel rays from anywhere. */
 static DepthPlane random_plane(Random *random)
 {
     DepthPlane plane = { .is_parallel = true,
-                         .left = -SIDE / 2.0,
-                         .bottom = -SIDE / 2.0,
-                         .width = SIDE,
-                         .height = SIDE };
+                         .left = -ACROSS * SIDE / 2,
+                         .bottom = -DOWN * SIDE / 2,
+                         .width = ACROSS * SIDE,
+                         .height = DOWN * SIDE };
     double any[3], back[3];
     random_direction(random, plane.forward);
     do
@@ -53,8 +55,8 @@ static DepthImage slope_image(Random *random, const double slope[2], bool has_an
     assert_int_equal(depth_pixels_make(SIDE, SIDE, true, &image.front), GP_OK);
     double square[3], normal[3];
     for (int k = 0; k < 3; k++) /* down is against up */
-        square[k] =
-            slope[0] * image.plane.right[k] - slope[1] * image.plane.up[k] - image.plane.forward[k];
+        square[k] = slope[0] / ACROSS * image.plane.right[k] - slope[1] / DOWN * image.plane.up[k] -
+                    image.plane.forward[k];
     vector_normalize(square);
     for (int i = 0; i < SIDE * SIDE; i++) {
         image.front.depth[i] = (float)(60 + slope[0] * (i % SIDE) + slope[1] * (i / SIDE));
@@ -105,7 +107,8 @@ static int check_cuts(const DepthImage *image, const double slope[2])
             const double cosine = cosine_between(image, i, next);
             const bool is_cut = grid.cut[i] & (down ? MERGE_CUT_DOWN : MERGE_CUT_RIGHT);
             if (fabs(cosine - 0.5) > 1e-5)
-                assert_int_equal(is_cut, fabs(slope[down]) > CUT && cosine > 0.5);
+                assert_int_equal(is_cut,
+                                 fabs(slope[down]) > CUT * (down ? DOWN : ACROSS) && cosine > 0.5);
             cuts += is_cut;
         }
     surface_grid_close(&grid);
