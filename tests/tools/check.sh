@@ -116,7 +116,7 @@ done
 step aarch64-scenes env WERROR=1 sh tests/tools/aarch64_program.sh "$out" scene-hashes
 step one-picture same_hashes
 step sanitizers configuration sanitizers OPT=-O1 SANITIZE=address,undefined \
-    GP_TEST_EVERY_BYTE=1 test
+    GP_TEST_EVERY_BYTE=1 TEST_SECONDS=3600 test
 # without WERROR: instrumented, gcc 12 takes vectors that are set lane by lane for unset ones
 step threads make BUILD="$out/threads" OPT=-O1 SANITIZE=thread differential SEEDS=0..299
 step threads-test env TEST_SECONDS=3600 make BUILD="$out/threads" OPT=-O1 SANITIZE=thread \
