@@ -2,8 +2,8 @@
  * surface's colour, linear light; texture 1 its normals in the world, a component n as (n + 1) / 2. */
 #define GP_SHADER_AT_ONCE 4
 #include "shaders_c/common/vertices_shared.h"
-#include "shaders_c/materials/phong_shared.h"
 #include "shaders_c/materials/mapped_phong.h"
+#include "shaders_c/materials/phong_shared.h"
 
 typedef struct MappedVertex {
     float3 position;

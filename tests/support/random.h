@@ -36,4 +36,10 @@ static inline float random_float(Random *random, float low, float high)
     return low + unit * (high - low);
 }
 
+/* The same as a double, of floats' bounds. */
+static inline double random_between(Random *random, double low, double high)
+{
+    return (double)random_float(random, (float)low, (float)high);
+}
+
 #endif

@@ -2,7 +2,6 @@
 
 #include "apps/base/bounds.h"
 #include "apps/base/camera.h"
-#include "apps/scene/model.h"
 #include "pipeline/io/mesh/mesh.h"
 #include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"

@@ -6,21 +6,16 @@
 
 enum { WIDTH = 90, HEIGHT = 60, TRIES = 3000 };
 
-static double between(Random *random, double low, double high)
-{
-    return (double)random_float(random, (float)low, (float)high);
-}
-
 static Camera random_camera(Random *random)
 {
-    Camera camera = { .up = { 0, 1, 0.1 }, .near = 1, .far = between(random, 2, 30) };
+    Camera camera = { .up = { 0, 1, 0.1 }, .near = 1, .far = random_between(random, 2, 30) };
     if (random_int(random, 0, 1))
-        camera.fovy = between(random, 20, 100);
+        camera.fovy = random_between(random, 20, 100);
     else
-        camera.height = between(random, 1, 10);
+        camera.height = random_between(random, 1, 10);
     for (int k = 0; k < 3; k++) {
-        camera.eye[k] = between(random, -9, 9);
-        camera.at[k] = between(random, -2, 2);
+        camera.eye[k] = random_between(random, -9, 9);
+        camera.at[k] = random_between(random, -2, 2);
     }
     return camera;
 }
@@ -31,17 +26,17 @@ static void random_body(Random *random, double corners[8][3])
     const double size = random_int(random, 0, 1) ? 1 : 8;
     double middle[3];
     for (int k = 0; k < 3; k++)
-        middle[k] = between(random, -4, 4);
+        middle[k] = random_between(random, -4, 4);
     for (int i = 0; i < 8; i++)
         for (int k = 0; k < 3; k++)
-            corners[i][k] = middle[k] + between(random, -size, size);
+            corners[i][k] = middle[k] + random_between(random, -size, size);
 }
 
 static void random_point(Random *random, double corners[8][3], double point[3])
 {
     double share[8], sum = 0;
     for (int i = 0; i < 8; i++)
-        sum += share[i] = random_int(random, 0, 2) ? between(random, 0, 1) : 0.0001;
+        sum += share[i] = random_int(random, 0, 2) ? random_between(random, 0, 1) : 0.0001;
     vector_set(point, 0, 0, 0);
     for (int i = 0; i < 8; i++)
         vector_add_scaled(point, share[i] / sum, corners[i], point);
@@ -153,8 +148,9 @@ static void depths_follow_from_the_share_of_the_way(void **state)
     for (int i = 0; i < TRIES; i++) {
         const Camera camera = random_camera(&random);
         const CameraAxes axes = camera_axes(&camera, (double)WIDTH / HEIGHT);
-        const double share = between(&random, 0, 1), end = between(&random, 1, camera.far);
-        const double reach[2] = { between(&random, 1, end), end };
+        const double share = random_between(&random, 0, 1),
+                     end = random_between(&random, 1, camera.far);
+        const double reach[2] = { random_between(&random, 1, end), end };
         double point[3], pixel[3];
         float depth[4];
         reach_depth(&camera, reach, depth);

@@ -6,11 +6,6 @@
 #include "tests/support/random.h"
 #include "tests/support/unit.h"
 
-static double between(Random *random, double low, double high)
-{
-    return (double)random_float(random, (float)low, (float)high);
-}
-
 static void multiply(const Symmetric *matrix, const double v[3], double out[3])
 {
     const double *m = matrix->m;
@@ -61,7 +56,7 @@ static void eigenvectors_are_what_the_matrix_only_scales(void **state)
     for (int i = 0; i < 2000; i++) {
         Symmetric matrix;
         for (int k = 0; k < 6; k++)
-            matrix.m[k] = random_int(&random, 0, 5) ? between(&random, -9, 9) : 0;
+            matrix.m[k] = random_int(&random, 0, 5) ? random_between(&random, -9, 9) : 0;
         check_eigen(&matrix);
     }
 }
@@ -77,11 +72,11 @@ static void the_long_axis_is_the_first_eigenvector(void **state)
         float point[3];
         double stretch[3], values[3], vectors[3][3], axis[3];
         for (int k = 0; k < 3; k++)
-            stretch[k] = between(&random, 0, 4);
+            stretch[k] = random_between(&random, 0, 4);
         for (int p = 0; p < 20; p++) {
-            const double along = between(&random, -5, 5);
+            const double along = random_between(&random, -5, 5);
             for (int k = 0; k < 3; k++)
-                point[k] = (float)(stretch[k] * along + between(&random, -1, 1));
+                point[k] = (float)(stretch[k] * along + random_between(&random, -1, 1));
             moments_add(&moments, point);
         }
         const Symmetric spread = moments_covariance(&moments);
@@ -117,7 +112,7 @@ static void moments_are_the_mean_and_the_mean_square_from_it(void **state)
         half[i] = (Moments){ .origin = { 1e6, -1e6, 5e5 } };
     for (int p = 0; p < POINTS; p++) {
         for (int k = 0; k < 3; k++)
-            points[p][k] = (float)(half[0].origin[k] + between(&random, -8, 8));
+            points[p][k] = (float)(half[0].origin[k] + random_between(&random, -8, 8));
         moments_add(&half[p % 2], points[p]);
         for (int k = 0; k < 3; k++)
             mean[k] += (double)points[p][k] / POINTS;

@@ -1,8 +1,8 @@
 /* The page of a comparison: well formed, by itself, and with every view. */
 #include "apps/compare/comparison_page.h"
 #include "apps/compare/comparison_views.h"
-#include "tests/support/markup.h"
 #include "tests/support/groups/pool.h"
+#include "tests/support/markup.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

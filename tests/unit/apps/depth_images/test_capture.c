@@ -1,8 +1,8 @@
 /* Captured layers against rays in double: coverage, depth, colour and normal, from cameras and from
  * planes that stand anywhere; models far from the origin; what is behind; the same bits everywhere. */
-#include "tests/support/groups/device.h"
 #include "tests/support/depth/depth_case.h"
 #include "tests/support/devices.h"
+#include "tests/support/groups/device.h"
 
 #include <string.h>
 

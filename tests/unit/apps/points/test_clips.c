@@ -1,7 +1,6 @@
 /* Surfels on creases end at the edges of their side. */
 #include "apps/points/clips.h"
 #include "apps/points/open.h"
-#include "apps/scene/model.h"
 #include "tests/support/groups/pool.h"
 #include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"

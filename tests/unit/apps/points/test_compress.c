@@ -8,8 +8,8 @@
 #include "pipeline/resources/surface.h"
 #include "tests/shaders/compressed_points.h"
 #include "tests/support/devices.h"
-#include "tests/support/surfel_shapes.h"
 #include "tests/support/groups/pool.h"
+#include "tests/support/surfel_shapes.h"
 #include "tests/support/unit.h"
 
 #define DEGREE (3.14159265358979323846 / 180)

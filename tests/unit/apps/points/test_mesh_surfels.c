@@ -4,8 +4,8 @@
 #include "apps/points/subdivide.h"
 #include "apps/points/triangle.h"
 #include "apps/points/vertices.h"
-#include "tests/support/random.h"
 #include "tests/support/meshes/named_mesh.h"
+#include "tests/support/random.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

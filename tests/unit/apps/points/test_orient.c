@@ -111,17 +111,21 @@ static void open_meshes_stay_as_they_are(void **state)
     gp_mesh_free(&mesh);
 }
 
+static void corners_from(const GpMesh *mesh, size_t triangle, const double place[3],
+                         double corner[3][3])
+{
+    for (size_t i = 0; i < 9; i++)
+        corner[i / 3][i % 3] =
+            (double)mesh->positions[3 * mesh->indices[3 * triangle + i / 3] + i % 3] - place[i % 3];
+}
+
 /* Six times the volume as it is from a place. */
 static double volume_from(const GpMesh *mesh, const double place[3])
 {
     double volume = 0;
     for (size_t t = 0; t < mesh->triangle_count; t++) {
         double corner[3][3], cross[3];
-        for (int i = 0; i < 3; i++)
-            for (int k = 0; k < 3; k++)
-                corner[i][k] =
-                    (double)mesh->positions[3 * mesh->indices[3 * t + (size_t)i] + (size_t)k] -
-                    place[k];
+        corners_from(mesh, t, place, corner);
         vector_cross(corner[1], corner[2], cross);
         volume += vector_dot(corner[0], cross);
     }
@@ -131,14 +135,13 @@ static double volume_from(const GpMesh *mesh, const double place[3])
 /* The length of the sum of triangles' area vectors, of the sum of their lengths. */
 static double openness_of(const GpMesh *mesh)
 {
+    static const double origin[3];
     double sum[3] = { 0 }, area = 0;
     for (size_t t = 0; t < mesh->triangle_count; t++) {
-        double side[2][3], cross[3];
+        double corner[3][3], side[2][3], cross[3];
+        corners_from(mesh, t, origin, corner);
         for (int i = 0; i < 2; i++)
-            for (int k = 0; k < 3; k++)
-                side[i][k] =
-                    (double)mesh->positions[3 * mesh->indices[3 * t + 1 + (size_t)i] + (size_t)k] -
-                    (double)mesh->positions[3 * mesh->indices[3 * t] + (size_t)k];
+            vector_subtract(corner[1 + i], corner[0], side[i]);
         vector_cross(side[0], side[1], cross);
         vector_add_scaled(sum, 1, cross, sum);
         area += sqrt(vector_dot(cross, cross));

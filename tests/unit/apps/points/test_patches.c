@@ -6,8 +6,8 @@
 #include "apps/base/vector.h"
 #include "pipeline/io/file.h"
 #include "pipeline/io/mesh/mesh_file.h"
-#include "tests/support/surfel_shapes.h"
 #include "tests/support/groups/pool.h"
+#include "tests/support/surfel_shapes.h"
 #include "tests/support/unit.h"
 
 enum { SPHERE, TORUS, DUST, THIN, SHAPES };

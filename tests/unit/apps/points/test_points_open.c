@@ -1,10 +1,9 @@
 /* Whatever a user has becomes surfels with facts, or an error that says why not. */
 #define POOL_THREADS 2
 #include "apps/points/open.h"
-#include "apps/scene/model.h"
+#include "tests/support/folder.h"
 #include "tests/support/groups/pool.h"
 #include "tests/support/meshes/named_mesh.h"
-#include "tests/support/folder.h"
 #include "tests/support/random.h"
 
 #include <math.h>

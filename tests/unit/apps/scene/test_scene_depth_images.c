@@ -196,7 +196,7 @@ static void memory_that_runs_short_is_said(void **state)
     (void)state;
     static const char text[] = SCENE(NEAR_EYE, "{ \"depth_image\": \"builtin:cube\", \"pixels\": "
                                                "[16, 16] }");
-    check_short_memory(text);
+    check_short_memory(text, 6);
 }
 
 int main(void)

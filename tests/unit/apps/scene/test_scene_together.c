@@ -228,7 +228,7 @@ static void memory_that_runs_short_is_said(void **state)
     char text[4000], objects[3000];
     snprintf(objects, sizeof objects, "%s, %s", things[0], things[1]);
     snprintf(text, sizeof text, SCENE, 0, 0, 0, "depth", objects);
-    check_short_memory(text);
+    check_short_memory(text, 11);
 }
 
 int main(void)

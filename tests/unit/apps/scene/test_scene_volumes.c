@@ -129,7 +129,7 @@ static void memory_that_runs_short_is_said(void **state)
 {
     (void)state;
     static const char text[] = SCENE(NEAR_EYE, "{ " BALL " }, { " BALL " }");
-    check_short_memory(text);
+    check_short_memory(text, 6);
 }
 
 int main(void)

@@ -243,7 +243,7 @@ static void memory_that_runs_short_is_told(void **state)
     static const char text[] = "{ \"size\": [32, 32], \"objects\": [ { \"mesh\": \"builtin:cube\","
                                " \"method\": \"adaptive\" }, { \"mesh\": \"builtin:cube\","
                                " \"sample\": 50, \"method\": \"lowpass\" } ] }";
-    check_short_memory(text);
+    check_short_memory(text, 20);
 }
 
 int main(void)

@@ -2,7 +2,6 @@
  * and against what planes are by hand. */
 #include "apps/truth/mesh_picture.h"
 #include "apps/truth/ray_picture.h"
-#include "apps/scene/model.h"
 #include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 

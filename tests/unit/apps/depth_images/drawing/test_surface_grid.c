@@ -12,16 +12,11 @@ enum { SIDE = 12, ROUNDS = 60 };
 #define ACROSS 1.0 /* sides of a pixel */
 #define DOWN   1.5
 
-static double between(Random *random, double low, double high)
-{
-    return (double)random_float(random, (float)low, (float)high);
-}
-
 static void random_direction(Random *random, double way[3])
 {
     do
         for (int k = 0; k < 3; k++)
-            way[k] = between(random, -1, 1);
+            way[k] = random_between(random, -1, 1);
     while (vector_dot(way, way) < 0.1);
     vector_normalize(way);
 }
@@ -44,7 +39,7 @@ static DepthPlane random_plane(Random *random)
     vector_set(back, -plane.forward[0], -plane.forward[1], -plane.forward[2]);
     vector_cross(back, plane.right, plane.up);
     for (int k = 0; k < 3; k++)
-        plane.eye[k] = between(random, -3, 3);
+        plane.eye[k] = random_between(random, -3, 3);
     return plane;
 }
 
@@ -121,7 +116,7 @@ static void slopes_are_cut_where_normals_say_so(void **state)
     Random random = { 1 };
     int cuts = 0;
     for (int round = 0; round < ROUNDS; round++) {
-        const double slope[2] = { between(&random, -4, 4), between(&random, -4, 4) };
+        const double slope[2] = { random_between(&random, -4, 4), random_between(&random, -4, 4) };
         for (int any = 0; any < 2; any++) {
             DepthImage image = slope_image(&random, slope, any);
             const int found = check_cuts(&image, slope);

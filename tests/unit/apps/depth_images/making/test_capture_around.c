@@ -2,9 +2,9 @@
  * thin, on the axis or off it; and how much is lost where faces are sampled a second time, as printed. */
 #include "apps/depth_images/making/capture_box.h"
 #include "apps/depth_images/making/capture_cylinder.h"
-#include "tests/support/groups/device.h"
 #include "tests/support/depth/depth_case.h"
 #include "tests/support/devices.h"
+#include "tests/support/groups/device.h"
 
 #include <string.h>
 

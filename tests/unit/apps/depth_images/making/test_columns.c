@@ -14,18 +14,13 @@ typedef struct Flat {
     double corner[3][2];
 } Flat;
 
-static double between(Random *random, double low, double high)
-{
-    return (double)random_float(random, (float)low, (float)high);
-}
-
 static DepthCylinder random_cylinder(Random *random)
 {
-    DepthCylinder cylinder = { .radius = between(random, 2, 6), .height = 4 };
+    DepthCylinder cylinder = { .radius = random_between(random, 2, 6), .height = 4 };
     for (int k = 0; k < 3; k++) {
-        cylinder.center[k] = between(random, -5, 5);
-        cylinder.axis[k] = between(random, -1, 1);
-        cylinder.zero[k] = between(random, -1, 1);
+        cylinder.center[k] = random_between(random, -5, 5);
+        cylinder.axis[k] = random_between(random, -1, 1);
+        cylinder.zero[k] = random_between(random, -1, 1);
     }
     vector_normalize(cylinder.axis);
     vector_add_scaled(cylinder.zero, -vector_dot(cylinder.zero, cylinder.axis), cylinder.axis,
@@ -40,14 +35,14 @@ static void random_triangle(Random *random, const DepthCylinder *cylinder, float
     const double size = random_int(random, 0, 3) ? 0.3 : 3;
     double middle[3];
     for (int k = 0; k < 3; k++)
-        middle[k] = between(random, -1, 1) * cylinder->radius * 0.6;
+        middle[k] = random_between(random, -1, 1) * cylinder->radius * 0.6;
     const int kind = random_int(random, 0, 19);
     if (kind < 2)
         vector_set(middle, 0, 0, 0);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             corner[3 * i + k] =
-                (float)(cylinder->center[k] + middle[k] + between(random, -size, size));
+                (float)(cylinder->center[k] + middle[k] + random_between(random, -size, size));
     if (kind == 3)
         memcpy(corner + 6, corner + 3, 3 * sizeof *corner);
     if (kind == 4)
@@ -128,7 +123,7 @@ static void check_all_are_told(Random *random, const Flat *flat, double rounding
             assert_true(!is_met(&moved, column) || is_in(range, column));
         for (int i = 0; i < 6; i++)
             moved.corner[i / 2][i % 2] =
-                flat->corner[i / 2][i % 2] + between(random, -rounding, rounding);
+                flat->corner[i / 2][i % 2] + random_between(random, -rounding, rounding);
     }
 }
 

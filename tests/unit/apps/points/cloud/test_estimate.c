@@ -2,10 +2,9 @@
 #define POOL_THREADS 3
 #include "apps/points/cloud/cells.h"
 #include "apps/points/cloud/planes.h"
-#include "apps/scene/model.h"
-#include "tests/support/random.h"
 #include "tests/support/groups/pool.h"
 #include "tests/support/meshes/named_mesh.h"
+#include "tests/support/random.h"
 #include "tests/support/unit.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* The tree of neighbours finds what comparing with all points finds, in the same order. */
 #define POOL_THREADS 3
 #include "apps/points/cloud/neighbours.h"
-#include "tests/support/random.h"
 #include "tests/support/groups/pool.h"
+#include "tests/support/random.h"
 #include "tests/support/unit.h"
 
 #include <string.h>

@@ -4,8 +4,8 @@
 #include "apps/techniques/points/technique.h"
 
 #include "apps/techniques/points/model.h"
-#include "tests/support/scene_text.h"
 #include "tests/support/groups/device.h"
+#include "tests/support/scene_text.h"
 #include "tests/support/unit.h"
 
 #include <stdio.h>

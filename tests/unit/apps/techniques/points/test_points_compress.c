@@ -2,8 +2,8 @@
 #include "apps/techniques/points/model.h"
 #include "apps/techniques/points/technique.h"
 #include "tests/support/devices.h"
-#include "tests/support/technique/technique_case.h"
 #include "tests/support/groups/device.h"
+#include "tests/support/technique/technique_case.h"
 #include "tests/support/unit.h"
 
 #include <unistd.h>
