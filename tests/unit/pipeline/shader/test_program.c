@@ -1,5 +1,6 @@
 /* Every mistake of a program is answered with one line that names the program and what is wrong, in both
- * executors, whether the program was counted or compiled once by a plain compiler. */
+ * executors, whether the program was counted or compiled once by a plain compiler. A trial, which finds some of
+ * them, leaves the processor as it was. */
 #include <glasspipe/glasspipe.h>
 #include "pipeline/list/isa.h"
 #include "pipeline/shader/counts.h"
@@ -280,15 +281,16 @@ static void a_program_without_mistakes_draws_the_same_however_it_was_built(void 
         assert_true(hash[i] == hash[0]);
 }
 
-#ifdef __x86_64__
-/* Whether a bit above the lowest 16 bytes of a vector register is set. Plain code touches none of them. */
+/* Whether a bit above the lowest 16 bytes of one of AVX's registers is set. Plain code touches none of them. */
 static bool upper_halves_are_in_use(void)
 {
-    uint32_t registers[16][8], bits = 0;
+    uint32_t registers[16][8] = { { 0 } }, bits = 0;
+#ifdef __x86_64__
     __asm__ volatile(".irp n, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15\n"
                      "vmovups %%ymm\\n, 32 * \\n(%0)\n"
                      ".endr" ::"r"(registers)
                      : "memory");
+#endif
     for (int i = 0; i < 16; i++)
         for (int k = 4; k < 8; k++)
             bits |= registers[i][k];
@@ -299,7 +301,8 @@ static void a_trial_leaves_the_upper_halves_of_registers_unused(void **state)
 {
     (void)state;
     const MistakesUniforms uniforms = { .scale = 0.75f };
-    int tried = 0;
+    if (!gp_isa_runs("avx2")) /* has no such registers */
+        skip();
     for (int i = 0; i < GP_CODE_WIDTHS; i++) {
         const GpProgramCode *code = mistake_none.code[i];
         if (!code || code->lanes == 4 || !gp_isa_runs(code->isa))
@@ -308,12 +311,8 @@ static void a_trial_leaves_the_upper_halves_of_registers_unused(void **state)
             fail_msg("lanes%d: refused", code->lanes);
         if (upper_halves_are_in_use())
             fail_msg("lanes%d: plain code is slow from here on", code->lanes);
-        tried++;
     }
-    if (!tried)
-        skip();
 }
-#endif
 
 int main(void)
 {
@@ -325,9 +324,7 @@ int main(void)
         cmocka_unit_test(inputs_in_another_order_are_refused),
         cmocka_unit_test(inputs_of_one_width_are_told_by_the_names_of_members),
         cmocka_unit_test(a_program_without_mistakes_draws_the_same_however_it_was_built),
-#ifdef __x86_64__
         cmocka_unit_test(a_trial_leaves_the_upper_halves_of_registers_unused),
-#endif
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
