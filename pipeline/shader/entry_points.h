@@ -12,9 +12,7 @@ GP_INLINE float gp_unset_size(const GpShaderCall *call)
     return call->used ? gp_bits_float(GP_UNSET_BITS) : 1.0f;
 }
 
-/* Whether this file was compiled to round a * b + c once. (Were it called, gcc would leave out the vzeroupper at a
- * shader's end, and on Zen 5 all that is compiled for SSE would take 1.5 to 5 times as long, in this thread and those
- * begun by it.) */
+/* Whether this file was compiled to round a * b + c once. */
 GP_INLINE bool gp_fuses(void)
 {
     volatile float root =

@@ -303,9 +303,6 @@ static void a_trial_leaves_the_upper_halves_of_registers_unused(void **state)
     const MistakesUniforms uniforms = { .scale = 0.75f };
     if (!gp_isa_runs("avx2")) /* has no such registers */
         skip();
-#ifndef __OPTIMIZE__ /* gcc writes no vzeroupper at all */
-    skip();
-#endif
     for (int i = 0; i < GP_CODE_WIDTHS; i++) {
         const GpProgramCode *code = mistake_none.code[i];
         if (!code || code->lanes == 4 || !gp_isa_runs(code->isa))
