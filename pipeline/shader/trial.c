@@ -252,8 +252,8 @@ static void try_pixels(Run *run, GpTrial *trial)
 }
 
 /* Bits left in the upper halves of AVX's registers make all that is compiled for SSE slow: on Zen 5 1.5 to 5 times, in
- * this thread and those begun by it. Of shaders that call something, are not optimized or are checked while they run,
- * gcc leaves such bits. */
+ * this thread and those begun by it. gcc leaves such bits where a shader is not optimized, is checked while it runs, or
+ * ends with the call of a function that has no use for those registers. */
 #ifdef __x86_64__
 __attribute__((target("avx"))) static void clear_upper_halves(void)
 {
