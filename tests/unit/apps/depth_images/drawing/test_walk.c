@@ -9,7 +9,8 @@
 
 enum { WIDTH = 160, HEIGHT = 90, OBJECTS = 12 };
 
-static Walk open_walk(void)
+/* A field of the first of two models, or of both. */
+static Walk open_field(uint32_t count)
 {
     static const char *const names[] = { "builtin:sphere", "builtin:cube" };
     GpError error = { "" };
@@ -20,11 +21,16 @@ static Walk open_walk(void)
         models[i] = depth_shape_capture(&shape, 64, 48, 32, true);
         depth_shape_close(&shape);
     }
-    if (walk_open(models, 2, OBJECTS, &walk, &error))
+    if (walk_open(models, count, OBJECTS, &walk, &error))
         fail_msg("%s", error.text);
     depth_model_free(&models[0]);
     depth_model_free(&models[1]);
     return walk;
+}
+
+static Walk open_walk(void)
+{
+    return open_field(2);
 }
 
 static Frame make(const Walk *walk, const WalkSetting *setting, const Camera *camera,
@@ -109,6 +115,99 @@ static void every_step_of_the_way_is_drawn(void **state)
     walk_close(&walk);
 }
 
+/* The middle of an object that is a ball, and its radius. */
+static double ball_of(const Walk *walk, const WalkObject *object, double center[3])
+{
+    const double radius = object->scale * walk->models[0].size / 2;
+    vector_set(center, object->foot[0], object->foot[1] + radius, object->foot[2]);
+    return radius;
+}
+
+/* How many lengths of the ray from a place the nearest ball of the field is away, and its normal there; INFINITY:
+ * none. */
+static double meet_balls(const Walk *walk, const double from[3], const double ray[3],
+                         double normal[3])
+{
+    double nearest = INFINITY;
+    for (int i = 0; i < OBJECTS; i++) {
+        double center[3], away[3];
+        const double radius = ball_of(walk, &walk->objects[i], center);
+        vector_subtract(from, center, away);
+        const double a = vector_dot(ray, ray), b = vector_dot(ray, away);
+        const double square = b * b - a * (vector_dot(away, away) - radius * radius);
+        const double along = square > 0 ? (-b - sqrt(square)) / a : -1;
+        if (along > 0 && along < nearest) {
+            nearest = along;
+            for (int k = 0; k < 3; k++)
+                normal[k] = (away[k] + along * ray[k]) / radius;
+        }
+    }
+    return nearest;
+}
+
+/* Pixels of balls, of the ground, of both in shadow; and those which are drawn otherwise. */
+typedef struct Places {
+    int ball, ground, shadow, misplaced, mislit;
+} Places;
+
+/* Pixels of one picture; of balls, whether they are in another's shadow where they face the sun. */
+static void compare_places(const Walk *walk, double share, Places *places)
+{
+    static const double to_sun[3] = { 0.48, 0.8, 0.36 }, up[3] = { 0, 1, 0 };
+    static float depth[WIDTH * HEIGHT][4], lit[WIDTH * HEIGHT][4], shadowed[WIDTH * HEIGHT][4];
+    Camera camera = walk_camera(walk, share);
+    camera.far = 60;
+    const CameraAxes axes = camera_axes(&camera, (double)WIDTH / HEIGHT);
+    Frame frame = make(walk, &(WalkSetting){ .no_shadows = true }, &camera, NULL);
+    read_frame(&frame, lit);
+    frame = make(walk, &(WalkSetting){ .map = 1024 }, &camera, NULL);
+    run_list(&frame.list);
+    assert_int_equal(gp_surface_read_floats(frame.depth, 0, NULL, &depth[0][0], NULL), GP_OK);
+    read_frame(&frame, shadowed);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        double ray[3], place[3], normal[3], other[3];
+        for (int k = 0; k < 3; k++)
+            ray[k] = axes.forward[k] +
+                     ((i % WIDTH + 0.5) / WIDTH * 2 - 1) * axes.half_width * axes.right[k] +
+                     (1 - (i / WIDTH + 0.5) / HEIGHT * 2) * axes.half_height * axes.up[k];
+        const double ball = meet_balls(walk, camera.eye, ray, normal);
+        const double ground = ray[1] < 0 ? -camera.eye[1] / ray[1] : (double)INFINITY;
+        const double along = fmin(ball, ground);
+        vector_add_scaled(camera.eye, along, ray, place);
+        if (!(fabs(place[0]) < walk->half && fabs(place[2]) < walk->half))
+            continue; /* the sky, or grass on which no object is */
+        const double drawn = camera.near * camera.far /
+                             (camera.far - (double)depth[i][0] * (camera.far - camera.near));
+        const bool faces_sun = vector_dot(ball < ground ? normal : up, to_sun) > 0.3;
+        const bool in_shadow = faces_sun && !isinf(meet_balls(walk, place, to_sun, other));
+        places->ball += ball < ground;
+        places->ground += ball > ground;
+        places->shadow += in_shadow;
+        if (fabs(drawn - along) > 0.01 * along)
+            places->misplaced++;
+        else if (faces_sun)
+            places->mislit += in_shadow != (shadowed[i][1] < 0.8f * lit[i][1]);
+    }
+}
+
+/* From several places of the way, at which objects are cut by the picture's border. What is mislit lies along the
+ * borders of shadows, whose map is filtered. */
+static void balls_and_their_shadows_are_where_rays_meet_them(void **state)
+{
+    (void)state;
+    Places places = { 0 };
+    Walk walk = open_field(1);
+    for (int i = 8; i <= 32; i += 3)
+        compare_places(&walk, i / 64.0, &places);
+    print_message(
+        "# pixels: %d of balls, %d of the ground, %d in shadow; %d misplaced, %d mislit\n",
+        places.ball, places.ground, places.shadow, places.misplaced, places.mislit);
+    assert_true(places.ball > 10000 && places.ground > 10000 && places.shadow > 4000);
+    assert_true(places.misplaced < (places.ball + places.ground) / 100);
+    assert_true(places.mislit < places.shadow / 20);
+    walk_close(&walk);
+}
+
 static void every_device_draws_the_same_bits(void **state)
 {
     (void)state;
@@ -141,6 +240,7 @@ int main(void)
         cmocka_unit_test(what_is_outside_the_view_is_left_out),
         cmocka_unit_test(shadows_fall_on_the_ground_and_on_images),
         cmocka_unit_test(every_step_of_the_way_is_drawn),
+        cmocka_unit_test(balls_and_their_shadows_are_where_rays_meet_them),
         cmocka_unit_test(every_device_draws_the_same_bits),
         cmocka_unit_test(a_model_of_nothing_is_refused),
     };
