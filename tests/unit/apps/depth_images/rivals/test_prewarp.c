@@ -109,6 +109,26 @@ static void gaps_are_filled_where_one_surface_goes_on(void **state)
     assert_true(count[0] > count[1] + 200);
 }
 
+/* The step goes from 4.5 before the source to 5.5: by 2 / 9 of the nearer. */
+static void pixels_are_of_two_surfaces_by_how_far_their_depths_differ(void **state)
+{
+    (void)state;
+    static const double cuts[] = { 0.02, 0.222, 0.223, -1 };
+    const Camera camera = formula_camera(3, 0, 4, false);
+    for (int is_parallel = 0; is_parallel < 2; is_parallel++) {
+        uint32_t count[4];
+        for (int i = 0; i < 4; i++) {
+            Warped warped;
+            double off;
+            warp(FORMULA_STEP, is_parallel, &camera, 0.5, cuts[i], &warped);
+            count[i] = count_texels(&warped, &off);
+            warped_free(&warped);
+        }
+        print_message("# texels: %u %u, %u %u\n", count[0], count[1], count[2], count[3]);
+        assert_true(count[0] == count[1] && count[1] < count[2] && count[2] == count[3]);
+    }
+}
+
 /* From aside the step's front plane hides some of the one behind. */
 static void what_is_nearer_hides_what_is_farther(void **state)
 {
@@ -134,6 +154,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(texels_show_what_is_on_their_lines),
         cmocka_unit_test(gaps_are_filled_where_one_surface_goes_on),
+        cmocka_unit_test(pixels_are_of_two_surfaces_by_how_far_their_depths_differ),
         cmocka_unit_test(what_is_nearer_hides_what_is_farther),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
