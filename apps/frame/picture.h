@@ -34,8 +34,9 @@ bool picture_has_extension(const char *path);
 GpResult picture_check_path(const char *path, GpError *error);
 
 /* Writes a picture in the format of the path's extension: eight bits a channel, clamped to [0, 1],
- * in PNG and PPM; PPM and PFM lose alpha. pool: as gp_image_write's. Errors: GP_ERROR_INVALID (extension), GP_ERROR_IO, GP_ERROR_MEMORY; never
- * leaves half a file. */
+ * in PNG and PPM; PPM and PFM lose alpha; never leaves half a file.
+ * in     pool: as gp_image_write's
+ * errors GP_ERROR_INVALID (extension), GP_ERROR_IO, GP_ERROR_MEMORY */
 GpResult picture_write(const char *path, const Picture *picture, GpPool *pool, GpError *error);
 
 /* A picture as the bytes of a PNG file, eight bits a channel, clamped to [0, 1].
@@ -59,7 +60,8 @@ GpResult picture_samples(const char *path, const GpSurface *surface, const GpRec
 
 /* Writes a surface likewise. Eight-bit targets keep their codes; float targets go to EXR and PFM as
  * they are; depth is grey: 16 bits in PNG and PPM, else floats in [0, 1]; opaque: alpha is left out.
- * pool: as gp_image_write's. * Errors as picture_write's. */
+ * in     pool: as gp_image_write's
+ * errors as picture_write's */
 GpResult picture_write_surface(const char *path, const GpSurface *surface, bool opaque,
                                GpPool *pool, GpError *error);
 

@@ -71,11 +71,53 @@ static void files_have_up_to_4_megabytes(void **state)
     gp_free(text);
 }
 
+static SceneOutline outline_of(int width, int height, const char *more)
+{
+    char path[TEMPORARY_PATH], text[400];
+    snprintf(text, sizeof text, "{ \"size\": [%d, %d], %s %s", width, height, more, rest);
+    put_temporary(text, strlen(text), path);
+    const SceneOutline outline = scene_outline(path);
+    unlink(path);
+    return outline;
+}
+
+static void an_outline_has_the_size_that_a_picture_may_have(void **state)
+{
+    (void)state;
+    static const struct {
+        int size[2];
+        bool is_one;
+    } cases[] = {
+        { { 1, 1 }, true },     { { 8192, 1 }, true }, { { 1, 8192 }, true },
+        { { 0, 5 }, false },    { { 5, 0 }, false },   { { 8193, 5 }, false },
+        { { 5, 8193 }, false }, { { -1, 5 }, false },  { { 640, 480 }, true },
+    };
+    for (size_t i = 0; i < GP_COUNT(cases); i++) {
+        const SceneOutline outline = outline_of(cases[i].size[0], cases[i].size[1], "");
+        assert_int_equal(outline.width, cases[i].is_one ? cases[i].size[0] : 512);
+        assert_int_equal(outline.height, cases[i].is_one ? cases[i].size[1] : 512);
+    }
+    assert_int_equal(scene_outline("/nowhere.json").width, 512);
+}
+
+static void an_outline_costs_more_with_pixels_passes_and_objects(void **state)
+{
+    (void)state;
+    const char *passes = "\"passes\": [ {}, {} ],";
+    const char *objects = "\"passes\": [ { \"objects\": [ {}, {} ] }, {} ],";
+    const double least = outline_of(100, 100, "").cost;
+    assert_true(outline_of(200, 100, "").cost > least && outline_of(100, 200, "").cost > least);
+    assert_true(outline_of(100, 100, passes).cost == least + 100 * 100);
+    assert_true(outline_of(100, 100, objects).cost > outline_of(100, 100, passes).cost);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arrays_end_at_their_limits),
         cmocka_unit_test(files_have_up_to_4_megabytes),
+        cmocka_unit_test(an_outline_has_the_size_that_a_picture_may_have),
+        cmocka_unit_test(an_outline_costs_more_with_pixels_passes_and_objects),
     };
     return cmocka_run_group_tests_name("limits of scenes", tests, NULL, NULL);
 }
