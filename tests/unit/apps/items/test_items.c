@@ -172,6 +172,21 @@ static void a_failure_ends_the_run_and_names_the_item(void **state)
     assert_string_equal(error.text, "the disk is full");
 }
 
+static void a_device_that_is_not_here_is_refused_before_anything_is_drawn(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 3; threads += 2) {
+        Numbers numbers = { .count = 0 };
+        const ItemWork work = work_of(&numbers);
+        ItemRun run = with_threads(threads);
+        GpError error = { "" };
+        run.device.isa = "nope";
+        assert_int_equal(items_run(&work, &run, &error), ITEMS_USAGE);
+        assert_non_null(strstr(error.text, "nope"));
+        assert_int_equal(numbers.drawn, 0);
+    }
+}
+
 static void an_item_that_takes_too_long_is_named(void **state)
 {
     (void)state;
@@ -273,6 +288,7 @@ int main(void)
         cmocka_unit_test(items_are_drawn_twice_to_be_compared),
         cmocka_unit_test(drawings_that_differ_name_who_drew_them),
         cmocka_unit_test(a_failure_ends_the_run_and_names_the_item),
+        cmocka_unit_test(a_device_that_is_not_here_is_refused_before_anything_is_drawn),
         cmocka_unit_test(an_item_that_takes_too_long_is_named),
         cmocka_unit_test(a_run_goes_on_from_its_journal),
         cmocka_unit_test(a_journal_may_end_anywhere),
