@@ -128,7 +128,7 @@ static double ball_of(const Walk *walk, const WalkObject *object, double center[
 static double meet_balls(const Walk *walk, const double from[3], const double ray[3],
                          double normal[3])
 {
-    double nearest = INFINITY;
+    double nearest = (double)INFINITY;
     for (int i = 0; i < OBJECTS; i++) {
         double center[3], away[3];
         const double radius = ball_of(walk, &walk->objects[i], center);
