@@ -1,8 +1,8 @@
 #include "tests/support/depth/depth_shapes.h"
 
 #include "apps/base/bounds.h"
-#include "apps/base/camera.h"
 #include "pipeline/io/mesh/mesh.h"
+#include "tests/support/depth/view_rays.h"
 #include "tests/support/meshes/named_mesh.h"
 #include "tests/support/unit.h"
 
@@ -223,13 +223,6 @@ RayPicture depth_shape_truth(const DepthShape *shape, const Camera *camera, uint
     return picture;
 }
 
-/* Along the view, of a depth as buffers have it. */
-static double distance_of(const Camera *camera, double z)
-{
-    const double near = camera->near, far = camera->far;
-    return camera->fovy > 0 ? near * far / (far - z * (far - near)) : near + z * (far - near);
-}
-
 DepthCompared depth_compare(const RayPicture *truth, const Camera *camera, const GpSurface *color,
                             const GpSurface *depth)
 {
@@ -248,7 +241,7 @@ DepthCompared depth_compare(const RayPicture *truth, const Camera *camera, const
         if (!there || !drawn)
             continue;
         both++;
-        away += fabs(distance_of(camera, (double)z[i][0]) - truth->depth[i]);
+        away += fabs(view_distance(camera, (double)z[i][0]) - truth->depth[i]);
         for (int k = 0; k < 3; k++) {
             const double off = (double)rgba[i][k] - truth->color[3 * i + (uint32_t)k];
             square += off * off;

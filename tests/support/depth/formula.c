@@ -1,6 +1,7 @@
 #include "tests/support/depth/formula.h"
 
 #include "apps/depth_images/capture.h"
+#include "tests/support/depth/view_rays.h"
 
 /* --- surfaces ------------------------------------------------------------------------------------ */
 
@@ -133,25 +134,12 @@ WarpTarget formula_target(bool float_color, Frame *frame)
 /* What a camera sees through a place of the picture. returns its distance along the view */
 static double see(Formula formula, const Camera *camera, double x, double y, double point[3])
 {
-    const CameraAxes axes = camera_axes(camera, 1);
     double from[3], direction[3];
-    for (int k = 0; k < 3; k++) {
-        const double aside = axes.right[k] * (2 * x / FORMULA_SIDE - 1) * axes.half_width +
-                             axes.up[k] * (1 - 2 * y / FORMULA_SIDE) * axes.half_height;
-        const bool meets = camera->fovy > 0;
-        from[k] = camera->eye[k] + (meets ? 0 : aside);
-        direction[k] = axes.forward[k] + (meets ? aside : 0);
-    }
+    view_ray(camera, x, y, FORMULA_SIDE, FORMULA_SIDE, from, direction);
     const double t = formula_meet(formula, from, direction);
     for (int k = 0; k < 3; k++)
         point[k] = from[k] + t * direction[k];
     return t > camera->near && t < camera->far ? t : HUGE_VAL;
-}
-
-static double distance_of(const Camera *camera, double z)
-{
-    const double near = camera->near, far = camera->far;
-    return camera->fovy > 0 ? near * far / (far - z * (far - near)) : near + z * (far - near);
 }
 
 /* Whether places of the picture round a pixel are all seen, or all not. */
@@ -190,7 +178,7 @@ FormulaOff formula_compare(Formula formula, const Camera *camera, const Frame *f
         }
         if (!is_there)
             continue;
-        const double deep = fabs(distance_of(camera, (double)z[i][0]) / distance - 1);
+        const double deep = fabs(view_distance(camera, (double)z[i][0]) / distance - 1);
         double color = 0;
         for (int k = 0; k < 3; k++)
             color = fmax(color, fabs((double)rgba[i][k] - color_at(point, k)));

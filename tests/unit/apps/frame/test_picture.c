@@ -1,6 +1,7 @@
 /* Surfaces as picture files: which channels and values a file has of every format, and what comes back. */
 #include "apps/frame/picture.h"
 #include "tests/support/folder.h"
+#include "tests/support/surfaces/texels.h"
 
 #include <math.h>
 
@@ -29,15 +30,12 @@ static void store(GpFormat format, const float rgba[4], void *texel)
 
 static GpSurface *make_surface(GpFormat format)
 {
-    const GpSurfaceDesc desc = { .format = format, .width = WIDTH, .height = HEIGHT, .levels = 1 };
-    GpSurface *surface = NULL;
-    assert_int_equal(gp_surface_create(&desc, &surface, NULL), GP_OK);
+    GpSurface *surface = make(format, WIDTH, HEIGHT, 1);
     for (uint32_t y = 0; y < HEIGHT; y++)
         for (uint32_t x = 0; x < WIDTH; x++) {
             float rgba[4];
             color_at(x, y, rgba);
-            store(format, rgba,
-                  gp_surface_texel(&surface->level[0], gp_format_info(format)->bytes, x, y));
+            store(format, rgba, texel_at(surface, 0, x, y));
         }
     return surface;
 }
@@ -57,9 +55,7 @@ static void check_file(const char *path, const GpSurface *surface, int channels,
     assert_int_equal(picture.channels, channels);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         float rgba[4];
-        gp_texel_load(surface->format,
-                      gp_surface_texel(&surface->level[0], info->bytes, i % WIDTH, i / WIDTH),
-                      rgba);
+        load(surface, 0, i % WIDTH, i / WIDTH, rgba);
         for (int c = 0; c < channels; c++) {
             const float right = info->channels == 2 && c == 2 ? 0 : rgba[first + c];
             const float read = picture.values[(int)i * channels + c];

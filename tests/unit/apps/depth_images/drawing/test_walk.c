@@ -2,6 +2,8 @@
  * device. */
 #include "apps/depth_images/drawing/walk.h"
 #include "tests/support/depth/depth_shapes.h"
+#include "tests/support/depth/formula.h"
+#include "tests/support/depth/view_rays.h"
 #include "tests/support/devices.h"
 #include "tests/support/unit.h"
 
@@ -115,31 +117,24 @@ static void every_step_of_the_way_is_drawn(void **state)
     walk_close(&walk);
 }
 
-/* The middle of an object that is a ball, and its radius. */
-static double ball_of(const Walk *walk, const WalkObject *object, double center[3])
-{
-    const double radius = object->scale * walk->models[0].size / 2;
-    vector_set(center, object->foot[0], object->foot[1] + radius, object->foot[2]);
-    return radius;
-}
-
-/* How many lengths of the ray from a place the nearest ball of the field is away, and its normal there; INFINITY:
+/* How many lengths of the ray from a place the nearest ball of the field is away, and its normal there; HUGE_VAL:
  * none. */
 static double meet_balls(const Walk *walk, const double from[3], const double ray[3],
                          double normal[3])
 {
-    double nearest = (double)INFINITY;
+    double nearest = HUGE_VAL;
     for (int i = 0; i < OBJECTS; i++) {
-        double center[3], away[3];
-        const double radius = ball_of(walk, &walk->objects[i], center);
-        vector_subtract(from, center, away);
-        const double a = vector_dot(ray, ray), b = vector_dot(ray, away);
-        const double square = b * b - a * (vector_dot(away, away) - radius * radius);
-        const double along = square > 0 ? (-b - sqrt(square)) / a : -1;
-        if (along > 0 && along < nearest) {
+        const WalkObject *object = &walk->objects[i];
+        const double radius = object->scale * walk->models[0].size / 2;
+        double own[3], way[3];
+        for (int k = 0; k < 3; k++) {
+            own[k] = (from[k] - object->foot[k]) / radius - (k == 1);
+            way[k] = ray[k] / radius;
+        }
+        const double along = formula_meet(FORMULA_BALL, own, way);
+        if (along < nearest) {
             nearest = along;
-            for (int k = 0; k < 3; k++)
-                normal[k] = (away[k] + along * ray[k]) / radius;
+            vector_add_scaled(own, along, way, normal);
         }
     }
     return nearest;
@@ -157,7 +152,6 @@ static void compare_places(const Walk *walk, double share, Places *places)
     static float depth[WIDTH * HEIGHT][4], lit[WIDTH * HEIGHT][4], shadowed[WIDTH * HEIGHT][4];
     Camera camera = walk_camera(walk, share);
     camera.far = 60;
-    const CameraAxes axes = camera_axes(&camera, (double)WIDTH / HEIGHT);
     Frame frame = make(walk, &(WalkSetting){ .no_shadows = true }, &camera, NULL);
     read_frame(&frame, lit);
     frame = make(walk, &(WalkSetting){ .map = 1024 }, &camera, NULL);
@@ -165,21 +159,18 @@ static void compare_places(const Walk *walk, double share, Places *places)
     assert_int_equal(gp_surface_read_floats(frame.depth, 0, NULL, &depth[0][0], NULL), GP_OK);
     read_frame(&frame, shadowed);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        double ray[3], place[3], normal[3], other[3];
-        for (int k = 0; k < 3; k++)
-            ray[k] = axes.forward[k] +
-                     ((i % WIDTH + 0.5) / WIDTH * 2 - 1) * axes.half_width * axes.right[k] +
-                     (1 - (i / WIDTH + 0.5) / HEIGHT * 2) * axes.half_height * axes.up[k];
-        const double ball = meet_balls(walk, camera.eye, ray, normal);
-        const double ground = ray[1] < 0 ? -camera.eye[1] / ray[1] : (double)INFINITY;
+        double eye[3], ray[3], place[3], normal[3], above[3], other[3];
+        view_ray(&camera, i % WIDTH + 0.5, i / WIDTH + 0.5, WIDTH, HEIGHT, eye, ray);
+        const double ball = meet_balls(walk, eye, ray, normal);
+        const double ground = ray[1] < 0 ? -eye[1] / ray[1] : HUGE_VAL;
         const double along = fmin(ball, ground);
-        vector_add_scaled(camera.eye, along, ray, place);
+        vector_add_scaled(eye, along, ray, place);
         if (!(fabs(place[0]) < walk->half && fabs(place[2]) < walk->half))
             continue; /* the sky, or grass on which no object is */
-        const double drawn = camera.near * camera.far /
-                             (camera.far - (double)depth[i][0] * (camera.far - camera.near));
+        const double drawn = view_distance(&camera, (double)depth[i][0]);
         const bool faces_sun = vector_dot(ball < ground ? normal : up, to_sun) > 0.3;
-        const bool in_shadow = faces_sun && !isinf(meet_balls(walk, place, to_sun, other));
+        vector_add_scaled(place, 0.01, to_sun, above); /* not on the surface that it leaves */
+        const bool in_shadow = faces_sun && isfinite(meet_balls(walk, above, to_sun, other));
         places->ball += ball < ground;
         places->ground += ball > ground;
         places->shadow += in_shadow;

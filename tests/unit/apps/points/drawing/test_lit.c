@@ -1,17 +1,14 @@
 /* Lit surfels of a white ball against the light by hand, from several sides. */
 #include "apps/points/drawing/splats.h"
 
-#include "apps/base/vector.h"
-#include "tests/support/devices.h"
+#include "tests/support/depth/formula.h"
 #include "tests/support/surfel_shapes.h"
-#include "tests/support/unit.h"
 
 #include <string.h>
 
 enum { SIDE = 64 };
 
-/* An eye on an axis, what is to its right and above it, and so where the light is: 0.4 to the left of
- * the eye's direction and 0.5 above it. */
+/* An eye on an axis, and what is to its right and above it. */
 typedef struct Side {
     double eye[3], right[3], up[3];
 } Side;
@@ -42,13 +39,12 @@ static bool meet_ball(const Side *side, int x, int y, double ray[3], double norm
     for (int k = 0; k < 3; k++)
         ray[k] = across * side->right[k] + up * side->up[k] - side->eye[k] / 5;
     vector_normalize(ray);
-    const double along = -vector_dot(side->eye, ray), square = along * along - 24;
-    for (int k = 0; k < 3 && square > 0; k++)
-        normal[k] = side->eye[k] + ray[k] * (along - sqrt(square));
-    return square > 0.25;
+    vector_add_scaled(side->eye, formula_meet(FORMULA_BALL, side->eye, ray), ray, normal);
+    return vector_dot(normal, ray) < -0.5;
 }
 
-/* 0.15 from everywhere, 0.85 of the light; and what shines. */
+/* 0.15 from everywhere, 0.85 of the light, which is 0.4 to the left of the eye's direction and 0.5 above it; and
+ * what shines. */
 static double lit(const Side *side, const double ray[3], const double normal[3], double specular)
 {
     double light[3], half[3];
