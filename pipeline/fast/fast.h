@@ -51,32 +51,40 @@
  * Every value is a function of per-triangle constants and the pixel's position, in the operations
  * that CONVENTIONS.md fixes; that is why all this moving about changes no bit.
  *
- * Floors, from the ground; a file includes and calls its own folder and those below:
- *   draws/           what is prepared: draws, passes, groups, bins, samplers
- *   lanes/memory/    a tile's place, targets, packets            (lanes/ is compiled for each
- *   width; lanes/texture/   and  lanes/output/                           lanes/names.h tells them
- *   apart) lanes/geometry/  and  lanes/shade/ lanes/raster/ lanes/tile/      one tile, from clear
- *   to store fast/            lists: preparing, phases, rounds
+ * Floors, from the ground; a file includes and calls its own folder and those below. What is in lanes/ is
+ * compiled once for each width; lanes/names.h tells the copies apart:
+ *   draws/                            what is prepared: draws, passes, groups, bins, samplers
+ *   lanes/memory/                     a tile's place, targets, packets
+ *   lanes/texture/, lanes/output/     the texture unit; the output end
+ *   lanes/geometry/, lanes/shade/     vertices and culling; fragments and their shaders
+ *   lanes/raster/                     which pixels a primitive covers
+ *   lanes/tile/                       one tile, from clear to store
+ *   fast/                             lists: preparing, phases, rounds
  *
  * Glossary.
- *   packet              GP_LANES fragments: a row, 2x2 quads, or the short rows of a sprite
- *   gathered packet     its fragments are of several triangles, placed as a packet's or from
- *   anywhere compacted fragments those of tiny triangles, put side by side in gathered packets
- *   triangle record     what shading needs of a triangle or point: edges, ratios, corners
- *   visibility buffer   of each pixel the record in front, not yet shaded full-tile occluder  a
- *   record in front of all older ones, everywhere in the tile hierarchical depth  the farthest
- *   depth of each window of the tile sorted triangles    large ones that wait to be filled front to
- *   back fragment path       depth only, visible, ordered, or nothing early test          depth,
- *   before the shader; a late one comes after it layer               one of several boxes on the
- *   same pixels, shaded together block               packets of one call of a shader batch
- *   GP_LANES primitives that are set up side by side primitive mask      neighbours of one draw
- *   that touch a tile clip polygon        what the clipper leaves of a triangle, as a fan edge step
- *   how an edge function changes a pixel to the right or down 64-bit edge         of triangles too
- *   large for 32 bits weight              barycentric, of corners 1 and 2; or of a texel, in 256ths
- *   slot                room of a group's target in tile memory framebuffer fetch   a shader reads
- *   what its pixel holds in a target to quantize         to make of a value what reading it back
- *   from its target gives non-temporal        stores past the caches, of what no one reads soon
- *   range               consecutive primitives that are binned by one worker */
+ *   packet                GP_LANES fragments: a row, 2x2 quads, or the short rows of a sprite
+ *   gathered packet       its fragments are of several triangles, placed as a packet's or from anywhere
+ *   compacted fragments   those of tiny triangles, put side by side in gathered packets
+ *   triangle record       what shading needs of a triangle or point: edges, ratios, corners
+ *   visibility buffer     of each pixel the record in front, not yet shaded
+ *   full-tile occluder    a record in front of all older ones, everywhere in the tile
+ *   hierarchical depth    the farthest depth of each window of the tile
+ *   sorted triangles      large ones that wait to be filled front to back
+ *   fragment path         depth only, visible, ordered, or nothing
+ *   early test            depth, before the shader; a late one comes after it
+ *   layer                 one of several boxes on the same pixels, shaded together
+ *   block                 packets of one call of a shader
+ *   batch                 GP_LANES primitives that are set up side by side
+ *   primitive mask        neighbours of one draw that touch a tile
+ *   clip polygon          what the clipper leaves of a triangle, as a fan
+ *   edge step             how an edge function changes a pixel to the right or down
+ *   64-bit edge           of triangles too large for 32 bits
+ *   weight                barycentric, of corners 1 and 2; or of a texel, in 256ths
+ *   slot                  room of a group's target in tile memory
+ *   framebuffer fetch     a shader reads what its pixel holds in a target
+ *   to quantize           to make of a value what reading it back from its target gives
+ *   non-temporal          stores past the caches, of what no one reads soon
+ *   range                 consecutive primitives that are binned by one worker */
 #ifndef GP_FAST_H
 #define GP_FAST_H
 
