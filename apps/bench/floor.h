@@ -9,8 +9,9 @@
 typedef struct BenchFloor {
     double operations_ms; /* of vertices and fragments shaded, by the cheapest draw of each pass */
     double triangles_ms;  /* of those that cover a pixel */
-    double traffic_ms; /* targets, vertices and indices once a pass; of textures what there is, or
-                             a texel a fragment if that is less */
+    /* targets, vertices and indices once a pass; of textures what there is, or a texel a fragment
+     * if that is less */
+    double traffic_ms;
     double ms;
 } BenchFloor;
 

@@ -7,9 +7,8 @@
 typedef struct BenchMade {
     const Technique *technique;
     void *setting, *model;
-    double
-        build_ms; /* of a frame's list, once all is made that frames share, by this thread, which alone
-                        makes it */
+    /* of a frame's list, once all is made that frames share, by this thread, which alone makes it */
+    double build_ms;
 } BenchMade;
 
 /* A setting of a technique, to be changed before the model is opened.

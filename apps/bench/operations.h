@@ -8,9 +8,9 @@
 /* Additions, multiplications, comparisons and the like of one component; a division or a root is one. */
 typedef struct DrawOperations {
     double vertex; /* of the vertex shader, a vertex */
-    double
-        fragment; /* of the pixel shader and of what comes before and after it, a fragment; 0 where
-                        no pixel shader runs */
+    /* of the pixel shader and of what comes before and after it, a fragment; 0 where no pixel
+     * shader runs */
+    double fragment;
 } DrawOperations;
 
 /* Counted in a run of the shaders step by step: of made-up inputs, with the draw's own uniforms. A loop that

@@ -6,8 +6,8 @@
 
 typedef struct BenchRates {
     double operations; /* of one component, a millisecond: independent ones, out of registers */
-    double triangles;  /* a millisecond: from indices to one pixel's depth, all else in the nearest
-                          cache */
+    /* a millisecond: from indices to one pixel's depth, all else in the nearest cache */
+    double triangles;
 } BenchRates;
 
 /* Measures a device, all threads together, in about a third of a second.

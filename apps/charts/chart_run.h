@@ -15,8 +15,8 @@ typedef struct ChartJob {
     const char *name;             /* of files; NULL: chart_name's */
     double seconds;               /* for each setting, after its first frame */
     GpDevice *device;
-    const ItemRun
-        *run; /* settings are items, by this; NULL: drawn one after the other by the device */
+    /* settings are items, by this; NULL: drawn one after the other by the device */
+    const ItemRun *run;
     ChartListener listener;
 } ChartJob;
 

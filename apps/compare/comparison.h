@@ -8,8 +8,9 @@
 
 typedef struct ComparisonSettings {
     CompareLimits limits;
-    double flip_fail; /* fails if the mean FLIP is over this; 0: no such limit. Where there is no
-                                 other limit, this one alone judges */
+    /* fails if the mean FLIP is over this; 0: no such limit. Where there is no other limit, this
+     * one alone judges */
+    double flip_fail;
     double pixels_per_degree; /* 0: FLIP_PIXELS_PER_DEGREE */
     bool no_alpha;            /* alpha is not compared */
 } ComparisonSettings;

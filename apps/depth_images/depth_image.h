@@ -18,12 +18,12 @@
 /* Where planar images are taken from. Unit vectors, square to each other: right x up = -forward. */
 typedef struct DepthPlane {
     bool is_parallel;
-    double eye[3]; /* where the rays meet; of parallel ones a point of the plane that depths are
-                      counted from */
+    /* where the rays meet; of parallel ones a point of the plane that depths are counted from */
+    double eye[3];
     double right[3], up[3], forward[3];
-    double left, bottom, width,
-        height; /* the picture: tangents of angles; parallel: world units from
-                                           the eye. It need not be about the eye */
+    /* the picture: tangents of angles; parallel: world units from the eye. It need not be about the
+     * eye */
+    double left, bottom, width, height;
 } DepthPlane;
 
 /* A cylinder that is looked through from all sides towards its axis (the paper's DPCI). Pixel (x, y)
@@ -38,9 +38,9 @@ typedef struct DepthCylinder {
 /* The pixels of one layer; empty: width 0. */
 typedef struct DepthPixels {
     uint32_t width, height;
-    float *
-        depth; /* [height][width]: planar: along `forward` from the eye, for perspective the eye's z,
-                      not the length of the ray; cylinder: inwards from its surface */
+    /* [height][width]: planar: along `forward` from the eye, for perspective the eye's z, not the
+     * length of the ray; cylinder: inwards from its surface */
+    float *depth;
     float *color;  /* [height][width][3]: red, green, blue, 0..1, as shown (lit later if at all) */
     float *normal; /* [height][width][3]: world, unit, outwards; NULL: unknown */
 } DepthPixels;
@@ -52,9 +52,9 @@ typedef struct DepthImage {
         DepthCylinder cylinder;
     };
     DepthPixels front; /* what is seen first */
-    DepthPixels
-        behind; /* what is seen behind it where the front is taken away (a layered depth image);
-                           empty, or of the front's size, DEPTH_NOTHING where nothing was kept */
+    /* what is seen behind it where the front is taken away (a layered depth image); empty, or of
+     * the front's size, DEPTH_NOTHING where nothing was kept */
+    DepthPixels behind;
 } DepthImage;
 
 enum { DEPTH_MODEL_IMAGES = 6 };

@@ -8,8 +8,8 @@
 typedef struct EffectInput {
     const GpProgram *program;
     const char *model; /* a mesh's name, as model_shape takes it */
-    const char
-        *texture; /* a picture, or builtin:NAME; bound to every slot that the program reads */
+    /* a picture, or builtin:NAME; bound to every slot that the program reads */
+    const char *texture;
     Orbit orbit;
     uint32_t width, height;
     double time;

@@ -39,9 +39,9 @@ typedef struct Fragments {
     Fragment *all;
     size_t count, room, most;
     uint32_t width, height;
-    uint8_t
-        *lod; /* [height][width]: 128 + 16 times the level of detail of the last texture read of the
-                     pixel, within 1 and 255; 0: none. NULL: not asked for */
+    /* [height][width]: 128 + 16 times the level of detail of the last texture read of the pixel,
+     * within 1 and 255; 0: none. NULL: not asked for */
+    uint8_t *lod;
     uint32_t left_out; /* for there were more than `most` */
     size_t latest[4];  /* 1 + the number of the last one at each place of a quad; 0: none */
     uint32_t sequence;

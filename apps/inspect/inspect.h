@@ -34,8 +34,8 @@
 
 /* How far a picture is from the exact one. */
 typedef struct InspectTruth {
-    const float *
-        off; /* [height][width] of the picture: above it, or below; 0: as it should be. NULL: unknown */
+    /* [height][width] of the picture: above it, or below; 0: as it should be. NULL: unknown */
+    const float *off;
     const char *over, *under; /* what that means: "lit where the truth is dark, a leak" */
     const char *how;          /* the exact one was found: sentences */
 } InspectTruth;
@@ -45,14 +45,14 @@ typedef struct Inspect {
     const char *technique;     /* whose frame it is, for panels of its own; NULL: a scene's */
     const GpList *list;
     const GpSurface *picture; /* the target to look at first; NULL: the last pass's */
-    const GpSurface
-        *beside; /* a picture drawn before, to count the pixels that differ; NULL: none */
+    /* a picture drawn before, to count the pixels that differ; NULL: none */
+    const GpSurface *beside;
     InspectTruth truth;
     GpRect region;   /* recorded whole, in passes of the picture's size; empty: none */
     int32_t draw;    /* whose pixels are recorded more densely; -1: none */
     uint32_t pixels; /* to be recorded whole, about so many a pass; 0: a default */
-    const Lesson
-        *lesson; /* a question to be answered before the page shows its value; NULL: none */
+    /* a question to be answered before the page shows its value; NULL: none */
+    const Lesson *lesson;
     bool no_timings;
     int threads;
     /* Hears how far the work is. NULL: nobody does */

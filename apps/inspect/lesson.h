@@ -40,9 +40,9 @@ typedef struct Lesson {
     int draw, triangle; /* of the fragment that is looked at; -1: the one that is seen */
     int step;           /* of the pixel shader */
     LessonAnswer answer;
-    const char *previous, *next, *index; /* pages beside this one; NULL: none. Not of the file: the
-                                            maker of a course sets them */
-    Reader reader;                       /* owns what is borrowed */
+    /* pages beside this one; NULL: none. Not of the file: the maker of a course sets them */
+    const char *previous, *next, *index;
+    Reader reader; /* owns what is borrowed */
 } Lesson;
 
 /* Reads a lesson. in: path: of a NAME.lesson.json

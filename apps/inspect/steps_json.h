@@ -16,10 +16,8 @@
 
 #include <jansson.h>
 
-enum {
-    STEP_LISTINGS_MOST = 40000
-}; /* steps in all listings of a pass: loops that differ from pixel to
-                                         pixel make listings of their own */
+/* Steps in all listings of a pass: loops that differ from pixel to pixel make listings of their own. */
+enum { STEP_LISTINGS_MOST = 40000 };
 
 /* Listings, each once. A zeroed one is empty. */
 typedef struct StepListings {

@@ -21,8 +21,8 @@ GpResult edges_visit(const GpMesh *mesh, const uint32_t *corners, EdgeFn visit, 
 
 /* Numbered in that order. */
 typedef struct Edges {
-    uint32_t
-        *of_side;   /* [3 * triangle_count] the edge from corner i to corner i + 1 of a triangle */
+    /* [3 * triangle_count] the edge from corner i to corner i + 1 of a triangle */
+    uint32_t *of_side;
     uint32_t *ends; /* [2 * count] lower vertex, higher vertex */
     uint32_t count;
 } Edges;

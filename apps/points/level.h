@@ -21,9 +21,10 @@
 
 /* Zero is a default. */
 typedef struct LevelChoice {
-    double pixels;     /* largest standard deviation of a splat on the picture; 0.7 */
-    uint32_t budget;   /* surfels at most, coarser than `pixels` says where needed; 0: any number.
-                            With pixels = 0 as fine as the budget allows */
+    double pixels; /* largest standard deviation of a splat on the picture; 0.7 */
+    /* surfels at most, coarser than `pixels` says where needed; 0: any number. With pixels = 0 as
+     * fine as the budget allows */
+    uint32_t budget;
     bool all_leaves;   /* no level of detail: the leaves of what may be seen */
     bool keeps_back;   /* patches that face away are drawn too */
     bool switches;     /* whole levels only, as in the thesis: changes are seen */

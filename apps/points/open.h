@@ -14,9 +14,9 @@ typedef struct PointsSource {
     /* Of a mesh: */
     uint32_t subdivide; /* times its triangles are cut into four first; 0: never */
     uint32_t sample;    /* points spread over it; 0: its vertices */
-    double sharp;       /* a vertex where triangles meet at more degrees is one for each side of the
-                           crease; 0: not so */
-    bool each_radius;   /* a radius for each vertex rather than one for all (vertices.h) */
+    /* a vertex where triangles meet at more degrees is one for each side of the crease; 0: not so */
+    double sharp;
+    bool each_radius; /* a radius for each vertex rather than one for all (vertices.h) */
 } PointsSource;
 
 /* Makes the triangles ready whose vertices, or samples, become surfels: without what is not used,

@@ -65,9 +65,9 @@ typedef struct Patches {
 typedef struct PatchLimits {
     uint32_t most_leaves;  /* more are split; 4 times the least */
     uint32_t least_leaves; /* fewer are never made by splitting; 512, or 1/4096 of the leaves */
-    double
-        alignment; /* length of the mean of the normals, by area: shorter is split; 0.95 (a cap of 26
-                              degrees about its middle). A few wrong normals do not count much here */
+    /* length of the mean of the normals, by area: shorter is split; 0.95 (a cap of 26 degrees about
+     * its middle). A few wrong normals do not count much here */
+    double alignment;
     double curvature; /* more is split; 0.03 */
 } PatchLimits;
 

@@ -15,22 +15,23 @@
 /* As vertex streams take it, position and radius as one: 32 bytes. */
 typedef struct Surfel {
     float position[3]; /* of the model, finite */
-    float radius; /* of the disc, in the model's unit, > 0: discs leave no hole where the sampling
-                          is watertight, but for those of parents (patches.h) */
+    /* of the disc, in the model's unit, > 0: discs leave no hole where the sampling is watertight,
+     * but for those of parents (patches.h) */
+    float radius;
     float normal[3];  /* unit length, outwards */
     uint8_t color[3]; /* red, green, blue, as stored in files; white where there is none */
-    uint8_t share;    /* (share / 255)^2 is how much of the area 2 pi radius^2 this surfel stands
-                          for, at least 1: sums of Gaussians times that are 1 on a flat surface,
-                          however dense its points are */
+    /* (share / 255)^2 is how much of the area 2 pi radius^2 this surfel stands for, at least 1:
+     * sums of Gaussians times that are 1 on a flat surface, however dense its points are */
+    uint8_t share;
 } Surfel;
 
 /* Where a surfel on a crease ends: its part of its disc is bounded by lines through its centre. As vertex
  * streams take it: 32 bytes. */
 typedef struct SurfelClip {
-    float inward[2]
-                [4]; /* x y z: unit directions of the model, in the surfel's plane and square to a
-                           line each, to where the surfel is. w of the first: 1 where it is inwards of
-                           both, -1 where of either; of the second: its share counts by that factor */
+    /* x y z: unit directions of the model, in the surfel's plane and square to a line each, to
+     * where the surfel is. w of the first: 1 where it is inwards of both, -1 where of either; of
+     * the second: its share counts by that factor */
+    float inward[2][4];
 } SurfelClip;
 
 typedef struct Surfels {

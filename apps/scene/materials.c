@@ -26,8 +26,8 @@
 typedef struct Given {
     float camera[4][4]; /* world to clip space */
     float eye[3];
-    float light[3]; /* unit length, towards the first light, as seen from the point that the camera
-                       looks at */
+    /* unit length, towards the first light, as seen from the point that the camera looks at */
+    float light[3];
     float lights[SCENE_MAX_LIGHTS]
                 [7];  /* position, colour, 1 / range^2; black where there is none */
     float ambient[3]; /* the scene's light times the material's diffuse colour */

@@ -13,8 +13,8 @@
  * twice, to be counted and to be put in their places, which takes less than to keep the list. */
 typedef struct Groups {
     uint32_t group_count;
-    uint32_t
-        *begin; /* [group_count + 2] of each group in sorted; while they are listed, one further */
+    /* [group_count + 2] of each group in sorted; while they are listed, one further */
+    uint32_t *begin;
     uint64_t *sorted;
     bool puts;
 } Groups;

@@ -16,16 +16,18 @@ typedef struct MeshReport {
     uint64_t boundary_edges;     /* of one triangle */
     uint64_t non_manifold_edges; /* of three or more */
     uint64_t odd_edges;          /* of an odd number: open ones among them */
-    uint64_t
-        inconsistent_edges; /* of two triangles that run along it the same way: one is turned over */
-    uint64_t unbalanced_edges; /* of triangles more of which run along it one way than the other:
-                                  without any, every line enters as often as it leaves */
-    uint64_t duplicates;       /* triangles with the corners of an earlier one, in any order */
-    uint64_t degenerate;       /* triangles without area */
-    bool is_closed;     /* each edge has two triangles, which run along it in opposite ways */
-    bool is_inside_out; /* closed, and its triangles are seen clockwise from outside */
-    double volume;      /* enclosed, in the file's unit; negative: inside out. Of a mesh that is
-                               not closed it depends on where its first vertex lies */
+    /* of two triangles that run along it the same way: one is turned over */
+    uint64_t inconsistent_edges;
+    /* of triangles more of which run along it one way than the other: without any, every line
+     * enters as often as it leaves */
+    uint64_t unbalanced_edges;
+    uint64_t duplicates; /* triangles with the corners of an earlier one, in any order */
+    uint64_t degenerate; /* triangles without area */
+    bool is_closed;      /* each edge has two triangles, which run along it in opposite ways */
+    bool is_inside_out;  /* closed, and its triangles are seen clockwise from outside */
+    /* enclosed, in the file's unit; negative: inside out. Of a mesh that is not closed it depends
+     * on where its first vertex lies */
+    double volume;
 } MeshReport;
 
 /* in     positions: finite; indices: [3 * triangle_count], all < vertex_count

@@ -54,10 +54,10 @@ typedef struct Scene {
     uint32_t volume_count;       /* of all passes */
     bool has_passes;             /* of its own, instead of one for all objects */
     bool shadows;                /* it is to be drawn with them: shadow/shadowed.h */
-    uint32_t
-        over;    /* number of the pass from which on volumes, and then what is blended by depth, lie
-                      over the rest; as many as there are where nothing does */
-    Frame frame; /* private: what all this is made of */
+    /* number of the pass from which on volumes, and then what is blended by depth, lie over the
+     * rest; as many as there are where nothing does */
+    uint32_t over;
+    Frame frame;    /* private: what all this is made of */
     Frame shadowed; /* private: what else, with shadows */
 } Scene;
 

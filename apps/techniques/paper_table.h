@@ -27,12 +27,13 @@ typedef struct PaperRow {
 } PaperRow;
 
 struct PaperTable {
-    const char *id;             /* "4.1" */
-    const char *title;          /* in the words of the publication, translated */
-    const char *source;         /* where it was printed, and on what it was measured */
-    const char *note;           /* what the columns are, a line */
-    const char *const *reasons; /* where the order of columns here is another than the printed one,
-                                   and why: lines, NULL at the end; NULL: nothing to say */
+    const char *id;     /* "4.1" */
+    const char *title;  /* in the words of the publication, translated */
+    const char *source; /* where it was printed, and on what it was measured */
+    const char *note;   /* what the columns are, a line */
+    /* where the order of columns here is another than the printed one, and why: lines, NULL at the
+     * end; NULL: nothing to say */
+    const char *const *reasons;
     const PaperColumn *columns;
     const PaperRow *rows;
 

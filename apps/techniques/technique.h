@@ -46,18 +46,19 @@ typedef struct Experiment {
     const char *title; /* "Solid voxels: time against wrong volume" */
     const char *scene; /* that is drawn where none is named: a path */
     const TechniqueSweep *sweep;
-    const char *const
-        *usual; /* methods of the sweep that are on the front of most scenes, NULL at the
-                                 end: --error tries them first where no chart is stored; NULL: none */
+    /* methods of the sweep that are on the front of most scenes, NULL at the end: --error tries
+     * them first where no chart is stored; NULL: none */
+    const char *const *usual;
     const char *error_name;     /* of the axis: "wrong pixels" */
     const char *const *metrics; /* names of further numbers, NULL at the end: "acne", "leak" */
     const char *part_of; /* what the error is a part of: "the covered pixels"; NULL: of nothing */
-    const TechniqueWord
-        *words;        /* of the error's name, all metrics, all methods of the sweep, and of
-                                   what else these sentences need */
+    /* of the error's name, all metrics, all methods of the sweep, and of what else these sentences
+     * need */
+    const TechniqueWord *words;
     const char *truth; /* how the exact result is found: sentences */
-    const char *given; /* the options that mean this experiment of its technique, beside --error:
-                            "--kind solid"; NULL: none does */
+    /* the options that mean this experiment of its technique, beside --error: "--kind solid"; NULL:
+     * none does */
+    const char *given;
 
     /* Finds the truth, once for a scene. errors GP_ERROR_MEMORY; GP_ERROR_INVALID: the scene has
      * none, with the reason */
@@ -82,9 +83,9 @@ typedef struct Experiment {
     GpResult (*difference)(void *scene, const void *setting, GpDevice *device, Frame *frame,
                            float *off, GpError *error);
     const char *over, *under; /* what that means: "lit where the truth is dark, a leak" */
-    bool
-        shows_failures; /* charts have pictures of methods that are beaten, too: of each the setting
-                            farthest from the truth */
+    /* charts have pictures of methods that are beaten, too: of each the setting farthest from the
+     * truth */
+    bool shows_failures;
 } Experiment;
 
 /* --- scaling ---------------------------------------------------------------------------------- */
@@ -117,9 +118,9 @@ enum { TECHNIQUE_PANELS = 2 };
 /* How time grows with what is asked for. */
 typedef struct TechniqueScaling {
     const char *title;
-    const char *const
-        *text; /* paragraphs for the page of charts: why what grows with what, and no figures, which
-                  are measured anew each time; NULL ends */
+    /* paragraphs for the page of charts: why what grows with what, and no figures, which are
+     * measured anew each time; NULL ends */
+    const char *const *text;
     const TechniqueWord *words; /* of all lines, and of both axes */
     TechniquePanel panels[TECHNIQUE_PANELS];
 } TechniqueScaling;
@@ -198,9 +199,9 @@ typedef struct Technique {
      * errors GP_ERROR_MEMORY; owns: the caller, until gp_volume_free. NULL: the result is a picture */
     GpResult (*volume)(const Frame *frame, GpVolume *volume, GpError *error);
 
-    bool
-        quick_truth; /* the first experiment's truth is found in about the time of a picture, and so that a
-                         page of a frame may have it unasked */
+    /* the first experiment's truth is found in about the time of a picture, and so that a page of a
+     * frame may have it unasked */
+    bool quick_truth;
 
     /* Appends the passes that draw a picture of such a volume into frame->color.
      * errors as those of build, but the frame is not emptied. NULL: there is none */

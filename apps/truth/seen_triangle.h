@@ -39,8 +39,8 @@ typedef struct SeenAt {
     bool is_near_edge;
     bool is_covered; /* and neither too near nor too far */
     double depth;    /* of what is covered, 0..1 */
-    double
-        moved; /* as far as corners that are snapped to 1/256 pixel and rounded to floats may move it */
+    /* as far as corners that are snapped to 1/256 pixel and rounded to floats may move it */
+    double moved;
 } SeenAt;
 
 void seen_triangle_at(const SeenTriangle *seen, const double place[2], SeenAt *at);

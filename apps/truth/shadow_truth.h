@@ -10,14 +10,16 @@
 #include "apps/truth/ray_scene.h"
 
 typedef enum TruthLightKind {
-    TRUTH_POINT,       /* position: lights all around */
-    TRUTH_CONE,        /* position, axis, half_angle: a point that lights a cone */
-    TRUTH_FRUSTUM,     /* frustum: a point, or a wall of parallel rays, that lights what a camera
-                          with a square picture sees; near and far do not matter */
+    TRUTH_POINT, /* position: lights all around */
+    TRUTH_CONE,  /* position, axis, half_angle: a point that lights a cone */
+    /* frustum: a point, or a wall of parallel rays, that lights what a camera with a square picture
+     * sees; near and far do not matter */
+    TRUTH_FRUSTUM,
     TRUTH_DIRECTIONAL, /* towards */
-    TRUTH_AREA         /* position, side, samples: a parallelogram that shines to both sides; with a
-                          half_angle and an axis, into a cone about its centre: what is beside that
-                          is dark, and its edge sharp, as where a lamp is shaded far before it */
+    /* position, side, samples: a parallelogram that shines to both sides; with a half_angle and an
+     * axis, into a cone about its centre: what is beside that is dark, and its edge sharp, as where
+     * a lamp is shaded far before it */
+    TRUTH_AREA
 } TruthLightKind;
 
 /* Fields that the kind does not name are ignored. */
@@ -37,9 +39,9 @@ typedef struct ShadowView {
     uint32_t width, height;
     TruthLight light;
     int threads; /* 1..1024; 0: one; the result does not depend on it */
-    bool
-        only_lit; /* of an area light: visibility is 1 where half of it or more is seen, else 0, which
-                      is known before all of its points are looked at */
+    /* of an area light: visibility is 1 where half of it or more is seen, else 0, which is known
+     * before all of its points are looked at */
+    bool only_lit;
 } ShadowView;
 
 /* What is seen where the camera sees nothing. */
@@ -48,8 +50,9 @@ typedef struct ShadowView {
 /* Packed, row 0 on top. */
 typedef struct ShadowTruth {
     uint32_t width, height;
-    float *visibility;  /* the share of the light that is seen, 0 to 1, or SHADOW_NOTHING; 0 where
-                           the triangle's plane parts the eye from the light */
+    /* the share of the light that is seen, 0 to 1, or SHADOW_NOTHING; 0 where the triangle's plane
+     * parts the eye from the light */
+    float *visibility;
     uint32_t *triangle; /* what is seen, or TRUTH_NO_TRIANGLE */
 } ShadowTruth;
 

@@ -24,18 +24,17 @@ typedef struct TruthSplat {
 typedef enum SplatSumKind { SPLAT_SUM_AFFINE, SPLAT_SUM_EXACT } SplatSumKind;
 
 typedef struct SplatSumScene {
-    const TruthSplat
-        *splats; /* those that face away from the eye, or are nearer than the near plane,
-                                 count for nothing */
+    /* those that face away from the eye, or are nearer than the near plane, count for nothing */
+    const TruthSplat *splats;
     uint32_t count;
     Camera camera; /* perspective */
     uint32_t width, height;
-    double
-        low_pass; /* standard deviation of the pixel's filter, pixels; exact: at least 0.2 of those
-                        of splats as they are seen, or the integral is coarse */
-    double
-        epsilon; /* footprints behind the nearest disc from which on splats are hidden: a footprint
-                        is a radius and the pixel filter's at its distance (shaders_c/points/splat.h) */
+    /* standard deviation of the pixel's filter, pixels; exact: at least 0.2 of those of splats as
+     * they are seen, or the integral is coarse */
+    double low_pass;
+    /* footprints behind the nearest disc from which on splats are hidden: a footprint is a radius
+     * and the pixel filter's at its distance (shaders_c/points/splat.h) */
+    double epsilon;
     SplatSumKind kind;
 } SplatSumScene;
 

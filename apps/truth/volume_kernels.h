@@ -15,11 +15,12 @@
 typedef struct VolumeKernels {
     double deviation; /* samples */
     double cut;       /* samples */
-    double
-        low_pass; /* standard deviation of the pixel's filter, pixels; 0: rays through the centres of
-                         pixels are not filtered */
-    uint32_t rays; /* a side of a pixel, where there is a filter: 2 are enough where kernels and the
-                         filter are no narrower than 0.4 pixels */
+    /* standard deviation of the pixel's filter, pixels; 0: rays through the centres of pixels are
+     * not filtered */
+    double low_pass;
+    /* a side of a pixel, where there is a filter: 2 are enough where kernels and the filter are no
+     * narrower than 0.4 pixels */
+    uint32_t rays;
     uint32_t fineness; /* steps along a ray are 0.4 samples, and shorter by so much; 0 is 1 */
 } VolumeKernels;
 

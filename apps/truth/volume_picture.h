@@ -18,12 +18,12 @@ typedef struct VolumeScene {
     const uint8_t *value;    /* [z][y][x] */
     const VolumeStop *stops; /* by rising value; straight between, level beyond */
     uint32_t stop_count;     /* at least 1 */
-    Camera
-        camera; /* sample (0, 0, 0) is at the origin; nothing nearer than near or farther than far is seen */
+    /* sample (0, 0, 0) is at the origin; nothing nearer than near or farther than far is seen */
+    Camera camera;
     uint32_t width, height;
-    const float
-        *depth; /* [height][width]: of opaque things, as a depth buffer of the camera has it, 0
-                           near, 1 far: what lies behind is hidden. NULL: there are none */
+    /* [height][width]: of opaque things, as a depth buffer of the camera has it, 0 near, 1 far:
+     * what lies behind is hidden. NULL: there are none */
+    const float *depth;
 } VolumeScene;
 
 typedef struct VolumePicture {

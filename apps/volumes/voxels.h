@@ -19,9 +19,9 @@ enum {
  * z = place[2] + 256 (place[3] mod 4) */
 typedef struct Voxel {
     uint8_t value;
-    uint8_t
-        gradient[3]; /* direction of the rising value in space, 128 + 127 of a unit vector; 128 all
-                            three: there is none */
+    /* direction of the rising value in space, 128 + 127 of a unit vector; 128 all three: there is
+     * none */
+    uint8_t gradient[3];
     uint8_t place[4];
 } Voxel;
 

@@ -33,11 +33,12 @@ typedef enum GpExecutor {
 /* How a list is run. All zero: the fast executor, on all processors, at the widest lanes. */
 typedef struct GpDeviceDesc {
     GpExecutor executor;
-    int threads;     /* 0: one a processor; never changes a bit */
-    const char *isa; /* NULL or "auto": $GP_ISA, else the widest that every program of a list was
-                        compiled for; "sse2" "avx2" "avx512" "neon" force one. Never changes a bit */
-    GpTrace trace;   /* of the fast executor only with only_wanted, of the reference only without */
-    bool timed;      /* fast executor: looks at the clock inside tiles too, which costs some time */
+    int threads; /* 0: one a processor; never changes a bit */
+    /* NULL or "auto": $GP_ISA, else the widest that every program of a list was compiled for;
+     * "sse2" "avx2" "avx512" "neon" force one. Never changes a bit */
+    const char *isa;
+    GpTrace trace; /* of the fast executor only with only_wanted, of the reference only without */
+    bool timed;    /* fast executor: looks at the clock inside tiles too, which costs some time */
 } GpDeviceDesc;
 
 /* An executor with its threads, its memory and its counters; gp_device_create makes one. */

@@ -14,10 +14,11 @@ typedef struct GpCounters {
     uint64_t vertices;           /* vertices shaded */
     uint64_t primitives;         /* assembled */
     uint64_t primitives_clipped; /* cut by a plane */
-    uint64_t fragments_shaded;   /* pixel shader invocations, helper pixels apart; the fast executor
-                                    shades only what may be seen */
-    uint64_t fragments_sorted;   /* that waited for others of their pixel; the fast executor's depth
-                                    test may take some away before */
+    /* pixel shader invocations, helper pixels apart; the fast executor shades only what may be seen */
+    uint64_t fragments_shaded;
+    /* that waited for others of their pixel; the fast executor's depth test may take some away
+     * before */
+    uint64_t fragments_sorted;
     uint64_t sorted_slices; /* of tiles, where more waited than there is memory for; fast only */
     /* what follows is counted by the reference executor only */
     uint64_t primitives_drawn; /* that covered at least one pixel */

@@ -13,10 +13,11 @@ typedef struct GpNeeds {
     bool pixel_shader; /* a colour is written, or the shader may discard or write depth */
     bool color;        /* some colour target keeps some channel written */
     bool interpolate;  /* the pixel shader reads an interpolant */
-    uint64_t varyings; /* bit i: component i of the varyings is read by the pixel shader; all of
-                           them where the program was not counted */
-    bool quads;        /* whole 2x2 quads with helper pixels: derivatives or mip levels */
-    bool depth;        /* interpolated depth is needed at all */
+    /* bit i: component i of the varyings is read by the pixel shader; all of them where the program
+     * was not counted */
+    uint64_t varyings;
+    bool quads; /* whole 2x2 quads with helper pixels: derivatives or mip levels */
+    bool depth; /* interpolated depth is needed at all */
     bool depth_test, ternary, depth_write, stencil, alpha_test, discard, shader_depth;
     bool blend; /* some target is read before it is written */
     bool scissor, cull, depth_bias;

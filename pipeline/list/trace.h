@@ -23,16 +23,18 @@ typedef enum GpTraceKind {
     GP_TRACE_RASTER,      /* a pixel was covered */
     GP_TRACE_INTERPOLATE, /* its depth and interpolants */
     GP_TRACE_TEXTURE,     /* one texture read of its shader */
-    GP_TRACE_STEPS, /* every instruction of its shader; where GpTrace.steps is set. Those of the vertex
-                             shader come after the first pixel of a primitive, one event a corner */
-    GP_TRACE_PIXEL,  /* what its shader returned */
-    GP_TRACE_SORT,   /* its turn among the pixel's, in a pass with an order; of a pass's fragments
-                             these come last, each with what follows of its own */
+    /* every instruction of its shader; where GpTrace.steps is set. Those of the vertex shader come
+     * after the first pixel of a primitive, one event a corner */
+    GP_TRACE_STEPS,
+    GP_TRACE_PIXEL, /* what its shader returned */
+    /* its turn among the pixel's, in a pass with an order; of a pass's fragments these come last,
+     * each with what follows of its own */
+    GP_TRACE_SORT,
     GP_TRACE_TEST,   /* scissor, alpha test, stencil, depth: one event each, in that order */
     GP_TRACE_OUTPUT, /* blending and the stored value, one event per target */
-    GP_TRACE_MISSED, /* a triangle that was culled or clipped would have covered the pixel; where
-                        GpTrace.missed is set. Its vertices, clipping and set-up follow where one
-                        pixel is watched */
+    /* a triangle that was culled or clipped would have covered the pixel; where GpTrace.missed is
+     * set. Its vertices, clipping and set-up follow where one pixel is watched */
+    GP_TRACE_MISSED,
     GP_TRACE_KINDS
 } GpTraceKind;
 
@@ -57,8 +59,8 @@ enum { GP_TRACE_CORNERS = 9 }; /* at most, of what is left of a clipped triangle
 /* How a triangle lies in the clip volume, and what is left of it. */
 typedef struct GpTraceClip {
     float clip[3][4];
-    unsigned planes; /* bit i: some vertex is outside plane i: left right bottom top (guard band)
-                        near far */
+    /* bit i: some vertex is outside plane i: left right bottom top (guard band) near far */
+    unsigned planes;
     int corners; /* of the polygon that is left; 0: nothing; 3: untouched or cut to a triangle */
     float corner[GP_TRACE_CORNERS][4]; /* these, in clip space */
     float band[4]; /* left right bottom top of the guard band: limits of x/w and y/w */
@@ -82,9 +84,10 @@ typedef struct GpTraceSetup {
 
 /* How a covered pixel lies in its triangle. */
 typedef struct GpTraceRaster {
-    int64_t edge[3]; /* edge functions opposite the three vertices, in the order in which they were
-                        submitted; at the centre, in 1/65536 pixels; their sum is |area2| */
-    bool front;      /* clockwise */
+    /* edge functions opposite the three vertices, in the order in which they were submitted; at the
+     * centre, in 1/65536 pixels; their sum is |area2| */
+    int64_t edge[3];
+    bool front; /* clockwise */
 } GpTraceRaster;
 
 /* What a pixel gets of its triangle's corners. */
@@ -202,8 +205,8 @@ typedef struct GpTraceEvent {
 typedef struct GpTrace {
     void (*event)(void *user, const GpTraceEvent *event);
     void *user;
-    bool one_pixel; /* only the pixel x, y; vertex, clip and setup events then come for triangles
-                       that cover it */
+    /* only the pixel x, y; vertex, clip and setup events then come for triangles that cover it */
+    bool one_pixel;
     int32_t x, y;
     bool one_pass, one_draw, one_primitive;
     uint32_t pass, draw, primitive;

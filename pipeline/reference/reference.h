@@ -11,8 +11,8 @@ typedef struct GpReference {
     const GpTrace *trace; /* NULL: nobody watches */
     GpCounters *counters;
     uint32_t first_pass; /* what the trace calls the list's first */
-    GpHeldQuads *
-        held; /* only quads with a pixel that is told of are drawn, and held first; NULL: all are */
+    /* only quads with a pixel that is told of are drawn, and held first; NULL: all are */
+    GpHeldQuads *held;
 } GpReference;
 
 /* Runs a checked list.

@@ -40,9 +40,10 @@ static inline bool gp_rect_is_empty(GpRect rect)
 typedef struct GpSurfaceDesc {
     GpFormat format;
     uint32_t width, height; /* texels of level 0, 1..GP_MAX_SIZE */
-    uint32_t levels;        /* mip levels; 0 means 1; GP_MAX_LEVELS or more means down to 1x1;
-                               any other number that goes beyond 1x1 is an error */
-    const char *name;       /* for messages and dumps; copied, at most 31 characters kept */
+    /* mip levels; 0 means 1; GP_MAX_LEVELS or more means down to 1x1; any other number that goes
+     * beyond 1x1 is an error */
+    uint32_t levels;
+    const char *name; /* for messages and dumps; copied, at most 31 characters kept */
 
     /* Texels in memory of the caller's, who keeps it until the surface is destroyed; what it holds is
      * the surface's content. NULL: the surface's own. One level; any alignment, though multiples of 64

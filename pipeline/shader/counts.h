@@ -13,28 +13,30 @@ struct GpShaderCounts {
     int slots; /* instruction slots: arithmetic + texture */
     int arithmetic_slots;
     int texture_slots;
-    int temporaries;      /* four-component registers live at once: an estimate, described with all
-                             other figures in pipeline/shader/graph_counts.c */
-    int constants;        /* float4 constants: uniforms read plus literals */
-    int inputs;           /* declared inputs or interpolants read */
-    int outputs;          /* interpolants (vertex) or colour targets (pixel) written */
-    int samplers;         /* distinct texture slots read */
-    int dependent_reads;  /* longest chain of texture reads, 0 = no read depends on another or on
-                             computed coordinates */
-    uint64_t inputs_read; /* bit i: component i of the input struct is used */
+    /* four-component registers live at once: an estimate, described with all other figures in
+     * pipeline/shader/graph_counts.c */
+    int temporaries;
+    int constants; /* float4 constants: uniforms read plus literals */
+    int inputs;    /* declared inputs or interpolants read */
+    int outputs;   /* interpolants (vertex) or colour targets (pixel) written */
+    int samplers;  /* distinct texture slots read */
+    /* longest chain of texture reads, 0 = no read depends on another or on computed coordinates */
+    int dependent_reads;
+    uint64_t inputs_read;     /* bit i: component i of the input struct is used */
     uint64_t outputs_written; /* bit i: component i of the varyings or of the targets is written */
     uint16_t sampler_slots;   /* bit i: slot i is read by texld and its kin */
     uint16_t local_slots;     /* bit i: slot i is read by gp_load_local */
-    int copied_slot; /* 1 + the slot whose texel, read in place, is all that the pixel shader gives,
-                        as it is; 0: it does something else */
-    uint8_t
-        named_inputs[GP_SEMANTICS]; /* 1 + the first component of the vertex struct's member that
-                                           is called as the semantic; 0: none is */
-    bool gradients;                 /* dsx, dsy or texldd appear */
-    bool needs_quads;               /* dsx or dsy */
-    bool implicit_lod;              /* texld, texldp or texldb appear */
-    bool explicit_lod;              /* texldl appears */
-    bool loops;                     /* loop_while appears */
+    /* 1 + the slot whose texel, read in place, is all that the pixel shader gives, as it is; 0: it
+     * does something else */
+    int copied_slot;
+    /* 1 + the first component of the vertex struct's member that is called as the semantic; 0: none
+     * is */
+    uint8_t named_inputs[GP_SEMANTICS];
+    bool gradients;    /* dsx, dsy or texldd appear */
+    bool needs_quads;  /* dsx or dsy */
+    bool implicit_lod; /* texld, texldp or texldb appear */
+    bool explicit_lod; /* texldl appears */
+    bool loops;        /* loop_while appears */
     bool discards, writes_depth, writes_point_size, reads_pixel, reads_face;
 };
 
@@ -46,9 +48,9 @@ static inline uint16_t gp_slot_bit(int slot)
 
 /* What counting a pixel shader tells of it. */
 typedef struct GpPixelFacts {
-    uint64_t varyings_read; /* bit i: component i; all where the counting build is not there, or
-                               had no memory */
-    int copied_slot;        /* GpShaderCounts.copied_slot */
+    /* bit i: component i; all where the counting build is not there, or had no memory */
+    uint64_t varyings_read;
+    int copied_slot; /* GpShaderCounts.copied_slot */
 } GpPixelFacts;
 
 /* Takes some microseconds: to be asked once for a program. */

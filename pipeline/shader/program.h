@@ -37,8 +37,9 @@ typedef enum GpInterpolation {
     GP_PERSPECTIVE = 0, /* a/w linear, divided by 1/w (R16) */
     GP_LINEAR_SCREEN,   /* linear on the screen */
     GP_FLAT,            /* the value of the triangle's first vertex */
-    GP_SPRITE_COORD, /* of points: 0..1 over the square, x and y, whatever the vertex shader wrote;
-                           of triangles as GP_PERSPECTIVE. One varying of two components (R12) */
+    /* of points: 0..1 over the square, x and y, whatever the vertex shader wrote; of triangles as
+     * GP_PERSPECTIVE. One varying of two components (R12) */
+    GP_SPRITE_COORD,
     GP_INTERPOLATIONS
 } GpInterpolation;
 
@@ -180,8 +181,9 @@ struct GpProgram {
     bool writes_point_size;     /* oPts is written */
     bool uses_pixel;            /* vPos is read */
     bool uses_face;             /* vFace is read */
-    bool uses_derivatives;      /* dsx or dsy: the shader needs whole 2x2 quads (levels of detail
-                                    ask for them where a texture has levels) */
+    /* dsx or dsy: the shader needs whole 2x2 quads (levels of detail ask for them where a texture
+     * has levels) */
+    bool uses_derivatives;
 
     /* filled in by the program() macro */
     size_t uniform_bytes;

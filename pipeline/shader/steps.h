@@ -147,8 +147,8 @@ typedef struct GpStepListener {
 
 /* One run of a shader's counting build: GpProgram.step. */
 typedef struct GpStepRun {
-    const GpShaderCall
-        *call; /* one packet of four lanes; its outputs are written as a shader does */
+    /* one packet of four lanes; its outputs are written as a shader does */
+    const GpShaderCall *call;
     const GpStepListener *listener;
 } GpStepRun;
 

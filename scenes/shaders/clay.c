@@ -17,7 +17,5 @@ pixel_shader(clay_ps, EffectUniforms, Varying)
     return rgba(mul(vec3(0.9f, 0.5f, 0.3f), light), 1);
 }
 
-program(clay, clay_vs, clay_ps,
-        .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
-        .inputs = { EFFECT_INPUTS },
-        .varyings = { { "normal", 3, GP_PERSPECTIVE } })
+program(clay, clay_vs, clay_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+        .inputs = { EFFECT_INPUTS }, .varyings = { { "normal", 3, GP_PERSPECTIVE } })

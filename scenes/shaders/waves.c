@@ -23,7 +23,6 @@ pixel_shader(waves_ps, EffectUniforms, Varying)
     return rgba(mul(color, light), 1);
 }
 
-program(waves, waves_vs, waves_ps,
-        .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
+program(waves, waves_vs, waves_ps, .vertex_profile = GP_VS_2_0, .pixel_profile = GP_PS_2_0,
         .inputs = { EFFECT_INPUTS },
         .varyings = { { "normal", 3, GP_PERSPECTIVE }, { "texcoord", 2, GP_PERSPECTIVE } })

@@ -7,8 +7,9 @@ typedef struct CompressedFrame {
     float origin[3];   /* the place whose codes are 0 */
     float steps[3][3]; /* by code: place = origin + x steps[0] + y steps[1] + z steps[2] */
     float radius[2];   /* radius = 2^(radius[0] + code * radius[1]); not in the printed form */
-    float share[2];    /* share = share[0] + code * share[1], 0 to 1: the root of how much of the
-                          area 2 pi radius^2 a surfel stands for */
+    /* share = share[0] + code * share[1], 0 to 1: the root of how much of the area 2 pi radius^2 a
+     * surfel stands for */
+    float share[2];
 } CompressedFrame;
 
 enum { COMPRESSED_RADII = 256 }; /* of the printed form, in a texture of that width and one row */

@@ -21,16 +21,19 @@ typedef struct SplatUniforms {
     float ndc[2];    /* 2 / width, 2 / height of the viewport */
     float depth[2];  /* depth of a distance z: depth[0] + depth[1] / z */
     float nearest;   /* nearer points are left out, > 0 */
-    float facing;    /* surfels whose normal looks at the eye by less than this cosine, about, are
-                          left out; below -1: none is */
-    float low_pass;  /* h, square pixels */
-    float spread;  /* standard deviation of a surfel's Gaussian, in its radii; 0: the pixel's filter
-                          alone */
-    float cut;     /* splats end at so many standard deviations */
-    float epsilon; /* visibility lies so many footprints behind the surface: a footprint is the
-                          surfel's radius and the pixel filter's at its distance */
-    float waves;   /* above 0: the colour is 0.5 + 0.5 sin(waves * position), channel by channel,
-                          instead of the surfel's */
+    /* surfels whose normal looks at the eye by less than this cosine, about, are left out; below
+     * -1: none is */
+    float facing;
+    float low_pass; /* h, square pixels */
+    /* standard deviation of a surfel's Gaussian, in its radii; 0: the pixel's filter alone */
+    float spread;
+    float cut; /* splats end at so many standard deviations */
+    /* visibility lies so many footprints behind the surface: a footprint is the surfel's radius and
+     * the pixel filter's at its distance */
+    float epsilon;
+    /* above 0: the colour is 0.5 + 0.5 sin(waves * position), channel by channel, instead of the
+     * surfel's */
+    float waves;
 } SplatUniforms;
 
 /* Where the share of a surfel is below 1 over this, its area says how wide its Gaussian is: discs that

@@ -13,9 +13,10 @@ typedef struct ShadowUniforms {
     float map[4][4]; /* world to the map: u w, v w, depth w, w; the plain forms: to clip space */
     float eye[3];    /* world */
     float light[4];  /* world; w 0: the direction towards it, unit length */
-    float axis[4];   /* of its cone: direction out of the light, and the cosine to the edge; without
-                        a cone that is below -1 */
-    float color[3];  /* the light's */
+    /* of its cone: direction out of the light, and the cosine to the edge; without a cone that is
+     * below -1 */
+    float axis[4];
+    float color[3];               /* the light's */
     float ambient[3], diffuse[3]; /* the surface's, linear */
     float specular, shininess;
     float half_texel;    /* of the map, in texture coordinates: Direct3D 9's offset */
@@ -29,8 +30,8 @@ typedef struct ShadowUniforms {
     float distance[4]; /* (a + b z) / (c + d z) is the way from the light to a stored depth z */
     float nearest;     /* distance at which things may begin to block */
     float light_size;  /* side of the light, in texture coordinates of the map at distance 1 */
-    float spread[2];   /* (0, 1) where the map's rays part from a point, (1, 0) where they are
-                          parallel */
+    /* (0, 1) where the map's rays part from a point, (1, 0) where they are parallel */
+    float spread[2];
 } ShadowUniforms;
 
 /* How the map is asked: plain, depths in a colour target, compared in the shader (thesis, section

@@ -13,9 +13,9 @@
 typedef struct ShadowSplatsUniforms {
     NormalizeUniforms normalize; /* its light counts for nothing */
     ShadowUniforms shadow;       /* its diffuse colour is white, ambient the scene's light */
-    float
-        lift; /* the map is asked so far towards the light: discs stand out of the surface that their
-                   mean is, by less than their radius */
+    /* the map is asked so far towards the light: discs stand out of the surface that their mean is,
+     * by less than their radius */
+    float lift;
     float solid; /* above 0: of the second draw */
 } ShadowSplatsUniforms;
 

@@ -17,19 +17,20 @@ enum { VOLUME_BRICK = 4 }; /* steps between samples that a brick is long */
 
 typedef struct RaycastUniforms {
     VolumePatches atlas; /* slot 0, linear */
-    VolumePatches
-        bricks;     /* slot 1, points: n / 255 of each brick: the cube of n bricks that begins with
-                             it on the ray's way is to be walked through, up to 127; or of n - 127,
-                             which show nothing, to be passed over */
-    float way;      /* places on slot 1 from ways to the next: bit i, the ray falls along axis i */
-    float table[2]; /* slot 2, points: place of a value v is v * table[0] + table[1]; colour times
-                        alpha, and alpha, of one step */
+    /* slot 1, points: n / 255 of each brick: the cube of n bricks that begins with it on the ray's
+     * way is to be walked through, up to 127; or of n - 127, which show nothing, to be passed over */
+    VolumePatches bricks;
+    float way; /* places on slot 1 from ways to the next: bit i, the ray falls along axis i */
+    /* slot 2, points: place of a value v is v * table[0] + table[1]; colour times alpha, and alpha,
+     * of one step */
+    float table[2];
     float last[3];  /* of the samples along x, y, z: N - 1 */
     float scale[3]; /* from samples to space */
     float per_step; /* 1 / length of a step in space */
     float least;    /* share of light that is nothing */
-    float depth[4]; /* slot 3, points: an opaque thing of depth z ends the ray at the share
-                        (depth[0] + depth[1] z) / (depth[2] + depth[3] z) of its way */
+    /* slot 3, points: an opaque thing of depth z ends the ray at the share (depth[0] + depth[1] z)
+     * / (depth[2] + depth[3] z) of its way */
+    float depth[4];
     float texel[2]; /* 1 / width, 1 / height of slot 3 */
     float light[3]; /* towards it, in space, unit length: of the lit program */
     float ambient, diffuse;

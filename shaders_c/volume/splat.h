@@ -23,17 +23,18 @@ typedef struct VoxelUniforms {
     float ndc[2];         /* 2 / width, 2 / height of the viewport */
     float depth[2];       /* clip z = z * depth[0] + depth[1] */
     float nearest;        /* nearer voxels are left out, and those that the view does not meet: */
-    float
-        side[2]; /* where |x| > w * side[0] + reach[0], or y alike: far beside the view J stretches
-                             kernels over all of it */
+    /* where |x| > w * side[0] + reach[0], or y alike: far beside the view J stretches kernels over
+     * all of it */
+    float side[2];
     float reach[2];
-    float low_pass;     /* h, square pixels */
-    float cut;          /* standard deviations */
-    float farthest;     /* exponent, base 2, at which footprints end */
-    float strength;     /* (f/w)^2 and what follows times this: volume of a cell / 2 pi, and what
-                             the cut takes away given back */
-    float normal[3][4]; /* gradients to eye */
-    float light[3];     /* towards it, in eye space */
+    float low_pass; /* h, square pixels */
+    float cut;      /* standard deviations */
+    float farthest; /* exponent, base 2, at which footprints end */
+    /* (f/w)^2 and what follows times this: volume of a cell / 2 pi, and what the cut takes away
+     * given back */
+    float strength;
+    float normal[3][4];     /* gradients to eye */
+    float light[3];         /* towards it, in eye space */
     float ambient, diffuse; /* 1, 0: unlit */
 } VoxelUniforms;
 

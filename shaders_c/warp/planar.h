@@ -20,8 +20,9 @@ enum { PLANAR_TABLE_SLOT = 3 };
 
 typedef struct PlanarUniforms {
     float window[2][4],
-        shift[2];    /* x and y of the picture by (s x, s y, s, k): x and y in the image's
-                                     pixels, s = (1 - e.w k) z or 1 - e.w k; and what is added */
+        /* x and y of the picture by (s x, s y, s, k): x and y in the image's pixels, s = (1 - e.w
+         * k) z or 1 - e.w k; and what is added */
+        shift[2];
     float spread[2]; /* s without k: spread[0] z + spread[1], as shaders_c/warp/direct.h has it */
     float table[2];  /* where a depth is in the table: table[0] z + table[1] */
     float eye_w;     /* e.w */

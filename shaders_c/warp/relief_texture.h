@@ -13,8 +13,8 @@ typedef struct ReliefTextureUniforms {
     float clip[2][4];            /* z and w of clip space, of a place of the box */
     float world[4][4];           /* of a place of the box: x w, y w, z w, w */
     float first[2], per_side[2]; /* from the box to the texture, 0 to 1 */
-    float
-        apart[2]; /* places next to each other on a surface are less apart than this, in the box */
+    /* places next to each other on a surface are less apart than this, in the box */
+    float apart[2];
 } ReliefTextureUniforms;
 
 /* Slots 0, points, and 3, linear: places in the box, and 1 where there is one. Pixels without are

@@ -12,8 +12,8 @@ typedef struct Command {
     const char *outputs; /* the files that it writes, words too; NULL: none */
 
     const char *may_stay; /* a file that a run which failed may leave: a journal. NULL: none */
-    const char
-        *after;      /* what fails in a run that goes before: it goes on from that. NULL: nothing */
+    /* what fails in a run that goes before: it goes on from that. NULL: nothing */
+    const char *after;
     bool has_report; /* which tells what it could not read, with exit code 3 */
     bool varies;     /* times are in what it prints and writes */
 } Command;

@@ -143,12 +143,14 @@ double peer_plane_rounding(const PeerScene *scene, const PeerTruth *truth, uint3
 typedef enum PeerCause {
     PEER_AGREES,   /* both empty, or the same triangle with colours within 1/255 */
     PEER_ONE_ONLY, /* drawn by one renderer only */
-    PEER_EDGE,     /* another triangle there, the sample hardly off an edge of that or of the exact
-                      one: corners were snapped differently */
-    PEER_TIE,      /* another triangle there, which covers the sample and which llvmpipe's depths,
-                      with what they may err, let win */
-    PEER_SHADING,  /* the same triangle, more than 1/255 apart, ours the exact colour rounded */
-    PEER_OURS,     /* glasspipe's colour is not the exact one, rounded */
+    /* another triangle there, the sample hardly off an edge of that or of the exact one: corners
+     * were snapped differently */
+    PEER_EDGE,
+    /* another triangle there, which covers the sample and which llvmpipe's depths, with what they
+     * may err, let win */
+    PEER_TIE,
+    PEER_SHADING, /* the same triangle, more than 1/255 apart, ours the exact colour rounded */
+    PEER_OURS,    /* glasspipe's colour is not the exact one, rounded */
     PEER_UNKNOWN,
     PEER_CAUSES
 } PeerCause;

@@ -12,8 +12,9 @@ typedef struct WarpDetail {
     const GpSurface *heights; /* 0..1 in red; NULL: none. Borrowed until frames have run */
     double amplitude;         /* world units by which 1 stands out of what 0 leaves as it is */
     double repeats[2];        /* across the picture and down; 0: 1 */
-    bool is_smooth; /* heights are filtered, those of a level of the texture that is no finer than
-                       vertices; else each vertex has that of the texel it is in */
+    /* heights are filtered, those of a level of the texture that is no finer than vertices; else
+     * each vertex has that of the texel it is in */
+    bool is_smooth;
 } WarpDetail;
 
 /* in  step: pixels of the image from vertex to vertex */

@@ -18,12 +18,13 @@ typedef struct DirectSetting {
     bool one_sided; /* insides are left out: of several images of a solid each shows its own side */
     uint32_t step;  /* pixels from vertex to vertex; 0: by the footprint */
     double tolerance; /* of merging, as GridSetting has it */
-    EdgeSetting
-        edges;    /* all zero, with layers: spread 2.5, texels 2, along 0.3: what is steep stays
-                          whole, since to cut it opens more holes than the second layer fills; but not
-                          what normals say is a jump: sheets there are seen as streaks */
-    double reach; /* as GridSetting has it; 0: 0.4, with layers 0.5: farther out is more of the
-                          silhouette, in colours that are a guess */
+    /* all zero, with layers: spread 2.5, texels 2, along 0.3: what is steep stays whole, since to
+     * cut it opens more holes than the second layer fills; but not what normals say is a jump:
+     * sheets there are seen as streaks */
+    EdgeSetting edges;
+    /* as GridSetting has it; 0: 0.4, with layers 0.5: farther out is more of the silhouette, in
+     * colours that are a guess */
+    double reach;
     WarpDetail detail;
     const char *name; /* of the pass, borrowed; NULL: "direct" */
 } DirectSetting;

@@ -21,9 +21,9 @@ typedef struct EdgeSetting {
     double share;  /* of the depth, EDGES_RELATIVE; 0: 0.02, as peers have it */
     double spread; /* EDGES_SLOPES: times the steeper of both sides that a step may be; 0: 1.2 */
     double texels; /* EDGES_SLOPES: pixel widths that it may be beside; 0: 4 */
-    double
-        along; /* EDGES_SLOPES, of images with normals: cosine to the normals on both sides that the
-                      way of a step may have which is more than `texels`; 0: normals are not asked */
+    /* EDGES_SLOPES, of images with normals: cosine to the normals on both sides that the way of a
+     * step may have which is more than `texels`; 0: normals are not asked */
+    double along;
 } EdgeSetting;
 
 /* Vertices of a grid over the picture, every step-th pixel and the last, and which are one surface. */
@@ -36,8 +36,8 @@ typedef struct DepthLattice {
     double level;       /* to which depths were rounded, as far as neighbours tell */
     float *flat;        /* [height][width] flat depths; NaN: nothing */
     uint8_t *neighbour; /* [height][width]: bits of EdgeNeighbour */
-    uint8_t
-        *away; /* [height][width]: 1: by its normal, its back is what the image's eye sees of it */
+    /* [height][width]: 1: by its normal, its back is what the image's eye sees of it */
+    uint8_t *away;
 } DepthLattice;
 
 typedef enum EdgeNeighbour {

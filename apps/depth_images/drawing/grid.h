@@ -9,24 +9,24 @@
 /* How a surface goes on beyond its last vertices. All zero: as it came there. */
 typedef struct GridEnds {
     double lean; /* times as steep, since surfaces curve away where they end; 0: 1 */
-    double
-        most; /* by so many pixel widths its depth may change in half a step: from the side longer ends
-                    are streaks; 0: by any */
+    /* by so many pixel widths its depth may change in half a step: from the side longer ends are
+     * streaks; 0: by any */
+    double most;
 } GridEnds;
 
 /* All zero: every pixel is a vertex, and flat places are merged. */
 typedef struct GridSetting {
     uint32_t step; /* pixels from vertex to vertex; 0: 1 */
-    double
-        tolerance; /* by which depths may be off, in pixels that they are seen aside by an eye as far
-                         from the image's as the nearest point is; of parallel images in widths of
-                         pixels. 0: GRID_TOLERANCE; below 0: nothing is merged */
-    double
-        reach; /* of a surface beyond its last vertices, of the way to the next, at most 0.5, where
-                     its end is on the average; 0: 0.5 */
+    /* by which depths may be off, in pixels that they are seen aside by an eye as far from the
+     * image's as the nearest point is; of parallel images in widths of pixels. 0: GRID_TOLERANCE;
+     * below 0: nothing is merged */
+    double tolerance;
+    /* of a surface beyond its last vertices, of the way to the next, at most 0.5, where its end is
+     * on the average; 0: 0.5 */
+    double reach;
     GridEnds ends;
-    bool
-        turned; /* counter-clockwise seen from outside, as normals say, instead of from the image's eye */
+    /* counter-clockwise seen from outside, as normals say, instead of from the image's eye */
+    bool turned;
 } GridSetting;
 
 #define GRID_TOLERANCE 1.0

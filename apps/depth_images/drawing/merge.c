@@ -20,8 +20,8 @@ typedef struct Merging {
     float *errors;                /* [size[1]][size[0]] */
     MergedMesh mesh;
     uint32_t vertex_room, index_room;
-    uint32_t
-        number[PATCH_POINTS]; /* of the patch's points, 1 + that of the vertex; 0: it is none yet */
+    /* of the patch's points, 1 + that of the vertex; 0: it is none yet */
+    uint32_t number[PATCH_POINTS];
     uint32_t square[2];
 } Merging;
 

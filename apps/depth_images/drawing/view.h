@@ -23,8 +23,8 @@ typedef struct WarpView {
  * where its depth is less; depth is that of the view's camera, as a mesh would write it. */
 typedef struct WarpTarget {
     GpSurface *color;
-    GpSurface
-        *depth; /* D32F; NULL: images are drawn over each other, in the order of their calls */
+    /* D32F; NULL: images are drawn over each other, in the order of their calls */
+    GpSurface *depth;
 } WarpTarget;
 
 /* Each method is a pair of files here, METHOD.h and METHOD.c:

@@ -30,8 +30,8 @@ typedef struct Walk {
     WalkModel *models;
     WalkObject *objects;
     uint32_t model_count, object_count;
-    double
-        half; /* of the field's side, about 0, 0, 0; y is up, objects are 1.2 to 2.4 high or wide */
+    /* of the field's side, about 0, 0, 0; y is up, objects are 1.2 to 2.4 high or wide */
+    double half;
     GpSurface *grass; /* the ground's colours */
 } Walk;
 

@@ -11,13 +11,15 @@
 
 /* How a cylinder's pixels are found. */
 typedef enum CaptureRays {
-    CAPTURE_COLUMNS, /* each column is drawn from its own azimuth, so that all pixels are the mesh's;
-                        DEVIATES from the paper, whose images of faces are sampled a second time: on
-                        a knot at 128x96 their mean error of depth is 350 times as large, and 4 % of
-                        the pixels are wrongly covered (test_capture_around prints both) */
-    CAPTURE_FACES /* as printed: from six planar images, whose pixels' surfaces are drawn instead of
-                        the mesh. DEVIATES: rays find these surfaces, so that nothing is warped into
-                        wrong order and no seam is drawn twice */
+    /* each column is drawn from its own azimuth, so that all pixels are the mesh's; DEVIATES from
+     * the paper, whose images of faces are sampled a second time: on a knot at 128x96 their mean
+     * error of depth is 350 times as large, and 4 % of the pixels are wrongly covered
+     * (test_capture_around prints both) */
+    CAPTURE_COLUMNS,
+    /* as printed: from six planar images, whose pixels' surfaces are drawn instead of the mesh.
+     * DEVIATES: rays find these surfaces, so that nothing is warped into wrong order and no seam is
+     * drawn twice */
+    CAPTURE_FACES
 } CaptureRays;
 
 /* Zero is a default, but for the size. */

@@ -13,11 +13,11 @@
 
 /* How an image becomes a mesh. All zero: every triangle, cut as peers do. */
 typedef struct DmeshDetail {
-    double
-        cut; /* triangles whose depths differ by more than this share of the nearest are left out;
-                     0: 0.02; below 0: none is */
-    double
-        share; /* of the triangles that are kept, at least: they are simplified; 0: all are kept */
+    /* triangles whose depths differ by more than this share of the nearest are left out; 0: 0.02;
+     * below 0: none is */
+    double cut;
+    /* of the triangles that are kept, at least: they are simplified; 0: all are kept */
+    double share;
 } DmeshDetail;
 
 /* A zeroed one is empty, and draws nothing. Owned by whoever made it, until dmesh_close. */

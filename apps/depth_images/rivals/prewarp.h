@@ -22,8 +22,9 @@ typedef struct PrewarpInput {
     double eye[4];    /* as slab_eye has it */
     bool is_parallel; /* the view: eye is a direction */
     double plane;     /* its z */
-    double cut; /* pixels whose depths differ by more than this share of the nearer are of different
-                      surfaces; below 0: none are */
+    /* pixels whose depths differ by more than this share of the nearer are of different surfaces;
+     * below 0: none are */
+    double cut;
 } PrewarpInput;
 
 /* Texels are as large as the image's pixels, or larger where they would be more than twice as many along a

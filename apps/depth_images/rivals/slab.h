@@ -19,11 +19,11 @@
 
 typedef struct DepthSlab {
     bool is_parallel;
-    double low, high;         /* depths at z = 0 and 1; all of the image's are between */
-    double matrix[4][4];      /* from the world: x w, y w, z w, w; w is above 0 before the eye */
-    double corners[8][3];     /* of the box in the world; bits of the number: x, y, z */
-    double first[2], side[2]; /* of the box on the picture, which goes from 0 to 1: pixels that show
-                                 something, and one around */
+    double low, high;     /* depths at z = 0 and 1; all of the image's are between */
+    double matrix[4][4];  /* from the world: x w, y w, z w, w; w is above 0 before the eye */
+    double corners[8][3]; /* of the box in the world; bits of the number: x, y, z */
+    /* of the box on the picture, which goes from 0 to 1: pixels that show something, and one around */
+    double first[2], side[2];
 } DepthSlab;
 
 /* Pixels of perspective images that are at the eye itself count as nothing.

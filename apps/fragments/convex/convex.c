@@ -128,8 +128,8 @@ typedef struct Levels {
     Cells cells;
     GpSurface *near, *far, *all;
     GpSurface *layer[SLAB_LAYERS], *layer_depth[SLAB_LAYERS]; /* of slabs, by their places */
-    GpSurface
-        *stencil; /* how many fragments of a pixel there have been; NULL: knots, and no slabs */
+    /* how many fragments of a pixel there have been; NULL: knots, and no slabs */
+    GpSurface *stencil;
     uint32_t *mark, *number; /* of the mesh's vertices: the last draw that has it, and where */
     uint32_t draws;
 } Levels;

@@ -32,8 +32,8 @@ typedef enum ConvexOrder {
 typedef struct ConvexSetting {
     PiecesSetting pieces;
     bool has_partings; /* for orders by a grid too */
-    const char
-        *cache; /* a file that is read where it is of this mesh and setting, and else written */
+    /* a file that is read where it is of this mesh and setting, and else written */
+    const char *cache;
     PiecesProgress progress; /* NULL: nobody asks */
     void *context;
 } ConvexSetting;
@@ -49,8 +49,8 @@ void convex_close(ConvexModel *model); /* a zeroed one is fine */
 typedef struct ConvexFacts {
     uint32_t pieces, levels;
     uint32_t sides; /* of pieces that are seen */
-    uint32_t
-        split_sides; /* those that were taken apart into faces; of a grid, circles that were cut */
+    /* those that were taken apart into faces; of a grid, circles that were cut */
+    uint32_t split_sides;
     uint32_t knots, knot_faces; /* of a grid, slabs */
 } ConvexFacts;
 

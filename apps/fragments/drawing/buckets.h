@@ -7,10 +7,12 @@
 
 typedef enum BucketKind {
     BUCKETS_ONE_PASS, /* BUCKETS of equal depth, of one fragment each */
-    BUCKETS_TWO_PASSES, /* half as many, of the nearest and the farthest: the first pass finds their depths, the
-                           second their colours */
-    BUCKETS_ADAPTIVE, /* the first pass finds where there are fragments, in BUCKET_BITS parts; each such
-                           part is a bucket, as far as there are any */
+    /* half as many, of the nearest and the farthest: the first pass finds their depths, the second
+     * their colours */
+    BUCKETS_TWO_PASSES,
+    /* the first pass finds where there are fragments, in BUCKET_BITS parts; each such part is a
+     * bucket, as far as there are any */
+    BUCKETS_ADAPTIVE,
 } BucketKind;
 
 typedef struct BucketSetting {

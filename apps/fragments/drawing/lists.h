@@ -15,8 +15,8 @@ enum { LIST_MOST = 254 };
 
 typedef struct ListSetting {
     uint32_t layers; /* fragments of the pixel that has most, at most LIST_MOST */
-    uint32_t
-        first; /* of a pixel's fragments the first so many, as they are drawn, are kept; 0: all */
+    /* of a pixel's fragments the first so many, as they are drawn, are kept; 0: all */
+    uint32_t first;
     uint32_t nearest; /* of these the nearest so many; 0: all */
     bool is_packed;   /* depth and colour in 32 bits */
     /* Fragments in flight, which see their pixel as it was before the first of them: of those of one window

@@ -32,9 +32,9 @@ typedef struct FragmentGlass {
     bool is_on;         /* false: each fragment hides alpha of what is behind it, and that is all */
     double sigma;       /* extinction, of the world's unit of length */
     bool is_as_printed; /* Schlick's term as the paper prints it */
-    double
-        begin; /* distance of a plane along the view, before which is no surface, and no body; the nearer the
-                     mesh, the smaller the exponents. 0: the near plane */
+    /* distance of a plane along the view, before which is no surface, and no body; the nearer the
+     * mesh, the smaller the exponents. 0: the near plane */
+    double begin;
 } FragmentGlass;
 
 #define FRAGMENT_REFLECTED 0.04 /* r: of glass, head on */

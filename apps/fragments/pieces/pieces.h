@@ -13,11 +13,11 @@
 
 /* All zero: exact, both ways, not merged. */
 typedef struct PiecesSetting {
-    double
-        tolerance; /* by how much of the longest side of the mesh's box a corner may be in front of
-                         a plane. Above 0 pieces may be concave, and pictures wrong */
-    bool outward;  /* as printed: no piece is turned over */
-    bool merge;    /* pieces that touch are joined where they are convex together */
+    /* by how much of the longest side of the mesh's box a corner may be in front of a plane. Above
+     * 0 pieces may be concave, and pictures wrong */
+    double tolerance;
+    bool outward; /* as printed: no piece is turned over */
+    bool merge;   /* pieces that touch are joined where they are convex together */
 } PiecesSetting;
 
 /* Owns all; a zeroed one is empty. Faces of a piece are [first[p], first[p + 1]) of faces. */

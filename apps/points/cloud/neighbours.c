@@ -183,8 +183,8 @@ static void search_leaf(Search *search, uint32_t rank, uint32_t end)
 /* A node that may hold some. */
 typedef struct Waiting {
     double away[3]; /* along each axis, how far the place is from the node's box */
-    double
-        distance2; /* the sum of their squares, which rounding may have made a little too large */
+    /* the sum of their squares, which rounding may have made a little too large */
+    double distance2;
     uint32_t node;
     int depth;
 } Waiting;

@@ -8,9 +8,9 @@
 
 /* How far points may be merged. */
 typedef struct SplatDetail {
-    double
-        pixels; /* standard deviation that merging adds to a splat at most; 0: none is merged, but
-                          by the adaptive method as its tolerance allows */
+    /* standard deviation that merging adds to a splat at most; 0: none is merged, but by the
+     * adaptive method as its tolerance allows */
+    double pixels;
     uint32_t budget; /* splats at most; 0: any number */
 } SplatDetail;
 

@@ -27,9 +27,9 @@ typedef struct SplatGroup {
 typedef struct SplatShading {
     const GpProgram *program;
     void *uniforms;
-    void *
-        solid; /* others for the draw that leaves depth, and alpha of its own; NULL: the same ones, and
-                    alpha stays that of the picture */
+    /* others for the draw that leaves depth, and alpha of its own; NULL: the same ones, and alpha
+     * stays that of the picture */
+    void *solid;
     GpTexture map;    /* slot 1, where the program has a shadow map there */
     int surface_slot; /* of the sums of normals and distances */
 } SplatShading;

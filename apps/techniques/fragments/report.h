@@ -12,8 +12,8 @@ GpResult fragment_report(void *model, const void *options, const Frame *frame, G
 typedef struct FragmentError {
     uint64_t wrong;
     uint64_t wrong_beyond_edges; /* those with no edge within 1/256 pixel of their centre */
-    uint64_t
-        wrong_at_crossings; /* of these those at which rounded corners may change what is in front */
+    /* of these those at which rounded corners may change what is in front */
+    uint64_t wrong_at_crossings;
 } FragmentError;
 
 FragmentError fragment_error(const FragmentModel *model, const GpSurface *picture);

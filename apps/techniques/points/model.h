@@ -22,11 +22,12 @@ typedef struct PointsModel {
     PointsFacts facts; /* where a report is asked for */
     Patches patches;   /* empty until a setting needs them, or the cache had them */
     Compressed compressed[COMPRESS_FORMS]; /* the same */
-    PointsCompress keeps; /* what it was opened for: of another form than POINTS_PLAIN it keeps that
-                             alone, once it is built, and frees what it was made of */
-    GpFile file;          /* what a model from the cache lies in */
-    Sequence sequence;    /* empty until a setting needs it */
-    const char *cache;    /* where they go once they are built; NULL: nowhere, or they are there */
+    /* what it was opened for: of another form than POINTS_PLAIN it keeps that alone, once it is
+     * built, and frees what it was made of */
+    PointsCompress keeps;
+    GpFile file;       /* what a model from the cache lies in */
+    Sequence sequence; /* empty until a setting needs it */
+    const char *cache; /* where they go once they are built; NULL: nowhere, or they are there */
     uint64_t cache_key;
     GpError cache_fault; /* why the cache was of no use, or could not be written; else empty */
     PointsListener listener;

@@ -24,8 +24,8 @@ typedef struct ShadowLight {
     const LightView *view; /* [6] of a cube */
     uint32_t size;         /* of a view, in texels */
     GpSurface *map;
-    const SceneCasters
-        *casters; /* what is drawn into the map, but where it is to have all, as printed */
+    /* what is drawn into the map, but where it is to have all, as printed */
+    const SceneCasters *casters;
 
     /* adaptive */
     GpSurface *table, *atlas;     /* no atlas: no tile was asked for */

@@ -14,8 +14,9 @@ typedef struct VoxelFacts {
     bool has_solids;         /* what follows is known */
     uint64_t odd_columns[3]; /* along x, y, z: columns that an odd number of triangles crosses */
     uint64_t disagreements;  /* voxels that are inside along one axis and outside along another */
-    uint64_t doubled;        /* voxels inside of parts that overlap or are nested, so that their
-                                winding number is even, and parity leaves them out */
+    /* voxels inside of parts that overlap or are nested, so that their winding number is even, and
+     * parity leaves them out */
+    uint64_t doubled;
 } VoxelFacts;
 
 /* Facts of the mesh alone. errors GP_ERROR_MEMORY */

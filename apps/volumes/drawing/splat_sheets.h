@@ -15,8 +15,8 @@ typedef struct Sheets {
     const VoxelOrder *order;       /* along the axis nearest to the view */
     const VoxelUniforms *uniforms; /* NULL without memory */
     GpSurface *look; /* of the 256 values: colour, and extinction, or opacity as printed */
-    GpSurface
-        *color; /* the target, and what hides: its depth, or that and what is opaque; or NULL */
+    /* the target, and what hides: its depth, or that and what is opaque; or NULL */
+    GpSurface *color;
     GpSurface *depth;
     GpFormat format;
     GpSurface *sheet[SHEETS_AT_ONCE], *sum;

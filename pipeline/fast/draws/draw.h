@@ -94,15 +94,17 @@ typedef struct FastDraw {
     bool late_depth;  /* the pixel shader comes before depth and stencil */
     bool wants_depth; /* depth or stencil is touched at all */
     bool sorted;      /* fragments wait for all of their pixel: shade/fragments.h */
-    bool tests_last;  /* and meet depth and stencil when they have their turn, if at all; otherwise
-                          nothing in the pass writes these, and tests are as early as ever */
-    bool one_color; /* sorted, and all fragments of a triangle have one colour, which is found once:
-                          shade/one_color.c */
+    /* and meet depth and stencil when they have their turn, if at all; otherwise nothing in the
+     * pass writes these, and tests are as early as ever */
+    bool tests_last;
+    /* sorted, and all fragments of a triangle have one colour, which is found once:
+     * shade/one_color.c */
+    bool one_color;
     bool nearest_wins; /* ordered, but only equal depths need their order: see sorted_triangles.c */
     uint32_t epsilon;  /* of the ternary test, as a depth code */
-    bool
-        is_even; /* of a few triangles; its colour differs only where what it reads in place does, and
-                       nothing but targets changes: see even_tile.c */
+    /* of a few triangles; its colour differs only where what it reads in place does, and nothing
+     * but targets changes: see even_tile.c */
+    bool is_even;
     bool packs_points; /* fragments of several points share packets: see pack_points.c */
     bool only_adds;    /* blending does nothing but add, to targets of floats */
     bool shades_again; /* varyings are not stored, but found where points are packed */
@@ -127,8 +129,9 @@ typedef struct FastDraw {
 
     /* shaded vertices, vertex first_vertex first */
     FastPosition *positions;
-    float *varyings; /* stride floats a vertex: varyings, then clip distances in use; none of points
-                         that are not on the screen, or of a draw that shades again */
+    /* stride floats a vertex: varyings, then clip distances in use; none of points that are not on
+     * the screen, or of a draw that shades again */
+    float *varyings;
     uint32_t stride; /* a multiple of 4 */
 
     /* draws that come again (repeat.h) */
@@ -182,15 +185,15 @@ typedef struct FastPass {
     uint32_t width, height;
     GpRect window;             /* of its targets: at tiles' corners, but for their own */
     uint32_t tiles_x, tiles_y; /* of the window */
-    uint32_t first_tile;       /* row * tiles_x + column of its first, of the whole's; others have
-                                  their numbers from there */
+    /* row * tiles_x + column of its first, of the whole's; others have their numbers from there */
+    uint32_t first_tile;
     FastDraw *draws;
     uint32_t draw_count;
     uint32_t block_count, primitive_count, range_count;
     uint32_t range_size;               /* primitives, but for the last */
     uint32_t first_block, first_range; /* of all that the group has */
-    bool
-        one_blend; /* of a pass that sorts: all draws blend alike, and test nothing in their turn */
+    /* of a pass that sorts: all draws blend alike, and test nothing in their turn */
+    bool one_blend;
     bool writes_depth; /* of a pass that sorts: some draw changes depth or stencil */
     bool starts;       /* with the pass's first draw: targets are cleared before */
     const struct FastPass

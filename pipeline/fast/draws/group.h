@@ -16,8 +16,8 @@ typedef struct FastSlots {
 typedef struct FastGroup {
     FastPass *passes;
     uint32_t pass_count;
-    bool
-        sorts; /* some pass's fragments are sorted: of these all vertices and bins are made at once */
+    /* some pass's fragments are sorted: of these all vertices and bins are made at once */
+    bool sorts;
     FastSlots slots;
     uint32_t block_count, range_count;
     uint32_t repeated; /* draws whose fragments are kept: repeat.h */

@@ -19,8 +19,9 @@ typedef struct GpMesh {
     float *texcoords;  /* [2 * vertex_count] u v, v as in the file; NULL without */
     uint32_t *indices; /* [3 * triangle_count], all < vertex_count */
     uint32_t vertex_count, triangle_count;
-    uint32_t skipped_count; /* faces without area that are left out: STL corners that weld,
-                               OBJ polygons with fewer than three different vertices */
+    /* faces without area that are left out: STL corners that weld, OBJ polygons with fewer than
+     * three different vertices */
+    uint32_t skipped_count;
     bool had_normals, had_colors, had_texcoords; /* the file stored them for its vertices */
 } GpMesh;
 

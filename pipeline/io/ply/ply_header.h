@@ -59,8 +59,8 @@ typedef struct PlyHeader {
     PlyElement element[16];
     PlyProperty property[128];
     size_t element_count, property_count;
-    bool
-        has[PLY_IGNORED + 1]; /* roles that occur; incomplete groups are already made PLY_IGNORED */
+    /* roles that occur; incomplete groups are already made PLY_IGNORED */
+    bool has[PLY_IGNORED + 1];
 } PlyHeader;
 
 /* Parses and checks the header and leaves input after it; false after a fault. */

@@ -11,8 +11,8 @@ typedef struct GpPoints {
     float *radii;     /* [count] >= 0 as stored; NULL without */
     uint8_t *colors;  /* [3 * count] red, green, blue; NULL without */
     uint32_t count;
-    uint32_t
-        face_count; /* of the file: more than 0, and it holds a mesh, whose vertices are no points */
+    /* of the file: more than 0, and it holds a mesh, whose vertices are no points */
+    uint32_t face_count;
 } GpPoints;
 
 /* Reads points. The format is that of the extension (any case); .ply is confirmed by its first word.

@@ -27,10 +27,11 @@ typedef struct CornerVertex {
 
 /* In voxels, x and y from the centre of the first column, z from the slab's floor. */
 typedef struct Varying {
-    float4 place;  /* of the first column, in texels; and how many columns, x and y */
-    float4 ends;   /* lowest and highest z; mirrors of the views along y and x, see View */
-    float4 plane;  /* z in the centre of the first column; rise a column in x and y; half its rise
-                      over a column, with what rounding adds */
+    float4 place; /* of the first column, in texels; and how many columns, x and y */
+    float4 ends;  /* lowest and highest z; mirrors of the views along y and x, see View */
+    /* z in the centre of the first column; rise a column in x and y; half its rise over a column,
+     * with what rounding adds */
+    float4 plane;
     float4 single; /* bounds of the views: along y, then along x */
     float4 pair_x, pair_y;
     float3 edge[3]; /* seen along z: positive, or 0, where the column lets the triangle in */

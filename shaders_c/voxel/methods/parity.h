@@ -14,8 +14,9 @@ typedef struct VoxelParityUniforms {
     float size;           /* voxels a side */
     float patch, patches; /* which of how many, one below the other */
     float floor;          /* lowest voxel of the group */
-    float most;           /* bits that a fragment may turn over: VOXEL_PARITY_DEPTH; beyond every
-                              volume for the top group, which stands for all above it too */
+    /* bits that a fragment may turn over: VOXEL_PARITY_DEPTH; beyond every volume for the top
+     * group, which stands for all above it too */
+    float most;
 } VoxelParityUniforms;
 
 /* To be blended with GP_BLEND_LOGIC_XOR. */

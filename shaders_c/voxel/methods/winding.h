@@ -15,9 +15,10 @@ typedef struct VoxelWindingUniforms {
     VoxelMotion motion;
     float size;  /* voxels a side */
     float floor; /* lowest voxel of the group */
-    float most; /* voxels that a fragment may count in: VOXEL_WINDING_DEPTH; beyond every volume for
-                    the top group, which stands for all above it too */
-    float one;  /* what is added: 1 of floats, 1/255 of bytes */
+    /* voxels that a fragment may count in: VOXEL_WINDING_DEPTH; beyond every volume for the top
+     * group, which stands for all above it too */
+    float most;
+    float one; /* what is added: 1 of floats, 1/255 of bytes */
 } VoxelWindingUniforms;
 
 /* To be blended with GP_BLEND_ADD and GP_BLEND_REV_SUBTRACT, both factors one. */

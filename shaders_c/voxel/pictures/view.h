@@ -13,8 +13,9 @@ typedef struct VoxelViewUniforms {
     FlatTextureLayout flat;
     float block_columns, blocks_width, blocks_height; /* of voxel_blocks */
     SliceUniforms slices;
-    float colors[3][4]; /* of the kinds from VOXEL_KIND_FIRST on, and how much of what is behind one
-                             voxel is lost: voxel_haze only */
+    /* of the kinds from VOXEL_KIND_FIRST on, and how much of what is behind one voxel is lost:
+     * voxel_haze only */
+    float colors[3][4];
 } VoxelViewUniforms;
 
 /* Triangles of quads at a slab's near side: GP_POSITION is (u, v, w), GP_TEXCOORD0 the layer. Slots

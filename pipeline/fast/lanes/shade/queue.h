@@ -8,8 +8,8 @@ enum { FAST_COLORS = FAST_BLOCK * GP_LANES };
 
 typedef struct FastQueue {
     uint32_t count;
-    uint32_t
-        colors; /* triangles that wait for their one colour (one_color.h); then no packets do */
+    /* triangles that wait for their one colour (one_color.h); then no packets do */
+    uint32_t colors;
     uint32_t color_record[FAST_COLORS];
     uint32_t taken;    /* lanes of the last packet, where points have left some: else 0 */
     FastLayers layers; /* while any wait, no packets do */

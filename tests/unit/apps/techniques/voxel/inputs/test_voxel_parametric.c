@@ -103,8 +103,8 @@ static const struct {
     const char *name;
     Touches *touches;
     VoxelBox box;
-    uint64_t lost_by_chords; /* at least, of triangles half a voxel off; a small or a
-                                 large one has legs too short for that */
+    /* at least, of triangles half a voxel off; a small or a large one has legs too short for that */
+    uint64_t lost_by_chords;
 } cases[] = {
     { "sphere", touches_sphere, { 64, 20, { 32, 32, 32 } }, 40 },
     { "sphere", touches_sphere, { 64, 30.75, { 32, 32, 32 } }, 100 },
